@@ -1,0 +1,93 @@
+#include "faults.h"
+
+#include <string.h>
+
+#include "calendar.h"
+
+static const struct {
+    const char *name, *text;
+} table[FAULT_COUNT] = {
+    [FAULT_AIRT_FLAG] = {"airt-flag", "SFC 41 sets a flag and does not count [AIRT-03]"},
+    [FAULT_AIRT_KEEPS_COUNT] = {"airt-keeps-count",
+                                "the delay count is not reset at the end of the OB [AIRT-04]"},
+    [FAULT_AIRT_EN_ALL] = {"airt-en-all", "one SFC 42 takes back all delays [AIRT-03, AIRT-07]"},
+    [FAULT_AIRT_EN_ZERO] = {"airt-en-zero",
+                            "SFC 42 answers 0000 where nothing was delayed [AIRT-07]"},
+    [FAULT_AIRT_LOSES] = {"airt-loses", "start events are lost while SFC 41 delays [AIRT-02]"},
+    [FAULT_AIRT_IGNORES_OB80] = {"airt-ignores-ob80", "SFC 41 does not delay OB 80 [AIRT-09]"},
+    [FAULT_HOURLY_DAILY] = {"hourly-daily", "PERIOD 0401 is run daily [TINT-34]"},
+    [FAULT_MONTH_END_30] = {"month-end-30",
+                            "PERIOD 2001 runs on the 30th of the long months [TINT-19]"},
+    [FAULT_LEAP_CENTURY] = {"leap-century", "the year 2000 is taken for a common year [TINT-39]"},
+    [FAULT_MONTHLY_31] = {"monthly-31", "PERIOD 1401 is accepted for the days 29 to 31 [TINT-18]"},
+    [FAULT_KEEP_SECONDS] = {"keep-seconds", "the seconds of SDT are not cut off [TINT-11]"},
+    [FAULT_SET_ACTIVATES] = {"set-activates", "SFC 28 activates the interrupt as well [TINT-05]"},
+    [FAULT_SET_PAST_ALL] = {"set-past-all",
+                            "SFC 28 answers 80A1 for a periodic start in the past [TINT-37]"},
+    [FAULT_ACT_NO_80A1] = {"act-no-80a1",
+                           "SFC 30 accepts a single start in the past [TINT-61]"},
+    [FAULT_CAN_KEEPS_DATE] = {"can-keeps-date",
+                              "SFC 29 only deactivates and leaves the date [TINT-50]"},
+    [FAULT_CAN_KEEPS_REQUEST] = {"can-keeps-request",
+                                 "SFC 29 leaves a waiting request in the queue [TINT-50]"},
+    [FAULT_ONCE_STAYS] = {"once-stays", "a single start stays set after its run [TINT-08]"},
+    [FAULT_QRY_NO_LOADED] = {"qry-no-loaded", "STATUS bit 4 is always 0 [TINT-76]"},
+    [FAULT_NO_OB80_SKIP] = {"no-ob80-skip",
+                            "no OB 80 when the clock skips start points [CLK-02]"},
+    [FAULT_NO_CATCH_UP] = {"no-catch-up", "skipped OBs are not caught up [CLK-03]"},
+    [FAULT_CATCH_UP_PER_PERIOD] = {"catch-up-per-period",
+                                   "one catch-up for every skipped period, up to 5 [CLK-03]"},
+    [FAULT_CATCH_UP_FIRST] = {"catch-up-first", "the catch-up runs before OB 80 [CLK-03]"},
+    [FAULT_SKIP_MASK] = {"skip-mask", "the bits of fault 05 count from 1 [CLK-06]"},
+    [FAULT_SKIP_TIME] = {"skip-time",
+                         "OB 80 with fault 05 carries the clock before the change [CLK-06]"},
+    [FAULT_REPEAT_S7_400] = {"repeat-s7-400",
+                             "S7-400: start points repeat after the clock went back [CLK-09]"},
+    [FAULT_NO_REPEAT_S7_300] = {"no-repeat-s7-300",
+                                "S7-300: start points do not repeat after it went back [CLK-10]"},
+    [FAULT_OVERLAP_SILENT] = {"overlap-silent",
+                              "no OB 80 when an OB is due while it still runs [TINT-14]"},
+    [FAULT_OVERLAP_LOST] = {"overlap-lost", "the run that fell due meanwhile is lost [TINT-14]"},
+    [FAULT_EQUAL_PREEMPTS] = {"equal-preempts",
+                              "an OB of the same class interrupts the running one [OBS-02]"},
+    [FAULT_LIFO] = {"lifo", "the youngest request of a class goes first [OBS-02]"},
+    [FAULT_MISSING_OB80_RUNS_ON] = {"missing-ob80-runs-on",
+                                    "a time error without OB 80 does not stop the CPU [OBS-22]"},
+    [FAULT_MISSING_OB85_RUNS_ON] = {"missing-ob85-runs-on",
+                                    "a missing OB without OB 85 does not stop the CPU [OBS-21]"},
+    [FAULT_MISSING_SILENT] = {"missing-silent",
+                              "a missing OB is passed over without OB 85 [OBS-20]"},
+    [FAULT_RESTART_KEEPS_SFC] = {"restart-keeps-sfc",
+                                 "a restart keeps what SFC 28 to 30 have set [OBS-50]"},
+    [FAULT_RESTART_NO_STEP7] = {"restart-no-step7",
+                                "a restart does not bring the STEP 7 parameters back [OBS-50]"},
+    [FAULT_STARTUP_RUNS_TOD] = {"startup-runs-tod", "OB 10 to 17 run during STARTUP [TINT-13]"},
+};
+
+bool fault_by_name(const char *name, enum fault *f)
+{
+    for (int i = 0; i < FAULT_COUNT; i++)
+        if (strcmp(table[i].name, name) == 0) {
+            *f = (enum fault)i;
+            return true;
+        }
+    return false;
+}
+
+const char *fault_name(enum fault f)
+{
+    return table[f].name;
+}
+
+void faults_help(FILE *out)
+{
+    for (int i = 0; i < FAULT_COUNT; i++)
+        fprintf(out, "  %-22s %s\n", table[i].name, table[i].text);
+}
+
+unsigned faults_calendar_quirks(fault_set set)
+{
+    return (has_fault(set, FAULT_LEAP_CENTURY) ? QUIRK_CENTURY_NOT_LEAP : 0u) |
+           (has_fault(set, FAULT_MONTH_END_30) ? QUIRK_MONTH_END_30 : 0u) |
+           (has_fault(set, FAULT_HOURLY_DAILY) ? QUIRK_HOURLY_IS_DAILY : 0u);
+}

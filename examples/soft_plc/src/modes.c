@@ -1,0 +1,70 @@
+#include "modes.h"
+
+#include "events.h"
+#include "scheduler.h"
+#include "tod.h"
+
+static void forget_running(struct cpu *cpu)
+{
+    cpu->depth = 0;
+    cpu->queue.length = 0;
+    cpu->delay_count = 0; /* [OBS-54] */
+}
+
+void modes_stop(struct cpu *cpu, int cause)
+{
+    if (cpu->mode == MODE_STOP)
+        return;
+    cpu->mode = MODE_STOP;
+    log_stop(cpu->log, cpu, cause);
+    forget_running(cpu); /* [OBS-41] */
+}
+
+static bool deselected_is_loaded(const struct cpu *cpu)
+{
+    for (int k = 0; k < TOD_OBS; k++)
+        if (cpu->config.step7[k].deselected && cpu->loaded[TOD_FIRST + k])
+            return true;
+    return false;
+}
+
+void modes_restart(struct cpu *cpu, bool cold)
+{
+    int startup_ob = cold ? 102 : 100;
+    modes_stop(cpu, CAUSE_SWITCH); /* a restart leads through STOP */
+    cpu->mode = MODE_STARTUP;
+    log_restart(cpu->log, cpu, cold);
+    tod_restart(cpu); /* before the startup OB, whose own calls then last [OBS-55] */
+    if (deselected_is_loaded(cpu)) {
+        modes_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
+        return;
+    }
+    if (cpu->loaded[startup_ob]) {
+        struct request r = events_request(cpu, startup_ob, cpu_now(cpu));
+        r.info.strt_info = cold ? 0x85 : 0x81; /* manual restart */
+        scheduler_start(cpu, &r);
+    }
+}
+
+void modes_run(struct cpu *cpu)
+{
+    cpu->mode = MODE_RUN;
+    log_mode(cpu->log, cpu, "run");
+}
+
+void modes_hold(struct cpu *cpu)
+{
+    if (cpu->mode != MODE_RUN)
+        return;
+    cpu->mode = MODE_HOLD;
+    log_mode(cpu->log, cpu, "hold");
+}
+
+void modes_release(struct cpu *cpu)
+{
+    if (cpu->mode != MODE_HOLD)
+        return;
+    cpu->mode = MODE_RUN;
+    log_mode(cpu->log, cpu, "release");
+    tod_released(cpu, cpu_now(cpu));
+}

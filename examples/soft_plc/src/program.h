@@ -1,0 +1,70 @@
+/* What the user program does, and what happens to the CPU from outside. A scenario file
+ * and the random program are two implementations of the same interface. */
+#ifndef PROGRAM_H
+#define PROGRAM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "calendar.h"
+
+struct cpu;
+struct frame;
+
+enum step_kind {
+    STEP_BUSY,
+    STEP_SET_TINT,
+    STEP_CAN_TINT,
+    STEP_ACT_TINT,
+    STEP_QRY_TINT,
+    STEP_DIS_AIRT,
+    STEP_EN_AIRT,
+    STEP_SET_CLOCK,
+    STEP_MOVE_CLOCK
+};
+
+/* One instruction of an OB. The arguments may be wrong: the SFCs answer that. */
+struct step {
+    enum step_kind kind;
+    int ob;
+    int period;
+    struct civil sdt;
+    int64_t ms; /* busy: duration; set clock: the new reading; move clock: by how much */
+};
+
+enum action_kind {
+    ACTION_SET_CLOCK,
+    ACTION_MOVE_CLOCK,
+    ACTION_INTERRUPT,
+    ACTION_STOP,
+    ACTION_RESTART_WARM,
+    ACTION_RESTART_COLD,
+    ACTION_HOLD,
+    ACTION_RELEASE,
+    ACTION_LOAD,
+    ACTION_DELETE
+};
+
+/* Something that comes from outside: an operator, a module, a clock master. */
+struct action {
+    enum action_kind kind;
+    int ob;
+    int flt_id; /* OB 80 and 85 only, else -1 */
+    int64_t ms; /* set clock: the new reading; move clock: by how much */
+};
+
+struct program {
+    /* An OB begins: frame->body and frame->step are the program's own to use. */
+    void (*begin)(struct program *p, const struct cpu *cpu, struct frame *frame);
+    /* The next instruction of an OB; false at its end. */
+    bool (*next)(struct program *p, const struct cpu *cpu, struct frame *frame,
+                 struct step *step);
+    /* True where this and all later cycles of OB 1 are empty, so that time may pass at once. */
+    bool (*idle)(struct program *p, const struct cpu *cpu);
+    /* Elapsed time of the next action, INT64_MAX where there is none. */
+    int64_t (*action_time)(struct program *p, const struct cpu *cpu);
+    /* Takes that action; false where nothing is to be done after all. */
+    bool (*take_action)(struct program *p, const struct cpu *cpu, struct action *action);
+};
+
+#endif

@@ -1,0 +1,268 @@
+#include "random_program.h"
+
+/* xorshift64*: small, fast and the same on every machine. */
+static uint64_t draw(struct random_program *r)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    return r->state * UINT64_C(2685821657736338717);
+}
+
+/* 0 to n-1 */
+static int below(struct random_program *r, int n)
+{
+    return (int)((draw(r) >> 33) % (uint64_t)n);
+}
+
+static int between(struct random_program *r, int low, int high)
+{
+    return low + below(r, high - low + 1);
+}
+
+static bool percent(struct random_program *r, int n)
+{
+    return below(r, 100) < n;
+}
+
+/* Mostly OB 10 to 13, so that calls meet each other; now and then a number that is wrong. */
+static int draw_ob_nr(struct random_program *r)
+{
+    static const int wrong[] = {-1, 0, 1, 9, 18, 20, 80, 99};
+    if (percent(r, 4))
+        return wrong[below(r, 8)];
+    return percent(r, 75) ? between(r, 10, 12) : between(r, 10, 17);
+}
+
+static int draw_period(struct random_program *r)
+{
+    static const int codes[] = {0x0000, 0x0000, 0x0201, 0x0201, 0x0201, 0x0401, 0x0401,
+                                0x1001, 0x1201, 0x1202, 0x1401, 0x1801, 0x2001};
+    static const int wrong[] = {0x0001, 0x0200, 0x0400, 0x1002, 0x2000, 0xFFFF};
+    return percent(r, 4) ? wrong[below(r, 6)] : codes[below(r, 13)];
+}
+
+static dt_ms clamp(dt_ms t)
+{
+    const dt_ms margin = 400 * MS_DAY;
+    return t < margin ? margin : t > dt_last() - margin ? dt_last() - margin : t;
+}
+
+static void draw_sdt(struct random_program *r, dt_ms now, struct civil *c)
+{
+    dt_ms t = now;
+    if (percent(r, 80))
+        t += between(r, -3, 3) * MS_MINUTE;
+    else
+        t += between(r, -400, 400) * MS_DAY;
+    dt_to_civil(clamp(t), c);
+    if (percent(r, 60))
+        c->second = c->ms = 0;
+    switch (below(r, 40)) {
+    case 0:
+        c->month = 2;
+        c->day = between(r, 28, 31);
+        break;
+    case 1:
+        c->year = percent(r, 50) ? 1989 : 2090;
+        break;
+    case 2:
+        c->month = between(r, 0, 13);
+        break;
+    case 3:
+        c->day = between(r, 29, 31);
+        break;
+    default:
+        break;
+    }
+}
+
+/* A reading in front of an instant that calendars get wrong. */
+static dt_ms draw_instant(struct random_program *r)
+{
+    static const int years[] = {1999, 2000, 2026, 2027, 2028, 2087, 2088};
+    static const struct {
+        int month, day;
+    } days[] = {{2, 28}, {2, 28}, {12, 31}, {4, 30}, {3, 31}, {1, 1}};
+    int i = below(r, 6);
+    struct civil c = {.year = years[below(r, 7)], .month = days[i].month, .day = days[i].day,
+                      .hour = 23, .minute = between(r, 56, 59), .second = below(r, 60)};
+    return civil_to_dt(&c);
+}
+
+static int64_t draw_move(struct random_program *r)
+{
+    int64_t by = between(r, 1, 300) * INT64_C(1000);
+    switch (below(r, 6)) {
+    case 0:
+        by = between(r, 1, 48) * MS_HOUR;
+        break;
+    case 1:
+        by = between(r, 1, 60) * MS_DAY;
+        break;
+    default:
+        break;
+    }
+    return percent(r, 50) ? by : -by;
+}
+
+static void draw_clock_change(struct random_program *r, dt_ms now, int64_t *to)
+{
+    if (percent(r, 15)) {
+        *to = draw_instant(r);
+        return;
+    }
+    dt_ms t = now + draw_move(r);
+    *to = clamp(t - t % 1000); /* [CLK-17] */
+}
+
+static void begin(struct program *p, const struct cpu *cpu, struct frame *frame)
+{
+    struct random_program *r = (struct random_program *)p;
+    (void)cpu;
+    frame->step = (uint32_t)(frame->ob == 1 ? between(r, 1, 12) : between(r, 0, 6));
+}
+
+static int64_t draw_busy(struct random_program *r, int ob)
+{
+    if (ob == 1)
+        return percent(r, 20) ? between(r, 1000, 20000) : between(r, 1, 800);
+    if (ob_is_tod(ob) && percent(r, 2))
+        return between(r, 30, 130) * INT64_C(1000);
+    return between(r, 1, 200);
+}
+
+static bool next(struct program *p, const struct cpu *cpu, struct frame *frame, struct step *step)
+{
+    struct random_program *r = (struct random_program *)p;
+    if (frame->step == 0)
+        return false;
+    frame->step--;
+    int n = below(r, 1000);
+    *step = (struct step){.kind = STEP_BUSY};
+    if (n < 380) {
+        step->ms = draw_busy(r, frame->ob);
+    } else if (n < 500) {
+        step->kind = STEP_SET_TINT;
+        step->ob = draw_ob_nr(r);
+        step->period = draw_period(r);
+        draw_sdt(r, clock_now(&cpu->clock), &step->sdt);
+    } else if (n < 640) {
+        step->kind = STEP_ACT_TINT;
+        step->ob = draw_ob_nr(r);
+    } else if (n < 690) {
+        step->kind = STEP_CAN_TINT;
+        step->ob = draw_ob_nr(r);
+    } else if (n < 800) {
+        step->kind = STEP_QRY_TINT;
+        step->ob = draw_ob_nr(r);
+    } else if (n < 890) {
+        step->kind = STEP_DIS_AIRT;
+    } else if (n < 995) {
+        step->kind = STEP_EN_AIRT;
+    } else {
+        step->kind = STEP_SET_CLOCK;
+        draw_clock_change(r, clock_now(&cpu->clock), &step->ms);
+    }
+    return true;
+}
+
+static bool idle(struct program *p, const struct cpu *cpu)
+{
+    (void)p;
+    (void)cpu;
+    return false;
+}
+
+static int64_t action_time(struct program *p, const struct cpu *cpu)
+{
+    (void)cpu;
+    return ((struct random_program *)p)->next_action;
+}
+
+/* A start event that the CPU answers without STOP or that meets a loaded OB. */
+static void draw_interrupt(struct random_program *r, const struct cpu *cpu, struct action *a)
+{
+    static const int obs[] = {35, 35, 35, 40, 40, 41, 30, 32, 38, 55, 82, 83, 81, 87, 80, 85};
+    a->kind = ACTION_INTERRUPT;
+    a->ob = obs[below(r, 16)];
+    if (!cpu->loaded[a->ob] && !percent(r, 5))
+        a->ob = 35;
+    if (a->ob == 80)
+        a->flt_id = 0x01;
+    if (a->ob == 85)
+        a->flt_id = 0xA3;
+}
+
+/* Deletes a block, or brings back one that is missing: OB 80 and 85 soon. */
+static void draw_block(struct random_program *r, const struct cpu *cpu, struct action *a)
+{
+    static const int obs[] = {80, 85, 10, 11, 12, 35};
+    a->ob = obs[below(r, 6)];
+    if (!cpu->loaded[80] || !cpu->loaded[85])
+        a->ob = cpu->loaded[80] ? 85 : 80;
+    a->kind = cpu->loaded[a->ob] ? ACTION_DELETE : ACTION_LOAD;
+}
+
+static bool take_action(struct program *p, const struct cpu *cpu, struct action *action)
+{
+    struct random_program *r = (struct random_program *)p;
+    int n = below(r, 1000);
+    *action = (struct action){.flt_id = -1};
+    r->next_action = cpu->clock.up + (percent(r, 10) ? between(r, 1, 50) : between(r, 50, 4000));
+    if (cpu->mode == MODE_STOP && n < 100) {
+        action->kind = ACTION_SET_CLOCK;
+        draw_clock_change(r, clock_now(&cpu->clock), &action->ms);
+    } else if (cpu->mode == MODE_STOP) {
+        action->kind = percent(r, 80) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+    } else if (cpu->mode == MODE_HOLD) {
+        action->kind = ACTION_RELEASE;
+    } else if (n < 10) {
+        draw_block(r, cpu, action);
+    } else if (n < 960) {
+        draw_interrupt(r, cpu, action);
+    } else if (n < 990) {
+        action->kind = ACTION_SET_CLOCK;
+        draw_clock_change(r, clock_now(&cpu->clock), &action->ms);
+    } else if (n < 995) {
+        action->kind = ACTION_STOP;
+    } else if (n < 997) {
+        action->kind = ACTION_HOLD;
+    } else {
+        action->kind = percent(r, 50) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+    }
+    return true;
+}
+
+void random_program(struct random_program *r, uint64_t seed)
+{
+    *r = (struct random_program){
+        .program = {.begin = begin,
+                    .next = next,
+                    .idle = idle,
+                    .action_time = action_time,
+                    .take_action = take_action},
+        .state = seed * UINT64_C(0x9E3779B97F4A7C15) + 0x2545F4914F6CDD1D,
+        .next_action = 100,
+    };
+    for (int i = 0; i < 8; i++)
+        draw(r);
+}
+
+void random_config(struct random_program *r, struct config *c)
+{
+    static const int always[] = {1, 10, 11, 12, 35, 80, 85, 100, 102};
+    static const int often[] = {13, 14, 15, 30, 40, 41, 55, 81, 82, 83, 87};
+    c->family = (enum family)below(r, 3);
+    for (unsigned i = 0; i < sizeof always / sizeof always[0]; i++)
+        c->loaded[always[i]] = true;
+    for (unsigned i = 0; i < sizeof often / sizeof often[0]; i++)
+        c->loaded[often[i]] = percent(r, 75);
+    c->clock = draw_instant(r);
+    c->mode = percent(r, 50) ? MODE_RUN : MODE_STOP;
+    c->buffer = 64;
+    c->step7[0] = (struct step7_tod){.configured = true, .active = true, .has_start = true,
+                                     .execution = "hourly", .period = PERIOD_HOURLY,
+                                     .start = c->clock - c->clock % MS_HOUR};
+    c->step7[7] = (struct step7_tod){.configured = true, .deselected = true};
+}

@@ -1,0 +1,17 @@
+/* A random program, reproducible from its seed, in constant memory: load for a checker. */
+#ifndef RANDOM_PROGRAM_H
+#define RANDOM_PROGRAM_H
+
+#include "cpu.h"
+
+struct random_program {
+    struct program program; /* first, as in a scenario */
+    uint64_t state;
+    int64_t next_action;
+};
+
+void random_program(struct random_program *r, uint64_t seed);
+/* Settings drawn from the seed, for a run without a scenario. */
+void random_config(struct random_program *r, struct config *config);
+
+#endif

@@ -1,0 +1,24 @@
+#!/bin/sh
+# Runs every scenario with the program given: exit 0, a header and events; errors give exit 2.
+set -eu
+plc=$1
+here=$(dirname "$0")
+for scenario in "$here"/../scenarios/*.scn; do
+    name=$(basename "$scenario")
+    case $name in
+    real_time.scn) mode=--real-time ;;
+    *) mode= ;;
+    esac
+    lines=$("$plc" $mode "$scenario" | grep -c '^{"\(format\|event\)":.*}$')
+    [ "$lines" -gt 3 ] || { echo "$name: only $lines lines"; exit 1; }
+    echo "$name: $lines lines"
+done
+status=0
+echo 'cpu none' | "$plc" - 2>/dev/null || status=$?
+[ "$status" -eq 2 ] || { echo "a wrong scenario gives exit $status, not 2"; exit 1; }
+status=0
+"$plc" --fault none - 2>/dev/null </dev/null || status=$?
+[ "$status" -eq 2 ] || { echo "a wrong fault gives exit $status, not 2"; exit 1; }
+status=0
+"$plc" --random 1 --events 200000 >/dev/full 2>/dev/null || status=$?
+[ "$status" -eq 1 ] || { echo "a full disk gives exit $status, not 1"; exit 1; }

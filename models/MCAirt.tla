@@ -1,0 +1,18 @@
+-------------------------------- MODULE MCAirt --------------------------------
+(***************************************************************************)
+(* Delays nested three deep, in OB 1, a time-of-day OB, a hardware OB and  *)
+(* OB 80, with points that fall due meanwhile (catalogue section 4).       *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCFamilies == {"S7-300"}
+MCLoads == {{10, 40, 80, 85, 100}}
+MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
+MCMoments == HalfMinutes(0, 2)
+MCPowerOnMoments == {Moment(0, 30000)}
+MCInterrupts == {<<40, 0>>}
+MCRestartTypes == {"warm"}
+
+Bounded == delay <= 3 /\ Cardinality(requests) <= 3
+=============================================================================

@@ -1,0 +1,49 @@
+------------------------------- MODULE MCBase -------------------------------
+(***************************************************************************)
+(* What the TLC models have in common: a small world to choose from, and   *)
+(* the words that their configurations put in the place of the large sets  *)
+(* of module System.                                                       *)
+(*                                                                         *)
+(* The clock knows a few minutes around 2026-11-21 06:00 and two moments   *)
+(* of each.  Time is absolute here: no view makes it relative, since       *)
+(* start points are.                                                       *)
+(***************************************************************************)
+EXTENDS PropertiesClock
+
+(* 2026-11-21 06:00 *)
+Six == DayNumber(2026, 11, 21) * MinutesADay + 360
+
+\* @type: (Int, Int) => $moment;
+Moment(m, ms) == [min |-> Six + m, ms |-> ms]
+
+(* The whole minutes from a to b, and the half minutes between them. *)
+\* @type: (Int, Int) => Set($moment);
+HalfMinutes(a, b) == { Moment(m, ms) : m \in a..b, ms \in {0, 30000} }
+
+\* @type: Int => $date;
+Date(m) == [ year |-> 2026, month |-> 11, day |-> 21, hour |-> 6,
+             minute |-> m, second |-> 20, ms |-> 0 ]
+
+WrongDate == [ Date(0) EXCEPT !.month = 2, !.day = 30 ]
+Monthly29 == [ Date(0) EXCEPT !.month = 12, !.day = 29 ]
+
+NotConfigured == [ execution |-> "none", start |-> 0, active |-> FALSE,
+                   deselected |-> FALSE ]
+\* @type: (Str, Int) => $step7;
+Activated(execution, m) ==
+    [ NotConfigured EXCEPT !.execution = execution, !.start = Six + m,
+                           !.active = TRUE ]
+
+(* One CPU of each kind whose rules differ. *)
+TwoFamilies == {"S7-300", "S7-400"}
+
+(* Where a model leaves something out. *)
+NoObNumbers == {}
+NoSdts == {}
+NoWords == {}
+NoClockTargets == {}
+NoInterrupts == {}
+
+(* The state without `step'. *)
+View == cpuVars
+=============================================================================

@@ -1,0 +1,19 @@
+------------------------------ MODULE MCMissing -------------------------------
+(***************************************************************************)
+(* OBs that are not loaded: what is called in their place, and when the CPU *)
+(* stops (section 5.2).                                                    *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCFamilies == TwoFamilies
+MCLoads == { {100} \cup l : l \in SUBSET {10, 80, 85} }
+MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)],
+                    [o \in TodObs |-> Activated("once", 1)]}
+MCMoments == HalfMinutes(0, 2)
+MCPowerOnMoments == {Moment(0, 30000)}
+MCInterrupts == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
+MCRestartTypes == {"warm"}
+
+Bounded == delay <= 1 /\ Cardinality(requests) <= 2
+=============================================================================

@@ -1,0 +1,27 @@
+------------------------------ MODULE MCRestart -------------------------------
+(***************************************************************************)
+(* STOP, warm and cold restart with every kind of STEP 7 parameters, STARTUP *)
+(* with calls, points and errors in it (sections 5.4, 5.5).                *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10, 11}
+MCFamilies == {"S7-400"}
+MCLoads == {{10, 80, 82, 100}, {10, 11, 85, 100, 102}}
+MCStep7Settings ==
+    { [o \in TodObs |-> IF o = 10 THEN s
+        ELSE [NotConfigured EXCEPT !.deselected = TRUE, !.execution = "minute",
+                                   !.start = Six, !.active = TRUE]]
+      : s \in {NotConfigured, Activated("once", 0), Activated("minute", 1),
+               [Activated("minute", 1) EXCEPT !.active = FALSE]} }
+MCObNumbers == {10}
+MCSdts == {Date(1)}
+MCWords == {Once}
+MCMoments == HalfMinutes(0, 1)
+MCPowerOnMoments == {Moment(0, 30000)}
+MCClockTargets == {Moment(0, 30000)}
+MCInterrupts == {<<82, 0>>}
+MCRestartTypes == {"warm", "cold"}
+
+Bounded == delay <= 1 /\ Cardinality(requests) <= 2
+=============================================================================

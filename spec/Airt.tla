@@ -1,0 +1,33 @@
+-------------------------------- MODULE Airt --------------------------------
+(***************************************************************************)
+(* SFC 41 DIS_AIRT and SFC 42 EN_AIRT: the running OB holds back every     *)
+(* interrupt and asynchronous error of a higher class; calls nest and are  *)
+(* counted (catalogue section 4).  What is held back is said in Requests.  *)
+(*                                                                         *)
+(* One count is enough: while it is above 0 nothing can interrupt the      *)
+(* running OB, and it falls to 0 when that OB ends [AIRT-12].              *)
+(* Left out: an upper limit of the count; no source has one [AIRT-14].     *)
+(***************************************************************************)
+EXTENDS Requests
+
+(* A system function is called by the running OB. *)
+Called == stack # <<>>
+
+(* [AIRT-03] [AIRT-06] *)
+\* @type: Int => Bool;
+DisAirt(ret) ==
+    /\ Called
+    /\ ret = delay + 1
+    /\ delay' = delay + 1
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+                   stack, stopCause>>
+
+(* [AIRT-03] [AIRT-07] *)
+\* @type: Int => Bool;
+EnAirt(ret) ==
+    /\ Called
+    /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
+    /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+                   stack, stopCause>>
+=============================================================================

@@ -1,0 +1,100 @@
+-------------------------------- MODULE Clock -------------------------------
+(***************************************************************************)
+(* The CPU clock: time passes, and the clock is set by SFC 0, a programming *)
+(* device or synchronisation, one rule for all [CLK-01] (catalogue section *)
+(* 6, and 1.1).                                                            *)
+(*                                                                         *)
+(* Left out: the limits of synchronisation, OB 87 [CLK-15].                *)
+(***************************************************************************)
+EXTENDS TimeOfDay
+
+(* No start point is left behind: one that equals the clock must have been  *)
+(* dealt with, and the clock stops at the next one.                        *)
+\* @type: $moment => Bool;
+PassesNoPoint(t) ==
+    Watching => \A o \in DOMAIN tod :
+                  tod[o].active => /\ tod[o].next >= t.min
+                                   /\ tod[o].next = t.min => t.ms = 0
+                                   /\ clock # At(tod[o].next)
+
+\* @type: $moment => Bool;
+TimePasses(t) ==
+    /\ Before(clock, t)
+    /\ PassesNoPoint(t)
+    /\ clock' = t
+    /\ peak' = IF t.min > peak THEN -1 ELSE peak
+    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, requests, stack, delay,
+                   stopCause>>
+
+-----------------------------------------------------------------------------
+
+(* The active interrupts with points between the old and the new time.  A   *)
+(* point that equals the new time is reached, not skipped [AMB-37].        *)
+\* @type: $moment => Set(Int);
+SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
+                                      /\ ~Deselected(o)
+                                      /\ Before(At(tod[o].next), to) }
+
+(* The armed points after the clock was set; `again' chooses where it is    *)
+(* open whether points are served [AMB-56].  A once interrupt whose point   *)
+(* was reached and whose OB waits is not watched for again [AMB-59]        *)
+(* [CLK-12].                                                               *)
+\* @type: ($moment, Int, Bool) => (Int -> $tod);
+Rearmed(to, top, again) ==
+    [ o \in DOMAIN tod |->
+        LET t    == tod[o]
+            ps   == NextPoints(t, to, top)
+            p    == CHOOSE n \in ps :
+                      \A k \in ps : IF again THEN n <= k ELSE n >= k
+            next == IF t.active THEN p ELSE Never
+            last == FirstPoint(t.start, t.period, t.next + 1)
+        IN  IF \/ ~t.active
+               \/ next = t.next
+               \/ t.period = Once /\ t.next = Never
+            THEN t
+            ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
+            ELSE IF Before(At(last), to)
+            THEN [Unserved(t, t.next) EXCEPT !.next = next]
+            ELSE [Served(t, t.next) EXCEPT !.next = next] ]
+
+(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
+(* was set back; other CPUs remember how far it had come [AMB-17].         *)
+\* @type: $moment => Int;
+PeakAfter(to) ==
+    IF cpu.family = "S7-300" /\ Reading("AMB-17") = "a" THEN -1
+    ELSE IF Before(to, clock) THEN (IF clock.min > peak THEN clock.min ELSE peak)
+    ELSE IF to.min > peak THEN -1 ELSE peak
+
+(* [CLK-02] [CLK-03] [CLK-06] One OB 80 for all, then one catch-up each,    *)
+(* in any order [AMB-54].  Whether an OB that waits or runs gets one of its *)
+(* own is open [AMB-52].                                                   *)
+\* @type: ($moment, Set(Int)) => Bool;
+Skip(to, skipped) ==
+    \E merged \in SUBSET { o \in skipped : OnStack(o) \/ PendingIn(requests, o) } :
+      LET error == [ TimeError(SkippedByClock, skipped, 0, 0)
+                       EXCEPT !.since = to ]
+          runs  == { TodRequest(o, At(tod[o].next), SkippedByClock)
+                     : o \in skipped \ merged }
+      IN  /\ requests'  = WithTimeError(EnterAll(requests, runs), error)
+          /\ stopCause' = StopOfTimeError
+
+(* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
+\* @type: Set(Int) => Bool;
+Defer(skipped) ==
+    /\ requests' = EnterAll(requests,
+                     { TodRequest(o, At(tod[o].next), 0)
+                       : o \in { s \in skipped : ~PendingIn(requests, s) } })
+    /\ UNCHANGED stopCause
+
+\* @type: ($moment, Bool) => Bool;
+ClockSet(to, again) ==
+    LET skipped == IF Watching THEN SkippedBy(to) ELSE {}
+    IN  /\ to # clock
+        /\ clock' = to
+        /\ peak'  = PeakAfter(to)
+        /\ tod'   = Rearmed(to, PeakAfter(to), again)
+        /\ IF skipped = {} THEN Nothing
+           ELSE \/ Skip(to, skipped)
+                \/ mode = "STARTUP" /\ Defer(skipped)
+        /\ UNCHANGED <<cpu, loaded, mode, startup, stack, delay>>
+=============================================================================

@@ -1,0 +1,53 @@
+-------------------------------- MODULE Codes -------------------------------
+(***************************************************************************)
+(* The words that the program and the CPU exchange: RET_VAL codes, PERIOD  *)
+(* codes, fault ids and event ids (catalogue tables 8.2, 8.3, 8.6).        *)
+(*                                                                         *)
+(* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22]; they   *)
+(* answer faults of addressing that no call of a log can express.          *)
+(***************************************************************************)
+EXTENDS Integers
+
+(* [TINT-22] RET_VAL: no error *)
+OK == 0
+(* [TINT-35] [TINT-51] [TINT-61] [TINT-70] bad OB_NR *)
+BadOb == \h8090
+(* [TINT-35] bad SDT *)
+BadSdt == \h8091
+(* [TINT-35] bad PERIOD *)
+BadPeriod == \h8092
+(* [TINT-51] [TINT-61] no start date and time defined for the OB *)
+NotSet == \h80A0
+(* [TINT-36] [TINT-61] start point in the past *)
+PastStart == \h80A1
+(* [AIRT-07] EN_AIRT where nothing is delayed *)
+NotDelayed == \h8080
+
+(* [TINT-33] [TINT-34] PERIOD; AMB-01 says which of the weekly codes are    *)
+(* accepted.                                                               *)
+Once       == \h0000
+Minutely   == \h0201
+Hourly     == \h0401
+Daily      == \h1001
+Weekly     == {\h1201, \h1202}
+Monthly    == \h1401
+Yearly     == \h1801
+EndOfMonth == \h2001
+
+PeriodCodes ==
+    {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly
+
+(* [OBS-30] fault ids of OB 80 and (table 8.2) of OB 85 *)
+StillRunning    == \h02
+SkippedByClock  == \h05
+BufferOverflow  == \h07
+ObNotLoaded     == {\hA1, \hA2}
+
+(* Causes of STOP: [OBS-22] [OBS-21] [OBS-25]; 0 where the sources name     *)
+(* no event for the rule [OBS-23].                                         *)
+NoTimeErrorOb    == \h4568
+NoProgramErrorOb == \h456D
+DeselectedLoaded == \h454A
+OtherErrorOb     == 0
+NoCause          == -1
+=============================================================================

@@ -1,0 +1,217 @@
+------------------------------- MODULE Explain ------------------------------
+(***************************************************************************)
+(* Why a line of a log has no explanation: what a state that explained the *)
+(* log until then would have allowed, and the requirements that decide.    *)
+(* The trace checker evaluates these operators in the states before the    *)
+(* line; they say what the guards of the actions say, and no action uses   *)
+(* them.                                                                   *)
+(*                                                                         *)
+(* Left out: the first false conjunct of every action.                     *)
+(***************************************************************************)
+EXTENDS Trace
+
+(* What may be observed: an event with its OB, and one field of it. *)
+\* @type: (Str, Int, Str, Int) => $allowed;
+Allowed(event, ob, field, value) ==
+    [event |-> event, ob |-> ob, field |-> field, value |-> value]
+
+-----------------------------------------------------------------------------
+(* Headers that this specification cannot judge *)
+
+AllRecords == {"call", "ob", "clock", "mode", "interrupt", "load"}
+
+(* The letters that some formula tells apart. *)
+CoveredLetters ==
+    [ a \in DOMAIN DefaultReadings |->
+        CASE a \in {"AMB-01", "AMB-11", "AMB-56"} -> {"a", "b", "c"}
+          [] a \in {"AMB-13", "AMB-18"} -> {"a", "b", "c", "d"}
+          [] OTHER -> {"a", "b"} ]
+
+\* @type: $header => Set(Str);
+NotCovered(h) ==
+    { r[1] : r \in { q \in h.readings :
+                       \/ q[1] \notin DOMAIN CoveredLetters
+                       \/ q[2] \notin CoveredLetters[q[1]] } }
+      \cup (IF h.records = AllRecords THEN {} ELSE {"records"})
+
+-----------------------------------------------------------------------------
+(* Calls *)
+
+Calls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
+          "EN_AIRT"}
+
+\* @type: $event => Set(Int);
+RightAnswers(e) ==
+    CASE e.event = "SET_TINT" ->
+           Answers(e.ob, SetErrors(e.ob, e.sdt, e.period))
+      [] e.event = "CAN_TINT" -> Answers(e.ob, CanErrors(e.ob))
+      [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
+      [] e.event = "QRY_TINT" -> Answers(e.ob, ObErrors(e.ob))
+      [] e.event = "DIS_AIRT" -> {delay + 1}
+      [] OTHER -> {IF delay = 0 THEN NotDelayed ELSE delay - 1}
+
+\* @type: ($event, Int) => Set(Str);
+SetRequirements(e, ret) ==
+    CASE ret = OK        -> {"TINT-30"}
+      [] ret = BadOb     -> {"TINT-35"}
+      [] ret = BadSdt    -> IF e.period = Monthly /\ e.sdt.day > 28
+                            THEN {"TINT-18"} ELSE {"TINT-39"}
+      [] ret = BadPeriod -> {"TINT-33"}
+      [] ret = PastStart -> {"TINT-36"}
+      [] OTHER           -> {"TINT-22"}
+
+\* @type: ($event, Int) => Set(Str);
+ActRequirements(e, ret) ==
+    CASE ret = OK -> {"TINT-60"}
+      [] ret = PastStart -> IF e.ob \in TodObs /\ tod[e.ob].period # Once
+                            THEN {"TINT-62"} ELSE {"TINT-61"}
+      [] ret \in {BadOb, NotSet} -> {"TINT-61"}
+      [] OTHER -> {"TINT-22"}
+
+(* The requirement of each wrong bit of STATUS. *)
+\* @type: (Int, Int) => Set(Str);
+StatusRequirements(status, right) ==
+    LET wrong(bit) == (status \div bit) % 2 # (right \div bit) % 2
+        ids == { <<1, "TINT-72">>, <<2, "TINT-73">>, <<4, "TINT-74">>,
+                 <<8, "TINT-75">>, <<16, "TINT-76">>, <<32, "TINT-77">>,
+                 <<64, "TINT-78">> }
+    IN  { p[2] : p \in { q \in ids : wrong(q[1]) } }
+          \cup (IF status >= 128 THEN {"TINT-79"} ELSE {})
+
+\* @type: ($event, Int) => Set(Str);
+AnswerRequirements(e, ret) ==
+    CASE e.event = "SET_TINT" -> SetRequirements(e, ret)
+      [] e.event = "CAN_TINT" ->
+           IF ret = OK THEN {"TINT-50"} ELSE {"TINT-51"}
+      [] e.event = "ACT_TINT" -> ActRequirements(e, ret)
+      [] e.event = "QRY_TINT" -> {"TINT-70"}
+      [] e.event = "DIS_AIRT" -> {"AIRT-06"}
+      [] OTHER                -> {"AIRT-07"}
+
+\* @type: $event => Bool;
+AnswerRight(e) == e.ret = -1 \/ e.ret \in RightAnswers(e)
+
+-----------------------------------------------------------------------------
+(* What may be observed in this state *)
+
+Startable == { r \in requests : MayStart(r) /\ r.ob \in loaded }
+
+\* @type: $request => $allowed;
+StartOf(r) == IF r.fault = 0 THEN Allowed("start", r.ob, "", 0)
+              ELSE Allowed("start", r.ob, "flt_id", r.fault)
+
+Possible ==
+    { StartOf(r) : r \in Startable }
+      \cup (IF stack = <<>> THEN {} ELSE {Allowed("end", Running.ob, "", 0)})
+      \cup (IF Called THEN {Allowed("call", Running.ob, "", 0)} ELSE {})
+      \cup (IF mode = "STOP" THEN {Allowed("restart", 0, "", 0)}
+            ELSE {Allowed("stop", 0, IF stopCause > 0 THEN "cause" ELSE "",
+                          IF stopCause > 0 THEN stopCause ELSE 0)})
+      \cup (IF ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
+
+\* @type: $event => Set($allowed);
+Expected(e) ==
+    IF e.event \in Calls /\ Called
+    THEN IF AnswerRight(e)
+         THEN { Allowed(e.event, e.ob, "status", s) : s \in Statuses(e.ob) }
+         ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
+    ELSE Possible
+
+-----------------------------------------------------------------------------
+(* The requirements that decide about a line *)
+
+(* Why a point of a time-of-day interrupt has not led to a start event.     *)
+\* @type: Int => Set(Str);
+NoTodRequest(o) ==
+    IF OnStack(o) THEN {"OBS-02"}
+    ELSE IF ~tod[o].set THEN {"TINT-02", "TINT-08", "TINT-50"}
+    ELSE IF ~tod[o].active THEN {"TINT-05"}
+    ELSE {"TINT-32"} \cup (IF peak >= 0 THEN {"CLK-09"} ELSE {})
+
+\* @type: Int => Set(Str);
+NoRequest(o) ==
+    CASE o \in TodObs          -> NoTodRequest(o)
+      [] o = TimeErrorOb       -> {"OBS-30"}
+      [] o = ProgramErrorOb    -> {"OBS-20"}
+      [] o = CycleOb           -> {"OBS-03"}
+      [] o \in StartupObs      -> {"OBS-42"}
+      [] OTHER                 -> {"OBS-07"}
+
+\* @type: ($request, $event) => Set(Str);
+StartRequirements(r, e) ==
+    IF ~ModeAllows(r) THEN (IF mode = "STARTUP" THEN {"OBS-42", "TINT-13"}
+                                                ELSE {"OBS-41"})
+    ELSE IF r.ob \notin loaded THEN {"TINT-16", "OBS-20"}
+    ELSE IF ~Undelayed THEN {"AIRT-01"}
+    ELSE IF ~Preempts(r) THEN {"OBS-01"}
+    ELSE IF ~Reported(r) THEN (IF r.follows = SkippedByClock THEN {"CLK-03"}
+                                                             ELSE {"TINT-15"})
+    ELSE IF ~InTurn(r) THEN {"OBS-02"}
+    ELSE IF r.fault = SkippedByClock THEN {"CLK-06"}
+    ELSE IF r.follows = SkippedByClock THEN {"CLK-07"}
+    ELSE IF r.ob = TimeErrorOb THEN {"OBS-30"}
+    ELSE {"OBS-10"}
+
+\* @type: $event => Set(Str);
+Deciding(e) ==
+    CASE e.event \in Calls /\ ~Called ->
+           IF mode = "STOP" THEN {"OBS-41"} ELSE {"OBS-42"}
+      [] e.event \in Calls /\ Called /\ ~AnswerRight(e) ->
+           AnswerRequirements(e, e.ret)
+             \cup UNION { AnswerRequirements(e, r) : r \in RightAnswers(e) }
+      [] e.event \in Calls /\ Called /\ AnswerRight(e) ->
+           UNION { StatusRequirements(e.status, s) : s \in Statuses(e.ob) }
+      [] e.event = "start" ->
+           IF mode = "STOP" THEN {"OBS-41"}
+           ELSE IF ~PendingIn(requests, e.ob) THEN NoRequest(e.ob)
+           ELSE UNION { StartRequirements(r, e)
+                        : r \in { q \in requests : q.ob = e.ob } }
+      [] e.event = "end"     -> {"OBS-03"}
+      [] e.event = "restart" -> {"OBS-40"}
+      [] e.event = "run"     -> IF stopCause # NoCause THEN {"OBS-25"}
+                                ELSE {"OBS-42"}
+      [] e.event = "stop"    -> IF mode = "STOP" THEN {"OBS-40"}
+                                ELSE {"OBS-21", "OBS-22"}
+      [] OTHER               -> {"OBS-40"}
+
+-----------------------------------------------------------------------------
+(* Lines that come too late: something that had to happen has not.          *)
+
+Due == { r \in requests : MayStart(r) }
+
+(* All that may start is named: which class was late first depends on the   *)
+(* time that had passed when the line was reached.                         *)
+\* @type: $event => Set($allowed);
+TooLate(e) ==
+    { StartOf(r) : r \in { q \in Due : q.ob \in loaded } }
+      \cup { Allowed("start", ProgramErrorOb, "", 0)
+             : r \in { q \in Due : /\ q.ob \notin loaded
+                                   /\ q.ob \notin AsyncErrorObs } }
+      \cup { Allowed("start", o, "", 0)
+             : o \in { p \in DOMAIN tod : /\ Watching /\ tod[p].active
+                                          /\ ~Before(e.at, At(tod[p].next)) } }
+      \cup (IF StopDuty \notin DOMAIN waiting THEN {}
+            ELSE {Allowed("stop", 0, "cause", stopCause)})
+
+\* @type: $request => Set(Str);
+LateRequirement(r) ==
+    CASE r.ob \notin loaded          -> {"TINT-16", "OBS-20", "OBS-21"}
+      [] r.follows = SkippedByClock  -> {"CLK-03"}
+      [] r.follows = StillRunning    -> {"TINT-14"}
+      [] r.ob \in TodObs             -> {"TINT-23"}
+      [] r.fault = SkippedByClock    -> {"CLK-02"}
+      [] r.ob = TimeErrorOb          -> {"TINT-14", "OBS-30"}
+      [] r.ob = ProgramErrorOb       -> {"OBS-20"}
+      [] OTHER                       -> {"OBS-07"}
+
+\* @type: $event => Set(Str);
+LateRequirements(e) ==
+    UNION { LateRequirement(r) : r \in Due }
+      \cup (IF StopDuty \notin DOMAIN waiting THEN {}
+            ELSE CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
+                   [] stopCause = NoProgramErrorOb -> {"OBS-21"}
+                   [] stopCause = DeselectedLoaded -> {"OBS-25"}
+                   [] OTHER                        -> {"OBS-23"})
+      \cup (IF Due = {} /\ StopDuty \notin DOMAIN waiting
+            THEN {"TINT-09", "TINT-23"} ELSE {})
+=============================================================================

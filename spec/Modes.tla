@@ -1,0 +1,104 @@
+-------------------------------- MODULE Modes -------------------------------
+(***************************************************************************)
+(* STOP, warm and cold restart, STARTUP and RUN (catalogue sections 5.4    *)
+(* and 5.5).                                                               *)
+(*                                                                         *)
+(* Left out: HOLD [OBS-45] and hot restart (AMB-26); memory reset [OBS-58] *)
+(* and power off [OBS-59], which no log shows.                             *)
+(***************************************************************************)
+EXTENDS Scheduler
+
+(* The execution of a STEP 7 parameter set as a PERIOD [TINT-25]. *)
+\* @type: Str => Int;
+PeriodOf(execution) ==
+    CASE execution = "minute"  -> Minutely
+      [] execution = "hourly"  -> Hourly
+      [] execution = "daily"   -> Daily
+      [] execution = "weekly"  -> \h1201
+      [] execution = "monthly" -> Monthly
+      [] execution = "yearly"  -> Yearly
+      [] execution = "end_of_month" -> EndOfMonth
+      [] OTHER                 -> Once
+
+(* [TINT-06] [TINT-07] What STEP 7 sets; nothing for "none" [AMB-62].  The  *)
+(* point is armed later.                                                   *)
+\* @type: $step7 => $tod;
+Configured(s) ==
+    IF s.execution = "none" THEN NoSetting
+    ELSE [ NoSetting EXCEPT !.set    = TRUE,
+                            !.active = s.active,
+                            !.start  = s.start,
+                            !.period = PeriodOf(s.execution) ]
+
+(* [OBS-56] Set and activated as once by STEP 7, its start in the past. *)
+\* @type: Int => Bool;
+PastOnce(o) ==
+    LET s == cpu.step7[o]
+    IN  /\ s.execution = "once" /\ s.active
+        /\ IsPast(s.start, clock)
+        /\ ~Deselected(o)
+
+(* [OBS-50] The STEP 7 parameters apply again.  Whether points that were    *)
+(* served before count for them is open [AMB-57].                          *)
+\* @type: Bool => (Int -> $tod);
+Reconfigured(keep) ==
+    [ o \in TodObs |->
+        LET memory == IF keep THEN [ NoSetting EXCEPT
+                                       !.servedFrom = tod[o].servedFrom,
+                                       !.servedTo   = tod[o].servedTo ]
+                              ELSE NoSetting
+            t == [ Configured(cpu.step7[o]) EXCEPT
+                     !.servedFrom = memory.servedFrom,
+                     !.servedTo   = memory.servedTo ]
+            ps == NextPoints(t, clock, IF keep THEN peak ELSE -1)
+        IN  IF t.active
+            THEN [t EXCEPT !.next = CHOOSE p \in ps : \A k \in ps : p <= k]
+            ELSE t ]
+
+RestartRequests ==
+    { [ ob |-> o, class |-> ClassOf(o), rank |-> 1, fault |-> 0,
+        since |-> At(cpu.step7[o].start), word |-> Once, late |-> {},
+        cause |-> 0, during |-> 0, follows |-> 0 ]
+      : o \in { p \in TodObs : PastOnce(p) } }
+
+(* [OBS-25] *)
+RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
+                                                  ELSE NoCause
+
+(* [OBS-50] [OBS-52] [OBS-54] [OBS-55] [OBS-57] [AMB-65] *)
+\* @type: Str => Bool;
+Restart(type) ==
+    /\ mode = "STOP"
+    /\ mode'    = "STARTUP"
+    /\ startup' = type
+    /\ \E keep \in { k \in BOOLEAN : k => peak >= 0 } :
+         /\ tod'  = Reconfigured(keep)
+         /\ peak' = IF keep THEN peak ELSE -1
+    /\ requests'  = RestartRequests
+    /\ stopCause' = RestartStop
+    /\ stack' = <<>>
+    /\ delay' = 0
+    /\ UNCHANGED <<cpu, loaded, clock>>
+
+(* [OBS-42] STARTUP is over when the startup OB has been processed. *)
+Run ==
+    /\ mode = "STARTUP"
+    /\ startup = "begun" \/ StartupOb(startup) \notin loaded
+    /\ stack = <<>>
+    /\ stopCause = NoCause
+    /\ mode'    = "RUN"
+    /\ startup' = "none"
+    /\ UNCHANGED <<cpu, loaded, clock, peak, tod, requests, stack, delay,
+                   stopCause>>
+
+(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time. *)
+Stop ==
+    /\ mode # "STOP"
+    /\ mode'      = "STOP"
+    /\ startup'   = "none"
+    /\ requests'  = {}
+    /\ stack'     = <<>>
+    /\ delay'     = 0
+    /\ stopCause' = NoCause
+    /\ UNCHANGED <<cpu, loaded, clock, peak, tod>>
+=============================================================================

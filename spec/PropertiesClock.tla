@@ -1,0 +1,72 @@
+-------------------------- MODULE PropertiesClock ---------------------------
+(***************************************************************************)
+(* What must hold when time passes and when the clock is set (catalogue    *)
+(* section 6), said of steps.                                              *)
+(*                                                                         *)
+(* Left out: that no point is served twice on an S7-400, which needs a     *)
+(* history and is in models/MCClockBack.                                   *)
+(***************************************************************************)
+EXTENDS PropertiesTod
+
+(* The clock runs forward, and is set by nothing but a clock event. *)
+ForwardProp ==
+    [][ clock' # clock => Did("clock") \/ (Did("time") /\ Before(clock, clock')) ]_vars
+
+\* @type: Int => Bool;
+Skipped(o) == /\ tod[o].active /\ ~Deselected(o)
+              /\ Before(At(tod[o].next), clock')
+
+SkippedNow == { o \in TodObs : Skipped(o) }
+
+(* [CLK-02] [CLK-05] [CLK-06] [OBS-32] A skip in RUN is one time error with  *)
+(* fault 05, which names the skipped interrupts; without OB 80 it is STOP. *)
+SkipProp ==
+    [][ Did("clock") /\ mode = "RUN" /\ SkippedNow # {} =>
+          IF 80 \in loaded
+          THEN /\ Cardinality({ r \in requests' : r.ob = 80 })
+                    = Cardinality({ r \in requests : r.ob = 80 }) + 1
+               /\ \E r \in requests' \ requests :
+                    /\ r.ob = 80 /\ r.fault = 5 /\ r.late = SkippedNow
+                    /\ r.since = clock'
+          ELSE stopCause' # NoCause ]_vars
+
+(* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first skipped *)
+(* point, after the OB 80; one that waits or runs may do without.          *)
+CatchUpProp ==
+    [][ Did("clock") /\ mode = "RUN" =>
+          \A o \in TodObs :
+            LET new == { r \in requests' \ requests : r.ob = o }
+            IN  /\ o \notin SkippedNow => new = {}
+                /\ o \in SkippedNow /\ ~OnStack(o) /\ ~PendingIn(requests, o)
+                     => Cardinality(new) = 1
+                /\ Cardinality(new) <= 1
+                /\ \A r \in new : /\ r.since = At(tod[o].next)
+                                  /\ r.follows = 5 ]_vars
+
+(* [AMB-37] [AMB-58] [CLK-14] Without a skip the clock may be set freely:    *)
+(* nothing is requested and nothing is lost.                               *)
+NoSkipProp ==
+    [][ Did("clock") /\ (mode = "STOP" \/ SkippedNow = {})
+          => UNCHANGED <<requests, stopCause>> ]_vars
+
+(* [CLK-08] [CLK-09] [CLK-10] After the clock was set every active interrupt *)
+(* waits for a point that is not before the new time; on an S7-300 for the *)
+(* first one of its series.                                                *)
+RearmProp ==
+    [][ Did("clock") =>
+          \A o \in TodObs : tod[o].active =>
+            /\ ~Before(At(tod'[o].next), clock')
+            /\ /\ cpu.family = "S7-300" /\ tod[o].period = Minutely
+               /\ ~Before(clock', At(tod[o].start))
+               => Before(At(tod'[o].next - 1), clock') ]_vars
+
+(* Setting the clock changes no setting, and no OB starts or ends by it. *)
+ClockOnlyProp ==
+    [][ Did("clock") => /\ clock' # clock
+                        /\ UNCHANGED <<mode, stack, delay, startup>>
+                        /\ \A o \in TodObs :
+                             /\ tod'[o].set = tod[o].set
+                             /\ tod'[o].active = tod[o].active
+                             /\ tod'[o].start = tod[o].start
+                             /\ tod'[o].period = tod[o].period ]_vars
+=============================================================================

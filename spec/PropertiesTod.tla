@@ -1,0 +1,167 @@
+--------------------------- MODULE PropertiesTod ----------------------------
+(***************************************************************************)
+(* What must hold of time-of-day interrupts, SFC 28-31 (catalogue section  *)
+(* 1), said of states and of steps.                                        *)
+(*                                                                         *)
+(* Left out: the series of points itself, which models/MCCalendar checks.  *)
+(***************************************************************************)
+EXTENDS Properties
+
+TodCalls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT"}
+
+(* The running OB calls. *)
+CallerProp ==
+    [][ step'.event \in TodCalls \cup {"DIS_AIRT", "EN_AIRT"}
+          => stack # <<>> ]_vars
+
+(* [TINT-05] [TINT-31] [TINT-50] Only what is set is active, and only what  *)
+(* is active is watched or waits.                                          *)
+SettingInv ==
+    \A o \in TodObs :
+      /\ tod[o].active => tod[o].set
+      /\ ~tod[o].active => tod[o].next = Never /\ ~PendingIn(requests, o)
+
+(* [TINT-02] (c) [OBS-06] A deselected OB neither waits nor runs. *)
+DeselectedInv ==
+    \A o \in TodObs : Deselected(o) => ~PendingIn(requests, o) /\ ~OnStack(o)
+
+(* [TINT-09] No point is left behind. *)
+DueInv ==
+    mode \in {"RUN", "STARTUP"} =>
+      \A o \in TodObs : tod[o].active => ~Before(At(tod[o].next), clock)
+
+(* [AMB-19] Of the points that fall due while their OB runs one is kept. *)
+OverlapInv ==
+    \A o \in TodObs :
+      Cardinality({ r \in requests : r.ob = o /\ r.follows = StillRunning }) <= 1
+
+-----------------------------------------------------------------------------
+(* RET_VAL *)
+
+(* [TINT-35] [TINT-36] [TINT-33] What SET_TINT answers. *)
+SetAnswerProp ==
+    [][ Did("SET_TINT") =>
+          LET o == step'.ob
+              v == step'.value
+          IN  /\ v \in {\h0000, \h8090, \h8091, \h8092, \h80A1}
+              /\ v = 0 => o \in TodObs
+              /\ v = \h8090 => o \notin TodObs \/ Deselected(o)
+              /\ v = 0 => /\ tod'[o].period \in PeriodCodes
+                          /\ tod'[o].period = Once
+                               => ~Before(At(tod'[o].start), clock) ]_vars
+
+(* [TINT-30] [TINT-31] SET_TINT sets, and does not activate. *)
+SetProp ==
+    [][ Did("SET_TINT") /\ step'.value = 0 =>
+          /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active
+          /\ ~PendingIn(requests', step'.ob) ]_vars
+
+(* [TINT-51] [TINT-50] [TINT-52] CAN_TINT. *)
+CanProp ==
+    [][ Did("CAN_TINT") =>
+          LET o == step'.ob
+          IN  /\ step'.value \in {\h0000, \h8090, \h80A0}
+              /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
+              /\ step'.value = \h80A0 => ~tod[o].set
+              /\ step'.value = 0 => /\ tod[o].set /\ ~tod'[o].set
+                                    /\ ~PendingIn(requests', o) ]_vars
+
+(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT. *)
+ActProp ==
+    [][ Did("ACT_TINT") =>
+          LET o == step'.ob
+          IN  /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
+              /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
+              /\ step'.value = \h80A0 => ~tod[o].set
+              /\ step'.value = \h80A1 =>
+                   /\ tod[o].period = Once
+                   /\ \/ Before(At(tod[o].start), clock)
+                      \/ PendingIn(requests, o)  \* AMB-60
+              /\ step'.value = 0 => /\ tod[o].set /\ tod'[o].active
+                                    /\ tod[o].active => tod' = tod ]_vars
+
+(* [TINT-10] [TINT-24] [TINT-32] The first point after activation: the start *)
+(* itself, or for every minute the next one; never a past one.  In an       *)
+(* interval that the clock repeats it may be a later one [AMB-57].         *)
+FirstPointProp ==
+    [][ Did("ACT_TINT") /\ step'.value = 0 /\ ~tod[step'.ob].active =>
+          LET t == tod'[step'.ob]
+          IN  /\ ~Before(At(t.next), clock)
+              /\ peak < 0 =>
+                   /\ ~Before(At(t.start), clock) => t.next = t.start
+                   /\ t.period = Minutely =>
+                        t.next = t.start \/ Before(At(t.next - 1), clock) ]_vars
+
+(* A call that answers an error, and a query, change nothing [AMB-20]       *)
+(* [TINT-70].                                                              *)
+ErrorChangesNothingProp ==
+    [][ \/ Did("QRY_TINT")
+        \/ step'.event \in {"SET_TINT", "CAN_TINT", "ACT_TINT"}
+             /\ step'.value # 0
+        => UNCHANGED cpuVars ]_vars
+
+(* [TINT-72] [TINT-74] [TINT-76] [TINT-79] STATUS. *)
+StatusProp ==
+    [][ Did("QRY_TINT") /\ step'.value # -1 =>
+          LET o == step'.ob
+              bit(n) == (step'.value \div n) % 2 = 1
+          IN  /\ o \in TodObs
+              /\ step'.value < 32 /\ ~bit(2) /\ ~bit(8)
+              /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
+              /\ bit(4) => tod[o].active
+              /\ tod[o].active /\ tod[o].next # Never => bit(4)
+              /\ bit(16) <=> o \in loaded ]_vars
+
+-----------------------------------------------------------------------------
+(* Points *)
+
+(* [TINT-09] A start event of a time-of-day interrupt comes from its point, *)
+(* at its time; [CLK-03] [OBS-56] or from a skip or a restart.             *)
+PointProp ==
+    [][ \A o \in TodObs :
+          /\ \E r \in requests' \ requests :
+               r.ob = o /\ ~\E q \in requests : q.ob = o /\ q.since = r.since
+          => \/ Did("reached") /\ step'.ob = o /\ clock = At(tod[o].next)
+                  /\ tod[o].active /\ mode \in {"RUN", "STARTUP"}
+             \/ step'.event \in {"clock", "restart"} ]_vars
+
+(* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with  *)
+(* fault 02 or STOP, and the run follows.                                  *)
+OverlapProp ==
+    [][ /\ Did("reached") /\ mode = "RUN" /\ OnStack(step'.ob)
+        /\ stopCause = NoCause
+        => /\ PendingIn(requests', step'.ob)
+           /\ IF 80 \in loaded
+              THEN \E r \in requests' \ requests :
+                     r.ob = 80 /\ r.fault = 2 /\ r.late = {step'.ob}
+              ELSE stopCause' = \h4568 ]_vars
+
+(* [TINT-23] Otherwise a point leads to its OB. *)
+OrdinaryProp ==
+    [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Deselected(step'.ob)
+        => PendingIn(requests', step'.ob) ]_vars
+
+(* [TINT-15] The run that follows comes after its OB 80. *)
+AfterTimeErrorProp ==
+    [][ Dispatched /\ step'.ob \in TodObs =>
+          \E r \in requests :
+            /\ r.ob = step'.ob
+            /\ ~\E q \in requests : q.ob = r.ob /\ q.rank < r.rank
+            /\ r.follows # 0 =>
+                 ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late ]_vars
+
+(* [TINT-08] [TINT-64] [AMB-08] A once is no longer set when its OB starts  *)
+(* (it may be set anew in its OB).                                         *)
+OnceProp ==
+    [][ \A o \in TodObs :
+          Started(o) /\ tod[o].period = Once => ~tod'[o].set ]_vars
+
+(* What STEP 7 and the program set stays, but by a call, a start of the OB  *)
+(* itself, or a restart [TINT-38].                                         *)
+SettingStaysProp ==
+    [][ \A o \in TodObs :
+          tod'[o].set # tod[o].set \/ tod'[o].active # tod[o].active
+            \/ tod'[o].start # tod[o].start
+          => \/ step'.ob = o /\ step'.event \in TodCalls \cup {"start", "missing"}
+             \/ Did("restart") ]_vars
+=============================================================================

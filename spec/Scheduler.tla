@@ -1,0 +1,119 @@
+----------------------------- MODULE Scheduler ------------------------------
+(***************************************************************************)
+(* OBs start and end: start events from outside, dispatch of requests,     *)
+(* missing OBs, the cycle of OB 1 (catalogue sections 5.1 and 5.2).        *)
+(*                                                                         *)
+(* Left out: cycle time monitoring, OB 80 with fault 01 [OBS-26]; it comes *)
+(* as a start event from outside.                                          *)
+(***************************************************************************)
+EXTENDS Clock
+
+(* [OBS-07] [OBS-02] A start event from outside.  While the OB runs or      *)
+(* waits already, what happens is open [AMB-77] [AMB-18]; so it is in       *)
+(* STARTUP [AMB-67].  In STOP nothing happens [OBS-41].                    *)
+\* @type: (Int, Int) => Bool;
+Interrupt(o, fault) ==
+    LET new   == ExternalRequest(o, fault)
+        known == OnStack(o) \/ PendingIn(requests, o)
+        error == TimeError(StillRunning, {}, o, 0)
+        full  == TimeError(BufferOverflow, {}, o, 0)
+    IN  /\ IF ~Watching \/ Deselected(o) THEN Nothing
+           ELSE IF o = TimeErrorOb
+           THEN /\ requests'  = WithTimeError(requests, new)
+                /\ stopCause' = StopOfTimeError
+           ELSE IF o \in AsyncErrorObs
+           THEN requests' = Enter(requests, new) /\ UNCHANGED stopCause
+           ELSE \/ requests' = Enter(requests, new) /\ UNCHANGED stopCause
+                \/ mode = "STARTUP" /\ Nothing
+                \/ known /\ Nothing
+                \/ /\ known
+                   /\ \E q \in { requests, Enter(requests, new) },
+                         e \in { error, full } :
+                        requests' = WithTimeError(q, e)
+                   /\ stopCause' = StopOfTimeError
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack,
+                       delay>>
+
+(* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts. *)
+\* @type: Int => (Int -> $tod);
+TodAfterCall(o) ==
+    IF o \in TodObs /\ tod[o].active /\ tod[o].period = Once
+         /\ tod[o].next = Never
+    THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
+
+(* [OBS-01] [OBS-02] [OBS-03] *)
+\* @type: $request => Bool;
+Start(r) ==
+    /\ r \in requests
+    /\ MayStart(r)
+    /\ r.ob \in loaded
+    /\ stack'    = Append(stack, Frame(r.ob, r.class))
+    /\ requests' = Remove(requests, r)
+    /\ tod'      = TodAfterCall(r.ob)
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, delay, stopCause>>
+
+(* [AIRT-04] The delay count falls to 0 when the OB has been processed. *)
+\* @type: Int => Bool;
+End(o) ==
+    /\ Running.ob = o
+    /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+    /\ delay' = 0
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+                   stopCause>>
+
+(* [TINT-16] [OBS-20] [AMB-44] The OB is missing when it would start: OB 85, *)
+(* once for all missing OBs or once for each [AMB-45].  The source stays as *)
+(* it is [AMB-46].                                                         *)
+\* @type: $request => Bool;
+ProgramError(r) ==
+    LET rest  == Remove(requests, r)
+        error == [ ExternalRequest(ProgramErrorOb, \hA2) EXCEPT
+                     !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
+    IN  /\ \/ requests' = Enter(rest, error)
+           \/ /\ OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
+              /\ requests' = rest
+        /\ UNCHANGED stopCause
+
+(* [OBS-23] [AMB-75] Other asynchronous errors without their OB. *)
+\* @type: $request => Bool;
+ErrorObMissing(r) ==
+    /\ requests' = Remove(requests, r)
+    /\ \/ r.ob \in {70, 72, 81, 84, 87} /\ UNCHANGED stopCause
+       \/ /\ r.ob \in {82, 83, 84, 86}
+          /\ stopCause' = OtherErrorOb
+       \/ /\ r.ob = ProgramErrorOb  \* [OBS-21]
+          /\ stopCause' = NoProgramErrorOb
+
+\* @type: $request => Bool;
+Missing(r) ==
+    /\ r \in requests
+    /\ MayStart(r)
+    /\ r.ob \notin loaded
+    /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
+                                               ELSE ProgramError(r)
+    /\ tod' = TodAfterCall(r.ob)
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
+
+-----------------------------------------------------------------------------
+(* OB 1 and the startup OB *)
+
+(* OB 1 is always there; it starts when nothing runs. *)
+CycleStarts ==
+    /\ mode = "RUN"
+    /\ stack = <<>>
+    /\ stack' = <<Frame(CycleOb, 1)>>
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+                   delay, stopCause>>
+
+(* [OBS-42] [OBS-55] *)
+\* @type: Int => Bool;
+StartupStarts(o) ==
+    /\ startup \in {"warm", "cold"}
+    /\ o = StartupOb(startup)
+    /\ o \in loaded
+    /\ stack = <<>>
+    /\ stack'   = <<Frame(o, 27)>>
+    /\ startup' = "begun"
+    /\ UNCHANGED <<cpu, loaded, mode, clock, peak, tod, requests, delay,
+                   stopCause>>
+=============================================================================

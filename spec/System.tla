@@ -1,0 +1,144 @@
+------------------------------- MODULE System -------------------------------
+(***************************************************************************)
+(* The CPU and its surroundings as one system: what may happen, and what   *)
+(* must happen first.  An OB that may start does so at once, the highest   *)
+(* class first [AIRT-08] [OBS-01]; everything else waits.  (How much later *)
+(* a real CPU may be is for module Trace.)                                 *)
+(*                                                                         *)
+(* `step' is what an observer would see of the last step.  The state does  *)
+(* not depend on it; properties speak of it.                               *)
+(*                                                                         *)
+(* The sets below are what a program may pass and what the world may do;   *)
+(* models replace them by small ones.                                      *)
+(***************************************************************************)
+EXTENDS Modes
+
+VARIABLE
+    \* @type: $step;
+    step
+
+vars == <<cpuVars, step>>
+
+-----------------------------------------------------------------------------
+(* Surroundings *)
+
+(* CPUs and OBs loaded. *)
+Families == {"S7-300", "S7-400", "CPU 318"}
+\* @type: Set(Int -> $step7);
+Step7Settings ==
+    [ TodObs -> [ execution : {"none", "once", "minute", "hourly", "daily",
+                               "weekly", "monthly", "yearly", "end_of_month"},
+                  start : 0..LastMinute, active : BOOLEAN,
+                  deselected : BOOLEAN ] ]
+Loads == SUBSET (TodObs \cup ExternalObs \cup StartupObs)
+
+(* Readings other than the defaults; none. *)
+\* @type: Set(Str -> Str);
+ReadingSets == { [a \in {} |-> ""] }
+
+(* Operands of calls. *)
+ObNumbers == -32768..32767
+\* @type: Set($date);
+Sdts == [ year : 1990..2089, month : 1..99, day : 1..99, hour : 0..99,
+          minute : 0..99, second : 0..99, ms : 0..999 ]
+Words == 0..65535
+
+(* Moments to which time may pass, at which it begins, and to which the     *)
+(* clock may be set.                                                       *)
+\* @type: Set($moment);
+Moments == [min : 0..LastMinute, ms : 0..59999]
+\* @type: Set($moment);
+PowerOnMoments == Moments
+\* @type: Set($moment);
+ClockTargets == Moments
+
+(* Start events from outside, with the fault id of OB 80 and 85. *)
+\* @type: Set(<<Int, Int>>);
+Interrupts == (ExternalObs \X {0}) \cup ({TimeErrorOb, ProgramErrorOb} \X (0..255))
+
+RestartTypes == {"warm", "cold"}
+
+-----------------------------------------------------------------------------
+
+\* @type: (Str, Int, Int) => Bool;
+Seen(event, ob, value) == step' = [event |-> event, ob |-> ob, value |-> value]
+
+Init ==
+    /\ cpu \in [ family : Families, priority : { [o \in {} |-> 0] },
+                 step7 : Step7Settings, readings : ReadingSets ]
+    /\ loaded \in Loads
+    /\ mode = "STOP"
+    /\ startup = "none"
+    /\ clock \in PowerOnMoments
+    /\ peak = -1
+    /\ tod = [o \in TodObs |-> NoSetting]
+    /\ requests = {}
+    /\ stack = <<>>
+    /\ delay = 0
+    /\ stopCause = NoCause
+    /\ step = [event |-> "power on", ob |-> 0, value |-> 0]
+
+-----------------------------------------------------------------------------
+(* What must happen at once *)
+
+Pressing == \/ \E r \in requests : MayStart(r)
+            \/ stopCause # NoCause /\ Undelayed
+
+(* [AIRT-08] The highest class first. *)
+\* @type: $request => Bool;
+First(r) == \A q \in requests : MayStart(q) => q.class <= r.class
+
+Respond ==
+    \/ /\ stopCause = NoCause
+       /\ \E r \in requests :
+            /\ First(r)
+            /\ \/ Start(r) /\ Seen("start", r.ob, r.class)
+               \/ Missing(r) /\ Seen("missing", r.ob, r.class)
+    \/ /\ stopCause # NoCause
+       /\ Stop /\ Seen("stop", 0, stopCause)
+
+-----------------------------------------------------------------------------
+(* What may happen otherwise *)
+
+Call ==
+    \/ \E ret \in {delay + 1} : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+    \/ \E ret \in {NotDelayed, delay - 1} :
+         EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+    \/ \E o \in ObNumbers :
+         \/ \E sdt \in Sdts, period \in Words :
+              \E ret \in Answers(o, SetErrors(o, sdt, period)) :
+                /\ SetTint(o, sdt, period, ret)
+                /\ Seen("SET_TINT", o, ret)
+         \/ \E ret \in Answers(o, CanErrors(o)) :
+              CanTint(o, ret) /\ Seen("CAN_TINT", o, ret)
+         \/ \E ret \in ActAnswers(o) :
+              ActTint(o, ret) /\ Seen("ACT_TINT", o, ret)
+         \/ \E ret \in Answers(o, ObErrors(o)) :
+              \E status \in IF ret = OK THEN Statuses(o) ELSE {-1} :
+                QryTint(o, ret, status) /\ Seen("QRY_TINT", o, status)
+
+(* OB 1 and the startup OB start when nothing else does; any OB may end. *)
+Proceed ==
+    \/ CycleStarts /\ Seen("start", CycleOb, 1)
+    \/ \E o \in StartupObs : StartupStarts(o) /\ Seen("start", o, 27)
+    \/ \E o \in { stack[i].ob : i \in DOMAIN stack } :
+         End(o) /\ Seen("end", o, 0)
+    \/ Run /\ Seen("run", 0, 0)
+
+World ==
+    \/ \E i \in Interrupts :
+         Interrupt(i[1], i[2]) /\ Seen("interrupt", i[1], i[2])
+    \/ \E to \in ClockTargets, again \in BOOLEAN :
+         ClockSet(to, again) /\ Seen("clock", 0, 0)
+    \/ \E type \in RestartTypes : Restart(type) /\ Seen("restart", 0, 0)
+    \/ Stop /\ Seen("switch", 0, 0)
+
+Time ==
+    \/ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
+    \/ \E t \in Moments : TimePasses(t) /\ Seen("time", 0, 0)
+
+Next == \/ Respond
+        \/ ~Pressing /\ (Call \/ Proceed \/ World \/ Time)
+
+Spec == Init /\ [][Next]_vars
+=============================================================================

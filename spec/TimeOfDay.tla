@@ -1,0 +1,263 @@
+----------------------------- MODULE TimeOfDay ------------------------------
+(***************************************************************************)
+(* SFC 28 SET_TINT, SFC 29 CAN_TINT, SFC 30 ACT_TINT and SFC 31 QRY_TINT:  *)
+(* what they answer and what they change (catalogue sections 1.2 to 1.5).  *)
+(*                                                                         *)
+(* Of several errors in one call any may be answered [AMB-63]; a call on a *)
+(* deselected OB may be answered 8090 or as usual [AMB-61].                *)
+(* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
+(* is local time, STATUS bit 6 [TINT-78]; test functions, bit 5 [AMB-04].  *)
+(***************************************************************************)
+EXTENDS Airt
+
+NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, period |-> Once,
+               next |-> Never, servedFrom |-> 0, servedTo |-> -1 ]
+
+(* [AMB-57] Inside a repeated interval the memory of the points that were   *)
+(* served stays; elsewhere it has no meaning.                              *)
+\* @type: $tod => $tod;
+Unset(t) == IF peak < 0 THEN NoSetting
+            ELSE [ NoSetting EXCEPT !.servedFrom = t.servedFrom,
+                                    !.servedTo   = t.servedTo ]
+
+(* [AMB-08] A once interrupt that has been called is no longer set. *)
+\* @type: $tod => $tod;
+UsedUp(t) == IF Reading("AMB-08") = "a" THEN Unset(t)
+             ELSE [t EXCEPT !.active = FALSE, !.next = Never]
+
+-----------------------------------------------------------------------------
+(* The next start point *)
+
+(* The points at or after moment m that may be served next: one, but in an  *)
+(* interval that the clock of an S7-400 or CPU 318 repeats, up to minute    *)
+(* top [CLK-09].  There points that were served are not served again, and   *)
+(* whether the others are is open [AMB-56].                                *)
+\* @type: ($tod, $moment, Int) => Set(Int);
+NextPoints(t, m, top) ==
+    LET p == FirstPoint(t.start, t.period, MinuteFrom(m))
+        unserved == IF t.servedFrom <= p /\ p <= t.servedTo
+                    THEN FirstPoint(t.start, t.period, t.servedTo + 1)
+                    ELSE p
+        beyond   == FirstPoint(t.start, t.period, top + 1)
+    IN  IF p > top THEN {p}
+        ELSE CASE Reading("AMB-56") = "a" -> {unserved}
+               [] Reading("AMB-56") = "b" -> {beyond}
+               [] OTHER -> {unserved, beyond}
+
+(* The same when the interrupt is armed: whether points of the repeated     *)
+(* interval count as served for a new setting is open [AMB-57].            *)
+\* @type: ($tod, $moment) => Set(Int);
+FirstPoints(t, m) ==
+    IF peak < 0 THEN NextPoints(t, m, peak)
+    ELSE NextPoints(t, m, peak)
+           \cup {FirstPoint(t.start, t.period, MinuteFrom(m))}
+
+-----------------------------------------------------------------------------
+(* Start events that wait are withdrawn with their setting [AMB-11]. *)
+
+\* @type: Int => Set($request);
+Withdrawn(o) == IF Reading("AMB-11") = "a" THEN requests
+                                           ELSE Withdraw(requests, o)
+
+(* [AMB-37] Equal is not past. *)
+\* @type: (Int, $moment) => Bool;
+IsPast(start, now) == Before(At(start), now)
+
+\* @type: Int => Set(Int);
+ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
+
+(* [AMB-61] *)
+\* @type: (Int, Set(Int)) => Set(Int);
+Answers(o, errors) ==
+    (IF errors = {} THEN {OK} ELSE errors)
+      \cup (IF o \in TodObs /\ Deselected(o) THEN {BadOb} ELSE {})
+
+-----------------------------------------------------------------------------
+(* SFC 28 *)
+
+(* [TINT-33] [AMB-01] *)
+ValidPeriods ==
+    CASE Reading("AMB-01") = "a" -> PeriodCodes \ {\h1202}
+      [] Reading("AMB-01") = "b" -> PeriodCodes \ {\h1201}
+      [] OTHER                   -> PeriodCodes
+
+(* [TINT-18] [TINT-39] [AMB-05] *)
+\* @type: ($date, Int) => Bool;
+ValidSdt(sdt, period) ==
+    /\ ValidDate(sdt)
+    /\ period = Monthly /\ Reading("AMB-05") = "a" => sdt.day <= 28
+
+(* [TINT-35] [TINT-36] [TINT-37]; seconds are dropped first [AMB-14]. *)
+\* @type: (Int, $date, Int) => Set(Int);
+SetErrors(o, sdt, period) ==
+    LET judged == period = Once \/ Reading("AMB-02") = "a"
+        past   == IF Reading("AMB-14") = "b"
+                  THEN Before([ min |-> MinuteOf(sdt),
+                                ms  |-> sdt.second * 1000 + sdt.ms ], clock)
+                  ELSE IsPast(MinuteOf(sdt), clock)
+    IN  ObErrors(o)
+          \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
+          \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
+          \cup (IF judged /\ ValidDate(sdt) /\ past THEN {PastStart} ELSE {})
+
+(* [TINT-30] [TINT-31] [TINT-05] [TINT-38] On an error nothing changes      *)
+(* [AMB-20].                                                               *)
+\* @type: (Int, $date, Int, Int) => Bool;
+SetTint(o, sdt, period, ret) ==
+    /\ Called
+    /\ ret \in Answers(o, SetErrors(o, sdt, period))
+    /\ IF ret = OK
+       THEN /\ tod' = [tod EXCEPT ![o] =
+                         [ Unset(tod[o]) EXCEPT !.set    = TRUE,
+                                                !.start  = MinuteOf(sdt),
+                                                !.period = period ]]
+            /\ requests' = Withdrawn(o)
+       ELSE IF o \in TodObs /\ Reading("AMB-20") = "b"
+       THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
+            /\ requests' = Withdrawn(o)
+       ELSE UNCHANGED <<tod, requests>>
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay,
+                   stopCause>>
+
+-----------------------------------------------------------------------------
+(* SFC 29 *)
+
+(* [TINT-51] [TINT-52] [AMB-09] *)
+\* @type: Int => Set(Int);
+CanErrors(o) ==
+    IF o \notin TodObs THEN {BadOb}
+    ELSE IF \/ ~tod[o].set
+            \/ Reading("AMB-09") = "b" /\ ~tod[o].active
+         THEN {NotSet} ELSE {}
+
+(* [TINT-50] [TINT-54]; an OB that runs is not stopped [TINT-53]. *)
+\* @type: (Int, Int) => Bool;
+CanTint(o, ret) ==
+    /\ Called
+    /\ ret \in Answers(o, CanErrors(o))
+    /\ IF ret = OK THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
+                        /\ requests' = Withdrawn(o)
+                   ELSE UNCHANGED <<tod, requests>>
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay,
+                   stopCause>>
+
+-----------------------------------------------------------------------------
+(* SFC 30 *)
+
+(* [TINT-61] [TINT-62] *)
+\* @type: Int => Set(Int);
+ActErrors(o) ==
+    IF o \notin TodObs THEN {BadOb}
+    ELSE IF ~tod[o].set THEN {NotSet}
+    ELSE IF /\ ~tod[o].active
+            /\ tod[o].period = Once
+            /\ IsPast(tod[o].start, clock)
+         THEN {PastStart} ELSE {}
+
+(* An active once whose start event waits: open [AMB-60]. *)
+\* @type: Int => Set(Int);
+ActAnswers(o) ==
+    Answers(o, ActErrors(o))
+      \cup (IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
+               /\ PendingIn(requests, o)
+            THEN {PastStart} ELSE {})
+
+(* [TINT-60] [TINT-10] [TINT-24]; on an active interrupt no effect          *)
+(* [TINT-63].                                                              *)
+\* @type: (Int, Int) => Bool;
+ActTint(o, ret) ==
+    /\ Called
+    /\ ret \in ActAnswers(o)
+    /\ IF ret = OK /\ ~tod[o].active
+       THEN \E p \in FirstPoints(tod[o], clock) :
+              tod' = [tod EXCEPT ![o].active = TRUE, ![o].next = p]
+       ELSE UNCHANGED tod
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, requests, stack,
+                   delay, stopCause>>
+
+-----------------------------------------------------------------------------
+(* SFC 31 *)
+
+(* [TINT-72] .. [TINT-79]; bit 0 of a deselected OB is not judged [AMB-03], *)
+(* nor bit 2 of an interrupt without a further point [AMB-68].             *)
+\* @type: Int => Set(Int);
+Statuses(o) ==
+    LET startingUp == IF mode = "STARTUP" THEN 1 ELSE 0
+        bit0 == IF Deselected(o) THEN {0, 1} ELSE {startingUp}
+        bit2 == IF ~tod[o].active THEN {0}
+                ELSE IF tod[o].next = Never /\ ~PendingIn(requests, o)
+                THEN {0, 4} ELSE {4}
+        bit4 == IF o \in loaded THEN 16 ELSE 0
+    IN  { b + c + bit4 : b \in bit0, c \in bit2 }
+
+(* [TINT-70] [TINT-71]; status is -1 where it is not given. *)
+\* @type: (Int, Int, Int) => Bool;
+QryTint(o, ret, status) ==
+    /\ Called
+    /\ ret \in Answers(o, ObErrors(o))
+    /\ ret = OK => status = -1 \/ status \in Statuses(o)
+    /\ UNCHANGED cpuVars
+
+-----------------------------------------------------------------------------
+(* A start point is reached *)
+
+(* [CLK-09] Note for S7-400 and CPU 318 which points were served. *)
+\* @type: ($tod, Int) => $tod;
+Served(t, p) ==
+    IF cpu.family = "S7-300" \/ p < t.servedFrom THEN t
+    ELSE [ t EXCEPT !.servedFrom = IF t.servedTo < 0 THEN p ELSE @,
+                    !.servedTo   = IF p > @ THEN p ELSE @ ]
+
+(* A point for which the OB was not called ends the memory. *)
+\* @type: ($tod, Int) => $tod;
+Unserved(t, p) ==
+    IF p < t.servedFrom THEN t
+    ELSE [t EXCEPT !.servedFrom = 0, !.servedTo = -1]
+
+(* The point p of OB o leads to a start event ... *)
+\* @type: (Int, Int) => Bool;
+Ordinary(o, p) ==
+    /\ requests' = Enter(requests, TodRequest(o, At(p), 0))
+    /\ UNCHANGED stopCause
+
+(* ... to a time error [TINT-14], with a run that follows it or without ... *)
+\* @type: (Int, Int, Int, Bool) => Bool;
+Overlap(o, p, fault, again) ==
+    LET error == TimeError(fault, {o}, o, tod[o].period)
+        runs  == IF again
+                 THEN Enter(requests, TodRequest(o, At(p), StillRunning))
+                 ELSE requests
+    IN  /\ requests'  = WithTimeError(runs, error)
+        /\ stopCause' = StopOfTimeError
+
+(* ... or to nothing. *)
+Nothing == UNCHANGED <<requests, stopCause>>
+
+(* [AMB-18] The OB waits already.  The size of the buffer is not known, so  *)
+(* under (b) the run is kept or the buffer overflows [OBS-08].             *)
+\* @type: (Int, Int) => Bool;
+AgainWhilePending(o, p) ==
+    LET r == Reading("AMB-18")
+    IN  \/ r \in {"a", "d"} /\ Overlap(o, p, StillRunning, FALSE)
+        \/ r \in {"b", "d"} /\ Ordinary(o, p)
+        \/ r \in {"b", "d"} /\ Overlap(o, p, BufferOverflow, FALSE)
+        \/ r \in {"c", "d"} /\ Nothing
+
+(* [TINT-09] [TINT-14] [TINT-19] [AMB-35] *)
+\* @type: Int => Bool;
+PointReached(o) ==
+    LET p == tod[o].next
+    IN  /\ Watching
+        /\ clock = At(p)  \* no point is watched unless it is active
+        /\ \E n \in NextPoints(tod[o], [min |-> p, ms |-> 1], peak) :
+             tod' = [tod EXCEPT ![o] = [Served(tod[o], p) EXCEPT !.next = n]]
+        /\ CASE Deselected(o) -> Nothing
+             [] ~Deselected(o) /\ mode = "STARTUP" ->
+                  IF PendingIn(requests, o) THEN Nothing ELSE Ordinary(o, p)
+             [] ~Deselected(o) /\ mode = "RUN" /\ OnStack(o) ->
+                  Overlap(o, p, StillRunning, ~PendingIn(requests, o))
+             [] ~Deselected(o) /\ mode = "RUN" /\ ~OnStack(o) ->
+                  IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
+                                            ELSE Ordinary(o, p)
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
+=============================================================================

@@ -1,0 +1,351 @@
+-------------------------------- MODULE Trace -------------------------------
+(***************************************************************************)
+(* The specification as the explanation of a log, one line at a time.      *)
+(*                                                                         *)
+(* A line is an event record, Begin takes the header.  Before a line is    *)
+(* observed time elapses to it, start points on the way are reached, and   *)
+(* silent steps may happen: what a log does not show.  The trace checker's *)
+(* engine evaluates Begin, Elapse, Silent and Observe on the set of states *)
+(* that explain the log so far; a log is accepted while that set is not    *)
+(* empty.                                                                  *)
+(*                                                                         *)
+(* Other than in System an OB that may start need not start at once, but   *)
+(* within the latency that the header states (AMB-69), and inside it a     *)
+(* lower class may start first.                                            *)
+(*                                                                         *)
+(* Left out: kinds of event that are not recorded; events of functions     *)
+(* that the specification does not have yet.                               *)
+(***************************************************************************)
+EXTENDS Modes
+
+VARIABLES
+    (* latency: ms from the moment an OB may start until it starts; cycle:  *)
+    (* every start and end of OB 1 is in the log.                           *)
+    \* @type: $terms;
+    terms,
+    (* Time elapsed since the log began, on a clock that nobody sets. *)
+    \* @type: $moment;
+    up,
+    (* For each priority class with an OB that may start, and StopDuty for  *)
+    (* a STOP that must come: the ms since when.                            *)
+    \* @type: Int -> Int;
+    waiting
+
+traceVars == <<terms, up, waiting>>
+
+StopDuty == 99
+
+-----------------------------------------------------------------------------
+(* Event records: the fields of a log line; -1 where a value is not given *)
+
+\* @type: $moment;
+NoMoment == [min |-> -1, ms |-> 0]
+
+\* @type: $date;
+NoDate == [ year |-> 0, month |-> 0, day |-> 0, hour |-> 0, minute |-> 0,
+            second |-> 0, ms |-> 0 ]
+
+\* @type: $info;
+NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
+            sign |-> -1, dtime |-> -1, error_info |-> -1, ev |-> -1,
+            ev_ob |-> -1, time |-> NoMoment ]
+
+\* @type: $event;
+NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
+             sdt |-> NoDate, period |-> -1, ret |-> -1, status |-> -1,
+             to |-> NoMoment, type |-> "", cause |-> -1, flt_id |-> -1,
+             info |-> NoInfo ]
+
+(* The events that this specification explains. *)
+Explained == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
+              "EN_AIRT", "start", "end", "clock", "restart", "run", "stop",
+              "interrupt"}
+
+\* @type: (Int, Set(Int)) => Set(Int);
+Given(value, possible) == IF value = -1 THEN possible ELSE {value}
+
+-----------------------------------------------------------------------------
+(* The header *)
+
+\* @type: $header;
+NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
+              latency |-> 0, cycle |-> FALSE, priority |-> {}, step7 |-> {},
+              readings |-> {}, records |-> {} ]
+
+NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
+                  deselected |-> FALSE ]
+
+(* The state before a header is read. *)
+Init ==
+    /\ cpu = [ family |-> "", priority |-> [o \in {} |-> 0],
+               step7 |-> [o \in {} |-> NoParameters],
+               readings |-> [a \in {} |-> ""] ]
+    /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
+    /\ peak = -1 /\ tod = [o \in {} |-> NoSetting] /\ requests = {}
+    /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
+    /\ terms = [latency |-> 0, cycle |-> FALSE]
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0]
+
+\* @type: $header => $cpu;
+CpuOf(h) ==
+    [ family   |-> h.cpu,
+      priority |-> [ o \in { p[1] : p \in h.priority } |->
+                       (CHOOSE p \in h.priority : p[1] = o)[2] ],
+      readings |-> [ a \in { r[1] : r \in h.readings } |->
+                       (CHOOSE r \in h.readings : r[1] = a)[2] ],
+      step7    |-> [ o \in TodObs |->
+                       IF \E p \in h.step7 : p.ob = o
+                       THEN LET s == CHOOSE p \in h.step7 : p.ob = o
+                            IN  [ execution |-> s.execution,
+                                  start |-> s.start, active |-> s.active,
+                                  deselected |-> s.deselected ]
+                       ELSE NoParameters ] ]
+
+(* In RUN a once that STEP 7 set in the past has been called already.       *)
+\* @type: ($header, Int) => $tod;
+TodAtBegin(h, o) ==
+    LET t == Configured(CpuOf(h).step7[o])
+        n == FirstPoint(t.start, t.period, MinuteFrom(h.clock))
+    IN  IF ~t.active THEN t
+        ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN NoSetting
+        ELSE [t EXCEPT !.next = n]
+
+(* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU   *)
+(* is found after a restart; which one is not known.                       *)
+\* @type: $header => Bool;
+Begin(h) ==
+    /\ cpu'    = CpuOf(h)
+    /\ loaded' = h.obs
+    /\ mode'   = h.mode
+    /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
+    /\ clock'  = h.clock
+    /\ peak'   = -1
+    /\ tod'    = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
+                                                       ELSE TodAtBegin(h, o) ]
+    /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
+    /\ stack'  = IF h.mode = "RUN" THEN <<Frame(CycleOb, 1)>> ELSE <<>>
+    /\ delay'  = 0
+    /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
+    /\ terms'  = [latency |-> h.latency, cycle |-> h.cycle]
+    /\ up'     = At(0)
+    /\ waiting' = [c \in {} |-> 0]
+
+-----------------------------------------------------------------------------
+(* Waiting OBs *)
+
+Awaited == { r.class : r \in { q \in requests : MayStart(q) } }
+             \cup (IF stopCause # NoCause /\ Undelayed THEN {StopDuty} ELSE {})
+
+(* Waiting goes on for what still may start, and begins for what now may.   *)
+Rewait ==
+    waiting' = IF requests' = {} /\ stopCause' = NoCause
+               THEN [c \in {} |-> 0]
+               ELSE [ c \in Awaited' |->
+                        IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
+
+(* An OB that is found missing has kept OB 85, or the STOP, waiting.        *)
+\* @type: $request => Bool;
+RewaitMissing(r) ==
+    waiting' = [ c \in Awaited' |->
+                   LET before == IF c \in DOMAIN waiting THEN waiting[c] ELSE 0
+                   IN  IF r.class \in DOMAIN waiting /\ c > r.class
+                            /\ waiting[r.class] > before
+                       THEN waiting[r.class] ELSE before ]
+
+-----------------------------------------------------------------------------
+(* Time elapses *)
+
+Aeon == 1000000000
+
+(* ms from a to b, at most an aeon (11 days), which no latency reaches. *)
+\* @type: ($moment, $moment) => Int;
+Span(a, b) == IF b.min - a.min > 16000 THEN Aeon
+              ELSE (b.min - a.min) * 60000 + b.ms - a.ms
+
+\* @type: ($moment, Int) => $moment;
+Plus(a, d) == [ min |-> a.min + (a.ms + d) \div 60000,
+                ms  |-> (a.ms + d) % 60000 ]
+
+(* Start points that equal the clock. *)
+PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
+             ELSE { o \in DOMAIN tod : tod[o].active /\ tod[o].next = clock.min }
+
+\* @type: Int => Bool;
+InTime(d) == \A c \in DOMAIN waiting : waiting[c] + d <= terms.latency
+
+\* @type: ($moment, Int) => Bool;
+ElapseBy(t, d) ==
+    /\ InTime(d)
+    /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
+    /\ up' = t
+    /\ UNCHANGED terms
+
+NextDue == LET n == { tod[o].next : o \in { p \in DOMAIN tod : tod[p].active } }
+           IN  CHOOSE m \in n : \A k \in n : m <= k
+
+\* @type: $event => Bool;
+Arrived(e) == clock = e.at /\ up = e.up
+
+(* One step towards the line e: the next start point, or the line itself.   *)
+(* Durations are those of `up', moments those of the clock.                *)
+\* @type: $event => Bool;
+Elapse(e) ==
+    IF clock = e.at
+    THEN ElapseBy(e.up, Span(up, e.up)) /\ UNCHANGED cpuVars
+    ELSE IF PointsNow # {}
+    THEN /\ PointReached(CHOOSE o \in PointsNow :
+                           \A p \in PointsNow : o <= p)
+         /\ Rewait
+         /\ UNCHANGED <<terms, up>>
+    ELSE IF PassesNoPoint(e.at)
+    THEN TimePasses(e.at) /\ ElapseBy(e.up, Span(up, e.up))
+    ELSE LET t    == At(NextDue)
+             left == Span(up, e.up)
+             d    == IF Span(clock, t) < left THEN Span(clock, t) ELSE left
+         IN  TimePasses(t) /\ ElapseBy(Plus(up, d), d)
+
+-----------------------------------------------------------------------------
+(* Silent steps: what may happen just before a line, unseen *)
+
+(* The boundaries of the cycle and of the startup OB; the end of a cycle    *)
+(* matters only where it ends a delay.                                     *)
+HiddenBoundary ==
+    \/ ~terms.cycle /\ CycleStarts
+    \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
+    \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
+
+MissingNow ==
+    { r \in requests : r.ob \notin loaded /\ MayStart(r) }
+
+Silent ==
+    /\ UNCHANGED <<terms, up>>
+    /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
+       \/ \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
+       \/ HiddenBoundary /\ Rewait
+
+(* Cheap to evaluate: may a silent step be possible? *)
+Stirs == \/ clock.ms = 0
+         \/ stack = <<>>
+         \/ delay > 0
+         \/ requests # {}
+         \/ mode = "STARTUP"
+
+-----------------------------------------------------------------------------
+(* Start information, table 8.2; what the table leaves open is not judged *)
+
+\* @type: Int => Int;
+EventOf(o) == CASE o \in 10..17 -> \h1111 + o - 10
+                [] o \in 20..23 -> \h1121 + o - 20
+                [] o \in 30..38 -> \h1131 + o - 30
+                [] o \in 40..43 -> \h1141 + o - 40
+                [] OTHER        -> -1
+
+\* @type: (Int, Int) => Bool;
+Fits(given, value) == given = -1 \/ value = -1 \/ given = value
+
+(* [CLK-06] Bit k stands for OB 10 + k. *)
+\* @type: Set(Int) => Int;
+LateMask(obs) ==
+    LET b(o, v) == IF o \in obs THEN v ELSE 0
+    IN  b(10, 1) + b(11, 2) + b(12, 4) + b(13, 8) + b(14, 16) + b(15, 32)
+          + b(16, 64) + b(17, 128)
+
+\* @type: (Int, Int) => Bool;
+FitsPeriod(given, period) ==
+    \/ Fits(given, period)
+    \/ Reading("AMB-01") = "c" /\ given \in Weekly /\ period \in Weekly
+
+(* [CLK-07] [AMB-16] A time-of-day interrupt: its start point or later;     *)
+(* after a skip the first point skipped.  OB 80 after a skip: the new time. *)
+\* @type: ($request, $moment) => Bool;
+FitsTime(r, time) ==
+    LET exact == IF r.ob \in TodObs THEN r.follows = SkippedByClock
+                                    ELSE r.fault = SkippedByClock /\ r.late # {}
+    IN  \/ time = NoMoment
+        \/ time = r.since
+        \/ /\ ~exact
+            /\ \/ r.ob \notin TodObs
+               \/ ~Before(time, r.since) /\ ~Before(clock, time)
+
+\* @type: ($request, $info) => Bool;
+FitsRequest(r, i) ==
+    /\ Fits(i.priority, r.class)
+    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb}
+       THEN \A f \in {i.flt_id, i.strt_info} :
+              \/ Fits(f, r.fault)
+              \/ r.fault \in ObNotLoaded /\ f \in ObNotLoaded  \* AMB-28
+       ELSE Fits(i.strt_info, EventOf(r.ob) % 256)
+    /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
+    /\ IF r.fault = SkippedByClock /\ r.late # {}
+       THEN Fits(i.error_info, LateMask(r.late))
+       ELSE r.cause \in TodObs => FitsPeriod(i.error_info, r.word)
+    /\ r.cause # 0 => Fits(i.ev, EventOf(r.cause))
+    /\ CASE r.cause = 0            -> TRUE
+         [] r.ob = ProgramErrorOb  -> Fits(i.ev_ob, r.during)
+         [] OTHER                  -> Fits(i.ev_ob, r.cause)
+    /\ FitsTime(r, i.time)
+
+-----------------------------------------------------------------------------
+(* Lines *)
+
+\* @type: $event => Bool;
+IsStart(e) ==
+    CASE e.ob = CycleOb ->
+           /\ Fits(e.info.priority, 1)
+           /\ \/ CycleStarts
+              \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
+                 /\ delay' = 0
+                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod,
+                                requests, stack, stopCause>>
+      [] e.ob \in StartupObs ->
+           Fits(e.info.priority, 27) /\ StartupStarts(e.ob)
+      [] OTHER ->
+           \E r \in requests :
+             r.ob = e.ob /\ FitsRequest(r, e.info) /\ Start(r)
+
+\* @type: $event => Bool;
+IsClock(e) ==
+    IF e.to = clock THEN UNCHANGED cpuVars
+    ELSE \E again \in IF cpu.family = "S7-300" THEN {TRUE} ELSE BOOLEAN :
+           ClockSet(e.to, again)
+
+(* The cause is that of the rule, if a rule stops the CPU. *)
+\* @type: $event => Bool;
+IsStop(e) ==
+    /\ Stop
+    /\ \/ e.cause = -1
+       \/ /\ MissingNow = {}
+          /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
+
+\* @type: $event => Bool;
+Observe(e) ==
+    /\ CASE e.event = "DIS_AIRT" ->
+              \E ret \in Given(e.ret, {delay + 1}) : DisAirt(ret)
+         [] e.event = "EN_AIRT" ->
+              \E ret \in Given(e.ret, {NotDelayed, delay - 1}) : EnAirt(ret)
+         [] e.event = "start" -> IsStart(e)
+         [] e.event = "end" -> End(e.ob)
+         [] e.event = "SET_TINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob,
+                                   SetErrors(e.ob, e.sdt, e.period))) :
+                SetTint(e.ob, e.sdt, e.period, ret)
+         [] e.event = "CAN_TINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob, CanErrors(e.ob))) :
+                CanTint(e.ob, ret)
+         [] e.event = "ACT_TINT" ->
+              \E ret \in Given(e.ret, ActAnswers(e.ob)) : ActTint(e.ob, ret)
+         [] e.event = "QRY_TINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob, ObErrors(e.ob))) :
+                QryTint(e.ob, ret, e.status)
+         [] e.event = "interrupt" -> Interrupt(e.ob, e.flt_id)
+         [] e.event = "clock" -> IsClock(e)
+         [] e.event = "restart" -> Restart(e.type)
+         [] e.event = "run" -> Run
+         [] e.event = "stop" -> IsStop(e)
+    /\ Rewait
+    /\ UNCHANGED <<terms, up>>
+
+Next == Silent
+
+vars == <<cpuVars, traceVars>>
+=============================================================================

@@ -1,0 +1,93 @@
+"""Checks one log: reads it, has the engine judge it, decides which line comes first."""
+
+from collections import deque
+from collections.abc import Callable
+
+import click
+
+from trace_checker.engine_client import Answer, Engine
+from trace_checker.engine_command import EngineError
+from trace_checker.log.errors import UnusableLog
+from trace_checker.log.lines import Lines
+from trace_checker.log.reader import read_log
+from trace_checker.log.source import Source, open_log
+from trace_checker.report.expected import format_allowed
+from trace_checker.verdict import Report
+
+_KEPT = 16 * 1024 * 1024
+"""Bytes of lines kept for the report; more than can be under way to the engine at a time."""
+
+Progress = Callable[[Source, int], None]
+"""Called now and then with the log being read and the number of events read from it."""
+
+
+def check_log(name: str, engine: Engine, progress: Progress) -> Report:
+    """The verdict about the log ``name`` (``-`` for standard input); never raises for a log."""
+    log = click.format_filename(name)
+    recent = _RecentLines()
+    unusable: UnusableLog | None = None
+    answer: Answer | None = None
+    try:
+        begun = False
+        events = 0
+        try:
+            with open_log(name) as source:
+                for batch in read_log(source.chunks(engine.wait)):
+                    recent.add(batch.lines)
+                    if batch.header is not None:
+                        engine.begin(batch.header)
+                        begun = True
+                    engine.send(batch.events)
+                    events += len(batch.events)
+                    progress(source, events)
+        except UnusableLog as error:
+            unusable = error
+        # The engine was sent the lines before the unusable one: what it says of them comes first.
+        # If it has decided already, reading was broken off and the rest means nothing.
+        if begun:
+            answer = engine.finish()
+    except EngineError as error:
+        return Report(log, "no verdict", str(error))
+    if answer is not None and answer.verdict == "rejected":
+        return _rejected(log, answer, recent)
+    if answer is not None and answer.verdict == "error":
+        return Report(log, "no verdict", answer.message, line=answer.line, events=answer.events)
+    events = answer.events if answer else 0
+    if unusable is not None:
+        return Report(log, "unusable", unusable.reason, line=unusable.line or None, events=events)
+    return Report(log, "accepted", "the specification explains every event", events=events)
+
+
+def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
+    expected = [format_allowed(allowed) for allowed in answer.expected]
+    message = answer.message or "no behaviour of the specification explains this line"
+    return Report(
+        log,
+        "rejected",
+        message,
+        line=answer.line,
+        events=answer.events,
+        event=recent.get(answer.line or 0),
+        expected=expected,
+        requirements=answer.requirements,
+    )
+
+
+class _RecentLines:
+    """The last lines read, to quote the one that the engine rejects."""
+
+    def __init__(self) -> None:
+        self._batches: deque[Lines] = deque()
+        self._bytes = 0
+
+    def add(self, lines: Lines) -> None:
+        self._batches.append(lines)
+        self._bytes += sum(map(len, lines.texts))
+        while self._bytes > _KEPT and len(self._batches) > 1:
+            self._bytes -= sum(map(len, self._batches.popleft().texts))
+
+    def get(self, number: int) -> bytes | None:
+        for lines in self._batches:
+            if 0 <= number - lines.first < len(lines.texts):
+                return lines.texts[number - lines.first]
+        return None

@@ -1,0 +1,128 @@
+package s7.trace;
+
+import java.io.BufferedReader;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import tlc2.TLCGlobals;
+import util.ToolIO;
+
+/**
+ * The trace checker's engine: reads normalised logs from standard input, one JSON object a line,
+ * and prints one verdict a log as soon as it is decided.
+ *
+ * <p>Input: {@code {"begin": HEADER}}, then an event a line, then {@code {"finish": true}}; any
+ * number of logs. Output: {@code {"engine":"ready",...}} once, then for each log an object with
+ * {@code verdict} "accepted", "rejected" or "error".
+ */
+public final class Engine {
+  private final Specification spec;
+  private final PrintStream out;
+
+  private Explanation explanation;
+  private int events;
+  private boolean decided;
+
+  Engine(Specification spec, PrintStream out) {
+    this.spec = spec;
+    this.out = out;
+  }
+
+  /**
+   * @param args the folder of the specification
+   */
+  public static void main(String[] args) throws IOException {
+    if (args.length != 1) {
+      System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION");
+      System.exit(2);
+    }
+    // Standard output belongs to the protocol; TLC's own messages go elsewhere.
+    var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
+    System.setOut(System.err);
+    ToolIO.out = System.err;
+    ToolIO.setMode(ToolIO.TOOL);
+    var engine = new Engine(new Specification(Path.of(args[0]), "Explain"), out);
+    var ready = new JsonObject();
+    ready.addProperty("engine", "ready");
+    ready.addProperty("tlc", jarOfTlc());
+    engine.print(ready);
+    engine.serve(new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)));
+  }
+
+  /** The file name of the TLC at hand; its version is not kept at one place in all releases. */
+  private static String jarOfTlc() {
+    var source = TLCGlobals.class.getProtectionDomain().getCodeSource();
+    return Path.of(source.getLocation().getPath()).getFileName().toString();
+  }
+
+  void serve(BufferedReader in) throws IOException {
+    for (String line = in.readLine(); line != null; line = in.readLine()) {
+      // Once a log is decided its other lines only need to be passed over.
+      if (decided && !line.startsWith("{\"begin\"")) {
+        continue;
+      }
+      JsonObject json = JsonParser.parseString(line).getAsJsonObject();
+      try {
+        if (json.has("begin")) {
+          begin(json.getAsJsonObject("begin"));
+        } else if (json.has("finish")) {
+          answer("accepted", null);
+        } else {
+          observe(json);
+        }
+      } catch (NotCovered | StackOverflowError e) {
+        var error = new JsonObject();
+        if (json.has("line")) {
+          error.add("line", json.get("line"));
+        }
+        error.addProperty("message", String.valueOf(e.getMessage()));
+        answer("error", error);
+      }
+    }
+  }
+
+  private void begin(JsonObject header) {
+    decided = false;
+    events = 0;
+    explanation = new Explanation(spec, header);
+  }
+
+  private void observe(JsonObject event) {
+    Explanation.Refusal refusal = explanation.observe(event);
+    if (refusal == null) {
+      events++;
+      return;
+    }
+    var rejected = new JsonObject();
+    rejected.add("line", event.get("line"));
+    var expected = new JsonArray();
+    refusal.expected().forEach(expected::add);
+    rejected.add("expected", expected);
+    var requirements = new JsonArray();
+    refusal.requirements().forEach(requirements::add);
+    rejected.add("requirements", requirements);
+    answer("rejected", rejected);
+  }
+
+  private void answer(String verdict, JsonObject details) {
+    JsonObject answer = details == null ? new JsonObject() : details;
+    answer.addProperty("verdict", verdict);
+    answer.addProperty("events", events);
+    decided = true;
+    explanation = null;
+    print(answer);
+  }
+
+  private void print(JsonObject json) {
+    out.println(json);
+    out.flush();
+  }
+}

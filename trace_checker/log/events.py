@@ -1,0 +1,129 @@
+"""The events: every line of a log but the first."""
+
+from typing import Any
+
+from trace_checker.log import tables
+from trace_checker.log.errors import UnusableLog, quote
+from trace_checker.log.fields import Fields, Reader
+from trace_checker.log.values import (
+    byte,
+    choice,
+    date_components,
+    duration,
+    instant,
+    instant_moment,
+    integer,
+    word,
+    word_or_null,
+)
+
+_LONGEST_UP = 100 * 366 * 86_400_000
+"""Milliseconds; no log outlasts the years that the CPU clock can show."""
+
+_passed_ob = integer(-0x8000, 0x7FFF)
+_block = integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)
+
+
+def _external_ob(value: object) -> int:
+    if type(value) is int and value in tables.EXTERNAL_OBS:
+        return value
+    raise UnusableLog("an OB 30-38, 40-47, 55-57, 60, 70, 72 or 80-87", quote(value))
+
+
+_info = Fields(
+    "info",
+    {},
+    {
+        "strt_info": byte,
+        "flt_id": byte,
+        "priority": byte,
+        "period": word,
+        "sign": word,
+        "dtime": duration,
+        "error_info": word,
+        "ev": word,
+        "ev_ob": byte,
+        "time": instant_moment,
+    },
+).nested
+
+_ANY: dict[str, Reader] = {"event": lambda name: name, "at": instant}
+_OB = {"ob": _passed_ob}
+_RET = {"ret": word_or_null}
+_CALL_OF_OB: dict[str, Reader] = {**_OB, **_RET}
+_CALL_WITH_MODE: dict[str, Reader] = {"mode": byte, **_OB, **_RET}
+_STATUS: dict[str, Reader] = {"status": word}
+_BLOCK: dict[str, Reader] = {"ob": _block}
+
+_TABLE: dict[str, tuple[dict[str, Reader], dict[str, Reader]]] = {
+    "SET_TINT": ({**_OB, "sdt": date_components, "period": word, **_RET}, {}),
+    "CAN_TINT": (_CALL_OF_OB, {}),
+    "ACT_TINT": (_CALL_OF_OB, {}),
+    "QRY_TINT": (_CALL_OF_OB, _STATUS),
+    "SRT_DINT": ({**_OB, "dtime": duration, "sign": word, **_RET}, {}),
+    "CAN_DINT": (_CALL_OF_OB, {}),
+    "QRY_DINT": (_CALL_OF_OB, _STATUS),
+    "DIS_IRT": (_CALL_WITH_MODE, {}),
+    "EN_IRT": (_CALL_WITH_MODE, {}),
+    "DIS_AIRT": ({**_RET}, {}),
+    "EN_AIRT": ({**_RET}, {}),
+    "start": (_BLOCK, {"info": _info}),
+    "end": (_BLOCK, {}),
+    "clock": ({"to": instant_moment}, {}),
+    "restart": ({"type": choice("warm", "cold")}, {}),
+    "run": ({}, {}),
+    "stop": ({}, {"cause": word}),
+    "hold": ({}, {}),
+    "release": ({}, {}),
+    "interrupt": ({"ob": _external_ob}, {"flt_id": byte}),
+    "load": (_BLOCK, {}),
+    "delete": (_BLOCK, {}),
+    "diag": ({"id": word}, {"ob": byte, "priority": byte, "info": _info}),
+}
+"""Event -> its required and its optional fields, but for those that every event has."""
+
+_EVENTS = {
+    name: Fields(name, {**_ANY, **required}, {"up": integer(0, _LONGEST_UP), **optional})
+    for name, (required, optional) in _TABLE.items()
+}
+
+
+def _check_status(event: dict[str, Any]) -> None:
+    if event["ret"] == 0 and "status" not in event:
+        raise UnusableLog('one, "ret" being 0', "none", field="status")
+
+
+def _check_fault(event: dict[str, Any]) -> None:
+    if (event["ob"] in tables.OBS_WITH_FAULT) == ("flt_id" in event):
+        return
+    if "flt_id" in event:
+        raise UnusableLog("one for OB 80 and 85 only", f"one for OB {event['ob']}", field="flt_id")
+    raise UnusableLog(f"one, OB {event['ob']} needs it", "none", field="flt_id")
+
+
+_CHECKS = {"QRY_TINT": _check_status, "QRY_DINT": _check_status, "interrupt": _check_fault}
+
+
+def read_event(raw: dict[str, object]) -> dict[str, Any]:
+    """The normalised event of a line's object.
+
+    Points in time are moments but for ``at``, which stays milliseconds since 1990-01-01T00:00, and
+    ``sdt``, which is its components. Raises UnusableLog, without its line.
+    """
+    name = raw.get("event")
+    fields = _EVENTS.get(name) if type(name) is str else None
+    if fields is None:
+        raise _no_event(raw)
+    event = fields.read(raw)
+    check = _CHECKS.get(name)  # type: ignore[arg-type]
+    if check is not None:
+        check(event)
+    return event
+
+
+def _no_event(raw: dict[str, object]) -> UnusableLog:
+    if "event" in raw:
+        return UnusableLog("the name of an event", quote(raw["event"]), field="event")
+    if "format" in raw:
+        return UnusableLog("an event", "a second header")
+    return UnusableLog("one, every line but the header needs it", "none", field="event")

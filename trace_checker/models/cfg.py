@@ -1,0 +1,185 @@
+"""Reading and editing TLC's configuration files (``.cfg``).
+
+Edits keep everything that they do not change, comments too, so that the text of a derived model differs from its base
+by exactly what its entry in the manifest says.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_SECTIONS = {
+    "CONSTANT": "CONSTANT",
+    "CONSTANTS": "CONSTANT",
+    "INVARIANT": "INVARIANT",
+    "INVARIANTS": "INVARIANT",
+    "PROPERTY": "PROPERTY",
+    "PROPERTIES": "PROPERTY",
+    "CONSTRAINT": "CONSTRAINT",
+    "CONSTRAINTS": "CONSTRAINT",
+    "ACTION_CONSTRAINT": "ACTION_CONSTRAINT",
+    "ACTION_CONSTRAINTS": "ACTION_CONSTRAINT",
+    **{
+        name: name
+        for name in (
+            "SPECIFICATION",
+            "INIT",
+            "NEXT",
+            "SYMMETRY",
+            "VIEW",
+            "CHECK_DEADLOCK",
+            "ALIAS",
+            "POSTCONDITION",
+            "TYPE",
+            "TYPE_CONSTRAINT",
+            "_PERIODIC",
+        )
+    },
+}
+_TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|<-|=|[{}\[\],]|[^\s={}\[\],"<(\\]+|[<(\\]')
+
+
+class CfgError(ValueError):
+    """A configuration file does not hold what an edit needs; the text names the constant or section."""
+
+
+@dataclass(frozen=True)
+class _Token:
+    text: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """``name operator value`` in a CONSTANT section; `start` and `end` are the text span of operator and value."""
+
+    name: str
+    operator: str
+    value: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Section:
+    """One section: its keyword in the singular, its names or values, the span of its text, keyword included."""
+
+    keyword: str
+    names: tuple[str, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Cfg:
+    """A configuration file's text with what stands where in it."""
+
+    text: str
+    sections: tuple[Section, ...]
+    assignments: tuple[Assignment, ...]
+
+    def names(self, keyword: str) -> tuple[str, ...]:
+        """Return all names that stand in sections of this keyword (singular: INVARIANT, PROPERTY, ...)."""
+        return tuple(name for s in self.sections if s.keyword == keyword for name in s.names)
+
+
+def parse(text: str) -> Cfg:
+    """Read a configuration file. Unknown words before the first keyword raise `CfgError`."""
+    tokens = _tokens(text)
+    sections: list[Section] = []
+    assignments: list[Assignment] = []
+    heads = [i for i, token in enumerate(tokens) if token.text in _SECTIONS]
+    if tokens and (not heads or heads[0] != 0):
+        raise CfgError(f"{tokens[0].text!r} stands before the first keyword")
+    for head, following in zip(heads, [*heads[1:], len(tokens)], strict=True):
+        body = tokens[head + 1 : following]
+        keyword = _SECTIONS[tokens[head].text]
+        end = body[-1].end if body else tokens[head].end
+        sections.append(Section(keyword, tuple(t.text for t in body), tokens[head].start, end))
+        if keyword == "CONSTANT":
+            assignments += _assignments(text, body)
+    return Cfg(text, tuple(sections), tuple(assignments))
+
+
+def override(text: str, name: str, value: str) -> str:
+    """Return the text with the one assignment of `name` changed.
+
+    `value` is what TLC's grammar allows after the operator and keeps the operator that is there; ``<- Definition`` or
+    ``= value`` changes the operator too. ``<- Definition`` also adds the line where `name` is a definition that the
+    file does not replace yet. Raises `CfgError` if `name` is not assigned exactly once or already has that value.
+    """
+    found = [a for a in parse(text).assignments if a.name == name]
+    operator, right = _split(value)
+    if not found and operator == "<-":
+        return f"{text.rstrip()}\nCONSTANT {name} <- {right}\n"
+    if len(found) != 1:
+        raise CfgError(f"{name} is assigned {len(found)} times, an override needs exactly one")
+    old = found[0]
+    new = (operator or old.operator, right)
+    if new == (old.operator, old.value):
+        raise CfgError(f"{name} {old.operator} {old.value} already: the override changes nothing")
+    return f"{text[: old.start]}{new[0]} {new[1]}{text[old.end :]}"
+
+
+def replace_section(text: str, keyword: str, names: list[str]) -> str:
+    """Return the text with all sections of this keyword (singular) replaced by one of these names; none: removed."""
+    for section in reversed([s for s in parse(text).sections if s.keyword == keyword]):
+        text = text[: section.start] + text[section.end :]
+    return f"{text.rstrip()}\n{keyword} {' '.join(names)}\n" if names else text
+
+
+def _split(value: str) -> tuple[str | None, str]:
+    for operator in ("<-", "="):
+        if value.startswith(operator):
+            return operator, value.removeprefix(operator).strip()
+    return None, value.strip()
+
+
+def _assignments(text: str, body: list[_Token]) -> list[Assignment]:
+    starts = [i for i in range(len(body) - 1) if body[i + 1].text in ("=", "<-")]
+    result = []
+    for start, following in zip(starts, [*starts[1:], len(body)], strict=True):
+        operator, last = body[start + 1], body[following - 1]
+        value = text[operator.end : last.end].strip()
+        result.append(Assignment(body[start].text, operator.text, value, operator.start, last.end))
+    return result
+
+
+def _tokens(text: str) -> list[_Token]:
+    tokens = []
+    at = 0
+    blank = _blank_comments(text)
+    while match := _TOKEN.search(blank, at):
+        tokens.append(_Token(match[0], match.start(), match.end()))
+        at = match.end()
+    return tokens
+
+
+def _blank_comments(text: str) -> str:
+    """Replace comments by spaces, so that positions stay."""
+    out = list(text)
+    at = depth = 0
+    while at < len(text):
+        pair = text[at : at + 2]
+        if pair == "(*":
+            depth += 1
+            width = 2
+        elif depth and pair == "*)":
+            depth -= 1
+            out[at : at + 2] = "  "
+            at += 2
+            continue
+        elif not depth and pair == "\\*":
+            width = (text.find("\n", at) + 1 or len(text) + 1) - 1 - at
+        elif not depth and text[at] == '"':
+            at = (text.find('"', at + 1) + 1) or len(text)
+            continue
+        else:
+            width = 1 if depth else 0
+        for i in range(at, at + width):
+            if out[i] != "\n":
+                out[i] = " "
+        at += width or 1
+    return "".join(out)

@@ -1,0 +1,175 @@
+"""``s7check models``: run TLC on the listed models and fail on any drift.
+
+Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 3 Java or TLC missing, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+
+import click
+from rich.console import Console
+
+from trace_checker.models import canaries, report, tlc
+from trace_checker.models.judge import Result, judge
+from trace_checker.models.manifest import LANES, Manifest, ManifestError, Model, load
+from trace_checker.models.runner import Harness, run_all
+from trace_checker.models.update import update
+
+DRIFT, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+MANIFEST = Path("models/manifest.json")
+WIDTH_OF_LOG = 140
+"""Columns of a table where no terminal says how wide it is."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """The command's arguments."""
+
+    lane: str
+    manifest: Path
+    jar: Path | None
+    workers: int | None
+    jobs: int
+    update: bool
+    json: Path | None
+    verbose: bool
+    names: tuple[str, ...]
+
+
+@click.command(name="models", short_help="Model-check the specification.")
+@click.option("--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="With the lanes below it.")
+@click.option(
+    "--manifest",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Default: models/manifest.json here or in a directory above.",
+)
+@click.option(
+    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
+)
+@click.option("--workers", type=click.IntRange(1), help="TLC workers of the models that may have more than one.")
+@click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
+@click.option("--update", is_flag=True, help="Pin the counts that came (nothing else), and say what changed.")
+@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
+@click.argument("names", nargs=-1, metavar="[NAME]...")
+def models_command(
+    lane: str,
+    manifest: Path | None,
+    jar: Path | None,
+    workers: int | None,
+    jobs: int,
+    update: bool,
+    json_path: Path | None,
+    verbose: bool,
+    names: tuple[str, ...],
+) -> None:
+    """Run TLC on the models of the manifest and compare each result with what is pinned.
+
+    NAME picks models (globs work) whatever their lane. Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong
+    arguments or manifest, 3 Java or TLC missing.
+    """
+    path = manifest or find_manifest(Path.cwd())
+    request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names)
+    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
+    processes = tlc.Processes()
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=WIDTH_OF_LOG)
+    try:
+        code = run_request(request, processes, console)
+    except (KeyboardInterrupt, tlc.InterruptedRunError):
+        click.echo("interrupted", err=True)
+        code = INTERRUPTED
+    finally:
+        processes.close()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    sys.exit(code)
+
+
+def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+    """Do what was asked for and return the exit code."""
+    try:
+        manifest = load(request.manifest)
+        selected = manifest.select(request.lane, request.names)
+    except ManifestError as error:
+        click.echo(f"error: {error}", err=True)
+        return USAGE
+    try:
+        tools = tlc.find_toolchain(request.jar)
+    except tlc.ToolMissingError as error:
+        click.echo(f"error: {error}", err=True)
+        return NO_TOOLS
+    began = time.monotonic()
+    answers = canaries.run_canaries(tools, manifest.directory.parent / "build", processes)
+    report.show_canaries(console, tools, answers)
+    drift = list(manifest.drift)
+    if not selected:
+        drift.append(f"{manifest.path}: no model is in lane {request.lane}: nothing was checked")
+    harness = Harness(manifest, tools, processes, request.workers)
+    with report.Progress(console, len(selected)) as progress:
+        results = run_all(harness, selected, request.jobs, progress)
+    if request.update:
+        results = _update(manifest, results, request, console)
+    seconds = time.monotonic() - began
+    _show(results, drift, request, console)
+    report.show_table(console, results, answers.version, seconds)
+    if request.json is not None:
+        lane = None if request.names else request.lane
+        document = report.as_json(tools, answers, lane, results, drift, seconds)
+        request.json.parent.mkdir(parents=True, exist_ok=True)
+        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return DRIFT if drift or not all(r.ok for r in results) else 0
+
+
+def find_manifest(start: Path) -> Path:
+    """Return models/manifest.json of `start` or of the nearest directory above it that has one."""
+    for directory in (start, *start.parents):
+        if (directory / MANIFEST).is_file():
+            return directory / MANIFEST
+    return MANIFEST
+
+
+def _update(manifest: Manifest, results: list[Result], request: Request, console: Console) -> list[Result]:
+    """Pin the counts that came, and judge by the new pins."""
+    changes = update(manifest.path, results)
+    for change in changes or ["nothing"]:
+        console.print(f"updated {change}", markup=False, soft_wrap=True)
+    if not changes:
+        return results
+    pinned = {m.name: m for m in load(request.manifest).models}
+    return [
+        judge(pinned[r.model.name], r.outcome, r.exit, r.seconds, r.workers, r.output)
+        if r.exit is not None and not r.problems
+        else r
+        for r in results
+    ]
+
+
+def _show(results: list[Result], drift: list[str], request: Request, console: Console) -> None:
+    for result in results:
+        if request.verbose and result.output:
+            console.print(result.output, markup=False, soft_wrap=True)
+        if not result.ok:
+            report.show_failure(console, result, _alone(result.model, request), verbose=request.verbose)
+    for line in drift:
+        console.print(f"drift: {line}", markup=False, style="red", soft_wrap=True)
+
+
+def _alone(model: Model, request: Request) -> str:
+    options = (
+        "" if request.manifest.resolve() == find_manifest(Path.cwd()).resolve() else f" --manifest {request.manifest}"
+    )
+    options += f" --tlc {request.jar}" if request.jar else ""
+    return f"s7check models{options} {model.name} -v"
+
+
+def _interrupt(_signal: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt

@@ -1,0 +1,27 @@
+"""What the specification allows, in the words of the log format."""
+
+from trace_checker.engine_client import Allowed
+from trace_checker.log.values import MS_PER_MINUTE, iso
+
+_WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
+_BYTES = frozenset({"flt_id", "strt_info"})
+
+
+def format_allowed(allowed: Allowed) -> str:
+    """Such as ``EN_AIRT ret=16#0000``, ``start ob=80 flt_id=16#05`` or ``end ob=10``."""
+    parts = [allowed.event]
+    if allowed.ob:
+        parts.append(f"ob={allowed.ob}")
+    if allowed.field:
+        parts.append(f"{allowed.field}={_format_value(allowed.field, allowed.value)}")
+    return " ".join(parts)
+
+
+def _format_value(field: str, value: int | str | dict[str, int]) -> str:
+    if isinstance(value, dict):
+        return iso(value["min"] * MS_PER_MINUTE + value["ms"])
+    if isinstance(value, int) and field in _WORDS:
+        return f"16#{value & 0xFFFF:04X}"
+    if isinstance(value, int) and field in _BYTES:
+        return f"16#{value & 0xFF:02X}"
+    return str(value)
