@@ -162,9 +162,14 @@ Aeon == 1000000000
 Span(a, b) == IF b.min - a.min > 16000 THEN Aeon
               ELSE (b.min - a.min) * 60000 + b.ms - a.ms
 
-\* @type: ($moment, Int) => $moment;
-Plus(a, d) == [ min |-> a.min + (a.ms + d) \div 60000,
-                ms  |-> (a.ms + d) % 60000 ]
+(* The moment on the clock of `up' when the CPU clock, now at a, is at b;   *)
+(* not beyond the moment `last'.                                           *)
+\* @type: ($moment, $moment, $moment) => $moment;
+UpAt(a, b, last) ==
+    LET ms == up.ms + b.ms - a.ms + 60000
+        t  == [ min |-> up.min + b.min - a.min + (ms \div 60000) - 1,
+                ms  |-> ms % 60000 ]
+    IN  IF Before(t, last) THEN t ELSE last
 
 (* Start points that equal the clock. *)
 PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
@@ -173,12 +178,14 @@ PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
 \* @type: Int => Bool;
 InTime(d) == \A c \in DOMAIN waiting : waiting[c] + d <= terms.latency
 
-\* @type: ($moment, Int) => Bool;
-ElapseBy(t, d) ==
-    /\ InTime(d)
-    /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
-    /\ up' = t
-    /\ UNCHANGED terms
+(* Time elapses to t on the clock of `up'. *)
+\* @type: $moment => Bool;
+ElapseTo(t) ==
+    LET d == Span(up, t)
+    IN  /\ InTime(d)
+        /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
+        /\ up' = t
+        /\ UNCHANGED terms
 
 NextDue == LET n == { tod[o].next : o \in { p \in DOMAIN tod : tod[p].active } }
            IN  CHOOSE m \in n : \A k \in n : m <= k
@@ -186,23 +193,28 @@ NextDue == LET n == { tod[o].next : o \in { p \in DOMAIN tod : tod[p].active } }
 \* @type: $event => Bool;
 Arrived(e) == clock = e.at /\ up = e.up
 
+MissingNow ==
+    { r \in requests : r.ob \notin loaded /\ MayStart(r) }
+
+FindMissing ==
+    \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
+
 (* One step towards the line e: the next start point, or the line itself.   *)
-(* Durations are those of `up', moments those of the clock.                *)
+(* Durations are those of `up', moments those of the clock.  An OB that is  *)
+(* found missing on the way may leave nothing to wait for.                 *)
 \* @type: $event => Bool;
 Elapse(e) ==
-    IF clock = e.at
-    THEN ElapseBy(e.up, Span(up, e.up)) /\ UNCHANGED cpuVars
-    ELSE IF PointsNow # {}
+    IF PointsNow # {} /\ clock # e.at
     THEN /\ PointReached(CHOOSE o \in PointsNow :
                            \A p \in PointsNow : o <= p)
          /\ Rewait
          /\ UNCHANGED <<terms, up>>
-    ELSE IF PassesNoPoint(e.at)
-    THEN TimePasses(e.at) /\ ElapseBy(e.up, Span(up, e.up))
-    ELSE LET t    == At(NextDue)
-             left == Span(up, e.up)
-             d    == IF Span(clock, t) < left THEN Span(clock, t) ELSE left
-         IN  TimePasses(t) /\ ElapseBy(Plus(up, d), d)
+    ELSE \/ FindMissing /\ UNCHANGED <<terms, up>>
+         \/ IF clock = e.at THEN ElapseTo(e.up) /\ UNCHANGED cpuVars
+            ELSE IF PassesNoPoint(e.at)
+            THEN TimePasses(e.at) /\ ElapseTo(e.up)
+            ELSE /\ TimePasses(At(NextDue))
+                 /\ ElapseTo(UpAt(clock, At(NextDue), e.up))
 
 -----------------------------------------------------------------------------
 (* Silent steps: what may happen just before a line, unseen *)
@@ -214,13 +226,10 @@ HiddenBoundary ==
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
 
-MissingNow ==
-    { r \in requests : r.ob \notin loaded /\ MayStart(r) }
-
 Silent ==
     /\ UNCHANGED <<terms, up>>
     /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
-       \/ \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
+       \/ FindMissing
        \/ HiddenBoundary /\ Rewait
 
 (* Cheap to evaluate: may a silent step be possible? *)

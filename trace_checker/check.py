@@ -7,7 +7,7 @@ import click
 
 from trace_checker.engine_client import Answer, Engine
 from trace_checker.engine_command import EngineError
-from trace_checker.log.errors import UnusableLog
+from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.lines import Lines
 from trace_checker.log.reader import read_log
 from trace_checker.log.source import Source, open_log
@@ -25,7 +25,7 @@ def check_log(name: str, engine: Engine, progress: Progress) -> Report:
     """The verdict about the log ``name`` (``-`` for standard input); never raises for a log."""
     log = click.format_filename(name)
     recent = _RecentLines()
-    unusable: UnusableLog | None = None
+    unusable: UnusableLogError | None = None
     answer: Answer | None = None
     try:
         begun = False
@@ -40,7 +40,7 @@ def check_log(name: str, engine: Engine, progress: Progress) -> Report:
                     engine.send(batch.events)
                     events += len(batch.events)
                     progress(source, events)
-        except UnusableLog as error:
+        except UnusableLogError as error:
             unusable = error
         # The engine was sent the lines before the unusable one: what it says of them comes first.
         # If it has decided already, reading was broken off and the rest means nothing.

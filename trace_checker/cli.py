@@ -30,8 +30,7 @@ class _Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         module, attribute = COMMANDS[cmd_name].split(":")
-        command = getattr(import_module(module), attribute)
-        assert isinstance(command, click.Command)
+        command: click.Command = getattr(import_module(module), attribute)
         return command
 
 
@@ -59,7 +58,7 @@ def main(arguments: list[str] | None = None) -> int:
         return WRONG_ARGUMENTS
     except (click.Abort, KeyboardInterrupt):
         return INTERRUPTED
-    except Exception as error:  # whatever it is, a user is owed a sentence and not a traceback
+    except Exception as error:  # noqa: BLE001 - whatever it is, a user is owed a sentence, no traceback
         click.echo(f"s7check: {type(error).__name__}: {error}", err=True)
         return NO_VERDICT
     return code if isinstance(code, int) else 0

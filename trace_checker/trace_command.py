@@ -24,7 +24,7 @@ from trace_checker.verdict import Report
 )
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...")
 def trace_command(output: str, logs: tuple[str, ...]) -> int:
-    """Check whether recorded runs of a CPU keep to the rules of the S7-300/400.
+    r"""Check whether recorded runs of a CPU keep to the rules of the S7-300/400.
 
     A LOG is a file of the format s7-interrupt-log/1: what the CPU did, one JSON object a line, the
     SFC calls with their RET_VAL, OBs starting and ending, the clock being set. A file whose name

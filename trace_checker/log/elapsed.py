@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from trace_checker.log.errors import UnusableLog
+from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.values import MS_PER_MINUTE, Moment, iso, moment
 
 
@@ -23,20 +23,18 @@ class Clocks:
     def stamp(self, event: dict[str, Any]) -> None:
         """Turns ``at`` into a moment and ``up`` too, which is filled in where it is missing.
 
-        Raises UnusableLog if either runs backward.
+        Raises UnusableLogError if either runs backward.
         """
         at: int = event["at"]
         up: int | None = event.get("up")
         passed = at - self._clock
         # Against an `up`, a jump of a clock whose settings are not logged is such a setting.
         if passed < 0 and (self._jumps_logged or up is None):
-            raise UnusableLog(
-                f"no time before {iso(self._clock)}, the clock's last reading", iso(at), field="at"
-            )
+            raise UnusableLogError(f"no time before {iso(self._clock)}, the clock's last reading", iso(at), field="at")
         if up is None:
             self._elapsed += passed
         elif up < self._up:
-            raise UnusableLog(f"no number below {self._up}, the last one", str(up), field="up")
+            raise UnusableLogError(f"no number below {self._up}, the last one", str(up), field="up")
         else:
             self._up = up
             # Lines without `up` may have counted further than the next one that has it.

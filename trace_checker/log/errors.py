@@ -5,7 +5,7 @@ import json
 _LONGEST = 60
 
 
-class UnusableLog(Exception):
+class UnusableLogError(Exception):
     """A line that is not of the format.
 
     ``line`` is the physical line, from 1, or 0 where none can be named (a file that cannot be

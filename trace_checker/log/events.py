@@ -3,7 +3,7 @@
 from typing import Any
 
 from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLog, quote
+from trace_checker.log.errors import UnusableLogError, quote
 from trace_checker.log.fields import Fields, Reader
 from trace_checker.log.values import (
     byte,
@@ -27,7 +27,7 @@ _block = integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)
 def _external_ob(value: object) -> int:
     if type(value) is int and value in tables.EXTERNAL_OBS:
         return value
-    raise UnusableLog("an OB 30-38, 40-47, 55-57, 60, 70, 72 or 80-87", quote(value))
+    raise UnusableLogError("an OB 30-38, 40-47, 55-57, 60, 70, 72 or 80-87", quote(value))
 
 
 _info = Fields(
@@ -90,15 +90,15 @@ _EVENTS = {
 
 def _check_status(event: dict[str, Any]) -> None:
     if event["ret"] == 0 and "status" not in event:
-        raise UnusableLog('one, "ret" being 0', "none", field="status")
+        raise UnusableLogError('where "ret" is 0', "none", field="status")
 
 
 def _check_fault(event: dict[str, Any]) -> None:
     if (event["ob"] in tables.OBS_WITH_FAULT) == ("flt_id" in event):
         return
     if "flt_id" in event:
-        raise UnusableLog("one for OB 80 and 85 only", f"one for OB {event['ob']}", field="flt_id")
-    raise UnusableLog(f"one, OB {event['ob']} needs it", "none", field="flt_id")
+        raise UnusableLogError("for OB 80 and 85 only", f"for OB {event['ob']}", field="flt_id")
+    raise UnusableLogError(f"for OB {event['ob']}", "none", field="flt_id")
 
 
 _CHECKS = {"QRY_TINT": _check_status, "QRY_DINT": _check_status, "interrupt": _check_fault}
@@ -108,22 +108,21 @@ def read_event(raw: dict[str, object]) -> dict[str, Any]:
     """The normalised event of a line's object.
 
     Points in time are moments but for ``at``, which stays milliseconds since 1990-01-01T00:00, and
-    ``sdt``, which is its components. Raises UnusableLog, without its line.
+    ``sdt``, which is its components. Raises UnusableLogError, without its line.
     """
     name = raw.get("event")
-    fields = _EVENTS.get(name) if type(name) is str else None
-    if fields is None:
+    if not isinstance(name, str) or name not in _EVENTS:
         raise _no_event(raw)
-    event = fields.read(raw)
-    check = _CHECKS.get(name)  # type: ignore[arg-type]
+    event = _EVENTS[name].read(raw)
+    check = _CHECKS.get(name)
     if check is not None:
         check(event)
     return event
 
 
-def _no_event(raw: dict[str, object]) -> UnusableLog:
+def _no_event(raw: dict[str, object]) -> UnusableLogError:
     if "event" in raw:
-        return UnusableLog("the name of an event", quote(raw["event"]), field="event")
+        return UnusableLogError("the name of an event", quote(raw["event"]), field="event")
     if "format" in raw:
-        return UnusableLog("an event", "a second header")
-    return UnusableLog("one, every line but the header needs it", "none", field="event")
+        return UnusableLogError("an event", "a second header")
+    return UnusableLogError("in every line but the header", "none", field="event")

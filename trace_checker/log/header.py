@@ -3,8 +3,8 @@
 from typing import Any
 
 from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLog, quote
-from trace_checker.log.fields import Fields, Reader, json_object, list_of, mapping
+from trace_checker.log.errors import UnusableLogError, quote
+from trace_checker.log.fields import Fields, Reader, list_of, mapping
 from trace_checker.log.values import choice, instant_moment, integer, minute_number, truth
 
 FORMAT = "s7-interrupt-log/1"
@@ -38,9 +38,7 @@ def _time_of_day(value: object) -> dict[str, object]:
     normalised = {"execution": "none", "start": NO_START, "active": False, "deselected": False}
     normalised |= given
     if normalised["execution"] != "none" and "start" not in given:
-        raise UnusableLog(
-            f"one, execution {quote(normalised['execution'])} needs it", "none", field="start"
-        )
+        raise UnusableLogError(f"with execution {quote(normalised['execution'])}", "none", field="start")
     return normalised
 
 
@@ -51,30 +49,23 @@ def _priority_of(ob: int) -> Reader:
     def read(value: object) -> object:
         if type(value) is int and (value in classes or value == tables.DESELECTED):
             return value
-        raise UnusableLog(expected, quote(value))
+        raise UnusableLogError(expected, quote(value))
 
     return read
 
 
 _priorities = mapping(
-    "priority, the OBs whose class can be set",
+    "an OB whose class can be set, 10-17, 20-23, 30-38, 40-47, 70, 72 or 81-87,",
     {str(ob): _priority_of(ob) for ob in tables.SETTABLE_PRIORITIES},
 )
 _readings = mapping(
-    "readings", {ambiguity: choice(*letters) for ambiguity, letters in tables.READINGS.items()}
+    'an ambiguity "AMB-01".."AMB-78"',
+    {ambiguity: choice(*letters) for ambiguity, letters in tables.READINGS.items()},
 )
-
-
-def _readings_known(value: object) -> dict[str, object]:
-    # The list of all ambiguities would bury the message that Fields gives for an unknown name.
-    for name in json_object(value):
-        if name not in tables.READINGS and not name.startswith("x_"):
-            raise UnusableLog('an ambiguity "AMB-01".."AMB-78"', quote(name), field=name)
-    return _readings(value)
-
+_tod = mapping('an OB "10".."17"', {str(ob): _time_of_day for ob in tables.TIME_OF_DAY_OBS})
 
 _HEADER = Fields(
-    "the header",
+    "header",
     {
         "format": choice(FORMAT),
         "cpu": choice("S7-300", "S7-400", "CPU 318"),
@@ -87,15 +78,8 @@ _HEADER = Fields(
         "records": list_of(choice(*KINDS)),
         "cycle": truth,
         "priority": _priorities,
-        "step7": mapping(
-            "step7",
-            {
-                "tod": mapping(
-                    "tod", {str(ob): _time_of_day for ob in tables.TIME_OF_DAY_OBS}
-                )
-            },
-        ),
-        "readings": _readings_known,
+        "step7": mapping("the field tod", {"tod": _tod}),
+        "readings": _readings,
     },
 )
 
@@ -103,16 +87,14 @@ _HEADER = Fields(
 def read_header(raw: dict[str, object]) -> dict[str, Any]:
     """The normalised header of the object in a log's first line, every default filled in.
 
-    Maps become lists of pairs, ``step7`` a list of records with their ``ob``. Raises UnusableLog,
+    Maps become lists of pairs, ``step7`` a list of records with their ``ob``. Raises UnusableLogError,
     without its line.
     """
     if "format" not in raw and "event" in raw:
-        raise UnusableLog("the header in the first line", f"the event {quote(raw['event'])}")
+        raise UnusableLogError("the header in the first line", f"the event {quote(raw['event'])}")
     given: dict[str, Any] = _HEADER.read(raw)
     if "priority" in given and given["cpu"] not in tables.PRIORITY_CPUS:
-        raise UnusableLog(
-            "it on S7-400 and CPU 318 only", f"it on {given['cpu']}", field="priority"
-        )
+        raise UnusableLogError("on S7-400 and CPU 318 only", f"on {given['cpu']}", field="priority")
     time_of_day = given.get("step7", {}).get("tod", {})
     return {
         "cpu": given["cpu"],

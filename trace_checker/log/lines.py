@@ -3,14 +3,14 @@
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from trace_checker.log.errors import UnusableLog
+from trace_checker.log.errors import UnusableLogError
 
 LONGEST_LINE = 1024 * 1024
 """Bytes of the longest line that is read; it bounds the memory that a log can take."""
 
 
 class Lines(NamedTuple):
-    """Consecutive lines, without their ``\\n``; ``first`` is the number of the first of them."""
+    r"""Consecutive lines, without their ``\n``; ``first`` is the number of the first of them."""
 
     first: int
     texts: list[bytes]
@@ -19,7 +19,7 @@ class Lines(NamedTuple):
 def split_lines(chunks: Iterable[bytes]) -> Iterator[Lines]:
     """Yields the lines that each chunk completes, as soon as it has come.
 
-    The end of the log completes its last line. Raises UnusableLog for a line that is too long and,
+    The end of the log completes its last line. Raises UnusableLogError for a line that is too long and,
     with the line it would have come in, for an error of ``chunks``.
     """
     number = 1
@@ -42,12 +42,12 @@ def split_lines(chunks: Iterable[bytes]) -> Iterator[Lines]:
             pending += len(rest)
             if pending > LONGEST_LINE:
                 raise _too_long(number)
-    except UnusableLog as error:
+    except UnusableLogError as error:
         error.line = error.line or number
         raise
     if pending:
         yield Lines(number, [b"".join(pieces)])
 
 
-def _too_long(number: int) -> UnusableLog:
-    return UnusableLog(f"a line of at most {LONGEST_LINE} bytes", "a longer one", line=number)
+def _too_long(number: int) -> UnusableLogError:
+    return UnusableLogError(f"a line of at most {LONGEST_LINE} bytes", "a longer one", line=number)

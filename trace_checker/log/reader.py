@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from trace_checker.log.elapsed import Clocks
-from trace_checker.log.errors import UnusableLog
+from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.events import read_event
 from trace_checker.log.header import read_header
 from trace_checker.log.jsonline import decode_object
@@ -25,7 +25,7 @@ class Batch(NamedTuple):
 def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
     """Yields the log in batches, each as soon as its lines are complete; memory stays constant.
 
-    Raises UnusableLog, with its line, after everything before that line has been yielded.
+    Raises UnusableLogError, with its line, after everything before that line has been yielded.
     """
     clocks: Clocks | None = None
     for lines in split_lines(chunks):
@@ -45,10 +45,10 @@ def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
                     clocks.stamp(event)
                     event["line"] = number
                     events.append(event)
-        except UnusableLog as error:
+        except UnusableLogError as error:
             error.line = number
             yield Batch(lines, header, events)
             raise
         yield Batch(lines, header, events)
     if clocks is None:
-        raise UnusableLog("a header", "an empty log", line=1)
+        raise UnusableLogError("a header", "an empty log", line=1)

@@ -7,7 +7,7 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from trace_checker.log.errors import UnusableLog, printable
+from trace_checker.log.errors import UnusableLogError, printable
 
 CHUNK = 64 * 1024
 """Bytes asked for at a time; a pipe gives what it has, so lines arrive when they are written."""
@@ -37,7 +37,7 @@ class Source:
     def chunks(self, wait: Wait = wait_for_input) -> Iterator[bytes]:
         """Yields the log's bytes in pieces of any length until its end or until ``wait`` says no.
 
-        Raises UnusableLog, without a line, if they cannot be read or unpacked.
+        Raises UnusableLogError, without a line, if they cannot be read or unpacked.
         """
         return _unpack(self._raw(wait)) if self.packed else self._raw(wait)
 
@@ -46,7 +46,7 @@ class Source:
             try:
                 chunk = os.read(self.fd, CHUNK)
             except OSError as error:
-                raise UnusableLog("a log that can be read", _reason(error)) from error
+                raise UnusableLogError("a log that can be read", _reason(error)) from error
             if not chunk:
                 return
             self.taken += len(chunk)
@@ -57,17 +57,17 @@ class Source:
 def open_log(name: str) -> Iterator[Source]:
     """Opens the file ``name``, ``-`` for standard input; a name ending in ``.gz`` is gzip.
 
-    Raises UnusableLog, without a line, if that is impossible.
+    Raises UnusableLogError, without a line, if that is impossible.
     """
     if name == "-":
         if sys.stdin is None:
-            raise UnusableLog("a log on standard input", "standard input closed")
+            raise UnusableLogError("a log on standard input", "standard input closed")
         yield Source(sys.stdin.fileno(), packed=False)
         return
     try:
         fd = os.open(name, os.O_RDONLY)
     except (OSError, ValueError) as error:
-        raise UnusableLog("a log that can be opened", _reason(error)) from error
+        raise UnusableLogError("a log that can be opened", _reason(error)) from error
     try:
         yield Source(fd, packed=name.endswith(".gz"))
     finally:
@@ -96,10 +96,10 @@ def _unpack(packed: Iterator[bytes]) -> Iterator[bytes]:
             try:
                 plain = member.decompress(chunk, _UNPACKED)
             except zlib.error as error:
-                raise UnusableLog("a sound gzip file", printable(str(error))) from error
+                raise UnusableLogError("a sound gzip file", printable(str(error))) from error
             if plain:
                 yield plain
             chunk = member.unused_data if member.eof else member.unconsumed_tail
             begun = not member.eof
     if begun or not member.eof:
-        raise UnusableLog("a sound gzip file", "its end too early")
+        raise UnusableLogError("a sound gzip file", "its end too early")

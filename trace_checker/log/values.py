@@ -1,11 +1,12 @@
 """The spellings of single values. Each reader takes a decoded JSON value and returns the
-normalised one, or raises UnusableLog without field and line."""
+normalised one, or raises UnusableLogError without field and line.
+"""
 
 import re
 from collections.abc import Callable
 from datetime import datetime, timedelta
 
-from trace_checker.log.errors import UnusableLog, quote
+from trace_checker.log.errors import UnusableLogError, quote
 
 Moment = dict[str, int]
 """A point in time for the engine: ``{"min": minutes, "ms": milliseconds in the minute}``."""
@@ -29,7 +30,7 @@ def integer(low: int, high: int) -> Callable[[object], int]:
         # `type`, since True is an int for isinstance, and 1.0 is no JSON integer here.
         if type(value) is int and low <= value <= high:
             return value
-        raise UnusableLog(expected, quote(value))
+        raise UnusableLogError(expected, quote(value))
 
     return read
 
@@ -42,7 +43,7 @@ def choice(*allowed: str) -> Callable[[object], str]:
     def read(value: object) -> str:
         if type(value) is str and value in among:
             return value
-        raise UnusableLog(expected, quote(value))
+        raise UnusableLogError(expected, quote(value))
 
     return read
 
@@ -51,7 +52,7 @@ def truth(value: object) -> bool:
     """``true`` or ``false``."""
     if type(value) is bool:
         return value
-    raise UnusableLog("true or false", quote(value))
+    raise UnusableLogError("true or false", quote(value))
 
 
 # S7 writes its constants in either case; only ASCII letters count as its letters.
@@ -78,7 +79,7 @@ def _hexadecimal(low: int, high: int, expected: str) -> Callable[[object], int]:
                     if len(known) < _CACHED:
                         known[value] = number
                     return number
-        raise UnusableLog(expected, quote(value))
+        raise UnusableLogError(expected, quote(value))
 
     return read
 
@@ -101,7 +102,7 @@ def word_or_null(value: object) -> int:
         return NOT_LOGGED
     try:
         return word(value)
-    except UnusableLog as error:
+    except UnusableLogError as error:
         error.expected += ", or null"
         raise
 
@@ -122,15 +123,13 @@ def duration(value: object) -> int:
         number = -number if match["sign"] else number
     if number is not None and -0x8000_0000 <= number < 0x8000_0000:
         return number
-    raise UnusableLog(
+    raise UnusableLogError(
         'a duration such as "T#1s500ms" or an integer -2147483648..2147483647 of milliseconds',
         quote(value),
     )
 
 
-_ISO = re.compile(
-    r"([0-9]{4})-([0-9]{2})-([0-9]{2})T([0-9]{2}):([0-9]{2})(?::([0-9]{2})(?:\.([0-9]{1,3}))?)?"
-)
+_ISO = re.compile(r"([0-9]{4})-([0-9]{2})-([0-9]{2})T([0-9]{2}):([0-9]{2})(?::([0-9]{2})(?:\.([0-9]{1,3}))?)?")
 _S7 = re.compile(
     r"(?:DT|DATE_AND_TIME)#([0-9]{4})-([0-9]{1,2})-([0-9]{1,2})-([0-9]{1,2}):([0-9]{1,2})"
     r"(?::([0-9]{1,2})(?:\.([0-9]{1,3}))?)?",
@@ -141,12 +140,13 @@ _DATE_EXPECTED = 'a date and time such as "2026-11-21T06:00:00.000"'
 
 def date_components(value: object) -> dict[str, int]:
     """The numbers of a date and time that need not exist, by ``year month day hour minute second
-    ms``; this is how a program may have passed it."""
+    ms``; this is how a program may have passed it.
+    """
     match = None
     if type(value) is str:
         match = _ISO.fullmatch(value) or _S7.fullmatch(value)
     if match is None:
-        raise UnusableLog(_DATE_EXPECTED, quote(value))
+        raise UnusableLogError(_DATE_EXPECTED, quote(value))
     year, month, day, hour, minute, second, fraction = match.groups("0")
     return {
         "year": int(year),
@@ -163,9 +163,7 @@ def date_components(value: object) -> dict[str, int]:
 _minutes: dict[str, int] = {}
 _SECONDS = {"": 0, **{f":{second:02}": second * 1000 for second in range(60)}}
 _FRACTIONS = {"": 0} | {
-    f".{number:0{digits}}": number * 10 ** (3 - digits)
-    for digits in (1, 2, 3)
-    for number in range(10**digits)
+    f".{number:0{digits}}": number * 10 ** (3 - digits) for digits in (1, 2, 3) for number in range(10**digits)
 }
 
 
@@ -181,13 +179,13 @@ def instant(value: object) -> int:
 
 def _new_instant(value: object) -> int:
     parts = date_components(value)
-    ms = parts.pop("ms")
+    ms = parts.pop("ms")  # what is left is in the order that datetime takes
     if not 1990 <= parts["year"] <= 2089:
-        raise UnusableLog("a date and time from 1990-01-01 to 2089-12-31", quote(value))
+        raise UnusableLogError("a date and time from 1990-01-01 to 2089-12-31", quote(value))
     try:
-        exact = datetime(**parts)
+        exact = datetime(*parts.values())
     except ValueError as error:
-        raise UnusableLog("a date and time that exists", quote(value)) from error
+        raise UnusableLogError("a date and time that exists", quote(value)) from error
     since = exact - _EPOCH
     seconds = since.days * 86_400 + since.seconds
     if _ISO.fullmatch(str(value)):

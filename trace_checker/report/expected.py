@@ -1,18 +1,20 @@
 """What the specification allows, in the words of the log format."""
 
 from trace_checker.engine_client import Allowed
-from trace_checker.log.values import MS_PER_MINUTE, iso
+from trace_checker.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
 _BYTES = frozenset({"flt_id", "strt_info"})
 
 
 def format_allowed(allowed: Allowed) -> str:
-    """Such as ``EN_AIRT ret=16#0000``, ``start ob=80 flt_id=16#05`` or ``end ob=10``."""
+    """Such as ``EN_AIRT ret=16#0000``, ``start ob=80 flt_id=16#05`` or ``end ob=10``; a value that the
+    specification leaves open is left out.
+    """
     parts = [allowed.event]
     if allowed.ob:
         parts.append(f"ob={allowed.ob}")
-    if allowed.field:
+    if allowed.field and allowed.value != NOT_LOGGED:
         parts.append(f"{allowed.field}={_format_value(allowed.field, allowed.value)}")
     return " ".join(parts)
 

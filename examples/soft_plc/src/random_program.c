@@ -52,7 +52,7 @@ static void draw_sdt(struct random_program *r, dt_ms now, struct civil *c)
 {
     dt_ms t = now;
     if (percent(r, 80))
-        t += between(r, -3, 3) * MS_MINUTE;
+        t += between(r, -2, 3) * MS_MINUTE;
     else
         t += between(r, -400, 400) * MS_DAY;
     dt_to_civil(clamp(t), c);
@@ -126,8 +126,8 @@ static void begin(struct program *p, const struct cpu *cpu, struct frame *frame)
 static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
-        return percent(r, 20) ? between(r, 1000, 20000) : between(r, 1, 800);
-    if (ob_is_tod(ob) && percent(r, 2))
+        return percent(r, 60) ? between(r, 1000, 30000) : between(r, 1, 800);
+    if (ob_is_tod(ob) && percent(r, 8))
         return between(r, 30, 130) * INT64_C(1000);
     return between(r, 1, 200);
 }
@@ -142,15 +142,15 @@ static bool next(struct program *p, const struct cpu *cpu, struct frame *frame, 
     *step = (struct step){.kind = STEP_BUSY};
     if (n < 380) {
         step->ms = draw_busy(r, frame->ob);
-    } else if (n < 500) {
+    } else if (n < 460) {
         step->kind = STEP_SET_TINT;
-        step->ob = draw_ob_nr(r);
+        step->ob = r->last_set = draw_ob_nr(r);
         step->period = draw_period(r);
         draw_sdt(r, clock_now(&cpu->clock), &step->sdt);
     } else if (n < 640) {
         step->kind = STEP_ACT_TINT;
-        step->ob = draw_ob_nr(r);
-    } else if (n < 690) {
+        step->ob = percent(r, 60) ? r->last_set : draw_ob_nr(r);
+    } else if (n < 670) {
         step->kind = STEP_CAN_TINT;
         step->ob = draw_ob_nr(r);
     } else if (n < 800) {
@@ -186,7 +186,12 @@ static void draw_interrupt(struct random_program *r, const struct cpu *cpu, stru
     static const int obs[] = {35, 35, 35, 40, 40, 41, 30, 32, 38, 55, 82, 83, 81, 87, 80, 85};
     a->kind = ACTION_INTERRUPT;
     a->ob = obs[below(r, 16)];
-    if (!cpu->loaded[a->ob] && !percent(r, 5))
+    if (!cpu->loaded[35] && percent(r, 30)) {
+        a->kind = ACTION_LOAD;
+        a->ob = 35;
+        return;
+    }
+    if (!cpu->loaded[a->ob] && !percent(r, 2))
         a->ob = 35;
     if (a->ob == 80)
         a->flt_id = 0x01;
@@ -209,7 +214,7 @@ static bool take_action(struct program *p, const struct cpu *cpu, struct action 
     struct random_program *r = (struct random_program *)p;
     int n = below(r, 1000);
     *action = (struct action){.flt_id = -1};
-    r->next_action = cpu->clock.up + (percent(r, 10) ? between(r, 1, 50) : between(r, 50, 4000));
+    r->next_action = cpu->clock.up + (percent(r, 10) ? between(r, 1, 50) : between(r, 50, 25000));
     if (cpu->mode == MODE_STOP && n < 100) {
         action->kind = ACTION_SET_CLOCK;
         draw_clock_change(r, clock_now(&cpu->clock), &action->ms);

@@ -8,6 +8,7 @@ struct random_program {
     struct program program; /* first, as in a scenario */
     uint64_t state;
     int64_t next_action;
+    int last_set; /* OB_NR of the last SFC 28, which SFC 30 mostly follows */
 };
 
 void random_program(struct random_program *r, uint64_t seed);

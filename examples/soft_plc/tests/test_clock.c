@@ -31,7 +31,7 @@ static void reached_and_withdrawn(void)
                          0);
     CHECK(test_in_order(log, "\"clock\"", "06:00:00.000\",\"ob\":10", "\"clock\"", "\"ob\":80",
                         "CAN_TINT", NULL));
-    CHECK(test_count(log, "\"start\"") == 2);
+    CHECK(test_count(log, ":\"start\"") == 2);
     free(log);
 }
 
@@ -56,7 +56,7 @@ static void back(void)
             text[n++] = *p++;
         text[n] = '\0';
         char *log = test_run(text, cases[i].faults);
-        CHECK(test_count(log, "\"start\"") == cases[i].starts); /* [CLK-09, CLK-10] */
+        CHECK(test_count(log, ":\"start\"") == cases[i].starts); /* [CLK-09, CLK-10] */
         CHECK(test_count(log, "\"ob\":80,") == 0);
         free(log);
     }

@@ -83,7 +83,7 @@ static void overflow(void)
                          "at +1002ms interrupt 35\nob 35 {\nbusy 50ms\n}\n",
                          0);
     CHECK(test_count(log, "\"ob\":80,\"info\":{\"priority\":28,\"flt_id\":\"16#07\"") == 1);
-    CHECK(test_count(log, "\"start\"") == 3);
+    CHECK(test_count(log, ":\"start\"") == 3);
     free(log);
 }
 

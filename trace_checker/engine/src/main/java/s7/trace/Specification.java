@@ -13,6 +13,7 @@ import tlc2.tool.StateVec;
 import tlc2.tool.TLCState;
 import tlc2.tool.impl.FastTool;
 import tlc2.util.Context;
+import tlc2.util.FP64;
 import tlc2.value.IValue;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.Value;
@@ -37,6 +38,7 @@ final class Specification {
    * @throws RuntimeException if TLC cannot read or parse them
    */
   Specification(Path folder, String module) {
+    FP64.Init(); // without it every state has the same fingerprint
     var resolver = new SimpleFilenameToStream(folder.toAbsolutePath().toString());
     tool = new FastTool(folder.toAbsolutePath().toString(), module, module, resolver);
     root = tool.getSpecProcessor().getRootModule();
