@@ -14,5 +14,8 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
-Bounded == delay <= 3 /\ Cardinality(requests) <= 3
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ delay <= 3
+           /\ Cardinality(requests) <= 3
+           /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

@@ -37,12 +37,20 @@ Activated(execution, m) ==
 (* One CPU of each kind whose rules differ. *)
 TwoFamilies == {"S7-300", "S7-400"}
 
+(* Codes that calls may answer, right or wrong. *)
+CallRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed, 1}
+AirtRetVals == {0, 1, 2, 3, 4, NotDelayed}
+TodStatusWords == {-1, 0, 1, 2, 4, 5, 16, 17, 20, 21, 32, 64}
+
 (* Where a model leaves something out. *)
 NoObNumbers == {}
 NoSdts == {}
 NoWords == {}
 NoClockTargets == {}
 NoInterrupts == {}
+NoStatusWords == {}
+NoRetVals == {}
+NoChangingObs == {}
 
 (* The state without `step'. *)
 View == cpuVars

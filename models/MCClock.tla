@@ -16,5 +16,7 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCClockTargets == {Moment(0, 0), Moment(1, 30000), Moment(2, 0)}
 MCRestartTypes == {"warm"}
 
-Bounded == delay = 0 /\ Cardinality(requests) <= 3
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ Cardinality(requests) <= 3
+           /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

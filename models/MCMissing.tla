@@ -7,7 +7,8 @@ EXTENDS MCBase
 
 MCTodObs == {10}
 MCFamilies == TwoFamilies
-MCLoads == { {100} \cup l : l \in SUBSET {10, 80, 85} }
+MCLoads == { {80} \cup l : l \in SUBSET {10, 85} }
+MCChangingObs == {80}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)],
                     [o \in TodObs |-> Activated("once", 1)]}
 MCMoments == HalfMinutes(0, 2)

@@ -17,5 +17,27 @@ MCPowerOnMoments == {Moment(0, 0)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
-Bounded == delay <= 1 /\ Cardinality(requests) <= 2
+(* [TINT-33] [TINT-35] [TINT-18] [TINT-36] [AMB-63] SET_TINT by a table: for *)
+(* each pair of operands what it may answer beside 8090.                   *)
+SetTableProp ==
+    [][ Did("SET_TINT") =>
+          LET d == step'.sdt
+              p == step'.period
+              dated == IF d = WrongDate \/ (d = Monthly29 /\ p = Monthly)
+                       THEN {\h8091} ELSE {}
+              coded == IF p = \hFFFF THEN {\h8092} ELSE {}
+              first == IF d = Date(0) THEN Moment(0, 0) ELSE Moment(1, 0)
+              past  == IF /\ p = Once
+                          /\ d \in {Date(0), Date(1)}
+                          /\ Before(first, clock)
+                       THEN {\h80A1} ELSE {}
+              wrong == dated \cup coded \cup past
+          IN  \/ step'.ob = 10 /\ wrong = {} /\ step'.value = 0
+              \/ step'.ob = 99 /\ step'.value = \h8090
+              \/ step'.value \in wrong ]_vars
+
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ delay <= 1
+           /\ Cardinality(requests) <= 2
+           /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

@@ -35,18 +35,16 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
                                       /\ ~Deselected(o)
                                       /\ Before(At(tod[o].next), to) }
 
-(* The armed points after the clock was set; `again' chooses where it is    *)
-(* open whether points are served [AMB-56].  A once interrupt whose point   *)
+(* The armed points after the clock was set.  Where a point stays ahead, an *)
+(* interrupt may keep it [AMB-56].  A once interrupt whose point   *)
 (* was reached and whose OB waits is not watched for again [AMB-59]        *)
 (* [CLK-12].                                                               *)
 \* @type: ($moment, Int, Bool) => (Int -> $tod);
 Rearmed(to, top, again) ==
     [ o \in DOMAIN tod |->
         LET t    == tod[o]
-            ps   == NextPoints(t, to, top)
-            p    == CHOOSE n \in ps :
-                      \A k \in ps : IF again THEN n <= k ELSE n >= k
-            next == IF t.active THEN p ELSE Never
+            next == IF ~again /\ ~Before(At(t.next), to) THEN t.next
+                    ELSE NextPoint(t, to, top, again)
             last == FirstPoint(t.start, t.period, t.next + 1)
         IN  IF \/ ~t.active
                \/ next = t.next
@@ -86,13 +84,14 @@ Defer(skipped) ==
                        : o \in { s \in skipped : ~PendingIn(requests, s) } })
     /\ UNCHANGED stopCause
 
-\* @type: ($moment, Bool) => Bool;
-ClockSet(to, again) ==
+\* @type: $moment => Bool;
+ClockSet(to) ==
     LET skipped == IF Watching THEN SkippedBy(to) ELSE {}
     IN  /\ to # clock
         /\ clock' = to
         /\ peak'  = PeakAfter(to)
-        /\ tod'   = Rearmed(to, PeakAfter(to), again)
+        /\ \E again \in AgainChoices(PeakAfter(to)) :
+             tod' = Rearmed(to, PeakAfter(to), again)
         /\ IF skipped = {} THEN Nothing
            ELSE \/ Skip(to, skipped)
                 \/ mode = "STARTUP" /\ Defer(skipped)

@@ -163,7 +163,7 @@ Deciding(e) ==
            UNION { StatusRequirements(e.status, s) : s \in Statuses(e.ob) }
       [] e.event = "start" ->
            IF mode = "STOP" THEN {"OBS-41"}
-           ELSE IF ~PendingIn(requests, e.ob) THEN NoRequest(e.ob)
+           ELSE IF ~\E r \in requests : r.ob = e.ob THEN NoRequest(e.ob)
            ELSE UNION { StartRequirements(r, e)
                         : r \in { q \in requests : q.ob = e.ob } }
       [] e.event = "end"     -> {"OBS-03"}
@@ -177,7 +177,7 @@ Deciding(e) ==
 -----------------------------------------------------------------------------
 (* Lines that come too late: something that had to happen has not.          *)
 
-Due == { r \in requests : MayStart(r) }
+Due == { r \in requests : MayStart(r) /\ ~r.open }
 
 (* All that may start is named: which class was late first depends on the   *)
 (* time that had passed when the line was reached.                         *)

@@ -50,15 +50,15 @@ Reconfigured(keep) ==
             t == [ Configured(cpu.step7[o]) EXCEPT
                      !.servedFrom = memory.servedFrom,
                      !.servedTo   = memory.servedTo ]
-            ps == NextPoints(t, clock, IF keep THEN peak ELSE -1)
         IN  IF t.active
-            THEN [t EXCEPT !.next = CHOOSE p \in ps : \A k \in ps : p <= k]
+            THEN [t EXCEPT !.next =
+                             NextPoint(t, clock, IF keep THEN peak ELSE -1, TRUE)]
             ELSE t ]
 
 RestartRequests ==
     { [ ob |-> o, class |-> ClassOf(o), rank |-> 1, fault |-> 0,
         since |-> At(cpu.step7[o].start), word |-> Once, late |-> {},
-        cause |-> 0, during |-> 0, follows |-> 0 ]
+        cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
       : o \in { p \in TodObs : PastOnce(p) } }
 
 (* [OBS-25] *)

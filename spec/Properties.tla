@@ -62,6 +62,24 @@ PriorityOrderInv ==
          <=> DefaultClass(ProgramErrorOb) = DefaultClass(TimeErrorOb)
     /\ DefaultClass(ProgramErrorOb) <= DefaultClass(TimeErrorOb)
     /\ DefaultClass(TimeErrorOb) < DefaultClass(100)
+    /\ DefaultClass(70) = DefaultClass(60)
+    /\ DefaultClass(100) < DefaultClass(72)
+    /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
+
+(* [OBS-04] [OBS-31] [OBS-43] The classes of those that run: two real       *)
+(* numbers of table 8.1 for each family, and what STARTUP changes.         *)
+ClassInv ==
+    \A i \in DOMAIN stack :
+      LET o == stack[i].ob
+          c == stack[i].class
+      IN  /\ o = CycleOb => c = 1
+          /\ o \in TodObs => c = 2
+          /\ o = 40 => c = 16
+          /\ o = TimeErrorOb => c \in {26, 28}
+          /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
+          /\ o \in 81..87 /\ c # 28 =>
+               c = (IF cpu.family = "S7-300" THEN 26 ELSE 25)
+          /\ o \in StartupObs => c = 27
 
 (* [OBS-41] No OB runs in STOP, and nothing is waiting. *)
 StopInv == mode = "STOP" => stack = <<>> /\ requests = {} /\ delay = 0
@@ -88,7 +106,7 @@ FifoProp ==
     [][ Dispatched /\ step'.ob \in TodObs =>
           \E r \in requests :
             /\ r.ob = step'.ob
-            /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs
+            /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs /\ ~q.open
                                      => ~Before(q.since, r.since) ]_vars
 
 (* The same by the queue, for start events that have no time. *)
@@ -96,7 +114,8 @@ TurnProp ==
     [][ Dispatched =>
           \E r \in requests :
             r.ob = step'.ob /\ ~\E q \in requests : /\ q.class = r.class
-                                                    /\ q.rank < r.rank ]_vars
+                                                    /\ q.rank < r.rank
+                                                    /\ ~q.open ]_vars
 
 (* [AIRT-08] The highest class that waits and may start is first. *)
 HighestFirstProp ==
@@ -107,7 +126,13 @@ HighestFirstProp ==
 (* [TINT-02] (d) [TINT-16] Only loaded OBs start; [OBS-07] only by a start  *)
 (* event.                                                                  *)
 LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
-RequestedProp == [][Dispatched => PendingIn(requests, step'.ob)]_vars
+RequestedProp ==
+    [][Dispatched => \E r \in requests : r.ob = step'.ob]_vars
+
+(* Only what is open may come to nothing. *)
+DropProp ==
+    [][ Did("dropped") => \A r \in requests : r.open
+                            \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
 
 (* [TINT-13] [OBS-42] *)
 RunOnlyProp == [][ Dispatched /\ step'.ob \notin AsyncErrorObs
@@ -118,7 +143,7 @@ AtOnceProp ==
     [][ \A r \in requests :
           /\ mode = "RUN" /\ delay = 0 /\ r.class > Top(stack).class
           /\ r.follows = 0
-          => step'.event \in {"start", "missing", "stop", "switch"} ]_vars
+          => step'.event \in {"start", "missing", "dropped", "stop", "switch"} ]_vars
 
 (* [OBS-03] An end takes the topmost OB off the stack; all else stays. *)
 EndProp ==
@@ -225,6 +250,10 @@ RestartProp ==
           /\ stopCause' = \h454A <=>
                \E o \in loaded \cap TodObs : cpu.step7[o].deselected ]_vars
 
-(* The CPU itself does not change. *)
-CpuProp == [][UNCHANGED <<cpu, loaded>>]_vars
+(* The CPU itself does not change, and OBs come and go by load and delete. *)
+CpuProp ==
+    [][ /\ UNCHANGED cpu
+        /\ loaded' # loaded => step'.event \in {"load", "delete"}
+        /\ step'.event \in {"load", "delete"} =>
+             UNCHANGED <<mode, clock, tod, requests, stack, delay>> ]_vars
 =============================================================================

@@ -19,7 +19,8 @@ CallerProp ==
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
-      /\ ~tod[o].active => tod[o].next = Never /\ ~PendingIn(requests, o)
+      /\ ~tod[o].active => /\ tod[o].next = Never
+                            /\ ~\E r \in requests : r.ob = o
 
 (* [TINT-02] (c) [OBS-06] A deselected OB neither waits nor runs. *)
 DeselectedInv ==
@@ -38,22 +39,29 @@ OverlapInv ==
 -----------------------------------------------------------------------------
 (* RET_VAL *)
 
-(* [TINT-35] [TINT-36] [TINT-33] What SET_TINT answers. *)
+(* [TINT-35] [TINT-36] [TINT-33] What SET_TINT answers: a code only where   *)
+(* it applies, and 0000 only where none does.  models/MCTod says the same   *)
+(* of its operands by a table.                                             *)
 SetAnswerProp ==
     [][ Did("SET_TINT") =>
           LET o == step'.ob
               v == step'.value
+              past == /\ step'.period = Once
+                      /\ Before(At(MinuteOf(step'.sdt)), clock)
           IN  /\ v \in {\h0000, \h8090, \h8091, \h8092, \h80A1}
-              /\ v = 0 => o \in TodObs
               /\ v = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ v = 0 => /\ tod'[o].period \in PeriodCodes
-                          /\ tod'[o].period = Once
-                               => ~Before(At(tod'[o].start), clock) ]_vars
+              /\ v = \h80A1 => past
+              /\ v = \h8092 => step'.period \notin PeriodCodes
+              /\ v = 0 => /\ o \in TodObs
+                          /\ step'.period \in PeriodCodes
+                          /\ ~past ]_vars
 
 (* [TINT-30] [TINT-31] SET_TINT sets, and does not activate. *)
 SetProp ==
     [][ Did("SET_TINT") /\ step'.value = 0 =>
           /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active
+          /\ tod'[step'.ob].start = MinuteOf(step'.sdt)
+          /\ tod'[step'.ob].period = step'.period
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
 (* [TINT-51] [TINT-50] [TINT-52] CAN_TINT. *)
@@ -62,8 +70,9 @@ CanProp ==
           LET o == step'.ob
           IN  /\ step'.value \in {\h0000, \h8090, \h80A0}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => ~tod[o].set
-              /\ step'.value = 0 => /\ tod[o].set /\ ~tod'[o].set
+              /\ step'.value = \h80A0 => o \in TodObs /\ ~tod[o].set
+              /\ step'.value = 0 => /\ o \in TodObs
+                                    /\ tod[o].set /\ ~tod'[o].set
                                     /\ ~PendingIn(requests', o) ]_vars
 
 (* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT. *)
@@ -72,13 +81,17 @@ ActProp ==
           LET o == step'.ob
           IN  /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => ~tod[o].set
+              /\ step'.value = \h80A0 => o \in TodObs /\ ~tod[o].set
               /\ step'.value = \h80A1 =>
-                   /\ tod[o].period = Once
+                   /\ o \in TodObs /\ tod[o].period = Once
                    /\ \/ Before(At(tod[o].start), clock)
                       \/ PendingIn(requests, o)  \* AMB-60
-              /\ step'.value = 0 => /\ tod[o].set /\ tod'[o].active
-                                    /\ tod[o].active => tod' = tod ]_vars
+              /\ step'.value = 0 =>
+                   /\ o \in TodObs
+                   /\ tod[o].set /\ tod'[o].active
+                   /\ tod[o].active => tod' = tod
+                   /\ ~tod[o].active /\ tod[o].period = Once =>
+                        ~Before(At(tod[o].start), clock) ]_vars
 
 (* [TINT-10] [TINT-24] [TINT-32] The first point after activation: the start *)
 (* itself, or for every minute the next one; never a past one.  In an       *)
@@ -100,13 +113,22 @@ ErrorChangesNothingProp ==
              /\ step'.value # 0
         => UNCHANGED cpuVars ]_vars
 
+(* [TINT-70] *)
+QueryProp ==
+    [][ Did("QRY_TINT") =>
+          /\ step'.value \in {\h0000, \h8090}
+          /\ step'.value = 0 => step'.ob \in TodObs
+          /\ step'.value = \h8090 =>
+               step'.ob \notin TodObs \/ Deselected(step'.ob) ]_vars
+
 (* [TINT-72] [TINT-74] [TINT-76] [TINT-79] STATUS. *)
 StatusProp ==
-    [][ Did("QRY_TINT") /\ step'.value # -1 =>
+    [][ Did("QRY_TINT") /\ step'.period # -1 /\ step'.value = 0 =>
           LET o == step'.ob
-              bit(n) == (step'.value \div n) % 2 = 1
+              status == step'.period
+              bit(n) == (status \div n) % 2 = 1
           IN  /\ o \in TodObs
-              /\ step'.value < 32 /\ ~bit(2) /\ ~bit(8)
+              /\ status < 32 /\ ~bit(2) /\ ~bit(8)
               /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
               /\ bit(4) => tod[o].active
               /\ tod[o].active /\ tod[o].next # Never => bit(4)
@@ -146,7 +168,7 @@ AfterTimeErrorProp ==
     [][ Dispatched /\ step'.ob \in TodObs =>
           \E r \in requests :
             /\ r.ob = step'.ob
-            /\ ~\E q \in requests : q.ob = r.ob /\ q.rank < r.rank
+            /\ ~\E q \in requests : q.ob = r.ob /\ q.rank < r.rank /\ ~q.open
             /\ r.follows # 0 =>
                  ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late ]_vars
 

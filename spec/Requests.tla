@@ -17,6 +17,8 @@
 (*   during      OB 85: the OB that was active at the error                *)
 (*   follows     fault id of the OB 80 that reports this run and that comes *)
 (*               first [TINT-15] [CLK-03], else 0                          *)
+(*   open        where the sources leave open whether the start event has  *)
+(*               this effect: the OB may start by it, or nothing happens   *)
 (*                                                                         *)
 (* Left out: the size of the buffers, which differs between CPUs [OBS-09]; *)
 (* where a buffer may be full, both outcomes are allowed [AMB-18].         *)
@@ -26,8 +28,13 @@ EXTENDS Cpu
 -----------------------------------------------------------------------------
 (* Queues; they are functions of the set of requests, not of the state. *)
 
+(* The OB waits for sure. *)
 \* @type: (Set($request), Int) => Bool;
-PendingIn(q, o) == \E r \in q : r.ob = o
+PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
+
+(* The OB waits, if at all, by what is left open. *)
+\* @type: (Set($request), Int) => Bool;
+OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
 (* The place of a start event that occurs now. *)
 \* @type: (Set($request), $request) => Int;
@@ -55,12 +62,17 @@ Close(q) ==
           { s.rank : s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } })]
       : r \in q }
 
+(* What was open and was passed over in its queue has had no effect. *)
 \* @type: (Set($request), $request) => Set($request);
-Remove(q, r) == IF q = {r} THEN {} ELSE Close(q \ {r})
+Remove(q, r) ==
+    IF q = {r} THEN {}
+    ELSE Close({ s \in q : /\ s # r
+                           /\ s.open => s.class # r.class \/ s.rank >= r.rank })
 
 \* @type: (Set($request), Int) => Set($request);
 Withdraw(q, o) ==
-    IF PendingIn(q, o) THEN Close({ r \in q : r.ob # o }) ELSE q
+    IF PendingIn(q, o) \/ OpenIn(q, o)
+    THEN Close({ r \in q : r.ob # o }) ELSE q
 
 -----------------------------------------------------------------------------
 (* Start events *)
@@ -69,7 +81,7 @@ Withdraw(q, o) ==
 TodRequest(o, since, follows) ==
     [ ob |-> o, class |-> ClassOf(o), rank |-> 0, fault |-> 0,
       since |-> since, word |-> tod[o].period, late |-> {}, cause |-> 0,
-      during |-> 0, follows |-> follows ]
+      during |-> 0, follows |-> follows, open |-> FALSE ]
 
 (* A start event from outside.  The clock of its start is not kept. *)
 \* @type: (Int, Int) => $request;
@@ -78,7 +90,7 @@ ExternalRequest(o, fault) ==
       class |-> IF o \in AsyncErrorObs THEN ErrorClass(o, fault)
                                        ELSE ClassOf(o),
       rank |-> 0, fault |-> fault, since |-> At(0), word |-> 0, late |-> {},
-      cause |-> 0, during |-> 0, follows |-> 0 ]
+      cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
 
 (* A time error; `cause' is the OB that was requested [AMB-27]. *)
 \* @type: (Int, Set(Int), Int, Int) => $request;
@@ -91,6 +103,16 @@ TimeError(fault, obs, cause, word) ==
 (* open by AMB-49.                                                          *)
 \* @type: (Set($request), $request) => Set($request);
 WithTimeError(q, e) == IF TimeErrorOb \in loaded THEN Enter(q, e) ELSE q
+
+(* [AMB-18] [AMB-77] Where the OB of a start event waits or runs already:   *)
+(* it may run again, there may be a time error, still running or buffer    *)
+(* overflow, or nothing.                                                   *)
+\* @type: ($request, Int) => Set($request);
+LeftOpen(again, word) ==
+    { [again EXCEPT !.open = TRUE] }
+      \cup (IF TimeErrorOb \notin loaded THEN {}
+            ELSE { [TimeError(f, {}, again.ob, word) EXCEPT !.open = TRUE]
+                   : f \in {StillRunning, BufferOverflow} })
 
 StopOfTimeError == IF TimeErrorOb \in loaded \/ stopCause # NoCause
                    THEN stopCause ELSE NoTimeErrorOb
@@ -112,7 +134,8 @@ Undelayed == delay = 0
 
 (* [OBS-02] [TINT-12] *)
 \* @type: $request => Bool;
-InTurn(r) == \A q \in requests : q.class = r.class => q.rank >= r.rank
+InTurn(r) == \A q \in requests :
+               q.class = r.class => q.rank >= r.rank \/ q.open
 
 (* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
 \* @type: $request => Bool;

@@ -13,26 +13,31 @@ EXTENDS Clock
 (* STARTUP [AMB-67].  In STOP nothing happens [OBS-41].                    *)
 \* @type: (Int, Int) => Bool;
 Interrupt(o, fault) ==
-    LET new   == ExternalRequest(o, fault)
-        known == OnStack(o) \/ PendingIn(requests, o)
-        error == TimeError(StillRunning, {}, o, 0)
-        full  == TimeError(BufferOverflow, {}, o, 0)
+    LET new  == ExternalRequest(o, fault)
+        open == EnterAll(requests, LeftOpen(new, 0))
     IN  /\ IF ~Watching \/ Deselected(o) THEN Nothing
            ELSE IF o = TimeErrorOb
            THEN /\ requests'  = WithTimeError(requests, new)
                 /\ stopCause' = StopOfTimeError
            ELSE IF o \in AsyncErrorObs
            THEN requests' = Enter(requests, new) /\ UNCHANGED stopCause
-           ELSE \/ requests' = Enter(requests, new) /\ UNCHANGED stopCause
-                \/ mode = "STARTUP" /\ Nothing
-                \/ known /\ Nothing
-                \/ /\ known
-                   /\ \E q \in { requests, Enter(requests, new) },
-                         e \in { error, full } :
-                        requests' = WithTimeError(q, e)
-                   /\ stopCause' = StopOfTimeError
+           ELSE /\ UNCHANGED stopCause
+                /\ IF OnStack(o) \/ PendingIn(requests, o)
+                   THEN requests' = open
+                   ELSE IF mode = "STARTUP"
+                   THEN requests' = Enter(requests, [new EXCEPT !.open = TRUE])
+                   ELSE \/ requests' = Enter(Withdraw(requests, o), new)
+                        \/ OpenIn(requests, o) /\ requests' = open
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack,
                        delay>>
+
+(* What is open has no effect. *)
+\* @type: $request => Bool;
+Drop(r) ==
+    /\ r.open
+    /\ requests' = Close(requests \ {r})
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack, delay,
+                   stopCause>>
 
 (* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts. *)
 \* @type: Int => (Int -> $tod);
@@ -41,10 +46,9 @@ TodAfterCall(o) ==
          /\ tod[o].next = Never
     THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
 
-(* [OBS-01] [OBS-02] [OBS-03] *)
+(* [OBS-01] [OBS-02] [OBS-03] For a request r that waits. *)
 \* @type: $request => Bool;
 Start(r) ==
-    /\ r \in requests
     /\ MayStart(r)
     /\ r.ob \in loaded
     /\ stack'    = Append(stack, Frame(r.ob, r.class))
@@ -83,16 +87,25 @@ ErrorObMissing(r) ==
           /\ stopCause' = OtherErrorOb
        \/ /\ r.ob = ProgramErrorOb  \* [OBS-21]
           /\ stopCause' = NoProgramErrorOb
+       \/ /\ r.ob = TimeErrorOb     \* deleted while it was waited for
+          /\ stopCause' = NoTimeErrorOb
 
 \* @type: $request => Bool;
 Missing(r) ==
-    /\ r \in requests
     /\ MayStart(r)
     /\ r.ob \notin loaded
     /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
                                                ELSE ProgramError(r)
     /\ tod' = TodAfterCall(r.ob)
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
+
+(* Blocks are loaded and deleted at any time.  An OB that runs goes on to   *)
+(* its end; a deleted one is missing when it would start [AMB-66].         *)
+\* @type: Set(Int) => Bool;
+LoadedAre(obs) ==
+    /\ loaded' = obs
+    /\ UNCHANGED <<cpu, mode, startup, clock, peak, tod, requests, stack,
+                   delay, stopCause>>
 
 -----------------------------------------------------------------------------
 (* OB 1 and the startup OB *)

@@ -43,6 +43,10 @@ Sdts == [ year : 1990..2089, month : 1..99, day : 1..99, hour : 0..99,
           minute : 0..99, second : 0..99, ms : 0..999 ]
 Words == 0..65535
 
+(* What calls may answer, for an observer who does not know the rules. *)
+RetVals == Words
+StatusWords == {-1} \cup Words
+
 (* Moments to which time may pass, at which it begins, and to which the     *)
 (* clock may be set.                                                       *)
 \* @type: Set($moment);
@@ -58,10 +62,21 @@ Interrupts == (ExternalObs \X {0}) \cup ({TimeErrorOb, ProgramErrorOb} \X (0..25
 
 RestartTypes == {"warm", "cold"}
 
+(* OBs that are loaded and deleted while the CPU is at work. *)
+ChangingObs == TodObs \cup ExternalObs \cup StartupObs
+
 -----------------------------------------------------------------------------
 
+NoOperand == [ year |-> 0, month |-> 0, day |-> 0, hour |-> 0, minute |-> 0,
+               second |-> 0, ms |-> 0 ]
+
+\* @type: (Str, Int, Int) => $step;
+Step(event, ob, value) ==
+    [ event |-> event, ob |-> ob, value |-> value, sdt |-> NoOperand,
+      period |-> 0 ]
+
 \* @type: (Str, Int, Int) => Bool;
-Seen(event, ob, value) == step' = [event |-> event, ob |-> ob, value |-> value]
+Seen(event, ob, value) == step' = Step(event, ob, value)
 
 Init ==
     /\ cpu \in [ family : Families, priority : { [o \in {} |-> 0] },
@@ -76,7 +91,7 @@ Init ==
     /\ stack = <<>>
     /\ delay = 0
     /\ stopCause = NoCause
-    /\ step = [event |-> "power on", ob |-> 0, value |-> 0]
+    /\ step = Step("power on", 0, 0)
 
 -----------------------------------------------------------------------------
 (* What must happen at once *)
@@ -94,6 +109,7 @@ Respond ==
             /\ First(r)
             /\ \/ Start(r) /\ Seen("start", r.ob, r.class)
                \/ Missing(r) /\ Seen("missing", r.ob, r.class)
+               \/ Drop(r) /\ Seen("dropped", r.ob, r.class)
     \/ /\ stopCause # NoCause
        /\ Stop /\ Seen("stop", 0, stopCause)
 
@@ -101,21 +117,19 @@ Respond ==
 (* What may happen otherwise *)
 
 Call ==
-    \/ \E ret \in {delay + 1} : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
-    \/ \E ret \in {NotDelayed, delay - 1} :
-         EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
-    \/ \E o \in ObNumbers :
-         \/ \E sdt \in Sdts, period \in Words :
-              \E ret \in Answers(o, SetErrors(o, sdt, period)) :
+    \E ret \in RetVals :
+      \/ DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+      \/ EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+      \/ \E o \in ObNumbers :
+           \/ \E sdt \in Sdts, period \in Words :
                 /\ SetTint(o, sdt, period, ret)
-                /\ Seen("SET_TINT", o, ret)
-         \/ \E ret \in Answers(o, CanErrors(o)) :
-              CanTint(o, ret) /\ Seen("CAN_TINT", o, ret)
-         \/ \E ret \in ActAnswers(o) :
-              ActTint(o, ret) /\ Seen("ACT_TINT", o, ret)
-         \/ \E ret \in Answers(o, ObErrors(o)) :
-              \E status \in IF ret = OK THEN Statuses(o) ELSE {-1} :
-                QryTint(o, ret, status) /\ Seen("QRY_TINT", o, status)
+                /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
+                               !.sdt = sdt, !.period = period ]
+           \/ CanTint(o, ret) /\ Seen("CAN_TINT", o, ret)
+           \/ ActTint(o, ret) /\ Seen("ACT_TINT", o, ret)
+           \/ \E status \in StatusWords :
+                /\ QryTint(o, ret, status)
+                /\ step' = [Step("QRY_TINT", o, ret) EXCEPT !.period = status]
 
 (* OB 1 and the startup OB start when nothing else does; any OB may end. *)
 Proceed ==
@@ -128,8 +142,10 @@ Proceed ==
 World ==
     \/ \E i \in Interrupts :
          Interrupt(i[1], i[2]) /\ Seen("interrupt", i[1], i[2])
-    \/ \E to \in ClockTargets, again \in BOOLEAN :
-         ClockSet(to, again) /\ Seen("clock", 0, 0)
+    \/ \E to \in ClockTargets : ClockSet(to) /\ Seen("clock", 0, 0)
+    \/ \E o \in ChangingObs :
+         \/ LoadedAre(loaded \cup {o}) /\ Seen("load", o, 0)
+         \/ LoadedAre(loaded \ {o}) /\ Seen("delete", o, 0)
     \/ \E type \in RestartTypes : Restart(type) /\ Seen("restart", 0, 0)
     \/ Stop /\ Seen("switch", 0, 0)
 

@@ -28,29 +28,31 @@ UsedUp(t) == IF Reading("AMB-08") = "a" THEN Unset(t)
 -----------------------------------------------------------------------------
 (* The next start point *)
 
-(* The points at or after moment m that may be served next: one, but in an  *)
-(* interval that the clock of an S7-400 or CPU 318 repeats, up to minute    *)
-(* top [CLK-09].  There points that were served are not served again, and   *)
-(* whether the others are is open [AMB-56].                                *)
-\* @type: ($tod, $moment, Int) => Set(Int);
-NextPoints(t, m, top) ==
+(* [AMB-56] In an interval that the clock of an S7-400 or CPU 318 repeats,  *)
+(* up to minute top, points that were served are not served again [CLK-09]; *)
+(* whether the others are served (`again') is open.                        *)
+\* @type: Int => Set(Bool);
+AgainChoices(top) ==
+    CASE top < 0 \/ Reading("AMB-56") = "a" -> {TRUE}
+      [] top >= 0 /\ Reading("AMB-56") = "b" -> {FALSE}
+      [] OTHER -> BOOLEAN
+
+(* The first point at or after moment m that is served. *)
+\* @type: ($tod, $moment, Int, Bool) => Int;
+NextPoint(t, m, top, again) ==
     LET p == FirstPoint(t.start, t.period, MinuteFrom(m))
-        unserved == IF t.servedFrom <= p /\ p <= t.servedTo
-                    THEN FirstPoint(t.start, t.period, t.servedTo + 1)
-                    ELSE p
-        beyond   == FirstPoint(t.start, t.period, top + 1)
-    IN  IF p > top THEN {p}
-        ELSE CASE Reading("AMB-56") = "a" -> {unserved}
-               [] Reading("AMB-56") = "b" -> {beyond}
-               [] OTHER -> {unserved, beyond}
+    IN  IF p > top THEN p
+        ELSE IF ~again THEN FirstPoint(t.start, t.period, top + 1)
+        ELSE IF t.servedFrom <= p /\ p <= t.servedTo
+        THEN FirstPoint(t.start, t.period, t.servedTo + 1)
+        ELSE p
 
 (* The same when the interrupt is armed: whether points of the repeated     *)
 (* interval count as served for a new setting is open [AMB-57].            *)
 \* @type: ($tod, $moment) => Set(Int);
 FirstPoints(t, m) ==
-    IF peak < 0 THEN NextPoints(t, m, peak)
-    ELSE NextPoints(t, m, peak)
-           \cup {FirstPoint(t.start, t.period, MinuteFrom(m))}
+    { NextPoint(t, m, peak, again) : again \in AgainChoices(peak) }
+      \cup {FirstPoint(t.start, t.period, MinuteFrom(m))}
 
 -----------------------------------------------------------------------------
 (* Start events that wait are withdrawn with their setting [AMB-11]. *)
@@ -237,11 +239,21 @@ Nothing == UNCHANGED <<requests, stopCause>>
 (* under (b) the run is kept or the buffer overflows [OBS-08].             *)
 \* @type: (Int, Int) => Bool;
 AgainWhilePending(o, p) ==
-    LET r == Reading("AMB-18")
-    IN  \/ r \in {"a", "d"} /\ Overlap(o, p, StillRunning, FALSE)
-        \/ r \in {"b", "d"} /\ Ordinary(o, p)
-        \/ r \in {"b", "d"} /\ Overlap(o, p, BufferOverflow, FALSE)
-        \/ r \in {"c", "d"} /\ Nothing
+    CASE Reading("AMB-18") = "a" -> Overlap(o, p, StillRunning, FALSE)
+      [] Reading("AMB-18") = "b" -> \/ Ordinary(o, p)
+                                    \/ Overlap(o, p, BufferOverflow, FALSE)
+      [] Reading("AMB-18") = "c" -> Nothing
+      [] OTHER ->
+           /\ requests' = EnterAll(requests,
+                            LeftOpen(TodRequest(o, At(p), 0), tod[o].period))
+           /\ UNCHANGED stopCause
+
+(* What is open may have had no effect; then the OB does not wait. *)
+\* @type: (Int, Int) => Bool;
+AgainWhileOpen(o, p) ==
+    \/ AgainWhilePending(o, p)
+    \/ /\ requests' = Enter(Withdraw(requests, o), TodRequest(o, At(p), 0))
+       /\ UNCHANGED stopCause
 
 (* [TINT-09] [TINT-14] [TINT-19] [AMB-35] *)
 \* @type: Int => Bool;
@@ -249,8 +261,9 @@ PointReached(o) ==
     LET p == tod[o].next
     IN  /\ Watching
         /\ clock = At(p)  \* no point is watched unless it is active
-        /\ \E n \in NextPoints(tod[o], [min |-> p, ms |-> 1], peak) :
-             tod' = [tod EXCEPT ![o] = [Served(tod[o], p) EXCEPT !.next = n]]
+        /\ \E again \in AgainChoices(peak) :
+             tod' = [tod EXCEPT ![o] = [ Served(tod[o], p) EXCEPT
+               !.next = NextPoint(tod[o], [min |-> p, ms |-> 1], peak, again) ]]
         /\ CASE Deselected(o) -> Nothing
              [] ~Deselected(o) /\ mode = "STARTUP" ->
                   IF PendingIn(requests, o) THEN Nothing ELSE Ordinary(o, p)
@@ -258,6 +271,7 @@ PointReached(o) ==
                   Overlap(o, p, StillRunning, ~PendingIn(requests, o))
              [] ~Deselected(o) /\ mode = "RUN" /\ ~OnStack(o) ->
                   IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
-                                            ELSE Ordinary(o, p)
+                  ELSE IF OpenIn(requests, o) THEN AgainWhileOpen(o, p)
+                  ELSE Ordinary(o, p)
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
 =============================================================================

@@ -59,7 +59,7 @@ NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
 (* The events that this specification explains. *)
 Explained == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
               "EN_AIRT", "start", "end", "clock", "restart", "run", "stop",
-              "interrupt"}
+              "interrupt", "load", "delete"}
 
 \* @type: (Int, Set(Int)) => Set(Int);
 Given(value, possible) == IF value = -1 THEN possible ELSE {value}
@@ -133,7 +133,11 @@ Begin(h) ==
 -----------------------------------------------------------------------------
 (* Waiting OBs *)
 
-Awaited == { r.class : r \in { q \in requests : MayStart(q) } }
+(* What is open is waited for apart: it need not come. *)
+\* @type: $request => Int;
+WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
+
+Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF stopCause # NoCause /\ Undelayed THEN {StopDuty} ELSE {})
 
 (* Waiting goes on for what still may start, and begins for what now may.   *)
@@ -148,9 +152,10 @@ Rewait ==
 RewaitMissing(r) ==
     waiting' = [ c \in Awaited' |->
                    LET before == IF c \in DOMAIN waiting THEN waiting[c] ELSE 0
-                   IN  IF r.class \in DOMAIN waiting /\ c > r.class
-                            /\ waiting[r.class] > before
-                       THEN waiting[r.class] ELSE before ]
+                       since  == WaitsAs(r)
+                   IN  IF since \in DOMAIN waiting /\ c > r.class
+                            /\ waiting[since] > before
+                       THEN waiting[since] ELSE before ]
 
 -----------------------------------------------------------------------------
 (* Time elapses *)
@@ -176,7 +181,24 @@ PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
              ELSE { o \in DOMAIN tod : tod[o].active /\ tod[o].next = clock.min }
 
 \* @type: Int => Bool;
-InTime(d) == \A c \in DOMAIN waiting : waiting[c] + d <= terms.latency
+InTime(d) ==
+    \A c \in DOMAIN waiting : waiting[c] + d <= terms.latency \/ c > 100
+
+(* What was open and could have started, but has not in time. *)
+\* @type: Int => Set($request);
+Stale(d) ==
+    { r \in requests : /\ r.open
+                       /\ WaitsAs(r) \in DOMAIN waiting
+                       /\ waiting[WaitsAs(r)] + d > terms.latency
+                       /\ MayStart(r) }
+
+\* @type: Set($request) => Bool;
+Expire(stale) ==
+    /\ requests' = Close(requests \ stale)
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack, delay,
+                   stopCause>>
+    /\ Rewait
+    /\ UNCHANGED <<terms, up>>
 
 (* Time elapses to t on the clock of `up'. *)
 \* @type: $moment => Bool;
@@ -210,11 +232,15 @@ Elapse(e) ==
          /\ Rewait
          /\ UNCHANGED <<terms, up>>
     ELSE \/ FindMissing /\ UNCHANGED <<terms, up>>
-         \/ IF clock = e.at THEN ElapseTo(e.up) /\ UNCHANGED cpuVars
-            ELSE IF PassesNoPoint(e.at)
-            THEN TimePasses(e.at) /\ ElapseTo(e.up)
-            ELSE /\ TimePasses(At(NextDue))
-                 /\ ElapseTo(UpAt(clock, At(NextDue), e.up))
+         \/ LET straight == clock = e.at \/ PassesNoPoint(e.at)
+                until    == IF straight THEN e.up
+                            ELSE UpAt(clock, At(NextDue), e.up)
+                stale    == IF requests = {} THEN {}
+                            ELSE Stale(Span(up, until))
+            IN  IF stale # {} THEN Expire(stale)
+                ELSE /\ ElapseTo(until)
+                     /\ IF clock = e.at THEN UNCHANGED cpuVars
+                        ELSE TimePasses(IF straight THEN e.at ELSE At(NextDue))
 
 -----------------------------------------------------------------------------
 (* Silent steps: what may happen just before a line, unseen *)
@@ -314,9 +340,7 @@ IsStart(e) ==
 
 \* @type: $event => Bool;
 IsClock(e) ==
-    IF e.to = clock THEN UNCHANGED cpuVars
-    ELSE \E again \in IF cpu.family = "S7-300" THEN {TRUE} ELSE BOOLEAN :
-           ClockSet(e.to, again)
+    IF e.to = clock THEN UNCHANGED cpuVars ELSE ClockSet(e.to)
 
 (* The cause is that of the rule, if a rule stops the CPU. *)
 \* @type: $event => Bool;
@@ -346,8 +370,11 @@ Observe(e) ==
          [] e.event = "QRY_TINT" ->
               \E ret \in Given(e.ret, Answers(e.ob, ObErrors(e.ob))) :
                 QryTint(e.ob, ret, e.status)
-         [] e.event = "interrupt" -> Interrupt(e.ob, e.flt_id)
+         [] e.event = "interrupt" ->
+              Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
          [] e.event = "clock" -> IsClock(e)
+         [] e.event = "load" -> LoadedAre(loaded \cup {e.ob})
+         [] e.event = "delete" -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart" -> Restart(e.type)
          [] e.event = "run" -> Run
          [] e.event = "stop" -> IsStop(e)

@@ -2,6 +2,7 @@
 
 import os
 import select
+import stat
 import sys
 import zlib
 from collections.abc import Callable, Iterator
@@ -62,13 +63,19 @@ def open_log(name: str) -> Iterator[Source]:
     if name == "-":
         if sys.stdin is None:
             raise UnusableLogError("a log on standard input", "standard input closed")
-        yield Source(sys.stdin.fileno(), packed=False)
+        try:
+            fd = sys.stdin.fileno()
+        except (OSError, ValueError) as error:
+            raise UnusableLogError("a log on standard input", _reason(error)) from error
+        yield Source(fd, packed=False)
         return
     try:
         fd = os.open(name, os.O_RDONLY)
     except (OSError, ValueError) as error:
         raise UnusableLogError("a log that can be opened", _reason(error)) from error
     try:
+        if stat.S_ISDIR(os.fstat(fd).st_mode):
+            raise UnusableLogError("a log that can be opened", "a directory")
         yield Source(fd, packed=name.endswith(".gz"))
     finally:
         os.close(fd)

@@ -161,8 +161,8 @@ def date_components(value: object) -> dict[str, int]:
 
 # The parts of ISO dates are looked up: most lines of a log lie in the same few minutes.
 _minutes: dict[str, int] = {}
-_SECONDS = {"": 0, **{f":{second:02}": second * 1000 for second in range(60)}}
-_FRACTIONS = {"": 0} | {
+_SECONDS: dict[str, int] = {"": 0, **{f":{second:02}": second * 1000 for second in range(60)}}
+_FRACTIONS: dict[str, int] = {"": 0} | {
     f".{number:0{digits}}": number * 10 ** (3 - digits) for digits in (1, 2, 3) for number in range(10**digits)
 }
 
@@ -178,12 +178,11 @@ def instant(value: object) -> int:
 
 
 def _new_instant(value: object) -> int:
-    parts = date_components(value)
-    ms = parts.pop("ms")  # what is left is in the order that datetime takes
-    if not 1990 <= parts["year"] <= 2089:
+    year, month, day, hour, minute, second, ms = date_components(value).values()
+    if not 1990 <= year <= 2089:
         raise UnusableLogError("a date and time from 1990-01-01 to 2089-12-31", quote(value))
     try:
-        exact = datetime(*parts.values())
+        exact = datetime(year, month, day, hour, minute, second)
     except ValueError as error:
         raise UnusableLogError("a date and time that exists", quote(value)) from error
     since = exact - _EPOCH

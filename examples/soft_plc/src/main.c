@@ -130,8 +130,12 @@ static int run(const struct options *o, const struct config *config, struct prog
     log_open(&log, out, o->real_time);
     cpu_begin(&cpu, config, program, &log, o->real_time);
     cpu_run(&cpu);
-    if (log_close(&log))
+    if (log_close(&log)) {
+        if (o->scenario != NULL && o->events == 0 && log.events == config->max_events)
+            fprintf(stderr, "soft_plc: the log ends after %llu events; see --events\n",
+                    (unsigned long long)log.events);
         return EXIT_DONE;
+    }
     fputs("soft_plc: the log could not be written\n", stderr);
     return EXIT_IO;
 }

@@ -127,7 +127,7 @@ static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
         return percent(r, 60) ? between(r, 1000, 30000) : between(r, 1, 800);
-    if (ob_is_tod(ob) && percent(r, 8))
+    if ((ob_is_tod(ob) || ob_kind(ob) == OB_STARTUP) && percent(r, 8))
         return between(r, 30, 130) * INT64_C(1000);
     return between(r, 1, 200);
 }
@@ -269,5 +269,9 @@ void random_config(struct random_program *r, struct config *c)
     c->step7[0] = (struct step7_tod){.configured = true, .active = true, .has_start = true,
                                      .execution = "hourly", .period = PERIOD_HOURLY,
                                      .start = c->clock - c->clock % MS_HOUR};
+    if (percent(r, 50)) {
+        c->step7[0].execution = "minute";
+        c->step7[0].period = PERIOD_MINUTE;
+    }
     c->step7[7] = (struct step7_tod){.configured = true, .deselected = true};
 }

@@ -1,0 +1,23 @@
+"""Fixtures of several test modules."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from trace_checker import trace_command
+from trace_checker.engine_client import Engine
+
+FAKE_ENGINE = Path(__file__).with_name("fake_engine.py")
+
+
+@pytest.fixture
+def fake_command() -> list[str]:
+    """The command of the fake engine."""
+    return [sys.executable, str(FAKE_ENGINE)]
+
+
+@pytest.fixture
+def _fake_engine(fake_command: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Has ``s7check trace`` run with the fake engine."""
+    monkeypatch.setattr(trace_command, "Engine", lambda: Engine(lambda: fake_command))

@@ -1,0 +1,78 @@
+"""Stands in for the engine: answers by rules that a test can foresee.
+
+``fake_engine.py [TRANSCRIPT]``: what it was sent goes to the file TRANSCRIPT.
+
+An EN_AIRT that does not answer 0 is rejected, ``hold`` is not covered, ``stop`` makes it fail in a
+way that depends on its cause. Everything else is accepted.
+"""
+
+import json
+import os
+import signal
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+Answer = dict[str, Any]
+
+
+def _crash() -> None:
+    print("Exception in thread main\n\tat somewhere", file=sys.stderr, flush=True)
+    os._exit(1)
+
+
+def _exhaust() -> None:
+    print("Terminating due to java.lang.OutOfMemoryError: Java heap space", file=sys.stderr, flush=True)
+    os._exit(3)
+
+
+def _babble() -> None:
+    print("no JSON \x1b[31m", flush=True)
+
+
+def _die() -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+FAILURES: dict[int, Callable[[], None]] = {0xDEAD: _crash, 0x0003: _exhaust, 0xBABE: _babble, 0x0009: _die}
+
+
+def judge(event: dict[str, Any], explained: int) -> Answer | None:
+    """The answer that ``event`` decides, or None if the log goes on."""
+    if event["event"] == "EN_AIRT" and event["ret"] > 0:
+        return {
+            "verdict": "rejected",
+            "line": event["line"],
+            "events": explained,
+            "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0}],
+            "requirements": ["AIRT-07"],
+        }
+    if event["event"] == "hold":
+        message = "hold is not covered by the specification"
+        return {"verdict": "error", "message": message, "line": event["line"], "events": explained}
+    FAILURES.get(event.get("cause", -1), lambda: None)()
+    return None
+
+
+def main() -> None:
+    """Serves logs until the end of the input."""
+    print(json.dumps({"engine": "ready", "tlc": "none"}), flush=True)
+    explained, answer = 0, None
+    for line in sys.stdin:
+        for transcript in sys.argv[1:]:
+            with Path(transcript).open("a") as file:
+                file.write(line)
+        entry = json.loads(line)
+        if "begin" in entry:
+            explained, answer = 0, None
+        elif answer is None:
+            accepted = {"verdict": "accepted", "events": explained}
+            answer = accepted if "finish" in entry else judge(entry, explained)
+            explained += 1
+            if answer:
+                print(json.dumps(answer), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,27 @@
+"""The project's example logs, read without judging them."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from trace_checker.log.errors import UnusableLogError
+from trace_checker.log.reader import read_log
+from trace_checker.log.source import open_log
+
+TRACES = Path(__file__).parents[3] / "traces"
+INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("entry", INDEX, ids=lambda entry: entry["file"])
+def test_read(entry: dict[str, Any]) -> None:
+    """Unusable logs fail at the line of the index, all others can be read."""
+    with open_log(str(TRACES / entry["file"])) as source:
+        batches = read_log(source.chunks())
+        if entry["verdict"] != "unusable":
+            assert sum(len(batch.events) for batch in batches)
+            return
+        with pytest.raises(UnusableLogError) as caught:
+            list(batches)
+    assert caught.value.line == entry["line"]

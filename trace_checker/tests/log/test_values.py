@@ -1,0 +1,202 @@
+"""The spellings of single values."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trace_checker.log import values
+from trace_checker.log.errors import UnusableLogError, quote
+
+
+@pytest.mark.parametrize(
+    ("value", "number"),
+    [
+        ("W#16#0201", 0x0201),
+        ("16#0201", 0x0201),
+        ("w#16#80a1", 0x80A1),
+        ("B#16#80", 0x80),
+        ("16#8", 8),
+        (-32768, 0x8000),
+        (-32607, 0x80A1),
+        (-1, 0xFFFF),
+        (0, 0),
+        (65535, 0xFFFF),
+    ],
+)
+def test_word(value: object, number: int) -> None:
+    """Every spelling of a word gives its 16 bits, a second time too."""
+    assert values.word(value) == number
+    assert values.word(value) == number
+
+
+@pytest.mark.parametrize(
+    "value",
+    [-32769, 65536, True, 1.0, None, [], {}, "", "0201", "16#", "16#00201", "W#16#G", "B#16#080", "16#0201 ", "16#٣"],
+)
+def test_no_word(value: object) -> None:
+    """What is no word is refused with an example of one."""
+    with pytest.raises(UnusableLogError, match=r"a word such as .* or an integer -32768\.\.65535; found"):
+        values.word(value)
+
+
+@pytest.mark.parametrize(("value", "number"), [("B#16#A2", 0xA2), ("W#16#00A2", 0xA2), ("16#5", 5), (255, 255), (0, 0)])
+def test_byte(value: object, number: int) -> None:
+    """A byte is spelled like a word."""
+    assert values.byte(value) == number
+
+
+@pytest.mark.parametrize("value", [-1, 256, "16#0100", "W#16#FFFF", True, 2.0, None])
+def test_no_byte(value: object) -> None:
+    """Bytes have no sign and 8 bits."""
+    with pytest.raises(UnusableLogError, match="a byte such as"):
+        values.byte(value)
+
+
+def test_null_where_a_word_was_not_logged() -> None:
+    """Only ``word_or_null`` takes null, and says so when it refuses something."""
+    assert values.word_or_null(None) == values.NOT_LOGGED
+    assert values.word_or_null(-32607) == 0x80A1
+    with pytest.raises(UnusableLogError, match='65535, or null; found "abc"'):
+        values.word_or_null("abc")
+
+
+@pytest.mark.parametrize(
+    ("value", "milliseconds"),
+    [
+        (1500, 1500),
+        (-5, -5),
+        ("T#1s500ms", 1500),
+        ("t#1S_500MS", 1500),
+        ("T#-5ms", -5),
+        ("TIME#2m", 120_000),
+        ("T#1h1ms", 3_600_001),
+        ("T#90s", 90_000),
+        ("T#24d20h31m23s647ms", 0x7FFF_FFFF),
+        ("T#-24d_20h_31m_23s_648ms", -0x8000_0000),
+    ],
+)
+def test_duration(value: object, milliseconds: int) -> None:
+    """A TIME is a number of milliseconds or S7's own spelling."""
+    assert values.duration(value) == milliseconds
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *(0x8000_0000, -0x8000_0001, True, 1.5, None, "", "1s", "T#", "T#-", "T#5", "T#s", "T#1s_", "T#_1s"),
+        *("T#1s1m", "T#1s1s", "T#1 s", "T#24d20h31m23s648ms", "T#--1s", "T#1ſ", "T#99999999999s"),
+    ],
+)
+def test_no_duration(value: object) -> None:
+    """Other orders, units and sizes are refused."""
+    with pytest.raises(UnusableLogError, match="a duration such as"):
+        values.duration(value)
+
+
+@pytest.mark.parametrize(
+    ("value", "minutes", "ms"),
+    [
+        ("1990-01-01T00:00", 0, 0),
+        ("1990-01-01T00:01:02.003", 1, 2003),
+        ("1990-01-02T00:00:00.5", 1440, 500),
+        ("1990-01-01T00:00:59.99", 0, 59_990),
+        ("DT#1990-01-01-00:01:02.003", 1, 2003),
+        ("dt#1990-1-1-0:1:2.3", 1, 2300),
+        ("DATE_AND_TIME#1990-1-1-0:1", 1, 0),
+        ("2089-12-31T23:59:59.999", 52_595_999, 59_999),
+        ("2024-02-29T12:00", 17_967_600, 0),
+    ],
+)
+def test_instant(value: str, minutes: int, ms: int) -> None:
+    """Both spellings count minutes since 1990 and milliseconds in the minute, a second time too."""
+    assert values.instant_moment(value) == {"min": minutes, "ms": ms}
+    assert values.instant_moment(value) == {"min": minutes, "ms": ms}
+    assert values.minute_number(value) == minutes
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *("1989-12-31T23:59", "2090-01-01T00:00", "2026-02-29T00:00", "2026-13-01T00:00", "2026-01-00T00:00"),
+        *("2026-01-01T24:00", "2026-01-01T00:60", "2026-01-01T00:00:60", "DT#2026-02-30-00:00:00"),
+    ],
+)
+def test_instant_must_exist(value: str) -> None:
+    """Dates that have the shape but do not exist are refused, and are fine where a program passed them."""
+    with pytest.raises(UnusableLogError, match="a date and time"):
+        values.instant(value)
+    assert values.date_components(value)
+
+
+@pytest.mark.parametrize("read", [values.instant, values.date_components])
+@pytest.mark.parametrize(
+    "value",
+    [
+        *("", "2026-11-21", "2026-11-21 06:00", "2026-11-21T06", "2026-11-21T06:00Z", "2026-11-21T06:00:00+01:00"),
+        *(
+            "2026-11-21T06:00:00.",
+            "2026-11-21T06:00:00.0000",
+            "2026-11-21T06:00:0",
+            "2026-1-21T06:00",
+            "26-11-21T06:00",
+        ),
+        *("2026-11-21T06:00.5", "2026-11-21T6:00", "DT#2026-11-21T06:00", " 2026-11-21T06:00", "２026-11-21T06:00"),
+        *("2026-11-21T06:00:00.000\n", 20261121, None, True, ["2026-11-21T06:00"]),
+    ],
+)
+def test_no_date(read: Callable[[object], object], value: object) -> None:
+    """What does not have the shape of a date is none, even after one of the same minute was read."""
+    values.instant("2026-11-21T06:00:00.000")
+    with pytest.raises(UnusableLogError, match='a date and time such as "2026'):
+        read(value)
+
+
+def test_passed_date_is_taken_apart() -> None:
+    """A date that a program passed is only its components."""
+    assert values.date_components("2026-02-30T25:61:62.5") == {
+        "year": 2026,
+        "month": 2,
+        "day": 30,
+        "hour": 25,
+        "minute": 61,
+        "second": 62,
+        "ms": 500,
+    }
+
+
+@given(st.datetimes(min_value=values._EPOCH, max_value=values._EPOCH.replace(year=2089, month=12, day=31)))
+def test_instants_keep_their_spelling(date: Any) -> None:
+    """Reading and writing a time are inverse."""
+    text = date.isoformat(timespec="milliseconds")
+    assert values.iso(values.instant(text)) == text
+
+
+def test_many_minutes_do_not_fill_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The caches have an end and results do not depend on it."""
+    monkeypatch.setattr(values, "_CACHED", 2)
+    for minute in range(6):
+        assert values.instant(f"1990-01-01T00:0{minute}:00") == minute * 60_000
+    assert len(values._minutes) <= 2
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        ("a\x1b[31m\n", r'"a\u001b[31m\n"'),
+        ("\u202e", r'"\u202e"'),
+        ("x" * 100, '"' + "x" * 60 + '..."'),
+        (True, "true"),
+        (None, "null"),
+        (1.0, "1.0, not an integer"),
+        (0.5, "0.5"),
+        ({"a": 1}, "an object"),
+        ([1], "a list"),
+        (10**80, "1" + "0" * 59 + "..."),
+    ],
+)
+def test_quote(value: object, shown: str) -> None:
+    """Values in messages are short and cannot move a terminal's cursor."""
+    assert quote(value) == shown

