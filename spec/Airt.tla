@@ -19,7 +19,7 @@ DisAirt(ret) ==
     /\ Called
     /\ ret = delay + 1
     /\ delay' = delay + 1
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
                    stack, stopCause>>
 
 (* [AIRT-03] [AIRT-07] *)
@@ -28,6 +28,6 @@ EnAirt(ret) ==
     /\ Called
     /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
     /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
                    stack, stopCause>>
 =============================================================================

@@ -22,7 +22,6 @@ TimePasses(t) ==
     /\ Before(clock, t)
     /\ PassesNoPoint(t)
     /\ clock' = t
-    /\ peak' = IF t.min > peak THEN -1 ELSE peak
     /\ UNCHANGED <<cpu, loaded, mode, startup, tod, requests, stack, delay,
                    stopCause>>
 
@@ -35,16 +34,23 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
                                       /\ ~Deselected(o)
                                       /\ Before(At(tod[o].next), to) }
 
-(* The armed points after the clock was set.  Where a point stays ahead, an *)
-(* interrupt may keep it [AMB-56].  A once interrupt whose point   *)
+(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
+(* was set back; other CPUs remember how far it had come [AMB-17].         *)
+Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
+
+\* @type: ($tod, $moment) => $tod;
+Repeating(t, to) ==
+    IF Remembers /\ Before(to, clock) /\ clock.min > t.repeatTo
+    THEN [t EXCEPT !.repeatTo = clock.min] ELSE t
+
+(* The interrupts after the clock was set.  A once interrupt whose point    *)
 (* was reached and whose OB waits is not watched for again [AMB-59]        *)
 (* [CLK-12].                                                               *)
-\* @type: ($moment, Int, Bool) => (Int -> $tod);
-Rearmed(to, top, again) ==
+\* @type: ($moment, Str) => (Int -> $tod);
+Rearmed(to, reading) ==
     [ o \in DOMAIN tod |->
-        LET t    == tod[o]
-            next == IF ~again /\ ~Before(At(t.next), to) THEN t.next
-                    ELSE NextPoint(t, to, top, again)
+        LET t    == Repeating(tod[o], to)
+            next == NextPoint(t, to, reading)
             last == FirstPoint(t.start, t.period, t.next + 1)
         IN  IF \/ ~t.active
                \/ next = t.next
@@ -55,13 +61,16 @@ Rearmed(to, top, again) ==
             THEN [Unserved(t, t.next) EXCEPT !.next = next]
             ELSE [Served(t, t.next) EXCEPT !.next = next] ]
 
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
-(* was set back; other CPUs remember how far it had come [AMB-17].         *)
-\* @type: $moment => Int;
-PeakAfter(to) ==
-    IF cpu.family = "S7-300" /\ Reading("AMB-17") = "a" THEN -1
-    ELSE IF Before(to, clock) THEN (IF clock.min > peak THEN clock.min ELSE peak)
-    ELSE IF to.min > peak THEN -1 ELSE peak
+(* [AMB-56] [AMB-57] Set back, the clock makes the CPU show how it reads    *)
+(* what no source decides.                                                 *)
+\* @type: (Str, Bool) => Set(Str);
+Shown(a, asked) == IF asked /\ Reading(a) = "c" THEN {"a", "b"} ELSE {Reading(a)}
+
+\* @type: (Str, Str) => (Str -> Str);
+ReadingsWith(unserved, anew) ==
+    [ a \in DOMAIN cpu.readings \cup {"AMB-56", "AMB-57"} |->
+        IF a = "AMB-56" THEN unserved
+        ELSE IF a = "AMB-57" THEN anew ELSE cpu.readings[a] ]
 
 (* [CLK-02] [CLK-03] [CLK-06] One OB 80 for all, then one catch-up each,    *)
 (* in any order [AMB-54].  Whether an OB that waits or runs gets one of its *)
@@ -87,13 +96,16 @@ Defer(skipped) ==
 \* @type: $moment => Bool;
 ClockSet(to) ==
     LET skipped == IF Watching THEN SkippedBy(to) ELSE {}
+        back    == Remembers /\ Before(to, clock)
     IN  /\ to # clock
         /\ clock' = to
-        /\ peak'  = PeakAfter(to)
-        /\ \E again \in AgainChoices(PeakAfter(to)) :
-             tod' = Rearmed(to, PeakAfter(to), again)
+        /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back) :
+             /\ tod' = Rearmed(to, unserved)
+             /\ IF back
+                THEN cpu' = [cpu EXCEPT !.readings = ReadingsWith(unserved, anew)]
+                ELSE UNCHANGED cpu
         /\ IF skipped = {} THEN Nothing
            ELSE \/ Skip(to, skipped)
                 \/ mode = "STARTUP" /\ Defer(skipped)
-        /\ UNCHANGED <<cpu, loaded, mode, startup, stack, delay>>
+        /\ UNCHANGED <<loaded, mode, startup, stack, delay>>
 =============================================================================

@@ -14,7 +14,8 @@ VARIABLES
     (* "CPU 318"; priority: the classes that differ from the default        *)
     (* [OBS-05]; step7: the STEP 7 parameters of the time-of-day            *)
     (* interrupts; readings: the letters of the ambiguities that are not    *)
-    (* read by their default.                                               *)
+    (* read by their default.  Only where the default is "either" a letter  *)
+    (* may be found later, when the CPU shows it.                           *)
     \* @type: $cpu;
     cpu,
     (* The OBs that are loaded. *)
@@ -30,13 +31,11 @@ VARIABLES
     (* The CPU clock. *)
     \* @type: $moment;
     clock,
-    (* S7-400, CPU 318: where the clock was set back, the last minute that  *)
-    (* it had reached before, until it gets there again [CLK-09]; else -1.  *)
-    \* @type: Int;
-    peak,
     (* The time-of-day interrupts.  next: the point that is watched for     *)
-    (* (Never: none); servedFrom .. servedTo: points for which the OB was   *)
-    (* called without a gap [CLK-09], 0 .. -1 for none.                     *)
+    (* (Never: none).  On S7-400 and CPU 318 [CLK-09]: servedFrom ..         *)
+    (* servedTo, the points for which the OB was called without a gap, 0 .. *)
+    (* -1 for none; repeatTo, the last minute that the clock had reached    *)
+    (* before it was set back, -1 if it was not.                            *)
     \* @type: Int -> $tod;
     tod,
     (* [OBS-07] The start events that wait for their OB to start.  See      *)
@@ -54,7 +53,7 @@ VARIABLES
     \* @type: Int;
     stopCause
 
-cpuVars == <<cpu, loaded, mode, startup, clock, peak, tod, requests, stack,
+cpuVars == <<cpu, loaded, mode, startup, clock, tod, requests, stack,
              delay, stopCause>>
 
 -----------------------------------------------------------------------------
@@ -63,14 +62,14 @@ cpuVars == <<cpu, loaded, mode, startup, clock, peak, tod, requests, stack,
 (* The catalogue's defaults of the ambiguities that a formula here decides. *)
 DefaultReadings ==
     [ a \in {"AMB-01", "AMB-02", "AMB-03", "AMB-05", "AMB-08", "AMB-09",
-             "AMB-11", "AMB-13", "AMB-14", "AMB-17", "AMB-18", "AMB-19",
-             "AMB-20", "AMB-36", "AMB-37", "AMB-56"} |->
+             "AMB-11", "AMB-13", "AMB-14", "AMB-17", "AMB-18",
+             "AMB-20", "AMB-56", "AMB-57"} |->
       CASE a = "AMB-01" -> "c"
         [] a = "AMB-02" -> "b"
         [] a = "AMB-11" -> "c"
         [] a = "AMB-13" -> "d"
         [] a = "AMB-18" -> "d"
-        [] a = "AMB-56" -> "c"
+        [] a \in {"AMB-56", "AMB-57"} -> "c"
         [] OTHER        -> "a" ]
 
 \* @type: Str => Str;

@@ -23,7 +23,7 @@ AllRecords == {"call", "ob", "clock", "mode", "interrupt", "load"}
 (* The letters that some formula tells apart. *)
 CoveredLetters ==
     [ a \in DOMAIN DefaultReadings |->
-        CASE a \in {"AMB-01", "AMB-11", "AMB-56"} -> {"a", "b", "c"}
+        CASE a \in {"AMB-01", "AMB-11", "AMB-56", "AMB-57"} -> {"a", "b", "c"}
           [] a \in {"AMB-13", "AMB-18"} -> {"a", "b", "c", "d"}
           [] OTHER -> {"a", "b"} ]
 
@@ -126,7 +126,7 @@ NoTodRequest(o) ==
     IF OnStack(o) THEN {"OBS-02"}
     ELSE IF ~tod[o].set THEN {"TINT-02", "TINT-08", "TINT-50"}
     ELSE IF ~tod[o].active THEN {"TINT-05"}
-    ELSE {"TINT-32"} \cup (IF peak >= 0 THEN {"CLK-09"} ELSE {})
+    ELSE {"TINT-32"} \cup (IF tod[o].repeatTo >= clock.min THEN {"CLK-09"} ELSE {})
 
 \* @type: Int => Set(Str);
 NoRequest(o) ==

@@ -38,22 +38,11 @@ PastOnce(o) ==
         /\ IsPast(s.start, clock)
         /\ ~Deselected(o)
 
-(* [OBS-50] The STEP 7 parameters apply again.  Whether points that were    *)
-(* served before count for them is open [AMB-57].                          *)
-\* @type: Bool => (Int -> $tod);
-Reconfigured(keep) ==
-    [ o \in TodObs |->
-        LET memory == IF keep THEN [ NoSetting EXCEPT
-                                       !.servedFrom = tod[o].servedFrom,
-                                       !.servedTo   = tod[o].servedTo ]
-                              ELSE NoSetting
-            t == [ Configured(cpu.step7[o]) EXCEPT
-                     !.servedFrom = memory.servedFrom,
-                     !.servedTo   = memory.servedTo ]
-        IN  IF t.active
-            THEN [t EXCEPT !.next =
-                             NextPoint(t, clock, IF keep THEN peak ELSE -1, TRUE)]
-            ELSE t ]
+(* [OBS-50] The STEP 7 parameters apply again. *)
+\* @type: Int => $tod;
+Reconfigured(o) ==
+    LET t == WithMemory(Configured(cpu.step7[o]), tod[o])
+    IN  IF t.active THEN Armed(t, clock) ELSE t
 
 RestartRequests ==
     { [ ob |-> o, class |-> ClassOf(o), rank |-> 1, fault |-> 0,
@@ -71,9 +60,7 @@ Restart(type) ==
     /\ mode = "STOP"
     /\ mode'    = "STARTUP"
     /\ startup' = type
-    /\ \E keep \in { k \in BOOLEAN : k => peak >= 0 } :
-         /\ tod'  = Reconfigured(keep)
-         /\ peak' = IF keep THEN peak ELSE -1
+    /\ tod'     = [o \in TodObs |-> Reconfigured(o)]
     /\ requests'  = RestartRequests
     /\ stopCause' = RestartStop
     /\ stack' = <<>>
@@ -88,7 +75,7 @@ Run ==
     /\ stopCause = NoCause
     /\ mode'    = "RUN"
     /\ startup' = "none"
-    /\ UNCHANGED <<cpu, loaded, clock, peak, tod, requests, stack, delay,
+    /\ UNCHANGED <<cpu, loaded, clock, tod, requests, stack, delay,
                    stopCause>>
 
 (* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time. *)
@@ -100,5 +87,5 @@ Stop ==
     /\ stack'     = <<>>
     /\ delay'     = 0
     /\ stopCause' = NoCause
-    /\ UNCHANGED <<cpu, loaded, clock, peak, tod>>
+    /\ UNCHANGED <<cpu, loaded, clock, tod>>
 =============================================================================

@@ -252,7 +252,9 @@ RestartProp ==
 
 (* The CPU itself does not change, and OBs come and go by load and delete. *)
 CpuProp ==
-    [][ /\ UNCHANGED cpu
+    [][ /\ cpu'.family = cpu.family /\ cpu'.priority = cpu.priority
+        /\ cpu'.step7 = cpu.step7
+        /\ cpu'.readings # cpu.readings => Did("clock") /\ Before(clock', clock)
         /\ loaded' # loaded => step'.event \in {"load", "delete"}
         /\ step'.event \in {"load", "delete"} =>
              UNCHANGED <<mode, clock, tod, requests, stack, delay>> ]_vars

@@ -100,7 +100,7 @@ FirstPointProp ==
     [][ Did("ACT_TINT") /\ step'.value = 0 /\ ~tod[step'.ob].active =>
           LET t == tod'[step'.ob]
           IN  /\ ~Before(At(t.next), clock)
-              /\ peak < 0 =>
+              /\ t.repeatTo < clock.min =>
                    /\ ~Before(At(t.start), clock) => t.next = t.start
                    /\ t.period = Minutely =>
                         t.next = t.start \/ Before(At(t.next - 1), clock) ]_vars

@@ -98,12 +98,6 @@ TimeError(fault, obs, cause, word) ==
     [ ExternalRequest(TimeErrorOb, fault) EXCEPT
         !.late = obs, !.cause = cause, !.word = word ]
 
-(* [OBS-22] [CLK-05] Without OB 80 a time error stops the CPU, also while   *)
-(* interrupts are delayed; whether at once or when the delay ends is left   *)
-(* open by AMB-49.                                                          *)
-\* @type: (Set($request), $request) => Set($request);
-WithTimeError(q, e) == IF TimeErrorOb \in loaded THEN Enter(q, e) ELSE q
-
 (* [AMB-18] [AMB-77] Where the OB of a start event waits or runs already:   *)
 (* it may run again, there may be a time error, still running or buffer    *)
 (* overflow, or nothing.                                                   *)
@@ -113,6 +107,29 @@ LeftOpen(again, word) ==
       \cup (IF TimeErrorOb \notin loaded THEN {}
             ELSE { [TimeError(f, {}, again.ob, word) EXCEPT !.open = TRUE]
                    : f \in {StillRunning, BufferOverflow} })
+
+(* Where the OB waits, if at all, by what is open, it waits for sure after  *)
+(* another start event: by the first of the open ones, or by the new one if *)
+(* they had no effect.  The latter shows only where another OB of the class *)
+(* stands between.                                                         *)
+\* @type: (Set($request), $request) => Set($request);
+Confirmed(q, new) ==
+    { IF /\ r.ob = new.ob /\ r.open
+         /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
+      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
+
+\* @type: ($request, Int) => Set(Set($request));
+EnterAmongOpen(new, word) ==
+    { EnterAll(Confirmed(requests, new), LeftOpen(new, word)) }
+      \cup (IF \E r, s \in requests : /\ r.ob = new.ob /\ s.ob # new.ob
+                                     /\ s.class = r.class /\ s.rank > r.rank
+            THEN { Enter(Withdraw(requests, new.ob), new) } ELSE {})
+
+(* [OBS-22] [CLK-05] Without OB 80 a time error stops the CPU, also while   *)
+(* interrupts are delayed; whether at once or when the delay ends is left   *)
+(* open by AMB-49.                                                          *)
+\* @type: (Set($request), $request) => Set($request);
+WithTimeError(q, e) == IF TimeErrorOb \in loaded THEN Enter(q, e) ELSE q
 
 StopOfTimeError == IF TimeErrorOb \in loaded \/ stopCause # NoCause
                    THEN stopCause ELSE NoTimeErrorOb

@@ -26,9 +26,10 @@ Interrupt(o, fault) ==
                    THEN requests' = open
                    ELSE IF mode = "STARTUP"
                    THEN requests' = Enter(requests, [new EXCEPT !.open = TRUE])
-                   ELSE \/ requests' = Enter(Withdraw(requests, o), new)
-                        \/ OpenIn(requests, o) /\ requests' = open
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack,
+                   ELSE IF OpenIn(requests, o)
+                   THEN requests' \in EnterAmongOpen(new, 0)
+                   ELSE requests' = Enter(requests, new)
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack,
                        delay>>
 
 (* What is open has no effect. *)
@@ -36,7 +37,7 @@ Interrupt(o, fault) ==
 Drop(r) ==
     /\ r.open
     /\ requests' = Close(requests \ {r})
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack, delay,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,
                    stopCause>>
 
 (* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts. *)
@@ -54,7 +55,7 @@ Start(r) ==
     /\ stack'    = Append(stack, Frame(r.ob, r.class))
     /\ requests' = Remove(requests, r)
     /\ tod'      = TodAfterCall(r.ob)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, delay, stopCause>>
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, delay, stopCause>>
 
 (* [AIRT-04] The delay count falls to 0 when the OB has been processed. *)
 \* @type: Int => Bool;
@@ -62,7 +63,7 @@ End(o) ==
     /\ Running.ob = o
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
     /\ delay' = 0
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
                    stopCause>>
 
 (* [TINT-16] [OBS-20] [AMB-44] The OB is missing when it would start: OB 85, *)
@@ -97,14 +98,14 @@ Missing(r) ==
     /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
                                                ELSE ProgramError(r)
     /\ tod' = TodAfterCall(r.ob)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
 
 (* Blocks are loaded and deleted at any time.  An OB that runs goes on to   *)
 (* its end; a deleted one is missing when it would start [AMB-66].         *)
 \* @type: Set(Int) => Bool;
 LoadedAre(obs) ==
     /\ loaded' = obs
-    /\ UNCHANGED <<cpu, mode, startup, clock, peak, tod, requests, stack,
+    /\ UNCHANGED <<cpu, mode, startup, clock, tod, requests, stack,
                    delay, stopCause>>
 
 -----------------------------------------------------------------------------
@@ -115,7 +116,7 @@ CycleStarts ==
     /\ mode = "RUN"
     /\ stack = <<>>
     /\ stack' = <<Frame(CycleOb, 1)>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, requests,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
                    delay, stopCause>>
 
 (* [OBS-42] [OBS-55] *)
@@ -127,6 +128,6 @@ StartupStarts(o) ==
     /\ stack = <<>>
     /\ stack'   = <<Frame(o, 27)>>
     /\ startup' = "begun"
-    /\ UNCHANGED <<cpu, loaded, mode, clock, peak, tod, requests, delay,
+    /\ UNCHANGED <<cpu, loaded, mode, clock, tod, requests, delay,
                    stopCause>>
 =============================================================================

@@ -85,7 +85,6 @@ Init ==
     /\ mode = "STOP"
     /\ startup = "none"
     /\ clock \in PowerOnMoments
-    /\ peak = -1
     /\ tod = [o \in TodObs |-> NoSetting]
     /\ requests = {}
     /\ stack = <<>>

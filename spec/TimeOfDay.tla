@@ -11,14 +11,21 @@
 EXTENDS Airt
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, period |-> Once,
-               next |-> Never, servedFrom |-> 0, servedTo |-> -1 ]
+               next |-> Never, servedFrom |-> 0, servedTo |-> -1,
+               repeatTo |-> -1 ]
 
-(* [AMB-57] Inside a repeated interval the memory of the points that were   *)
-(* served stays; elsewhere it has no meaning.                              *)
+(* [AMB-57] Inside a repeated interval the OB may keep the memory of the    *)
+(* points that were served; elsewhere it has no meaning.                   *)
+\* @type: ($tod, $tod) => $tod;
+WithMemory(new, old) ==
+    IF Reading("AMB-57") = "b" /\ clock.min <= old.repeatTo
+    THEN [ new EXCEPT !.servedFrom = old.servedFrom,
+                      !.servedTo   = old.servedTo,
+                      !.repeatTo   = old.repeatTo ]
+    ELSE new
+
 \* @type: $tod => $tod;
-Unset(t) == IF peak < 0 THEN NoSetting
-            ELSE [ NoSetting EXCEPT !.servedFrom = t.servedFrom,
-                                    !.servedTo   = t.servedTo ]
+Unset(t) == WithMemory(NoSetting, t)
 
 (* [AMB-08] A once interrupt that has been called is no longer set. *)
 \* @type: $tod => $tod;
@@ -28,31 +35,21 @@ UsedUp(t) == IF Reading("AMB-08") = "a" THEN Unset(t)
 -----------------------------------------------------------------------------
 (* The next start point *)
 
-(* [AMB-56] In an interval that the clock of an S7-400 or CPU 318 repeats,  *)
-(* up to minute top, points that were served are not served again [CLK-09]; *)
-(* whether the others are served (`again') is open.                        *)
-\* @type: Int => Set(Bool);
-AgainChoices(top) ==
-    CASE top < 0 \/ Reading("AMB-56") = "a" -> {TRUE}
-      [] top >= 0 /\ Reading("AMB-56") = "b" -> {FALSE}
-      [] OTHER -> BOOLEAN
-
-(* The first point at or after moment m that is served. *)
-\* @type: ($tod, $moment, Int, Bool) => Int;
-NextPoint(t, m, top, again) ==
+(* The first point at or after moment m that is served.  In an interval     *)
+(* that the clock repeats, points that were served are not served again     *)
+(* [CLK-09]; whether the others are is a matter of reading [AMB-56].       *)
+\* @type: ($tod, $moment, Str) => Int;
+NextPoint(t, m, reading) ==
     LET p == FirstPoint(t.start, t.period, MinuteFrom(m))
-    IN  IF p > top THEN p
-        ELSE IF ~again THEN FirstPoint(t.start, t.period, top + 1)
+    IN  IF p > t.repeatTo THEN p
+        ELSE IF reading = "b"
+        THEN FirstPoint(t.start, t.period, t.repeatTo + 1)
         ELSE IF t.servedFrom <= p /\ p <= t.servedTo
         THEN FirstPoint(t.start, t.period, t.servedTo + 1)
         ELSE p
 
-(* The same when the interrupt is armed: whether points of the repeated     *)
-(* interval count as served for a new setting is open [AMB-57].            *)
-\* @type: ($tod, $moment) => Set(Int);
-FirstPoints(t, m) ==
-    { NextPoint(t, m, peak, again) : again \in AgainChoices(peak) }
-      \cup {FirstPoint(t.start, t.period, MinuteFrom(m))}
+\* @type: ($tod, $moment) => $tod;
+Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
 
 -----------------------------------------------------------------------------
 (* Start events that wait are withdrawn with their setting [AMB-11]. *)
@@ -118,7 +115,7 @@ SetTint(o, sdt, period, ret) ==
        THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
             /\ requests' = Withdrawn(o)
        ELSE UNCHANGED <<tod, requests>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay,
                    stopCause>>
 
 -----------------------------------------------------------------------------
@@ -140,7 +137,7 @@ CanTint(o, ret) ==
     /\ IF ret = OK THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
                         /\ requests' = Withdrawn(o)
                    ELSE UNCHANGED <<tod, requests>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay,
                    stopCause>>
 
 -----------------------------------------------------------------------------
@@ -171,10 +168,9 @@ ActTint(o, ret) ==
     /\ Called
     /\ ret \in ActAnswers(o)
     /\ IF ret = OK /\ ~tod[o].active
-       THEN \E p \in FirstPoints(tod[o], clock) :
-              tod' = [tod EXCEPT ![o].active = TRUE, ![o].next = p]
+       THEN tod' = [tod EXCEPT ![o] = Armed([@ EXCEPT !.active = TRUE], clock)]
        ELSE UNCHANGED tod
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, requests, stack,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, requests, stack,
                    delay, stopCause>>
 
 -----------------------------------------------------------------------------
@@ -248,12 +244,10 @@ AgainWhilePending(o, p) ==
                             LeftOpen(TodRequest(o, At(p), 0), tod[o].period))
            /\ UNCHANGED stopCause
 
-(* What is open may have had no effect; then the OB does not wait. *)
 \* @type: (Int, Int) => Bool;
 AgainWhileOpen(o, p) ==
-    \/ AgainWhilePending(o, p)
-    \/ /\ requests' = Enter(Withdraw(requests, o), TodRequest(o, At(p), 0))
-       /\ UNCHANGED stopCause
+    /\ requests' \in EnterAmongOpen(TodRequest(o, At(p), 0), tod[o].period)
+    /\ UNCHANGED stopCause
 
 (* [TINT-09] [TINT-14] [TINT-19] [AMB-35] *)
 \* @type: Int => Bool;
@@ -261,9 +255,8 @@ PointReached(o) ==
     LET p == tod[o].next
     IN  /\ Watching
         /\ clock = At(p)  \* no point is watched unless it is active
-        /\ \E again \in AgainChoices(peak) :
-             tod' = [tod EXCEPT ![o] = [ Served(tod[o], p) EXCEPT
-               !.next = NextPoint(tod[o], [min |-> p, ms |-> 1], peak, again) ]]
+        /\ tod' = [tod EXCEPT ![o] =
+                      Armed(Served(@, p), [min |-> p, ms |-> 1])]
         /\ CASE Deselected(o) -> Nothing
              [] ~Deselected(o) /\ mode = "STARTUP" ->
                   IF PendingIn(requests, o) THEN Nothing ELSE Ordinary(o, p)
@@ -273,5 +266,5 @@ PointReached(o) ==
                   IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
                   ELSE IF OpenIn(requests, o) THEN AgainWhileOpen(o, p)
                   ELSE Ordinary(o, p)
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, stack, delay>>
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
 =============================================================================

@@ -81,7 +81,7 @@ Init ==
                step7 |-> [o \in {} |-> NoParameters],
                readings |-> [a \in {} |-> ""] ]
     /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
-    /\ peak = -1 /\ tod = [o \in {} |-> NoSetting] /\ requests = {}
+    /\ tod = [o \in {} |-> NoSetting] /\ requests = {}
     /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ terms = [latency |-> 0, cycle |-> FALSE]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0]
@@ -119,7 +119,6 @@ Begin(h) ==
     /\ mode'   = h.mode
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
     /\ clock'  = h.clock
-    /\ peak'   = -1
     /\ tod'    = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
                                                        ELSE TodAtBegin(h, o) ]
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
@@ -195,7 +194,7 @@ Stale(d) ==
 \* @type: Set($request) => Bool;
 Expire(stale) ==
     /\ requests' = Close(requests \ stale)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod, stack, delay,
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,
                    stopCause>>
     /\ Rewait
     /\ UNCHANGED <<terms, up>>
@@ -330,7 +329,7 @@ IsStart(e) ==
            /\ \/ CycleStarts
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
-                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, peak, tod,
+                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod,
                                 requests, stack, stopCause>>
       [] e.ob \in StartupObs ->
            Fits(e.info.priority, 27) /\ StartupStarts(e.ob)
