@@ -10,8 +10,9 @@
 (***************************************************************************)
 EXTENDS Requests
 
-(* A system function is called by the running OB. *)
-Called == stack # <<>>
+(* A system function is called by the running OB; in HOLD none runs         *)
+(* [OBS-45].                                                               *)
+Called == stack # <<>> /\ mode # "HOLD"
 
 (* [AIRT-03] [AIRT-06] *)
 \* @type: Int => Bool;

@@ -72,15 +72,15 @@ ReadingsWith(unserved, anew) ==
         IF a = "AMB-56" THEN unserved
         ELSE IF a = "AMB-57" THEN anew ELSE cpu.readings[a] ]
 
-(* [CLK-02] [CLK-03] [CLK-06] One OB 80 for all, then one catch-up each,    *)
-(* in any order [AMB-54].  Whether an OB that waits or runs gets one of its *)
-(* own is open [AMB-52].                                                   *)
-\* @type: ($moment, Set(Int)) => Bool;
-Skip(to, skipped) ==
+(* [CLK-02] [CLK-03] [CLK-06] [OBS-46] One OB 80 for all, then one catch-up  *)
+(* each, in any order [AMB-54].  Whether an OB that waits or runs gets one  *)
+(* of its own is open [AMB-52], and so are all after HOLD [AMB-55].        *)
+\* @type: (Int, $moment, Set(Int)) => Bool;
+Skip(fault, since, skipped) ==
     \E merged \in SUBSET { o \in skipped : OnStack(o) \/ PendingIn(requests, o) } :
-      LET error == [ TimeError(SkippedByClock, skipped, 0, 0)
-                       EXCEPT !.since = to ]
-          runs  == { TodRequest(o, At(tod[o].next), SkippedByClock)
+      LET error == [TimeError(fault, skipped, 0, 0) EXCEPT !.since = since]
+          runs  == { [ TodRequest(o, At(tod[o].next), fault) EXCEPT
+                         !.open = fault = SkippedInHold ]
                      : o \in skipped \ merged }
       IN  /\ requests'  = WithTimeError(EnterAll(requests, runs), error)
           /\ stopCause' = StopOfTimeError
@@ -93,19 +93,23 @@ Defer(skipped) ==
                        : o \in { s \in skipped : ~PendingIn(requests, s) } })
     /\ UNCHANGED stopCause
 
+(* [AMB-53] In HOLD the points that are skipped may also wait for release.  *)
 \* @type: $moment => Bool;
 ClockSet(to) ==
-    LET skipped == IF Watching THEN SkippedBy(to) ELSE {}
+    LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to)
         back    == Remembers /\ Before(to, clock)
     IN  /\ to # clock
         /\ clock' = to
-        /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back) :
-             /\ tod' = Rearmed(to, unserved)
+        /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back),
+              deferred \in IF mode = "HOLD" THEN BOOLEAN ELSE {FALSE} :
+             /\ tod' = [ o \in DOMAIN tod |->
+                          IF deferred /\ o \in skipped THEN tod[o]
+                          ELSE Rearmed(to, unserved)[o] ]
              /\ IF back
                 THEN cpu' = [cpu EXCEPT !.readings = ReadingsWith(unserved, anew)]
                 ELSE UNCHANGED cpu
-        /\ IF skipped = {} THEN Nothing
-           ELSE \/ Skip(to, skipped)
-                \/ mode = "STARTUP" /\ Defer(skipped)
+             /\ IF skipped = {} \/ deferred THEN Nothing
+                ELSE \/ Skip(SkippedByClock, to, skipped)
+                     \/ mode = "STARTUP" /\ Defer(skipped)
         /\ UNCHANGED <<loaded, mode, startup, stack, delay>>
 =============================================================================

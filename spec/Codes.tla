@@ -40,6 +40,8 @@ PeriodCodes ==
 (* [OBS-30] fault ids of OB 80 and (table 8.2) of OB 85 *)
 StillRunning    == \h02
 SkippedByClock  == \h05
+SkippedInHold   == \h06
+Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
 

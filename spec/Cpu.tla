@@ -21,7 +21,7 @@ VARIABLES
     (* The OBs that are loaded. *)
     \* @type: Set(Int);
     loaded,
-    (* [OBS-40] "STOP", "STARTUP" or "RUN". *)
+    (* [OBS-40] "STOP", "STARTUP", "RUN" or "HOLD". *)
     \* @type: Str;
     mode,
     (* The startup OB of this STARTUP: "warm" or "cold" where it is still   *)

@@ -144,11 +144,11 @@ StartRequirements(r, e) ==
     ELSE IF r.ob \notin loaded THEN {"TINT-16", "OBS-20"}
     ELSE IF ~Undelayed THEN {"AIRT-01"}
     ELSE IF ~Preempts(r) THEN {"OBS-01"}
-    ELSE IF ~Reported(r) THEN (IF r.follows = SkippedByClock THEN {"CLK-03"}
+    ELSE IF ~Reported(r) THEN (IF r.follows \in Skips THEN {"CLK-03"}
                                                              ELSE {"TINT-15"})
     ELSE IF ~InTurn(r) THEN {"OBS-02"}
-    ELSE IF r.fault = SkippedByClock THEN {"CLK-06"}
-    ELSE IF r.follows = SkippedByClock THEN {"CLK-07"}
+    ELSE IF r.fault \in Skips THEN {"CLK-06"}
+    ELSE IF r.follows \in Skips THEN {"CLK-07"}
     ELSE IF r.ob = TimeErrorOb THEN {"OBS-30"}
     ELSE {"OBS-10"}
 
@@ -196,10 +196,11 @@ TooLate(e) ==
 \* @type: $request => Set(Str);
 LateRequirement(r) ==
     CASE r.ob \notin loaded          -> {"TINT-16", "OBS-20", "OBS-21"}
-      [] r.follows = SkippedByClock  -> {"CLK-03"}
+      [] r.follows \in Skips  -> {"CLK-03"}
       [] r.follows = StillRunning    -> {"TINT-14"}
       [] r.ob \in TodObs             -> {"TINT-23"}
       [] r.fault = SkippedByClock    -> {"CLK-02"}
+      [] r.fault = SkippedInHold     -> {"OBS-46"}
       [] r.ob = TimeErrorOb          -> {"TINT-14", "OBS-30"}
       [] r.ob = ProgramErrorOb       -> {"OBS-20"}
       [] OTHER                       -> {"OBS-07"}

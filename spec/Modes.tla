@@ -1,10 +1,10 @@
 -------------------------------- MODULE Modes -------------------------------
 (***************************************************************************)
-(* STOP, warm and cold restart, STARTUP and RUN (catalogue sections 5.4    *)
-(* and 5.5).                                                               *)
+(* STOP, warm and cold restart, STARTUP, RUN and HOLD (catalogue sections  *)
+(* 5.4 and 5.5).                                                           *)
 (*                                                                         *)
-(* Left out: HOLD [OBS-45] and hot restart (AMB-26); memory reset [OBS-58] *)
-(* and power off [OBS-59], which no log shows.                             *)
+(* Left out: hot restart (AMB-26); memory reset [OBS-58] and power off     *)
+(* [OBS-59], which no log shows.                                           *)
 (***************************************************************************)
 EXTENDS Scheduler
 
@@ -77,6 +77,22 @@ Run ==
     /\ startup' = "none"
     /\ UNCHANGED <<cpu, loaded, clock, tod, requests, stack, delay,
                    stopCause>>
+
+(* [OBS-45] Nothing runs in HOLD; the clock goes on. *)
+Hold ==
+    /\ mode = "RUN"
+    /\ mode' = "HOLD"
+    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, requests, stack, delay,
+                   stopCause>>
+
+(* [OBS-46] OB 80 reports the points that passed in HOLD. *)
+Release ==
+    LET skipped == SkippedBy(clock)
+    IN  /\ mode = "HOLD"
+        /\ mode' = "RUN"
+        /\ tod'  = Rearmed(clock, Reading("AMB-56"))
+        /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
+        /\ UNCHANGED <<cpu, loaded, startup, clock, stack, delay>>
 
 (* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time. *)
 Stop ==

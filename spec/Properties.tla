@@ -27,7 +27,7 @@ Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 IsMoment(t) == t.min \in 0..LastMinute /\ t.ms \in 0..59999
 
 TypeInv ==
-    /\ mode \in {"STOP", "STARTUP", "RUN"}
+    /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
     /\ IsMoment(clock)
     /\ DOMAIN tod = TodObs
@@ -223,10 +223,21 @@ ModeProp ==
                          /\ stopCause = NoCause
                          /\ startup = "begun" \/ loaded \cap StartupObs = {}
                               \/ StartupOb(startup) \notin loaded
-        /\ mode # "RUN" /\ mode' = "RUN" => Did("run")
+        /\ mode # "RUN" /\ mode' = "RUN" => Did("run") \/ Did("release")
+        /\ Did("hold") => mode = "RUN" /\ mode' = "HOLD"
+        /\ Did("release") => mode = "HOLD" /\ mode' = "RUN"
+        /\ mode # "HOLD" /\ mode' = "HOLD" => Did("hold")
         /\ step'.event \in {"stop", "switch"} =>
              /\ mode # "STOP" /\ mode' = "STOP"
              /\ UNCHANGED <<loaded, clock>> ]_vars
+
+(* [OBS-45] In HOLD nothing runs, ends or is called; it is left for RUN or  *)
+(* STOP.                                                                   *)
+HoldProp ==
+    [][ mode = "HOLD" =>
+          /\ step'.event \in {"release", "switch", "stop", "time", "clock",
+                             "interrupt", "load", "delete"}
+          /\ mode' # "STOP" => UNCHANGED <<stack, delay>> ]_vars
 
 (* [OBS-42] The startup OB of the restart's kind starts, once, if loaded. *)
 StartupProp ==

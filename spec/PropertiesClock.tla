@@ -54,11 +54,20 @@ NoSkipProp ==
 (* first one of its series.                                                *)
 RearmProp ==
     [][ Did("clock") =>
-          \A o \in TodObs : tod[o].active =>
+          \A o \in TodObs : tod[o].active /\ mode # "HOLD" =>
             /\ ~Before(At(tod'[o].next), clock')
             /\ /\ cpu.family = "S7-300" /\ tod[o].period = Minutely
                /\ ~Before(clock', At(tod[o].start))
                => Before(At(tod'[o].next - 1), clock') ]_vars
+
+(* [OBS-46] [AMB-55] On release one time error with fault 06 reports the     *)
+(* points that passed in HOLD; what follows it is open.                    *)
+HoldSkipProp ==
+    [][ Did("release") /\ SkippedNow # {} =>
+          IF 80 \in loaded
+          THEN \E r \in requests' \ requests :
+                 r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
+          ELSE stopCause' # NoCause ]_vars
 
 (* Setting the clock changes no setting, and no OB starts or ends by it. *)
 ClockOnlyProp ==

@@ -145,7 +145,7 @@ PointProp ==
                r.ob = o /\ ~\E q \in requests : q.ob = o /\ q.since = r.since
           => \/ Did("reached") /\ step'.ob = o /\ clock = At(tod[o].next)
                   /\ tod[o].active /\ mode \in {"RUN", "STARTUP"}
-             \/ step'.event \in {"clock", "restart"} ]_vars
+             \/ step'.event \in {"clock", "restart", "release"} ]_vars
 
 (* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with  *)
 (* fault 02 or STOP, and the run follows.                                  *)

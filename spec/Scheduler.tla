@@ -10,12 +10,15 @@ EXTENDS Clock
 
 (* [OBS-07] [OBS-02] A start event from outside.  While the OB runs or      *)
 (* waits already, what happens is open [AMB-77] [AMB-18]; so it is in       *)
-(* STARTUP [AMB-67].  In STOP nothing happens [OBS-41].                    *)
+(* STARTUP and HOLD [AMB-67].  In STOP nothing happens [OBS-41].           *)
 \* @type: (Int, Int) => Bool;
 Interrupt(o, fault) ==
     LET new  == ExternalRequest(o, fault)
         open == EnterAll(requests, LeftOpen(new, 0))
-    IN  /\ IF ~Watching \/ Deselected(o) THEN Nothing
+    IN  /\ IF mode = "STOP" \/ Deselected(o) THEN Nothing
+           ELSE IF mode = "HOLD"
+           THEN /\ requests' = Enter(requests, [new EXCEPT !.open = TRUE])
+                /\ UNCHANGED stopCause
            ELSE IF o = TimeErrorOb
            THEN /\ requests'  = WithTimeError(requests, new)
                 /\ stopCause' = StopOfTimeError
@@ -61,6 +64,7 @@ Start(r) ==
 \* @type: Int => Bool;
 End(o) ==
     /\ Running.ob = o
+    /\ mode # "HOLD"
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
     /\ delay' = 0
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,

@@ -62,6 +62,9 @@ Interrupts == (ExternalObs \X {0}) \cup ({TimeErrorOb, ProgramErrorOb} \X (0..25
 
 RestartTypes == {"warm", "cold"}
 
+(* Whether the CPU may be put on HOLD. *)
+HoldPossible == TRUE
+
 (* OBs that are loaded and deleted while the CPU is at work. *)
 ChangingObs == TodObs \cup ExternalObs \cup StartupObs
 
@@ -147,6 +150,8 @@ World ==
          \/ LoadedAre(loaded \ {o}) /\ Seen("delete", o, 0)
     \/ \E type \in RestartTypes : Restart(type) /\ Seen("restart", 0, 0)
     \/ Stop /\ Seen("switch", 0, 0)
+    \/ HoldPossible /\ \/ Hold /\ Seen("hold", 0, 0)
+                       \/ Release /\ Seen("release", 0, 0)
 
 Time ==
     \/ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)

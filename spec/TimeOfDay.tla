@@ -25,6 +25,9 @@ WithMemory(new, old) ==
     ELSE new
 
 \* @type: $tod => $tod;
+Forgotten(t) == [t EXCEPT !.servedFrom = 0, !.servedTo = -1, !.repeatTo = -1]
+
+\* @type: $tod => $tod;
 Unset(t) == WithMemory(NoSetting, t)
 
 (* [AMB-08] A once interrupt that has been called is no longer set. *)
@@ -168,7 +171,9 @@ ActTint(o, ret) ==
     /\ Called
     /\ ret \in ActAnswers(o)
     /\ IF ret = OK /\ ~tod[o].active
-       THEN tod' = [tod EXCEPT ![o] = Armed([@ EXCEPT !.active = TRUE], clock)]
+       THEN tod' = [tod EXCEPT ![o] =
+                      Armed(WithMemory([ Forgotten(@) EXCEPT !.active = TRUE ], @),
+                            clock)]
        ELSE UNCHANGED tod
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, requests, stack,
                    delay, stopCause>>

@@ -59,7 +59,7 @@ NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
 (* The events that this specification explains. *)
 Explained == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
               "EN_AIRT", "start", "end", "clock", "restart", "run", "stop",
-              "interrupt", "load", "delete"}
+              "interrupt", "load", "delete", "hold", "release"}
 
 \* @type: (Int, Set(Int)) => Set(Int);
 Given(value, possible) == IF value = -1 THEN possible ELSE {value}
@@ -293,8 +293,8 @@ FitsPeriod(given, period) ==
 (* after a skip the first point skipped.  OB 80 after a skip: the new time. *)
 \* @type: ($request, $moment) => Bool;
 FitsTime(r, time) ==
-    LET exact == IF r.ob \in TodObs THEN r.follows = SkippedByClock
-                                    ELSE r.fault = SkippedByClock /\ r.late # {}
+    LET exact == IF r.ob \in TodObs THEN r.follows \in Skips
+                                    ELSE r.fault \in Skips /\ r.late # {}
     IN  \/ time = NoMoment
         \/ time = r.since
         \/ /\ ~exact
@@ -310,7 +310,7 @@ FitsRequest(r, i) ==
               \/ r.fault \in ObNotLoaded /\ f \in ObNotLoaded  \* AMB-28
        ELSE Fits(i.strt_info, EventOf(r.ob) % 256)
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
-    /\ IF r.fault = SkippedByClock /\ r.late # {}
+    /\ IF r.fault \in Skips /\ r.late # {}
        THEN Fits(i.error_info, LateMask(r.late))
        ELSE r.cause \in TodObs => FitsPeriod(i.error_info, r.word)
     /\ r.cause # 0 => Fits(i.ev, EventOf(r.cause))
@@ -376,6 +376,8 @@ Observe(e) ==
          [] e.event = "delete" -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart" -> Restart(e.type)
          [] e.event = "run" -> Run
+         [] e.event = "hold" -> Hold
+         [] e.event = "release" -> Release
          [] e.event = "stop" -> IsStop(e)
     /\ Rewait
     /\ UNCHANGED <<terms, up>>

