@@ -34,10 +34,6 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
                                       /\ ~Deselected(o)
                                       /\ Before(At(tod[o].next), to) }
 
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
-(* was set back; other CPUs remember how far it had come [AMB-17].         *)
-Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
-
 \* @type: ($tod, $moment) => $tod;
 Repeating(t, to) ==
     IF Remembers /\ Before(to, clock) /\ clock.min > t.repeatTo
@@ -58,7 +54,7 @@ Rearmed(to, reading) ==
             THEN t
             ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
             ELSE IF Before(At(last), to)
-            THEN [Unserved(t, t.next) EXCEPT !.next = next]
+            THEN [ServedOnce(t, t.next, next) EXCEPT !.next = next]
             ELSE [Served(t, t.next) EXCEPT !.next = next] ]
 
 (* [AMB-56] [AMB-57] Set back, the clock makes the CPU show how it reads    *)

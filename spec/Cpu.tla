@@ -33,9 +33,9 @@ VARIABLES
     clock,
     (* The time-of-day interrupts.  next: the point that is watched for     *)
     (* (Never: none).  On S7-400 and CPU 318 [CLK-09]: servedFrom ..         *)
-    (* servedTo, the points for which the OB was called without a gap, 0 .. *)
-    (* -1 for none; repeatTo, the last minute that the clock had reached    *)
-    (* before it was set back, -1 if it was not.                            *)
+    (* servedTo, the points for which the OB was called, but for gapFrom .. *)
+    (* gapTo, 0 .. -1 for none; repeatTo, the last minute that the clock    *)
+    (* had reached before it was set back, -1 if it was not.                *)
     \* @type: Int -> $tod;
     tod,
     (* [OBS-07] The start events that wait for their OB to start.  See      *)
@@ -59,22 +59,20 @@ cpuVars == <<cpu, loaded, mode, startup, clock, tod, requests, stack,
 -----------------------------------------------------------------------------
 (* Readings of the ambiguities *)
 
-(* The catalogue's defaults of the ambiguities that a formula here decides. *)
-DefaultReadings ==
-    [ a \in {"AMB-01", "AMB-02", "AMB-03", "AMB-05", "AMB-08", "AMB-09",
-             "AMB-11", "AMB-13", "AMB-14", "AMB-17", "AMB-18",
-             "AMB-20", "AMB-56", "AMB-57"} |->
-      CASE a = "AMB-01" -> "c"
-        [] a = "AMB-02" -> "b"
-        [] a = "AMB-11" -> "c"
-        [] a = "AMB-13" -> "d"
-        [] a = "AMB-18" -> "d"
-        [] a \in {"AMB-56", "AMB-57"} -> "c"
-        [] OTHER        -> "a" ]
+(* The letter by which an ambiguity is read where the header says nothing.  *)
+\* @type: Str => Str;
+DefaultReading(a) ==
+    CASE a \in {"AMB-02", "AMB-27", "AMB-31", "AMB-44", "AMB-63"} -> "b"
+      [] a \in {"AMB-01", "AMB-11", "AMB-28", "AMB-45", "AMB-47", "AMB-48",
+                "AMB-49", "AMB-50", "AMB-52", "AMB-53", "AMB-54", "AMB-55",
+                "AMB-56", "AMB-57", "AMB-60", "AMB-61", "AMB-67", "AMB-68",
+                "AMB-70"} -> "c"
+      [] a \in {"AMB-13", "AMB-18", "AMB-77"} -> "d"
+      [] OTHER -> "a"
 
 \* @type: Str => Str;
 Reading(a) == IF a \in DOMAIN cpu.readings THEN cpu.readings[a]
-                                           ELSE DefaultReadings[a]
+                                           ELSE DefaultReading(a)
 
 -----------------------------------------------------------------------------
 (* OBs *)

@@ -21,17 +21,17 @@ Allowed(event, ob, field, value) ==
 AllRecords == {"call", "ob", "clock", "mode", "interrupt", "load"}
 
 (* The letters that some formula tells apart. *)
-CoveredLetters ==
-    [ a \in DOMAIN DefaultReadings |->
-        CASE a \in {"AMB-01", "AMB-11", "AMB-56", "AMB-57"} -> {"a", "b", "c"}
-          [] a \in {"AMB-13", "AMB-18"} -> {"a", "b", "c", "d"}
-          [] OTHER -> {"a", "b"} ]
+\* @type: Str => Set(Str);
+CoveredLetters(a) ==
+    CASE a \in {"AMB-01", "AMB-11", "AMB-56", "AMB-57"} -> {"a", "b", "c"}
+      [] a \in {"AMB-13", "AMB-18"} -> {"a", "b", "c", "d"}
+      [] a \in {"AMB-02", "AMB-05", "AMB-08", "AMB-09", "AMB-17", "AMB-20"} ->
+           {"a", "b"}
+      [] OTHER -> {DefaultReading(a)}
 
 \* @type: $header => Set(Str);
 NotCovered(h) ==
-    { r[1] : r \in { q \in h.readings :
-                       \/ q[1] \notin DOMAIN CoveredLetters
-                       \/ q[2] \notin CoveredLetters[q[1]] } }
+    { r[1] : r \in { q \in h.readings : q[2] \notin CoveredLetters(q[1]) } }
       \cup (IF h.records = AllRecords THEN {} ELSE {"records"})
 
 -----------------------------------------------------------------------------

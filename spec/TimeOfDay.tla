@@ -12,7 +12,7 @@ EXTENDS Airt
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, period |-> Once,
                next |-> Never, servedFrom |-> 0, servedTo |-> -1,
-               repeatTo |-> -1 ]
+               gapFrom |-> 0, gapTo |-> -1, repeatTo |-> -1 ]
 
 (* [AMB-57] Inside a repeated interval the OB may keep the memory of the    *)
 (* points that were served; elsewhere it has no meaning.                   *)
@@ -21,11 +21,15 @@ WithMemory(new, old) ==
     IF Reading("AMB-57") = "b" /\ clock.min <= old.repeatTo
     THEN [ new EXCEPT !.servedFrom = old.servedFrom,
                       !.servedTo   = old.servedTo,
+                      !.gapFrom    = old.gapFrom,
+                      !.gapTo      = old.gapTo,
                       !.repeatTo   = old.repeatTo ]
     ELSE new
 
 \* @type: $tod => $tod;
-Forgotten(t) == [t EXCEPT !.servedFrom = 0, !.servedTo = -1, !.repeatTo = -1]
+Forgotten(t) ==
+    [ t EXCEPT !.servedFrom = 0, !.servedTo = -1, !.gapFrom = 0, !.gapTo = -1,
+               !.repeatTo = -1 ]
 
 \* @type: $tod => $tod;
 Unset(t) == WithMemory(NoSetting, t)
@@ -47,9 +51,12 @@ NextPoint(t, m, reading) ==
     IN  IF p > t.repeatTo THEN p
         ELSE IF reading = "b"
         THEN FirstPoint(t.start, t.period, t.repeatTo + 1)
-        ELSE IF t.servedFrom <= p /\ p <= t.servedTo
-        THEN FirstPoint(t.start, t.period, t.servedTo + 1)
-        ELSE p
+        ELSE IF t.servedFrom > p \/ p > t.servedTo
+                  \/ (t.gapFrom <= p /\ p <= t.gapTo)
+        THEN p
+        ELSE FirstPoint(t.start, t.period,
+               IF p < t.gapFrom /\ t.gapFrom <= t.servedTo THEN t.gapFrom
+                                                           ELSE t.servedTo + 1)
 
 \* @type: ($tod, $moment) => $tod;
 Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
@@ -93,10 +100,7 @@ ValidSdt(sdt, period) ==
 \* @type: (Int, $date, Int) => Set(Int);
 SetErrors(o, sdt, period) ==
     LET judged == period = Once \/ Reading("AMB-02") = "a"
-        past   == IF Reading("AMB-14") = "b"
-                  THEN Before([ min |-> MinuteOf(sdt),
-                                ms  |-> sdt.second * 1000 + sdt.ms ], clock)
-                  ELSE IsPast(MinuteOf(sdt), clock)
+        past   == IsPast(MinuteOf(sdt), clock)
     IN  ObErrors(o)
           \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
           \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
@@ -204,18 +208,24 @@ QryTint(o, ret, status) ==
 -----------------------------------------------------------------------------
 (* A start point is reached *)
 
-(* [CLK-09] Note for S7-400 and CPU 318 which points were served. *)
+(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
+(* was set back; other CPUs remember which were served [AMB-17].           *)
+Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
+
+(* [CLK-09] *)
 \* @type: ($tod, Int) => $tod;
 Served(t, p) ==
-    IF cpu.family = "S7-300" \/ p < t.servedFrom THEN t
+    IF ~Remembers \/ p < t.servedFrom THEN t
     ELSE [ t EXCEPT !.servedFrom = IF t.servedTo < 0 THEN p ELSE @,
                     !.servedTo   = IF p > @ THEN p ELSE @ ]
 
-(* A point for which the OB was not called ends the memory. *)
-\* @type: ($tod, Int) => $tod;
-Unserved(t, p) ==
-    IF p < t.servedFrom THEN t
-    ELSE [t EXCEPT !.servedFrom = 0, !.servedTo = -1]
+(* Of the points from p until next the OB is called for the first alone.    *)
+(* Of several gaps their hull is kept.                                     *)
+\* @type: ($tod, Int, Int) => $tod;
+ServedOnce(t, p, next) ==
+    IF ~Remembers \/ p < t.servedFrom THEN t
+    ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p + 1 ELSE @,
+                               !.gapTo   = next - 1 ]
 
 (* The point p of OB o leads to a start event ... *)
 \* @type: (Int, Int) => Bool;

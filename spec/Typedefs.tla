@@ -11,7 +11,7 @@
 (*                     step7: Int -> $step7, readings: Str -> Str };       *)
 (* @typeAlias: tod = { set: Bool, active: Bool, start: Int, period: Int,   *)
 (*                  next: Int, servedFrom: Int, servedTo: Int,             *)
-(*                  repeatTo: Int };                                       *)
+(*                  gapFrom: Int, gapTo: Int, repeatTo: Int };             *)
 (* @typeAlias: request = { ob: Int, class: Int, rank: Int, fault: Int,     *)
 (*                         since: $moment, word: Int, late: Set(Int),      *)
 (*                         cause: Int, during: Int, follows: Int,          *)

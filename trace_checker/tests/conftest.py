@@ -1,12 +1,15 @@
 """Fixtures of several test modules."""
 
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from trace_checker import trace_command
+from trace_checker.check import check_log
 from trace_checker.engine_client import Engine
+from trace_checker.verdict import Report
 
 FAKE_ENGINE = Path(__file__).with_name("fake_engine.py")
 
@@ -21,3 +24,10 @@ def fake_command() -> list[str]:
 def _fake_engine(fake_command: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     """Has ``s7check trace`` run with the fake engine."""
     monkeypatch.setattr(trace_command, "Engine", lambda: Engine(lambda: fake_command))
+
+
+@pytest.fixture(scope="session")
+def judge() -> Iterator[Callable[[Path], Report]]:
+    """A function that has the real engine judge a log; one engine serves all tests."""
+    with Engine() as engine:
+        yield lambda log: check_log(str(log), engine, lambda _, __: None)

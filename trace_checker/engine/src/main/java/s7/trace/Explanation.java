@@ -92,17 +92,22 @@ final class Explanation {
     }
     List<TLCState> arrived = new ArrayList<>();
     var open = new ArrayDeque<TLCState>(states);
+    var seen = new HashSet<Long>();
     while (!open.isEmpty()) {
       TLCState state = open.poll();
       if (spec.holds("Arrived", state, event)) {
         arrived.add(state);
-      } else {
-        StateVec next = spec.successors("Elapse", state, event);
-        for (int i = 0; i < next.size(); i++) {
+        continue;
+      }
+      StateVec next = spec.successors("Elapse", state, event);
+      // A single state that goes on alone, the usual case, needs no fingerprint.
+      boolean alone = open.isEmpty() && next.size() == 1 && arrived.isEmpty();
+      for (int i = 0; i < next.size(); i++) {
+        if (alone || seen.add(next.elementAt(i).fingerPrint())) {
           open.add(next.elementAt(i));
         }
-        limit(open.size());
       }
+      limit(open.size());
     }
     return distinct(arrived);
   }

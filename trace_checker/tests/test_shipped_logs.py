@@ -1,0 +1,165 @@
+"""The project's example logs, and small changes to them, judged by the real engine."""
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from trace_checker import cli
+from trace_checker.verdict import Report
+
+PROJECT = Path(cli.__file__).parents[1]
+TRACES = PROJECT / "traces"
+CATALOGUE = PROJECT / "docs" / "requirements.md"
+INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
+
+Lines = list[str]
+
+
+@pytest.fixture(scope="module")
+def reports() -> dict[str, dict[str, Any]]:
+    """What one run of ``s7check trace --format json`` says of each log of the index."""
+    command = [sys.executable, "-m", "trace_checker", "trace", "--format", "json"]
+    logs = [str(TRACES / entry["file"]) for entry in INDEX]
+    run = subprocess.run([*command, *logs], cwd=PROJECT, capture_output=True, timeout=600, check=False)
+    assert run.stderr == b""
+    assert run.returncode == 2, "the highest exit code: some logs are unusable, none is without a verdict"
+    objects = [json.loads(line) for line in run.stdout.splitlines()]
+    assert [report["log"] for report in objects] == logs
+    return {entry["file"]: report for entry, report in zip(INDEX, objects, strict=True)}
+
+
+@pytest.mark.parametrize("entry", INDEX, ids=lambda entry: entry["file"])
+def test_verdict(entry: dict[str, Any], reports: dict[str, dict[str, Any]]) -> None:
+    """Verdict and line are those of the index, and a rejection names the requirements."""
+    report = reports[entry["file"]]
+    assert (report["verdict"], report["line"]) == (entry["verdict"], entry.get("line")), report
+    assert bool(report["requirements"]) == (entry["verdict"] == "rejected")
+
+
+def test_index_is_complete() -> None:
+    """Every log is in the index once, in the folder of its verdict."""
+    folders = {"accepted": "accept", "rejected": "reject", "unusable": "unusable"}
+    files = [str(path.relative_to(TRACES)) for folder in folders.values() for path in (TRACES / folder).iterdir()]
+    assert sorted(entry["file"] for entry in INDEX) == sorted(files)
+    assert all(entry["file"].startswith(folders[entry["verdict"]] + "/") for entry in INDEX)
+
+
+@pytest.mark.parametrize("verdict", ["accepted", "rejected"])
+def test_enough_logs(verdict: str) -> None:
+    """There are at least twelve of either."""
+    assert sum(entry["verdict"] == verdict for entry in INDEX) >= 12
+
+
+def test_requirements_exist() -> None:
+    """The requirements of the index are in the catalogue."""
+    if not CATALOGUE.is_file():
+        pytest.skip("docs/requirements.md is not there")
+    known = set(re.findall(r"\b[A-Z]+-[0-9]+\b", CATALOGUE.read_text(encoding="utf-8")))
+    assert {name for entry in INDEX for name in entry["requirements"]} <= known
+
+
+def with_ret(line: int, ret: str) -> Callable[[Lines], Lines]:
+    """The log with another ``ret`` in one line."""
+
+    def change(lines: Lines) -> Lines:
+        changed, count = re.subn(r'("ret": )"[^"]*"', rf'\1"{ret}"', lines[line - 1])
+        assert count == 1
+        return [*lines[: line - 1], changed, *lines[line:]]
+
+    return change
+
+
+def without_start(line: int) -> Callable[[Lines], Lines]:
+    """The log without one ``start`` line."""
+
+    def change(lines: Lines) -> Lines:
+        assert '"event": "start"' in lines[line - 1]
+        return lines[: line - 1] + lines[line:]
+
+    return change
+
+
+def with_obs_swapped(one: int, other: int, *lines_changed: int) -> Callable[[Lines], Lines]:
+    """The log with two OB numbers swapped in some of its ``start`` and ``end`` lines."""
+
+    def change(lines: Lines) -> Lines:
+        swapped = {f'"ob": {one}': f'"ob": {other}', f'"ob": {other}': f'"ob": {one}'}
+        for number in lines_changed:
+            assert '"event": "start"' in lines[number - 1] or '"event": "end"' in lines[number - 1]
+            lines[number - 1] = re.sub(r'"ob": [0-9]+', lambda found: swapped[found[0]], lines[number - 1], count=1)
+        return lines
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("log", "change", "line"),
+    [
+        # SFC 42 answers the delays that are left, one of three here.
+        ("AIRT-03-nested-delay", with_ret(9, "W#16#0002"), 9),
+        # A single start point in the past cannot be activated.
+        ("TINT-61-act-of-a-past-once", with_ret(4, "W#16#0000"), 4),
+        # This single start point is not past.
+        ("TINT-33-once-0000", with_ret(3, "W#16#80A1"), 3),
+        # OB 40 ends without having started, and after its time.
+        ("AIRT-03-nested-delay", without_start(11), 11),
+        # OB 40 has not started in time when the next line is reached, a call.
+        ("OBS-01-time-of-day-waits-for-hardware-interrupt", without_start(5), 5),
+        # OB 80 ends without having started.
+        ("TINT-14-overrun", without_start(5), 5),
+        # OB 11 was due a minute before OB 10 of the same class.
+        ("OBS-02-order-of-start-events-in-a-class", with_obs_swapped(10, 11, 9, 10, 11, 12), 9),
+        # OB 82 has no start event yet.
+        ("OBS-01-hardware-interrupt-preempts-time-of-day", with_obs_swapped(40, 82, 6, 8, 9, 10), 6),
+        # OB 10 is not due yet.
+        ("OBS-01-time-of-day-waits-for-hardware-interrupt", with_obs_swapped(10, 40, 5, 7, 8, 9), 5),
+    ],
+)
+def test_changed_log_is_rejected(
+    log: str,
+    change: Callable[[Lines], Lines],
+    line: int,
+    tmp_path: Path,
+    judge: Callable[[Path], Report],
+) -> None:
+    """One change to an accepted log is found at the line where it shows."""
+    changed = tmp_path / "changed.ndjson"
+    lines = (TRACES / "accept" / f"{log}.ndjson").read_text(encoding="utf-8").splitlines()
+    changed.write_text("\n".join(change(lines)) + "\n", encoding="utf-8")
+    report = judge(changed)
+    assert (report.verdict, report.line) == ("rejected", line), report
+    assert report.requirements
+
+
+HEADER, SECOND, *_ = (TRACES / "accept" / "TINT-33-once-0000.ndjson").read_text(encoding="utf-8").splitlines()
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "reason"),
+    [
+        ("", None, "the log is empty"),
+        ("garbage\n", 1, "JSON"),
+        (f"{HEADER}\n{SECOND}\n\x00\x01garbage\n", 3, "JSON"),
+        (f"{HEADER}\n{SECOND}\n{SECOND[:-20]}", 3, "JSON"),
+        (HEADER.replace("s7-interrupt-log/1", "s7-interrupt-log/2") + "\n", 1, "s7-interrupt-log/2"),
+    ],
+    ids=["empty", "garbage", "garbage later", "truncated", "other version"],
+)
+def test_unusable_log(
+    text: str, line: int | None, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is not of the format gives exit code 2, and file, line and reason."""
+    log = tmp_path / "log.ndjson"
+    log.write_text(text, encoding="utf-8")
+    assert cli.main(["trace", str(log)]) == 2
+    captured = capsys.readouterr()
+    place = str(log) if line is None else f"{log}:{line}"
+    assert captured.out.startswith(f"{place}: unusable: ")
+    assert reason in captured.out
+    assert captured.err == ""
