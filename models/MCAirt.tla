@@ -16,6 +16,6 @@ MCRestartTypes == {"warm"}
 
 (* What follows a STOP is left to MCRestart. *)
 Bounded == /\ delay <= 3
-           /\ Cardinality(requests) <= 3
+           /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

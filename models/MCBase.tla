@@ -51,6 +51,12 @@ NoInterrupts == {}
 NoStatusWords == {}
 NoRetVals == {}
 NoChangingObs == {}
+NoHoldPossible == FALSE
+
+(* At most n start events wait, and a few more that are open. *)
+\* @type: Int => Bool;
+Waiting(n) == /\ Cardinality({ r \in requests : ~r.open }) <= n
+              /\ Cardinality(requests) <= n + 1
 
 (* The state without `step'. *)
 View == cpuVars

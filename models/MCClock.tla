@@ -17,6 +17,6 @@ MCClockTargets == {Moment(0, 0), Moment(1, 30000), Moment(2, 0)}
 MCRestartTypes == {"warm"}
 
 (* What follows a STOP is left to MCRestart. *)
-Bounded == /\ Cardinality(requests) <= 3
+Bounded == /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

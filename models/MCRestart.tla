@@ -7,7 +7,7 @@ EXTENDS MCBase
 
 MCTodObs == {10, 11}
 MCFamilies == {"S7-400"}
-MCLoads == {{10, 80, 82, 100}, {10, 11, 85, 100, 102}}
+MCLoads == {{10, 80, 82, 100}, {10, 11, 85, 102}}
 MCStep7Settings ==
     { [o \in TodObs |-> IF o = 10 THEN s
         ELSE [NotConfigured EXCEPT !.deselected = TRUE, !.execution = "minute",
@@ -23,5 +23,5 @@ MCClockTargets == {Moment(0, 30000)}
 MCInterrupts == {<<82, 0>>}
 MCRestartTypes == {"warm", "cold"}
 
-Bounded == delay <= 1 /\ Cardinality(requests) <= 2
+Bounded == delay <= 1 /\ Waiting(1)
 =============================================================================

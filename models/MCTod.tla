@@ -38,6 +38,6 @@ SetTableProp ==
 
 (* What follows a STOP is left to MCRestart. *)
 Bounded == /\ delay <= 1
-           /\ Cardinality(requests) <= 2
+           /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

@@ -20,6 +20,6 @@ MCRestartTypes == {"warm"}
 AnyOrder(r) == TRUE
 
 Bounded == /\ delay <= 1
-           /\ Cardinality(requests) <= 3
+           /\ Waiting(2)
            /\ mode = "STOP" => clock = Moment(0, 30000)
 =============================================================================

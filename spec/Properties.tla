@@ -172,7 +172,7 @@ AirtHoldsProp == [][Dispatched => delay = 0]_vars
 AirtKeepsProp ==
     [][ step'.event \in {"DIS_AIRT", "EN_AIRT", "time", "end", "interrupt",
                          "QRY_TINT", "ACT_TINT"}
-          => requests \subseteq requests' ]_vars
+          => { r \in requests : ~r.open } \subseteq requests' ]_vars
 
 (* [AIRT-03] [AIRT-06] [AIRT-07] Counting. *)
 AirtCountProp ==

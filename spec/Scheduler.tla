@@ -35,9 +35,10 @@ Interrupt(o, fault) ==
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack,
                        delay>>
 
-(* What is open has no effect. *)
+(* What is open has no effect: seen when its OB could start. *)
 \* @type: $request => Bool;
 Drop(r) ==
+    /\ MayStart(r)
     /\ r.open
     /\ requests' = Close(requests \ {r})
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,

@@ -55,7 +55,7 @@ NextPoint(t, m, reading) ==
                   \/ (t.gapFrom <= p /\ p <= t.gapTo)
         THEN p
         ELSE FirstPoint(t.start, t.period,
-               IF p < t.gapFrom /\ t.gapFrom <= t.servedTo THEN t.gapFrom
+               IF p < t.gapFrom /\ t.gapFrom <= t.gapTo THEN t.gapFrom
                                                            ELSE t.servedTo + 1)
 
 \* @type: ($tod, $moment) => $tod;
@@ -217,7 +217,8 @@ Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
 Served(t, p) ==
     IF ~Remembers \/ p < t.servedFrom THEN t
     ELSE [ t EXCEPT !.servedFrom = IF t.servedTo < 0 THEN p ELSE @,
-                    !.servedTo   = IF p > @ THEN p ELSE @ ]
+                    !.servedTo   = IF p > @ THEN p ELSE @,
+                    !.gapFrom    = IF @ <= p /\ p <= t.gapTo THEN p + 1 ELSE @ ]
 
 (* Of the points from p until next the OB is called for the first alone.    *)
 (* Of several gaps their hull is kept.                                     *)

@@ -143,7 +143,7 @@ HEADER, SECOND, *_ = (TRACES / "accept" / "TINT-33-once-0000.ndjson").read_text(
 @pytest.mark.parametrize(
     ("text", "line", "reason"),
     [
-        ("", None, "the log is empty"),
+        ("", 1, "an empty log"),
         ("garbage\n", 1, "JSON"),
         (f"{HEADER}\n{SECOND}\n\x00\x01garbage\n", 3, "JSON"),
         (f"{HEADER}\n{SECOND}\n{SECOND[:-20]}", 3, "JSON"),
@@ -151,15 +151,12 @@ HEADER, SECOND, *_ = (TRACES / "accept" / "TINT-33-once-0000.ndjson").read_text(
     ],
     ids=["empty", "garbage", "garbage later", "truncated", "other version"],
 )
-def test_unusable_log(
-    text: str, line: int | None, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_unusable_log(text: str, line: int, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What is not of the format gives exit code 2, and file, line and reason."""
     log = tmp_path / "log.ndjson"
     log.write_text(text, encoding="utf-8")
     assert cli.main(["trace", str(log)]) == 2
     captured = capsys.readouterr()
-    place = str(log) if line is None else f"{log}:{line}"
-    assert captured.out.startswith(f"{place}: unusable: ")
+    assert captured.out.startswith(f"{log}:{line}: unusable: ")
     assert reason in captured.out
     assert captured.err == ""

@@ -1,0 +1,24 @@
+------------------------------- MODULE MCHold -------------------------------
+(***************************************************************************)
+(* HOLD and release, with points that pass meanwhile and the clock set in  *)
+(* HOLD (section 5.4).                                                     *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCFamilies == {"S7-300"}
+MCLoads == {{10, 40, 80, 85}, {10, 40, 85}}
+MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
+MCMoments == HalfMinutes(0, 2)
+MCPowerOnMoments == {Moment(0, 30000)}
+MCClockTargets == {Moment(2, 0)}
+MCInterrupts == {<<40, 0>>}
+MCRestartTypes == {"warm"}
+
+\* @type: Bool;
+Holding == TRUE
+
+Bounded == /\ delay <= 1
+           /\ Waiting(1)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================

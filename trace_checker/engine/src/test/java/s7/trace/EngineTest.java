@@ -1,0 +1,106 @@
+package s7.trace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+import com.google.gson.JsonObject;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+
+class EngineTest {
+  private static final String FINISH = "{'finish': true}";
+  private static final JsonObject ACCEPTED_ONE = Tiny.json("{'verdict': 'accepted', 'events': 1}");
+
+  private static Specification spec;
+
+  @BeforeAll
+  static void load() {
+    spec = Tiny.load();
+  }
+
+  /** The answers to the lines, which are written as the Python side writes them, without spaces. */
+  private static List<JsonObject> serve(String... lines) throws IOException {
+    var printed = new ByteArrayOutputStream();
+    String input = String.join("\n", lines).replace('\'', '"').replace("\": ", "\":");
+    new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8))
+        .serve(new BufferedReader(new StringReader(input)));
+    return printed.toString(StandardCharsets.UTF_8).lines().map(Tiny::json).toList();
+  }
+
+  private static String begin(int first) {
+    return "{'begin': {'first': " + first + "}}";
+  }
+
+  private static String read(int line, int value) {
+    return "{'line': " + line + ", 'event': 'read', 'value': " + value + "}";
+  }
+
+  @Test
+  @DisplayName("a log without events is accepted")
+  void empty() throws IOException {
+    assertEquals(
+        List.of(Tiny.json("{'verdict': 'accepted', 'events': 0}")), serve(begin(0), FINISH));
+  }
+
+  @Test
+  @DisplayName("logs follow each other, each with its own state and count")
+  void severalLogs() throws IOException {
+    assertEquals(
+        List.of(ACCEPTED_ONE, ACCEPTED_ONE),
+        serve(begin(10), read(2, 10), FINISH, begin(20), read(2, 20), FINISH));
+  }
+
+  @Test
+  @DisplayName("a rejection comes at once, with its line, and nothing else comes for this log")
+  void rejection() throws IOException {
+    var rejected =
+        Tiny.json(
+            "{'line': 3, 'expected': [{'event': 'read', 'value': 10}],"
+                + " 'requirements': ['TINY-01'], 'verdict': 'rejected', 'events': 1}");
+    assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
+    assertEquals(
+        List.of(rejected),
+        serve(begin(10), read(2, 10), read(3, 11), read(4, 12), "no JSON", FINISH));
+  }
+
+  @Test
+  @DisplayName("the log after a rejected one is judged")
+  void afterRejection() throws IOException {
+    var answers = serve(begin(10), read(2, 11), read(3, 11), FINISH, begin(20), read(2, 20), FINISH);
+    assertEquals("rejected", answers.get(0).get("verdict").getAsString());
+    assertEquals(List.of(ACCEPTED_ONE), answers.subList(1, answers.size()));
+  }
+
+  @Test
+  @DisplayName("an event that the specification does not have is an error with its line")
+  void foreignEvent() throws IOException {
+    var answers =
+        serve(begin(10), read(2, 10), "{'line': 3, 'event': 'hold'}", read(4, 10), FINISH,
+            begin(20), read(2, 20), FINISH);
+    assertEquals(2, answers.size());
+    assertEquals("error", answers.get(0).get("verdict").getAsString());
+    assertEquals(3, answers.get(0).get("line").getAsInt());
+    assertEquals(1, answers.get(0).get("events").getAsInt());
+    assertTrue(answers.get(0).get("message").getAsString().contains("hold"));
+    assertEquals(ACCEPTED_ONE, answers.get(1));
+  }
+
+  @Test
+  @DisplayName("a header that the specification cannot judge is an error without a line")
+  void foreignHeader() throws IOException {
+    var answers = serve("{'begin': {'foreign': ['AMB-99']}}", read(2, 0), FINISH);
+    assertEquals(1, answers.size());
+    assertEquals("error", answers.get(0).get("verdict").getAsString());
+    assertEquals(false, answers.get(0).has("line"));
+    assertTrue(answers.get(0).get("message").getAsString().contains("AMB-99"));
+  }
+}

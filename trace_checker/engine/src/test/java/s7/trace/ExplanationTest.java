@@ -1,0 +1,121 @@
+package s7.trace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Set;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+
+class ExplanationTest {
+  private static Specification spec;
+
+  @BeforeAll
+  static void load() {
+    spec = Tiny.load();
+  }
+
+  private static Explanation begin(String header) {
+    return new Explanation(spec, Tiny.json(header));
+  }
+
+  private static Explanation.Refusal observe(Explanation explanation, String event) {
+    return explanation.observe(Tiny.json(event));
+  }
+
+  @Test
+  @DisplayName("the header may leave several states, each of them once")
+  void header() {
+    assertEquals(1, begin("{}").size());
+    assertEquals(3, begin("{'first': 5, 'choices': [5, 6, 7]}").size());
+  }
+
+  @Test
+  @DisplayName("an event leaves the states that explain it")
+  void narrowing() {
+    var explanation = begin("{'choices': [10, 20]}");
+    assertNull(observe(explanation, "{'event': 'read', 'value': 20}"));
+    assertEquals(1, explanation.size());
+  }
+
+  @Test
+  @DisplayName("states that have become equal are counted once")
+  void merging() {
+    var explanation = begin("{'choices': [10, 20]}");
+    assertNull(observe(explanation, "{'event': 'set', 'value': 3}"));
+    assertEquals(1, explanation.size());
+  }
+
+  @Test
+  @DisplayName("silent steps are taken, any number of them, before an event")
+  void silentClosure() {
+    for (int value : new int[] {1, 2, 4, 8}) {
+      assertNull(observe(begin("{'first': 1}"), "{'event': 'read', 'value': " + value + "}"));
+    }
+    for (int value : new int[] {3, 16}) {
+      assertNotNull(observe(begin("{'first': 1}"), "{'event': 'read', 'value': " + value + "}"));
+    }
+  }
+
+  @Test
+  @DisplayName("time elapses to the event, step by step")
+  void elapsing() {
+    var explanation = begin("{}");
+    assertNull(observe(explanation, "{'event': 'set', 'at': 500, 'value': 9}"));
+    assertNull(observe(explanation, "{'event': 'read', 'at': 500, 'value': 9}"));
+    assertNull(observe(explanation, "{'event': 'read', 'at': 501, 'value': 9}"));
+  }
+
+  @Test
+  @DisplayName("a refusal has what each state allows and what decides, and the states stay")
+  void refusal() {
+    var explanation = begin("{'first': 10, 'choices': [20]}");
+    var refusal = observe(explanation, "{'event': 'read', 'value': 30}");
+    assertEquals(
+        List.of(
+            Tiny.json("{'event': 'read', 'value': 10}"), Tiny.json("{'event': 'read', 'value': 20}")),
+        refusal.expected());
+    assertEquals(Set.of("TINY-01"), refusal.requirements());
+    assertEquals(2, explanation.size());
+  }
+
+  @Test
+  @DisplayName("an event that no time can elapse to comes too late")
+  void tooLate() {
+    var refusal = observe(begin("{'first': 99}"), "{'event': 'read', 'at': 1, 'value': 99}");
+    assertEquals(List.of(Tiny.json("{'event': 'set', 'value': 0}")), refusal.expected());
+    assertEquals(Set.of("TINY-02"), refusal.requirements());
+  }
+
+  @Test
+  @DisplayName("as many states as the limit are followed, one more is too many")
+  void limit() {
+    var most = "{'event': 'any', 'value': " + Explanation.MOST_STATES + "}";
+    var explanation = begin("{}");
+    assertNull(observe(explanation, most));
+    assertEquals(Explanation.MOST_STATES, explanation.size());
+    var more = "{'event': 'any', 'value': " + (Explanation.MOST_STATES + 1) + "}";
+    var error = assertThrows(NotCovered.class, () -> observe(begin("{}"), more));
+    assertTrue(error.getMessage().contains(String.valueOf(Explanation.MOST_STATES)));
+  }
+
+  @Test
+  @DisplayName("an event that the specification does not have is named")
+  void foreignEvent() {
+    var error = assertThrows(NotCovered.class, () -> observe(begin("{}"), "{'event': 'hold'}"));
+    assertTrue(error.getMessage().contains("hold"));
+  }
+
+  @Test
+  @DisplayName("what the header asks for in vain is named")
+  void foreignHeader() {
+    var error = assertThrows(NotCovered.class, () -> begin("{'foreign': ['AMB-99']}"));
+    assertTrue(error.getMessage().contains("AMB-99"));
+  }
+}

@@ -1,0 +1,45 @@
+------------------------------- MODULE Explain ------------------------------
+(***************************************************************************)
+(* A specification for the engine's own tests: a counter that can be read, *)
+(* set, and set to any number up to a limit.  Before it is read it may     *)
+(* double unseen while it is under 8.  At Full no time elapses.            *)
+(***************************************************************************)
+EXTENDS Integers
+
+VARIABLES count, time
+
+Full == 99
+
+NoHeader == [first |-> 0, choices |-> {}, foreign |-> {}]
+NoEvent == [event |-> "", line |-> 0, at |-> 0, value |-> 0]
+Explained == {"read", "set", "any"}
+NotCovered(h) == h.foreign
+
+Init == count = 0 /\ time = 0
+
+Begin(h) == count' \in {h.first} \cup h.choices /\ time' = 0
+
+Arrived(e) == time = e.at
+Elapse(e) == /\ count # Full
+             /\ time < e.at
+             /\ time' = time + 1
+             /\ count' = count
+
+Stirs == count > 0
+Silent == /\ count < 8
+          /\ count' = 2 * count
+          /\ time' = time
+
+Observe(e) ==
+    /\ CASE e.event = "read" -> count = e.value /\ count' = count
+         [] e.event = "set"  -> count' = e.value
+         [] e.event = "any"  -> count' \in 1..e.value
+    /\ time' = time
+
+Expected(e) == {[event |-> "read", value |-> count]}
+Deciding(e) == {"TINY-01"}
+TooLate(e) == {[event |-> "set", value |-> 0]}
+LateRequirements(e) == {"TINY-02"}
+
+Next == Silent
+=============================================================================
