@@ -16,5 +16,5 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
 MCRestartTypes == {"warm"}
 
-Bounded == delay <= 1 /\ Waiting(2)
+Bounded == delay <= 1 /\ Waiting(1)
 =============================================================================

@@ -99,7 +99,8 @@ ClockSet(to) ==
         /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back),
               deferred \in IF mode = "HOLD" THEN BOOLEAN ELSE {FALSE} :
              /\ tod' = [ o \in DOMAIN tod |->
-                          IF deferred /\ o \in skipped THEN tod[o]
+                          IF mode = "STOP" THEN Repeating(tod[o], to)
+                          ELSE IF deferred /\ o \in skipped THEN tod[o]
                           ELSE Rearmed(to, unserved)[o] ]
              /\ IF back
                 THEN cpu' = [cpu EXCEPT !.readings = ReadingsWith(unserved, anew)]

@@ -72,7 +72,6 @@ Run ==
     /\ mode = "STARTUP"
     /\ startup = "begun" \/ StartupOb(startup) \notin loaded
     /\ stack = <<>>
-    /\ stopCause = NoCause
     /\ mode'    = "RUN"
     /\ startup' = "none"
     /\ UNCHANGED <<cpu, loaded, clock, tod, requests, stack, delay,

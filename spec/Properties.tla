@@ -141,7 +141,9 @@ RunOnlyProp == [][ Dispatched /\ step'.ob \notin AsyncErrorObs
 (* Nothing else happens while an OB could start [AIRT-08] [OBS-03]. *)
 AtOnceProp ==
     [][ \A r \in requests :
-          /\ mode = "RUN" /\ delay = 0 /\ r.class > Top(stack).class
+          /\ \/ mode = "RUN"
+             \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
+          /\ delay = 0 /\ r.class > Top(stack).class
           /\ r.follows = 0
           => step'.event \in {"start", "missing", "dropped", "stop", "switch"} ]_vars
 
@@ -150,7 +152,8 @@ EndProp ==
     [][ Did("end") => /\ stack # <<>>
                       /\ step'.ob = Top(stack).ob
                       /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-                      /\ UNCHANGED <<mode, clock, tod, requests>> ]_vars
+                      /\ UNCHANGED <<mode, clock, tod>>
+                      /\ step'.ob # ProgramErrorOb => UNCHANGED requests ]_vars
 
 (* OB 1 starts where nothing runs. *)
 CycleProp == [][Started(CycleOb) => mode = "RUN" /\ stack = <<>>]_vars
@@ -170,7 +173,8 @@ AirtHoldsProp == [][Dispatched => delay = 0]_vars
 (* [AIRT-02] A delay loses nothing: requests leave only by a start, a       *)
 (* missing OB, a withdrawal, or the end of all.                            *)
 AirtKeepsProp ==
-    [][ step'.event \in {"DIS_AIRT", "EN_AIRT", "time", "end", "interrupt",
+    [][ \/ Did("end") /\ step'.ob # ProgramErrorOb
+        \/ step'.event \in {"DIS_AIRT", "EN_AIRT", "time", "interrupt",
                          "QRY_TINT", "ACT_TINT"}
           => { r \in requests : ~r.open } \subseteq requests' ]_vars
 
@@ -202,7 +206,8 @@ MissingProp ==
 (* a time error without OB 80, a program error without OB 85, another      *)
 (* asynchronous error without its OB, a deselected OB at STARTUP.          *)
 StopCauseProp ==
-    [][ stopCause = NoCause /\ stopCause' # NoCause =>
+    [][ /\ Did("stop") => stopCause # NoCause
+        /\ stopCause = NoCause /\ stopCause' # NoCause =>
           \/ stopCause' = \h4568 /\ 80 \notin loaded
           \/ stopCause' = \h456D /\ 85 \notin loaded
           \/ stopCause' = 0 /\ Did("missing")
@@ -220,7 +225,6 @@ ModeProp ==
         /\ Did("restart") => mode = "STOP" /\ mode' = "STARTUP"
         /\ Did("run") => /\ mode = "STARTUP"
                          /\ stack = <<>>
-                         /\ stopCause = NoCause
                          /\ startup = "begun" \/ loaded \cap StartupObs = {}
                               \/ StartupOb(startup) \notin loaded
         /\ mode # "RUN" /\ mode' = "RUN" => Did("run") \/ Did("release")

@@ -54,7 +54,7 @@ NoSkipProp ==
 (* first one of its series.                                                *)
 RearmProp ==
     [][ Did("clock") =>
-          \A o \in TodObs : tod[o].active /\ mode # "HOLD" =>
+          \A o \in TodObs : tod[o].active /\ mode \notin {"STOP", "HOLD"} =>
             /\ ~Before(At(tod'[o].next), clock')
             /\ /\ cpu.family = "S7-300" /\ tod[o].period = Minutely
                /\ ~Before(clock', At(tod[o].start))

@@ -36,17 +36,23 @@ PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 \* @type: (Set($request), Int) => Bool;
 OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
+(* Start events of points that are reached together, and the time errors    *)
+(* of such points, come in any order [AMB-29].                             *)
+\* @type: ($request, $request) => Bool;
+OfOnePoint(r, s) ==
+    /\ r.since = s.since /\ r.follows = s.follows /\ r.fault = s.fault
+    /\ \/ r.ob \in TodObs /\ s.ob \in TodObs /\ r.ob # s.ob
+       \/ /\ r.ob = TimeErrorOb /\ s.ob = TimeErrorOb
+          /\ r.cause \in TodObs /\ s.cause \in TodObs /\ r.cause # s.cause
+
 (* The place of a start event that occurs now. *)
 \* @type: (Set($request), $request) => Int;
 PlaceIn(q, new) ==
     LET class == { r \in q : r.class = new.class }
         last  == Cardinality({ r.rank : r \in class })
-        same  == { r \in class : /\ r.ob \in TodObs /\ new.ob \in TodObs
-                                 /\ r.since = new.since
-                                 /\ r.follows = new.follows }
-    IN  IF same # {} /\ \E r \in same : r.ob # new.ob
-        THEN (CHOOSE r \in same : TRUE).rank
-        ELSE last + 1
+        same  == { r \in class : /\ r.rank = last
+                                 /\ OfOnePoint(r, new) }
+    IN  IF same = {} THEN last + 1 ELSE last
 
 (* Start events that occur together share a place. *)
 \* @type: (Set($request), Set($request)) => Set($request);
@@ -62,12 +68,15 @@ Close(q) ==
           { s.rank : s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } })]
       : r \in q }
 
-(* What was open and was passed over in its queue has had no effect. *)
+(* The request r, next in its queue, leaves.  What was open and was passed  *)
+(* over has had no effect.                                                 *)
 \* @type: (Set($request), $request) => Set($request);
 Remove(q, r) ==
-    IF q = {r} THEN {}
-    ELSE Close({ s \in q : /\ s # r
-                           /\ s.open => s.class # r.class \/ s.rank >= r.rank })
+    LET rest == { s \in q : s # r /\ (s.class = r.class => s.rank >= r.rank) }
+        gone == IF \E s \in rest : s.class = r.class /\ s.rank = r.rank
+                THEN r.rank - 1 ELSE r.rank
+    IN  { IF s.class = r.class THEN [s EXCEPT !.rank = @ - gone] ELSE s
+          : s \in rest }
 
 \* @type: (Set($request), Int) => Set($request);
 Withdraw(q, o) ==
@@ -83,13 +92,13 @@ TodRequest(o, since, follows) ==
       since |-> since, word |-> tod[o].period, late |-> {}, cause |-> 0,
       during |-> 0, follows |-> follows, open |-> FALSE ]
 
-(* A start event from outside.  The clock of its start is not kept. *)
+(* A start event from outside. *)
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==
     [ ob |-> o,
       class |-> IF o \in AsyncErrorObs THEN ErrorClass(o, fault)
                                        ELSE ClassOf(o),
-      rank |-> 0, fault |-> fault, since |-> At(0), word |-> 0, late |-> {},
+      rank |-> 0, fault |-> fault, since |-> clock, word |-> 0, late |-> {},
       cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
 
 (* A time error; `cause' is the OB that was requested [AMB-27]. *)
@@ -151,8 +160,8 @@ Undelayed == delay = 0
 
 (* [OBS-02] [TINT-12] *)
 \* @type: $request => Bool;
-InTurn(r) == \A q \in requests :
-               q.class = r.class => q.rank >= r.rank \/ q.open
+InTurn(r) ==
+    { q \in requests : q.class = r.class /\ q.rank < r.rank /\ ~q.open } = {}
 
 (* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
 \* @type: $request => Bool;

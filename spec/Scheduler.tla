@@ -61,6 +61,10 @@ Start(r) ==
     /\ tod'      = TodAfterCall(r.ob)
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, delay, stopCause>>
 
+(* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
+Excused == { [ r EXCEPT !.open = @ \/ (r.ob \notin loaded \cup AsyncErrorObs) ]
+             : r \in requests }
+
 (* [AIRT-04] The delay count falls to 0 when the OB has been processed. *)
 \* @type: Int => Bool;
 End(o) ==
@@ -68,8 +72,8 @@ End(o) ==
     /\ mode # "HOLD"
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
     /\ delay' = 0
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
-                   stopCause>>
+    /\ requests' = IF o = ProgramErrorOb THEN Excused ELSE requests
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stopCause>>
 
 (* [TINT-16] [OBS-20] [AMB-44] The OB is missing when it would start: OB 85, *)
 (* once for all missing OBs or once for each [AMB-45].  The source stays as *)

@@ -185,14 +185,15 @@ ActTint(o, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
-(* [TINT-72] .. [TINT-79]; bit 0 of a deselected OB is not judged [AMB-03], *)
+(* [TINT-72] .. [TINT-79]; bit 0 of a deselected OB in RUN is not judged     *)
+(* [AMB-03],                                                               *)
 (* nor bit 2 of an interrupt without a further point [AMB-68].             *)
 \* @type: Int => Set(Int);
 Statuses(o) ==
     LET startingUp == IF mode = "STARTUP" THEN 1 ELSE 0
-        bit0 == IF Deselected(o) THEN {0, 1} ELSE {startingUp}
+        bit0 == IF Deselected(o) /\ mode = "RUN" THEN {0, 1} ELSE {startingUp}
         bit2 == IF ~tod[o].active THEN {0}
-                ELSE IF tod[o].next = Never /\ ~PendingIn(requests, o)
+                ELSE IF tod[o].next = Never /\ tod[o].period # Once
                 THEN {0, 4} ELSE {4}
         bit4 == IF o \in loaded THEN 16 ELSE 0
     IN  { b + c + bit4 : b \in bit0, c \in bit2 }
@@ -237,7 +238,8 @@ Ordinary(o, p) ==
 (* ... to a time error [TINT-14], with a run that follows it or without ... *)
 \* @type: (Int, Int, Int, Bool) => Bool;
 Overlap(o, p, fault, again) ==
-    LET error == TimeError(fault, {o}, o, tod[o].period)
+    LET error == [ TimeError(fault, {o}, o, tod[o].period) EXCEPT
+                     !.since = At(p) ]
         runs  == IF again
                  THEN Enter(requests, TodRequest(o, At(p), StillRunning))
                  ELSE requests
@@ -273,14 +275,12 @@ PointReached(o) ==
         /\ clock = At(p)  \* no point is watched unless it is active
         /\ tod' = [tod EXCEPT ![o] =
                       Armed(Served(@, p), [min |-> p, ms |-> 1])]
-        /\ CASE Deselected(o) -> Nothing
-             [] ~Deselected(o) /\ mode = "STARTUP" ->
-                  IF PendingIn(requests, o) THEN Nothing ELSE Ordinary(o, p)
-             [] ~Deselected(o) /\ mode = "RUN" /\ OnStack(o) ->
-                  Overlap(o, p, StillRunning, ~PendingIn(requests, o))
-             [] ~Deselected(o) /\ mode = "RUN" /\ ~OnStack(o) ->
-                  IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
-                  ELSE IF OpenIn(requests, o) THEN AgainWhileOpen(o, p)
-                  ELSE Ordinary(o, p)
+        /\ IF Deselected(o) THEN Nothing
+           ELSE IF mode = "STARTUP" /\ PendingIn(requests, o) THEN Nothing
+           ELSE IF OnStack(o)
+           THEN Overlap(o, p, StillRunning, ~PendingIn(requests, o))
+           ELSE IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
+           ELSE IF OpenIn(requests, o) THEN AgainWhileOpen(o, p)
+           ELSE Ordinary(o, p)
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
 =============================================================================

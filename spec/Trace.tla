@@ -101,11 +101,12 @@ CpuOf(h) ==
                                   deselected |-> s.deselected ]
                        ELSE NoParameters ] ]
 
-(* In RUN a once that STEP 7 set in the past has been called already.       *)
-\* @type: ($header, Int) => $tod;
-TodAtBegin(h, o) ==
+(* In RUN a once that STEP 7 set in the past has been called already, and   *)
+(* so may a point have been that equals the clock.                         *)
+\* @type: ($header, Int, Int) => $tod;
+TodAtBegin(h, o, called) ==
     LET t == Configured(CpuOf(h).step7[o])
-        n == FirstPoint(t.start, t.period, MinuteFrom(h.clock))
+        n == FirstPoint(t.start, t.period, MinuteFrom(h.clock) + called)
     IN  IF ~t.active THEN t
         ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN NoSetting
         ELSE [t EXCEPT !.next = n]
@@ -119,8 +120,9 @@ Begin(h) ==
     /\ mode'   = h.mode
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
     /\ clock'  = h.clock
-    /\ tod'    = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
-                                                       ELSE TodAtBegin(h, o) ]
+    /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
+         tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
+                                   ELSE TodAtBegin(h, o, called) ]
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
     /\ stack'  = IF h.mode = "RUN" THEN <<Frame(CycleOb, 1)>> ELSE <<>>
     /\ delay'  = 0
@@ -181,7 +183,7 @@ PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
 
 \* @type: Int => Bool;
 InTime(d) ==
-    \A c \in DOMAIN waiting : waiting[c] + d <= terms.latency \/ c > 100
+    { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
 
 (* What was open and could have started, but has not in time. *)
 \* @type: Int => Set($request);
@@ -297,9 +299,7 @@ FitsTime(r, time) ==
                                     ELSE r.fault \in Skips /\ r.late # {}
     IN  \/ time = NoMoment
         \/ time = r.since
-        \/ /\ ~exact
-            /\ \/ r.ob \notin TodObs
-               \/ ~Before(time, r.since) /\ ~Before(clock, time)
+        \/ ~exact /\ ~Before(time, r.since) /\ ~Before(clock, time)
 
 \* @type: ($request, $info) => Bool;
 FitsRequest(r, i) ==
@@ -308,7 +308,7 @@ FitsRequest(r, i) ==
        THEN \A f \in {i.flt_id, i.strt_info} :
               \/ Fits(f, r.fault)
               \/ r.fault \in ObNotLoaded /\ f \in ObNotLoaded  \* AMB-28
-       ELSE Fits(i.strt_info, EventOf(r.ob) % 256)
+       ELSE EventOf(r.ob) = -1 \/ Fits(i.strt_info, EventOf(r.ob) % 256)
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
     /\ IF r.fault \in Skips /\ r.late # {}
        THEN Fits(i.error_info, LateMask(r.late))
@@ -326,16 +326,20 @@ FitsRequest(r, i) ==
 IsStart(e) ==
     CASE e.ob = CycleOb ->
            /\ Fits(e.info.priority, 1)
+           /\ e.info.strt_info \in {-1} \cup (1..4)
            /\ \/ CycleStarts
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
                  /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod,
                                 requests, stack, stopCause>>
       [] e.ob \in StartupObs ->
-           Fits(e.info.priority, 27) /\ StartupStarts(e.ob)
+           /\ Fits(e.info.priority, 27)
+           /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
+                                                          ELSE \h85..\h86)
+           /\ StartupStarts(e.ob)
       [] OTHER ->
-           \E r \in requests :
-             r.ob = e.ob /\ FitsRequest(r, e.info) /\ Start(r)
+           \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e.info) } :
+             Start(r)
 
 \* @type: $event => Bool;
 IsClock(e) ==
@@ -346,8 +350,9 @@ IsClock(e) ==
 IsStop(e) ==
     /\ Stop
     /\ \/ e.cause = -1
-       \/ /\ MissingNow = {}
+       \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
+       \/ delay > 0  \* the rule may come when the delay ends [AMB-49]
 
 \* @type: $event => Bool;
 Observe(e) ==
@@ -375,7 +380,7 @@ Observe(e) ==
          [] e.event = "load" -> LoadedAre(loaded \cup {e.ob})
          [] e.event = "delete" -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart" -> Restart(e.type)
-         [] e.event = "run" -> Run
+         [] e.event = "run" -> Run /\ stopCause = NoCause  \* [OBS-25]
          [] e.event = "hold" -> Hold
          [] e.event = "release" -> Release
          [] e.event = "stop" -> IsStop(e)
