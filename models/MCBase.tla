@@ -43,13 +43,21 @@ AirtRetVals == {0, 1, 2, 3, 4, NotDelayed}
 TodStatusWords == {-1, 0, 1, 2, 4, 5, 16, 17, 20, 21, 32, 64}
 
 (* Where a model leaves something out. *)
+\* @type: Set(Int);
 NoObNumbers == {}
+\* @type: Set($date);
 NoSdts == {}
+\* @type: Set(Int);
 NoWords == {}
+\* @type: Set($moment);
 NoClockTargets == {}
+\* @type: Set(<<Int, Int>>);
 NoInterrupts == {}
+\* @type: Set(Int);
 NoStatusWords == {}
+\* @type: Set(Int);
 NoRetVals == {}
+\* @type: Set(Int);
 NoChangingObs == {}
 NoHoldPossible == FALSE
 

@@ -19,4 +19,9 @@ MCRestartTypes == {"warm"}
 (* What follows a STOP is left to MCRestart. *)
 Bounded == /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
+
+(* The full lane: MCClockWide.cfg. *)
+WideClockTargets == MCClockTargets \cup {Moment(0, 30000), Moment(1, 0)}
+Wide == /\ Waiting(3)
+        /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

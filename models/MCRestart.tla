@@ -19,7 +19,7 @@ MCSdts == {Date(1)}
 MCWords == {Once}
 MCMoments == HalfMinutes(0, 1)
 MCPowerOnMoments == {Moment(0, 30000)}
-MCClockTargets == {Moment(0, 30000)}
+MCClockTargets == {Moment(1, 30000)}
 MCInterrupts == {<<82, 0>>}
 MCRestartTypes == {"warm", "cold"}
 

@@ -15,6 +15,7 @@ NO_VERDICT = 3
 COMMANDS = {
     "trace": "trace_checker.trace_command:trace_command",
     "models": "trace_checker.models.command:models_command",
+    "verify": "trace_checker.verify_command:verify_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.
 

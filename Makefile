@@ -1,0 +1,64 @@
+# s7-interrupts: every target says what it does; `make` lists them.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+ENGINE := trace_checker/engine/target/s7-trace-engine.jar
+PLC    := examples/soft_plc/build/soft_plc
+
+.DEFAULT_GOAL := help
+.PHONY: help setup verify test models models-smoke models-full typecheck apalache lint bench clean
+
+help:  ## list the targets
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
+
+setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install what is needed: .venv, the engine, the soft PLC
+
+verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs
+	$(BIN)/s7check verify
+
+test: setup  ## all tests: Python, models harness, engine, soft PLC
+	$(BIN)/python -m pytest -q trace_checker/tests
+	cd trace_checker/engine && mvn -q -B test
+	$(MAKE) -s -C examples/soft_plc test
+
+models: setup  ## model-check the CI lane
+	$(BIN)/s7check models --lane ci
+
+models-smoke: setup  ## model-check the smoke lane
+	$(BIN)/s7check models --lane smoke
+
+models-full: setup  ## model-check everything
+	$(BIN)/s7check models --lane full
+
+typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
+	models/apalache.sh typecheck
+
+apalache:  ## bounded checks with Apalache (APALACHE_HOME or PATH)
+	models/apalache.sh check
+
+lint: setup  ## ruff and mypy
+	$(BIN)/ruff check trace_checker bench
+	$(BIN)/mypy trace_checker
+
+bench: setup  ## speed of the trace checker beside TLC on the same log
+	$(BIN)/python bench/run.py
+
+clean:  ## remove what was built
+	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build
+
+$(BIN)/s7check: requirements.lock pyproject.toml
+	@echo "setting up $(VENV)"
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps -e .
+	@touch $@
+
+$(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/main -name '*.java')
+	@echo "building the engine"
+	cd trace_checker/engine && mvn -q -B package -DskipTests
+	@touch $@
+
+$(PLC): $(wildcard examples/soft_plc/src/*.c examples/soft_plc/src/*.h)
+	@echo "building the soft PLC"
+	$(MAKE) -s -C examples/soft_plc

@@ -1,0 +1,183 @@
+"""``s7check verify``: the project's main job, and a table of what was checked and what was not."""
+
+import json
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from trace_checker.check import check_log
+from trace_checker.engine_client import Engine
+from trace_checker.shipped import difference, shipped_logs
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build" / "verify"
+PLC = ROOT / "examples" / "soft_plc"
+WIDTH_OF_LOG = 140
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: ``failures`` say what failed and what to do; ``run`` is False for what was not run."""
+
+    what: str
+    tool: str
+    size: str
+    seconds: float
+    failures: list[str]
+    run: bool = True
+
+    @property
+    def result(self) -> str:
+        """The word in the table."""
+        if not self.run:
+            return "not run"
+        return "FAILED" if self.failures else "ok"
+
+
+@click.command("verify", short_help="Do the main job of the project: models, soft PLC, shipped logs.")
+def verify_command() -> int:
+    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs.
+
+    Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed, 3 a tool is missing.
+    """
+    BUILD.mkdir(parents=True, exist_ok=True)
+    rows: list[Row] = []
+    for title, step in STEPS.items():
+        click.echo(f"== {title}")
+        rows += step()
+    _print(rows)
+    return 1 if any(row.failures for row in rows) else 0
+
+
+def _models() -> list[Row]:
+    results = BUILD / "models.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "trace_checker", "models", "--lane", "ci", "--json", str(results)]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    if not results.exists():
+        return [Row("models", "TLC", "", seconds, [f"the models were not run (exit code {code}); see above"])]
+    report = json.loads(results.read_bytes())
+    rows = []
+    for kind, models in _by_kind(report["models"]).items():
+        failures = [f"model {m['name']}: {'; '.join(m['problems'])}" for m in models if m["problems"]]
+        states = sum(m["distinct"] or 0 for m in models)
+        size = f"{len(models)} models, {states:,} distinct states"
+        rows.append(Row(f"models: {kind}", _tlc(report), size, sum(m["seconds"] for m in models), failures))
+    if code and not any(row.failures for row in rows):
+        rows.append(Row("models", _tlc(report), "", seconds, [f"s7check models ended with exit code {code}; see above"]))
+    return rows
+
+
+def _tlc(report: dict[str, dict[str, str]]) -> str:
+    return f"TLC {report['tlc']['version']}"
+
+
+def _by_kind(models: list[dict[str, object]]) -> dict[str, list[dict[str, object]]]:
+    kinds: dict[str, list[dict[str, object]]] = {}
+    for model in models:
+        kinds.setdefault(str(model["kind"]), []).append(model)
+    return kinds
+
+
+def _soft_plc() -> list[Row]:
+    scenarios = sorted((PLC / "scenarios").glob("*.scn"))
+    rows = []
+    for name, chosen, options in (
+        ("soft PLC, simulated clock", [s for s in scenarios if s.stem != "real_time"], []),
+        ("soft PLC, real clock", [s for s in scenarios if s.stem == "real_time"], ["--real-time"]),
+    ):
+        begun = time.monotonic()
+        failures, logs = [], []
+        for scenario in chosen:
+            log = BUILD / f"{scenario.stem}.ndjson"
+            run = subprocess.run(
+                [str(PLC / "build" / "soft_plc"), *options, "-o", str(log), str(scenario)],
+                capture_output=True, text=True, check=False,
+            )  # fmt: skip
+            if run.returncode:
+                failures.append(f"soft_plc {scenario.name}: {run.stderr.strip()}")
+            logs.append(log)
+        events, rejected = _check_all(logs)
+        size = f"{len(logs)} scenarios, {events:,} events"
+        rows.append(Row(name, "trace checker", size, time.monotonic() - begun, failures + rejected))
+    return rows
+
+
+def _check_all(logs: list[Path]) -> tuple[int, list[str]]:
+    events, failures = 0, []
+    with Engine() as engine:
+        for log in logs:
+            report = check_log(str(log), engine, lambda _source, _events: None)
+            events += report.events
+            if report.verdict != "accepted":
+                shown = log.relative_to(ROOT)
+                failures.append(f"{shown}:{report.line or ''}: {report.verdict}: {report.message} (s7check trace {shown})")
+    return events, failures
+
+
+def _shipped_logs() -> list[Row]:
+    begun = time.monotonic()
+    events, failures = 0, []
+    shipped = shipped_logs(ROOT / "traces")
+    with Engine() as engine:
+        for expected in shipped:
+            report = check_log(str(ROOT / "traces" / expected.file), engine, lambda _source, _events: None)
+            events += report.events
+            failure = difference(expected, report)
+            if failure:
+                failures.append(failure)
+    if not shipped:
+        failures.append("traces/index.json names no logs")
+    size = f"{len(shipped)} logs, {events:,} events"
+    return [Row("shipped logs, as their index says", "trace checker", size, time.monotonic() - begun, failures)]
+
+
+def _apalache() -> list[Row]:
+    begun = time.monotonic()
+    run = subprocess.run([str(ROOT / "models" / "apalache.sh"), "typecheck"], capture_output=True, text=True, check=False)
+    seconds = time.monotonic() - begun
+    if run.returncode == NOT_FOUND:
+        return [Row("types of spec/", "Apalache", run.stderr.strip(), seconds, [], run=False)]
+    failures = [f"apalache-mc typecheck: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
+    return [Row("types of spec/", "Apalache", f"{run.stdout.count('typecheck ')} modules", seconds, failures)]
+
+
+def _not_in_this_lane() -> list[Row]:
+    reason = "make apalache" if shutil.which("apalache-mc") else "apalache-mc was not found"
+    return [
+        Row("bounded checks of two invariants", "Apalache", reason, 0, [], run=False),
+        Row("models of the full lane", "TLC", "make models-full", 0, [], run=False),
+    ]
+
+
+NOT_FOUND = 3
+"""Exit code of models/apalache.sh where Apalache is not there."""
+
+STEPS: dict[str, Callable[[], list[Row]]] = {
+    "models of the CI lane": _models,
+    "the soft PLC, run and checked": _soft_plc,
+    "the shipped logs": _shipped_logs,
+    "types, where Apalache is there": _apalache,
+    "not run here": _not_in_this_lane,
+}
+
+
+def _print(rows: list[Row]) -> None:
+    console = Console(width=None if sys.stdout.isatty() else WIDTH_OF_LOG)
+    table = Table("checked", "by", "result", "size", "seconds")
+    for row in rows:
+        table.add_row(row.what, row.tool, row.result, row.size, f"{row.seconds:.1f}" if row.run else "")
+    console.print(table)
+    for row in rows:
+        for failure in row.failures:
+            console.print(f"FAILED {row.what}: {failure}", markup=False, highlight=False)
