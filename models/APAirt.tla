@@ -2,8 +2,10 @@
 (***************************************************************************)
 (* The world of MCAirt for Apalache: a bounded check of StackInv [OBS-01]  *)
 (* and AirtInv [AIRT-12], not a proof.                                     *)
-(* apalache-mc check --config=models/APAirt.cfg --length=6                 *)
-(*   --inv=StackInv models/APAirt.tla      (models/apalache.sh check)      *)
+(* Its next-state relation leaves out what the model's bounds exclude in   *)
+(* MCAirt (SFC 28-31, clock set, HOLD, load), since Apalache unfolds every *)
+(* action before it sees that nothing can take it.                         *)
+(* models/apalache.sh check                                                *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -17,4 +19,15 @@ APPowerOnMoments == {Moment(0, 30000)}
 \* @type: Set(<<Int, Int>>);
 APInterrupts == {<<40, 0>>}
 APRestartTypes == {"warm"}
+
+APNext ==
+    \/ Respond
+    \/ /\ ~Pressing
+       /\ \/ \E ret \in AirtRetVals :
+               \/ DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+               \/ EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+          \/ Proceed
+          \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
+          \/ Restart("warm") /\ Seen("restart", 0, 0)
+          \/ Time
 =============================================================================

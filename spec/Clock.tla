@@ -39,19 +39,14 @@ Repeating(t, to) ==
     IF Remembers /\ Before(to, clock) /\ clock.min > t.repeatTo
     THEN [t EXCEPT !.repeatTo = clock.min] ELSE t
 
-(* The interrupts after the clock was set.  A once interrupt whose point    *)
-(* was reached and whose OB waits is not watched for again [AMB-59]        *)
-(* [CLK-12].                                                               *)
+(* The interrupts after the clock was set. *)
 \* @type: ($moment, Str) => (Int -> $tod);
 Rearmed(to, reading) ==
     [ o \in DOMAIN tod |->
         LET t    == Repeating(tod[o], to)
             next == NextPoint(t, to, reading)
             last == FirstPoint(t.start, t.period, t.next + 1)
-        IN  IF \/ ~t.active
-               \/ next = t.next
-               \/ t.period = Once /\ t.next = Never
-            THEN t
+        IN  IF ~t.active \/ next = t.next THEN t
             ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
             ELSE IF Before(At(last), to)
             THEN [ServedOnce(t, t.next, next) EXCEPT !.next = next]

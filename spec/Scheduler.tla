@@ -44,12 +44,23 @@ Drop(r) ==
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,
                    stopCause>>
 
-(* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts. *)
-\* @type: Int => (Int -> $tod);
-TodAfterCall(o) ==
-    IF o \in TodObs /\ tod[o].active /\ tod[o].period = Once
-         /\ tod[o].next = Never
-    THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
+(* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts, also *)
+(* where the clock was set back meanwhile and its point is ahead again      *)
+(* [AMB-59] [CLK-12]; not one that was set anew.                           *)
+\* @type: $request => Bool;
+LastCall(r) ==
+    /\ r.ob \in TodObs /\ tod[r.ob].active /\ tod[r.ob].period = Once
+    /\ tod[r.ob].next = Never \/ r.since = At(tod[r.ob].start)
+
+\* @type: $request => (Int -> $tod);
+TodAfterCall(r) ==
+    IF LastCall(r) THEN [tod EXCEPT ![r.ob] = UsedUp(@)] ELSE tod
+
+(* What else waits for a cancelled interrupt is withdrawn [AMB-11]. *)
+\* @type: $request => Set($request);
+RequestsAfterCall(r) ==
+    IF LastCall(r) THEN Withdraw(Remove(requests, r), r.ob)
+                   ELSE Remove(requests, r)
 
 (* [OBS-01] [OBS-02] [OBS-03] For a request r that waits. *)
 \* @type: $request => Bool;
@@ -57,8 +68,8 @@ Start(r) ==
     /\ MayStart(r)
     /\ r.ob \in loaded
     /\ stack'    = Append(stack, Frame(r.ob, r.class))
-    /\ requests' = Remove(requests, r)
-    /\ tod'      = TodAfterCall(r.ob)
+    /\ requests' = RequestsAfterCall(r)
+    /\ tod'      = TodAfterCall(r)
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, delay, stopCause>>
 
 (* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
@@ -106,7 +117,7 @@ Missing(r) ==
     /\ r.ob \notin loaded
     /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
                                                ELSE ProgramError(r)
-    /\ tod' = TodAfterCall(r.ob)
+    /\ tod' = TodAfterCall(r)
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
 
 (* Blocks are loaded and deleted at any time.  An OB that runs goes on to   *)
