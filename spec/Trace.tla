@@ -389,5 +389,7 @@ Observe(e) ==
 
 Next == Silent
 
-vars == <<cpuVars, traceVars>>
+(* What tells two explanations of a log apart. *)
+Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, requests, stack,
+              delay, stopCause, up, waiting>>
 =============================================================================

@@ -1,7 +1,6 @@
 """How the engine, a Java program beside this package, is started."""
 
 import os
-import tempfile
 from pathlib import Path
 
 from trace_checker.java import JavaMissingError, find_java

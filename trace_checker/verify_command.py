@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.console import Console
@@ -74,7 +75,9 @@ def _models() -> list[Row]:
         size = f"{len(models)} models, {states:,} distinct states"
         rows.append(Row(f"models: {kind}", _tlc(report), size, sum(m["seconds"] for m in models), failures))
     if code and not any(row.failures for row in rows):
-        rows.append(Row("models", _tlc(report), "", seconds, [f"s7check models ended with exit code {code}; see above"]))
+        rows.append(
+            Row("models", _tlc(report), "", seconds, [f"s7check models ended with exit code {code}; see above"])
+        )
     return rows
 
 
@@ -82,8 +85,8 @@ def _tlc(report: dict[str, dict[str, str]]) -> str:
     return f"TLC {report['tlc']['version']}"
 
 
-def _by_kind(models: list[dict[str, object]]) -> dict[str, list[dict[str, object]]]:
-    kinds: dict[str, list[dict[str, object]]] = {}
+def _by_kind(models: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    kinds: dict[str, list[dict[str, Any]]] = {}
     for model in models:
         kinds.setdefault(str(model["kind"]), []).append(model)
     return kinds
@@ -121,7 +124,7 @@ def _check_all(logs: list[Path]) -> tuple[int, list[str]]:
             events += report.events
             if report.verdict != "accepted":
                 shown = log.relative_to(ROOT)
-                failures.append(f"{shown}:{report.line or ''}: {report.verdict}: {report.message} (s7check trace {shown})")
+                failures.append(f"{shown}:{report.line or ''}: {report.verdict} (see s7check trace {shown})")
     return events, failures
 
 
@@ -144,7 +147,9 @@ def _shipped_logs() -> list[Row]:
 
 def _apalache() -> list[Row]:
     begun = time.monotonic()
-    run = subprocess.run([str(ROOT / "models" / "apalache.sh"), "typecheck"], capture_output=True, text=True, check=False)
+    run = subprocess.run(
+        [str(ROOT / "models" / "apalache.sh"), "typecheck"], capture_output=True, text=True, check=False
+    )
     seconds = time.monotonic() - begun
     if run.returncode == NOT_FOUND:
         return [Row("types of spec/", "Apalache", run.stderr.strip(), seconds, [], run=False)]

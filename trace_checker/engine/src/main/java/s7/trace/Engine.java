@@ -1,12 +1,14 @@
 package s7.trace;
 
 import java.io.BufferedReader;
+import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 import com.google.gson.JsonArray;
@@ -44,6 +46,7 @@ public final class Engine {
       System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION");
       System.exit(2);
     }
+    useOwnTemporaryFolder();
     // Standard output belongs to the protocol; TLC's own messages go elsewhere.
     var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
     System.setOut(System.err);
@@ -55,6 +58,23 @@ public final class Engine {
     ready.addProperty("tlc", jarOfTlc());
     engine.print(ready);
     engine.serve(new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)));
+  }
+
+  /** TLC unpacks its modules into the temporary folder, where engines would disturb each other. */
+  private static void useOwnTemporaryFolder() throws IOException {
+    Path own = Files.createTempDirectory("s7-trace-engine");
+    System.setProperty("java.io.tmpdir", own.toString());
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(own.toFile())));
+  }
+
+  private static void delete(File file) {
+    File[] inside = file.listFiles();
+    if (inside != null) {
+      for (File each : inside) {
+        delete(each);
+      }
+    }
+    file.delete();
   }
 
   /** The file name of the TLC at hand; its version is not kept at one place in all releases. */
