@@ -6,7 +6,7 @@
 (*                                                                         *)
 (* Left out: the limits of synchronisation, OB 87 [CLK-15].                *)
 (***************************************************************************)
-EXTENDS TimeOfDay
+EXTENDS StartPoints
 
 (* No start point is left behind: one that equals the clock must have been  *)
 (* dealt with, and the clock stops at the next one.                        *)

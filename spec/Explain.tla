@@ -65,7 +65,8 @@ ActRequirements(e, ret) ==
     CASE ret = OK -> {"TINT-60"}
       [] ret = PastStart -> IF e.ob \in TodObs /\ tod[e.ob].period # Once
                             THEN {"TINT-62"} ELSE {"TINT-61"}
-      [] ret \in {BadOb, NotSet} -> {"TINT-61"}
+      [] ret = NotSet -> {"TINT-61", "TINT-64"}
+      [] ret = BadOb  -> {"TINT-61"}
       [] OTHER -> {"TINT-22"}
 
 (* The requirement of each wrong bit of STATUS. *)
@@ -82,11 +83,13 @@ StatusRequirements(status, right) ==
 AnswerRequirements(e, ret) ==
     CASE e.event = "SET_TINT" -> SetRequirements(e, ret)
       [] e.event = "CAN_TINT" ->
-           IF ret = OK THEN {"TINT-50"} ELSE {"TINT-51"}
+           IF ret = OK THEN {"TINT-50", "TINT-52"} ELSE {"TINT-51"}
       [] e.event = "ACT_TINT" -> ActRequirements(e, ret)
       [] e.event = "QRY_TINT" -> {"TINT-70"}
-      [] e.event = "DIS_AIRT" -> {"AIRT-06"}
-      [] OTHER                -> {"AIRT-07"}
+      [] e.event = "DIS_AIRT" -> {"AIRT-03", "AIRT-06"}
+                                   \cup (IF delay = 0 THEN {"AIRT-04"} ELSE {})
+      [] OTHER                -> {"AIRT-03", "AIRT-07"}
+                                   \cup (IF delay = 0 THEN {"AIRT-04"} ELSE {})
 
 \* @type: $event => Bool;
 AnswerRight(e) == e.ret = -1 \/ e.ret \in RightAnswers(e)
@@ -120,37 +123,63 @@ Expected(e) ==
 -----------------------------------------------------------------------------
 (* The requirements that decide about a line *)
 
+(* The rules that say when an interrupt of this PERIOD is due. *)
+\* @type: Int => Set(Str);
+SeriesRequirements(period) ==
+    {"TINT-11", "TINT-32", "TINT-33"}
+      \cup (CASE period = Hourly     -> {"TINT-34"}
+              [] period = EndOfMonth -> {"TINT-19"}
+              [] period = Monthly    -> {"TINT-18"}
+              [] OTHER               -> {"TINT-24"})
+
 (* Why a point of a time-of-day interrupt has not led to a start event.     *)
 \* @type: Int => Set(Str);
 NoTodRequest(o) ==
-    IF OnStack(o) THEN {"OBS-02"}
-    ELSE IF ~tod[o].set THEN {"TINT-02", "TINT-08", "TINT-50"}
+    IF Deselected(o) THEN {"TINT-02"}
+    ELSE IF OnStack(o) THEN {"OBS-02", "TINT-14"}
+    ELSE IF ~tod[o].set THEN {"TINT-02", "TINT-08", "TINT-50", "TINT-54"}
     ELSE IF ~tod[o].active THEN {"TINT-05"}
-    ELSE {"TINT-32"} \cup (IF tod[o].repeatTo >= clock.min THEN {"CLK-09"} ELSE {})
+    ELSE SeriesRequirements(tod[o].period)
+           \cup {"TINT-10", "CLK-03"}
+           \cup (IF tod[o].repeatTo >= clock.min THEN {"CLK-09"} ELSE {})
 
 \* @type: Int => Set(Str);
 NoRequest(o) ==
     CASE o \in TodObs          -> NoTodRequest(o)
-      [] o = TimeErrorOb       -> {"OBS-30"}
+      [] o = TimeErrorOb       -> {"OBS-30", "CLK-02", "OBS-32"}
       [] o = ProgramErrorOb    -> {"OBS-20"}
-      [] o = CycleOb           -> {"OBS-03"}
-      [] o \in StartupObs      -> {"OBS-42"}
-      [] OTHER                 -> {"OBS-07"}
+      [] o \in {CycleOb} \cup StartupObs ->
+           IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"}
+      [] OTHER                 -> {"OBS-01", "OBS-07"}
+
+(* The start information that a request does not fit. *)
+\* @type: ($request, $info) => Set(Str);
+InfoRequirements(r, i) ==
+    (IF Fits(i.priority, r.class) THEN {} ELSE {"OBS-04"})
+      \cup (IF r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word)
+            THEN {"TINT-25", "TINT-33"} ELSE {})
+      \cup (IF FitsTime(r, i.time) THEN {}
+            ELSE IF r.follows \in Skips THEN {"CLK-07"}
+            ELSE IF r.ob \in TodObs THEN {"TINT-09", "TINT-24"} ELSE {"OBS-10"})
+      \cup (IF r.fault \in Skips THEN {"CLK-06"} ELSE {})
+      \cup (IF r.ob = TimeErrorOb THEN {"OBS-30"}
+            ELSE IF r.ob \in TodObs THEN {"TINT-23"} ELSE {"OBS-10"})
 
 \* @type: ($request, $event) => Set(Str);
 StartRequirements(r, e) ==
     IF ~ModeAllows(r) THEN (IF mode = "STARTUP" THEN {"OBS-42", "TINT-13"}
-                                                ELSE {"OBS-41"})
+                            ELSE IF mode = "HOLD" THEN {"OBS-45"}
+                            ELSE {"OBS-41"})
     ELSE IF r.ob \notin loaded THEN {"TINT-16", "OBS-20"}
-    ELSE IF ~Undelayed THEN {"AIRT-01"}
+    ELSE IF ~Undelayed THEN {"AIRT-01", "AIRT-03"}
+           \cup (IF r.ob \in AsyncErrorObs THEN {"AIRT-09"} ELSE {})
+    ELSE IF r.class = Running.class THEN {"OBS-01", "OBS-02"}
+           \cup (IF r.ob \in TodObs THEN {"TINT-12"} ELSE {})
     ELSE IF ~Preempts(r) THEN {"OBS-01"}
     ELSE IF ~Reported(r) THEN (IF r.follows \in Skips THEN {"CLK-03"}
-                                                             ELSE {"TINT-15"})
+                                                      ELSE {"TINT-15"})
     ELSE IF ~InTurn(r) THEN {"OBS-02"}
-    ELSE IF r.fault \in Skips THEN {"CLK-06"}
-    ELSE IF r.follows \in Skips THEN {"CLK-07"}
-    ELSE IF r.ob = TimeErrorOb THEN {"OBS-30"}
-    ELSE {"OBS-10"}
+    ELSE InfoRequirements(r, e.info)
 
 \* @type: $event => Set(Str);
 Deciding(e) ==
@@ -169,7 +198,8 @@ Deciding(e) ==
       [] e.event = "end"     -> {"OBS-03"}
       [] e.event = "restart" -> {"OBS-40"}
       [] e.event = "run"     -> IF stopCause # NoCause THEN {"OBS-25"}
-                                ELSE {"OBS-42"}
+                                ELSE IF mode = "STARTUP" THEN {"OBS-42"}
+                                ELSE {"OBS-40"}
       [] e.event = "stop"    -> IF mode = "STOP" THEN {"OBS-40"}
                                 ELSE {"OBS-21", "OBS-22"}
       [] OTHER               -> {"OBS-40"}
@@ -178,6 +208,12 @@ Deciding(e) ==
 (* Lines that come too late: something that had to happen has not.          *)
 
 Due == { r \in requests : MayStart(r) /\ ~r.open }
+
+(* Points on the way to the line lead to something that is late as well.    *)
+\* @type: $event => Set(Int);
+DueOnTheWay(e) ==
+    { o \in DOMAIN tod : /\ Watching /\ tod[o].active
+                         /\ ~Before(e.at, At(tod[o].next)) }
 
 (* All that may start is named: which class was late first depends on the   *)
 (* time that had passed when the line was reached.                         *)
@@ -188,31 +224,44 @@ TooLate(e) ==
              : r \in { q \in Due : /\ q.ob \notin loaded
                                    /\ q.ob \notin AsyncErrorObs } }
       \cup { Allowed("start", o, "", 0)
-             : o \in { p \in DOMAIN tod : /\ Watching /\ tod[p].active
-                                          /\ ~Before(e.at, At(tod[p].next)) } }
+             : o \in DueOnTheWay(e) }
       \cup (IF StopDuty \notin DOMAIN waiting THEN {}
             ELSE {Allowed("stop", 0, "cause", stopCause)})
 
 \* @type: $request => Set(Str);
 LateRequirement(r) ==
-    CASE r.ob \notin loaded          -> {"TINT-16", "OBS-20", "OBS-21"}
-      [] r.follows \in Skips  -> {"CLK-03"}
+    CASE r.ob \notin loaded          ->
+           IF r.ob \in AsyncErrorObs THEN {"OBS-23", "OBS-21"}
+           ELSE {"TINT-16", "OBS-20", "OBS-21"}
+      [] r.follows \in Skips         -> {"CLK-03"}
       [] r.follows = StillRunning    -> {"TINT-14"}
-      [] r.ob \in TodObs             -> {"TINT-23"}
+      [] r.ob \in TodObs             ->
+           {"TINT-09", "TINT-23"} \cup SeriesRequirements(r.word)
+             \cup (IF cpu.step7[r.ob].execution = "once" THEN {"OBS-56"} ELSE {})
       [] r.fault = SkippedByClock    -> {"CLK-02"}
       [] r.fault = SkippedInHold     -> {"OBS-46"}
       [] r.ob = TimeErrorOb          -> {"TINT-14", "OBS-30"}
       [] r.ob = ProgramErrorOb       -> {"OBS-20"}
-      [] OTHER                       -> {"OBS-07"}
+      [] OTHER                       -> {"AIRT-02", "AIRT-08", "OBS-01", "OBS-03"}
+
+\* @type: Int => Set(Str);
+PointRequirements(o) ==
+    IF OnStack(o)
+    THEN {"TINT-14"} \cup (IF TimeErrorOb \in loaded THEN {} ELSE {"OBS-22"})
+    ELSE IF o \notin loaded
+    THEN {"TINT-16", "OBS-20"}
+           \cup (IF ProgramErrorOb \in loaded THEN {} ELSE {"OBS-21"})
+    ELSE {"TINT-09", "TINT-23"} \cup SeriesRequirements(tod[o].period)
+           \cup (IF clock.min < tod[o].servedTo \/ ~Remembers
+                 THEN {"CLK-10"} ELSE {})
 
 \* @type: $event => Set(Str);
 LateRequirements(e) ==
     UNION { LateRequirement(r) : r \in Due }
+      \cup UNION { PointRequirements(o) : o \in DueOnTheWay(e) }
       \cup (IF StopDuty \notin DOMAIN waiting THEN {}
             ELSE CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
                    [] stopCause = NoProgramErrorOb -> {"OBS-21"}
                    [] stopCause = DeselectedLoaded -> {"OBS-25"}
                    [] OTHER                        -> {"OBS-23"})
-      \cup (IF Due = {} /\ StopDuty \notin DOMAIN waiting
-            THEN {"TINT-09", "TINT-23"} ELSE {})
 =============================================================================

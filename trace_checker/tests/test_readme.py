@@ -1,0 +1,25 @@
+"""The example of the README is run as it stands there."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from trace_checker.cli import main
+
+README = Path(__file__).resolve().parents[2] / "README.md"
+
+
+def test_the_log_of_the_readme_gets_the_verdict_of_the_readme(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The README shows a log of a few lines, the command and what it prints."""
+    text = README.read_text(encoding="utf-8")
+    log = re.search(r"```json\n(.*?)```", text, re.DOTALL)
+    session = re.search(r"\$ \.venv/bin/s7check trace log\.ndjson\n(.*?)```", text, re.DOTALL)
+    assert log is not None
+    assert session is not None
+    (tmp_path / "log.ndjson").write_text(log[1], encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main(["trace", "log.ndjson"]) == 1
+    assert capsys.readouterr().out.rstrip() == session[1].rstrip()
