@@ -1,33 +1,43 @@
 ------------------------------- MODULE APAirt -------------------------------
 (***************************************************************************)
-(* The world of MCAirt for Apalache: a bounded check of StackInv [OBS-01]  *)
-(* and AirtInv [AIRT-12], not a proof.                                     *)
-(* Its next-state relation leaves out what the model's bounds exclude in   *)
-(* MCAirt (SFC 28-31, clock set, HOLD, load), since Apalache unfolds every *)
-(* action before it sees that nothing can take it.                         *)
+(* Delays in RUN for Apalache: a bounded check of StackInv [OBS-01] and    *)
+(* AirtInv [AIRT-12], not a proof.  It begins in RUN, in OB 1, half a      *)
+(* minute before a point of OB 10; OB 40 is requested from outside.  What  *)
+(* MCAirt has beside this (STOP, restart, STARTUP, missing OBs) is left    *)
+(* out, since Apalache unfolds every action into every step.               *)
 (* models/apalache.sh check                                                *)
 (***************************************************************************)
 EXTENDS MCBase
 
 APTodObs == {10}
-APFamilies == {"S7-300"}
-\* @type: Set(Set(Int));
-APLoads == {{10, 40, 80, 85, 100}}
-APStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
-APMoments == HalfMinutes(0, 2)
-APPowerOnMoments == {Moment(0, 30000)}
-\* @type: Set(<<Int, Int>>);
-APInterrupts == {<<40, 0>>}
-APRestartTypes == {"warm"}
+
+APInit ==
+    /\ cpu = [ family |-> "S7-300", priority |-> [o \in {} |-> 0],
+               step7 |-> [o \in TodObs |-> Activated("minute", 0)],
+               readings |-> [a \in {} |-> ""] ]
+    /\ loaded = {1, 10, 40, 80, 85}
+    /\ mode = "RUN"
+    /\ startup = "none"
+    /\ clock = Moment(0, 30000)
+    /\ tod = [ o \in TodObs |->
+                 [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,
+                                    !.start = Six, !.period = Minutely,
+                                    !.next = Six + 1 ] ]
+    /\ requests = {}
+    /\ stack = <<Frame(CycleOb, 1)>>
+    /\ delay = 0
+    /\ stopCause = NoCause
+    /\ step = Step("run", 0, 0)
 
 APNext ==
-    \/ Respond
+    \/ \E r \in requests : First(r) /\ Start(r) /\ Seen("start", r.ob, r.class)
     \/ /\ ~Pressing
-       /\ \/ \E ret \in AirtRetVals :
-               \/ DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
-               \/ EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
-          \/ Proceed
+       /\ \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+          \/ \E ret \in {0, 1, 2, NotDelayed} :
+               EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+          \/ CycleStarts /\ Seen("start", CycleOb, 1)
+          \/ \E o \in {1, 10, 40} : End(o) /\ Seen("end", o, 0)
           \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
-          \/ Restart("warm") /\ Seen("restart", 0, 0)
-          \/ Time
+          \/ PointReached(10) /\ Seen("reached", 10, clock.min)
+          \/ \E t \in HalfMinutes(1, 2) : TimePasses(t) /\ Seen("time", 0, 0)
 =============================================================================

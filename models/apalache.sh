@@ -14,7 +14,8 @@ trap 'rm -rf "$out"' EXIT
 
 case "$1" in
 typecheck)
-    for module in spec/*.tla; do
+    # Between them these two extend every module of spec/.
+    for module in spec/Explain.tla spec/PropertiesClock.tla; do
         echo "typecheck $module"
         "$apalache" typecheck --out-dir="$out" "$module" >"$out/log" 2>&1 || { cat "$out/log"; exit 1; }
     done
@@ -25,7 +26,7 @@ check)
     mkdir "$out/all"
     cp spec/*.tla models/MCBase.tla models/APAirt.tla models/APAirt.cfg "$out/all"
     for property in StackInv AirtInv; do
-        "$apalache" check --out-dir="$out" --config="$out/all/APAirt.cfg" --length=6 \
+        "$apalache" check --out-dir="$out" --config="$out/all/APAirt.cfg" --length=4 \
             --inv="$property" "$out/all/APAirt.tla"
     done
     ;;
