@@ -29,15 +29,16 @@ APInit ==
     /\ stopCause = NoCause
     /\ step = Step("run", 0, 0)
 
+(* Without the urgency of System: what holds of this holds of System too. *)
 APNext ==
-    \/ \E r \in requests : First(r) /\ Start(r) /\ Seen("start", r.ob, r.class)
-    \/ /\ ~Pressing
-       /\ \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
-          \/ \E ret \in {0, 1, 2, NotDelayed} :
-               EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
-          \/ CycleStarts /\ Seen("start", CycleOb, 1)
-          \/ \E o \in {1, 10, 40} : End(o) /\ Seen("end", o, 0)
-          \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
-          \/ PointReached(10) /\ Seen("reached", 10, clock.min)
-          \/ \E t \in HalfMinutes(1, 2) : TimePasses(t) /\ Seen("time", 0, 0)
+    \/ \E r \in requests : Start(r) /\ Seen("start", r.ob, r.class)
+    \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+    \/ \E ret \in {0, 1, 2, NotDelayed} : EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+    \/ CycleStarts /\ Seen("start", CycleOb, 1)
+    \/ \E o \in {1, 10, 40} : End(o) /\ Seen("end", o, 0)
+    \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
+    \/ PointReached(10) /\ Seen("reached", 10, clock.min)
+    \/ \E t \in HalfMinutes(1, 2) : TimePasses(t) /\ Seen("time", 0, 0)
+
+StackAndAirtInv == StackInv /\ AirtInv
 =============================================================================

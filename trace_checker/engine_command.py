@@ -40,7 +40,8 @@ def engine_command() -> list[str]:
         if not Path(own_tlc).is_file():
             raise EngineError(f"TLA2TOOLS_JAR names {own_tlc}, which is not a file")
         libraries = [jar for jar in libraries if not jar.match(_TLC_OF_MAVEN)]
-        libraries.insert(0, Path(own_tlc).resolve())
+        # Last: releases of TLC bundle an older gson than the engine's.
+        libraries.append(Path(own_tlc).resolve())
     classpath = os.pathsep.join(str(jar) for jar in [engine, *libraries])
     return [
         java,
