@@ -7,12 +7,14 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup verify test models models-smoke models-full typecheck apalache lint bench clean
+.PHONY: help setup engine verify test models models-smoke models-full typecheck apalache lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
 setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install what is needed: .venv, the engine, the soft PLC
+
+engine: $(ENGINE)  ## build the trace checker's engine
 
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs
 	$(BIN)/s7check verify

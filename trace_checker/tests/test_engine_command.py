@@ -48,7 +48,7 @@ def test_other_tlc(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own.touch()
     monkeypatch.setenv("TLA2TOOLS_JAR", str(own))
     names = [Path(jar).name for jar in engine_command()[-3].split(os.pathsep)]
-    assert names == ["s7-trace-engine.jar", "tla2tools.jar", "gson-2.jar"]
+    assert names == ["s7-trace-engine.jar", "gson-2.jar", "tla2tools.jar"]
     own.unlink()
     with pytest.raises(EngineError, match=r"TLA2TOOLS_JAR names .*, which is not a file"):
         engine_command()
