@@ -1,6 +1,7 @@
 #include "actions.h"
 
 #include "airt.h"
+#include "dint.h"
 #include "events.h"
 #include "modes.h"
 #include "tod.h"
@@ -17,6 +18,7 @@ static void set_clock(struct cpu *cpu, dt_ms to)
         return; /* an overlap without OB 80 has stopped the CPU */
     log_clock(cpu->log, cpu, to);
     clock_set(&cpu->clock, to);
+    dint_clock_changed(cpu, to - before);
     tod_clock_changed(cpu, before);
 }
 
@@ -41,7 +43,19 @@ void actions_step(struct cpu *cpu, const struct step *s)
         break;
     case STEP_QRY_TINT:
         ret = sfc_qry_tint(cpu, s->ob, &status);
-        log_qry_tint(cpu->log, cpu, s->ob, ret, status);
+        log_qry(cpu->log, cpu, "QRY_TINT", s->ob, ret, status);
+        break;
+    case STEP_SRT_DINT:
+        ret = sfc_srt_dint(cpu, s->ob, s->ms, s->sign);
+        log_srt_dint(cpu->log, cpu, s->ob, s->ms, s->sign, ret);
+        break;
+    case STEP_CAN_DINT:
+        ret = sfc_can_dint(cpu, s->ob);
+        log_call_ob(cpu->log, cpu, "CAN_DINT", s->ob, ret);
+        break;
+    case STEP_QRY_DINT:
+        ret = sfc_qry_dint(cpu, s->ob, &status);
+        log_qry(cpu->log, cpu, "QRY_DINT", s->ob, ret, status);
         break;
     case STEP_DIS_AIRT:
         log_call(cpu->log, cpu, "DIS_AIRT", sfc_dis_airt(cpu));

@@ -1,5 +1,7 @@
 #include "airt.h"
 
+#include "ret.h"
+
 enum { COUNT_MAX = 32767 }; /* the largest value of an INT [AIRT-14] */
 
 int sfc_dis_airt(struct cpu *cpu)

@@ -4,8 +4,6 @@
 
 #include "cpu.h"
 
-enum { RET_NOT_DELAYED = 0x8080 };
-
 int sfc_dis_airt(struct cpu *cpu);
 int sfc_en_airt(struct cpu *cpu);
 /* An OB has been processed to its end. */

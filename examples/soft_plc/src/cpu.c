@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "actions.h"
+#include "dint.h"
 #include "modes.h"
 #include "scheduler.h"
 #include "tod.h"
@@ -58,7 +59,8 @@ static int64_t next_event_up(struct cpu *cpu)
 {
     int64_t up = cpu->program->action_time(cpu->program, cpu);
     int64_t last = dt_last() - cpu->clock.offset; /* the clock has no later reading */
-    return min64(min64(up, tod_next_up(cpu)), min64(cpu->config.duration, last));
+    int64_t due = min64(tod_next_up(cpu), dint_next_up(cpu));
+    return min64(min64(up, due), min64(cpu->config.duration, last));
 }
 
 static void wait_until(struct cpu *cpu, int64_t up)
@@ -127,6 +129,7 @@ void cpu_run(struct cpu *cpu)
     while (!is_over(cpu)) {
         clock_read(&cpu->clock);
         tod_poll(cpu);
+        dint_poll(cpu);
         if (!actions_poll(cpu))
             run_once(cpu);
     }

@@ -34,6 +34,14 @@ struct tod {
     dt_ms next; /* the point that is due next; DT_NEVER where none is left */
 };
 
+/* The job of a time-delay interrupt, OB 20 + index. */
+struct dint {
+    bool started;
+    int64_t end; /* elapsed ms; moved on by HOLD [DINT-19] */
+    int dtime;
+    int sign;
+};
+
 /* An OB that has been started and not processed to its end. */
 struct frame {
     int ob;
@@ -59,7 +67,7 @@ struct config {
     int buffer;       /* start events from outside that a class holds [OBS-08] */
     int64_t duration; /* elapsed ms */
     uint64_t max_events;
-    fault_set faults;
+    struct fault_set faults;
 };
 
 enum { STACK_DEPTH = 32 };
@@ -69,7 +77,9 @@ struct cpu {
     struct cpu_clock clock;
     enum mode mode;
     bool loaded[OB_MAX];
+    int64_t hold_began; /* elapsed ms */
     struct tod tod[TOD_OBS];
+    struct dint dint[DINT_OBS];
     int delay_count; /* of the running OB; one is enough [AIRT-12] */
     struct queue queue;
     struct frame stack[STACK_DEPTH];
@@ -86,7 +96,7 @@ static inline struct frame *cpu_top(struct cpu *cpu)
 
 static inline bool cpu_fault(const struct cpu *cpu, enum fault f)
 {
-    return has_fault(cpu->config.faults, f);
+    return cpu->config.faults.has[f];
 }
 
 static inline dt_ms cpu_now(const struct cpu *cpu)

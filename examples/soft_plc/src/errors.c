@@ -14,11 +14,11 @@ static void time_error(struct cpu *cpu, const struct request *r)
         modes_stop(cpu, CAUSE_OB80_MISSING);
 }
 
-void errors_overlap(struct cpu *cpu, int ob, int period)
+void errors_overlap(struct cpu *cpu, int ob, int z1)
 {
     struct request r = events_request(cpu, 80, cpu_now(cpu));
     r.info.flt_id = 0x02;
-    r.info.error_info = period;
+    r.info.error_info = z1;
     r.info.ev = ob_start_event(ob);
     r.info.ev_ob = ob; /* AMB-27: the OB that was requested */
     time_error(cpu, &r);
@@ -73,7 +73,8 @@ static void priority_class_error(struct cpu *cpu, const struct request *missing)
     struct request r = events_request(cpu, 85, cpu_now(cpu));
     const struct frame *top = cpu_top(cpu);
     /* AMB-28, either: A2 where an SFC or the configuration has started the OB, else A1. */
-    r.info.flt_id = ob_is_tod(missing->ob) ? 0xA2 : 0xA1;
+    bool by_sfc = ob_is_tod(missing->ob) || ob_kind(missing->ob) == OB_DELAY;
+    r.info.flt_id = by_sfc ? 0xA2 : 0xA1;
     r.info.ev = ob_start_event(missing->ob);
     r.info.ev_ob = top != NULL ? top->ob : 1; /* the OB active at the error */
     events_put(cpu, &r);

@@ -4,8 +4,9 @@
 
 #include "cpu.h"
 
-/* Fault 02: the OB fell due while it is still processed [TINT-14]. */
-void errors_overlap(struct cpu *cpu, int ob, int period);
+/* Fault 02: the OB fell due while it is still processed [TINT-14, DINT-10]; `z1` is byte 6-7 of
+ * its start information: PERIOD or SIGN. */
+void errors_overlap(struct cpu *cpu, int ob, int z1);
 /* Fault 05 or 06: bit k of `late` means OB 10+k [CLK-06]. */
 void errors_skipped(struct cpu *cpu, int flt_id, unsigned late, dt_ms before);
 /* Fault 07: the request buffer is full [OBS-08]. */

@@ -10,6 +10,8 @@ struct request events_request(const struct cpu *cpu, int ob, dt_ms time)
     r.info = (struct start_info){.priority = class,
                                  .strt_info = ob_strt_info(ob),
                                  .period = -1,
+                                 .sign = -1,
+                                 .dtime = -1,
                                  .flt_id = -1,
                                  .error_info = -1,
                                  .ev = -1,

@@ -62,11 +62,37 @@ static const struct {
     [FAULT_RESTART_NO_STEP7] = {"restart-no-step7",
                                 "a restart does not bring the STEP 7 parameters back [OBS-50]"},
     [FAULT_STARTUP_RUNS_TOD] = {"startup-runs-tod", "OB 10 to 17 run during STARTUP [TINT-13]"},
+    [FAULT_DINT_ZERO] = {"dint-zero", "SFC 32 accepts a DTIME of 0 [DINT-04]"},
+    [FAULT_DINT_NO_LIMIT] = {"dint-no-limit", "SFC 32 accepts more than 60000 ms [DINT-04]"},
+    [FAULT_DINT_COARSE] = {"dint-coarse", "delays are cut off to 10 ms [DINT-04, DINT-06]"},
+    [FAULT_DINT_NO_RETRIGGER] = {"dint-no-retrigger",
+                                 "SFC 32 leaves a job that is started as it is [DINT-07]"},
+    [FAULT_DINT_KEEPS_SIGN] = {"dint-keeps-sign",
+                               "SFC 32 on a started job leaves the old SIGN [DINT-07, AMB-74]"},
+    [FAULT_DINT_INFO_REST] = {"dint-info-rest",
+                              "the start information shows the rest of the delay [DINT-03]"},
+    [FAULT_DINT_CAN_ANY] = {"dint-can-any",
+                            "SFC 33 answers 0000 where no job is started [DINT-14]"},
+    [FAULT_DINT_CAN_KEEPS] = {"dint-can-keeps", "SFC 33 does not cancel the job [DINT-14]"},
+    [FAULT_DINT_CAN_WITHDRAWS] = {"dint-can-withdraws",
+                                  "SFC 33 withdraws a request that waits [DINT-15]"},
+    [FAULT_DINT_WAITING_ACTIVE] = {"dint-waiting-active",
+                                   "STATUS bit 2 stays 1 until the OB starts [DINT-16, AMB-34]"},
+    [FAULT_DINT_OVERLAP_SILENT] = {"dint-overlap-silent",
+                                   "no OB 80 when a delay ends while its OB runs [DINT-10]"},
+    [FAULT_DINT_OVERLAP_DTIME] = {"dint-overlap-dtime",
+                                  "ERROR_INFO of fault 02 shows DTIME, not SIGN [OBS-30]"},
+    [FAULT_DINT_FOLLOWS_CLOCK] = {"dint-follows-clock",
+                                  "delays are moved with the clock [DINT-18]"},
+    [FAULT_DINT_RUNS_IN_HOLD] = {"dint-runs-in-hold", "delays go on in HOLD [DINT-19]"},
+    [FAULT_DINT_SURVIVES] = {"dint-survives", "a restart keeps the jobs [DINT-13]"},
+    [FAULT_STARTUP_RUNS_DINT] = {"startup-runs-dint",
+                                 "OB 20 to 23 run during STARTUP [DINT-11, DINT-12]"},
 };
 
 bool fault_by_name(const char *name, enum fault *f)
 {
-    for (int i = 0; i < FAULT_COUNT; i++)
+    for (int i = FAULT_NONE + 1; i < FAULT_COUNT; i++)
         if (strcmp(table[i].name, name) == 0) {
             *f = (enum fault)i;
             return true;
@@ -81,13 +107,13 @@ const char *fault_name(enum fault f)
 
 void faults_help(FILE *out)
 {
-    for (int i = 0; i < FAULT_COUNT; i++)
+    for (int i = FAULT_NONE + 1; i < FAULT_COUNT; i++)
         fprintf(out, "  %-22s %s\n", table[i].name, table[i].text);
 }
 
-unsigned faults_calendar_quirks(fault_set set)
+unsigned faults_calendar_quirks(const struct fault_set *set)
 {
-    return (has_fault(set, FAULT_LEAP_CENTURY) ? QUIRK_CENTURY_NOT_LEAP : 0u) |
-           (has_fault(set, FAULT_MONTH_END_30) ? QUIRK_MONTH_END_30 : 0u) |
-           (has_fault(set, FAULT_HOURLY_DAILY) ? QUIRK_HOURLY_IS_DAILY : 0u);
+    return (set->has[FAULT_LEAP_CENTURY] ? QUIRK_CENTURY_NOT_LEAP : 0u) |
+           (set->has[FAULT_MONTH_END_30] ? QUIRK_MONTH_END_30 : 0u) |
+           (set->has[FAULT_HOURLY_DAILY] ? QUIRK_HOURLY_IS_DAILY : 0u);
 }

@@ -3,10 +3,10 @@
 #define FAULTS_H
 
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 
 enum fault {
+    FAULT_NONE,
     FAULT_AIRT_FLAG,
     FAULT_AIRT_KEEPS_COUNT,
     FAULT_AIRT_EN_ALL,
@@ -43,20 +43,32 @@ enum fault {
     FAULT_RESTART_KEEPS_SFC,
     FAULT_RESTART_NO_STEP7,
     FAULT_STARTUP_RUNS_TOD,
+    FAULT_DINT_ZERO,
+    FAULT_DINT_NO_LIMIT,
+    FAULT_DINT_COARSE,
+    FAULT_DINT_NO_RETRIGGER,
+    FAULT_DINT_KEEPS_SIGN,
+    FAULT_DINT_INFO_REST,
+    FAULT_DINT_CAN_ANY,
+    FAULT_DINT_CAN_KEEPS,
+    FAULT_DINT_CAN_WITHDRAWS,
+    FAULT_DINT_WAITING_ACTIVE,
+    FAULT_DINT_OVERLAP_SILENT,
+    FAULT_DINT_OVERLAP_DTIME,
+    FAULT_DINT_FOLLOWS_CLOCK,
+    FAULT_DINT_RUNS_IN_HOLD,
+    FAULT_DINT_SURVIVES,
+    FAULT_STARTUP_RUNS_DINT,
     FAULT_COUNT
 };
 
-/* A set of faults, one bit each. */
-typedef uint64_t fault_set;
-
-static inline bool has_fault(fault_set set, enum fault f)
-{
-    return (set >> f) & 1;
-}
+struct fault_set {
+    bool has[FAULT_COUNT];
+};
 
 bool fault_by_name(const char *name, enum fault *f);
 const char *fault_name(enum fault f);
 void faults_help(FILE *out);
-unsigned faults_calendar_quirks(fault_set set);
+unsigned faults_calendar_quirks(const struct fault_set *set);
 
 #endif

@@ -88,9 +88,17 @@ void log_call_ob(struct log *log, const struct cpu *cpu, const char *sfc, int ob
     end_event(log, put_ret(put_ob(begin_event(log, cpu, sfc), ob), ret));
 }
 
-void log_qry_tint(struct log *log, const struct cpu *cpu, int ob, int ret, int status)
+void log_srt_dint(struct log *log, const struct cpu *cpu, int ob, int64_t dtime, int sign, int ret)
 {
-    char *p = put_ret(put_ob(begin_event(log, cpu, "QRY_TINT"), ob), ret);
+    char *p = put_ob(begin_event(log, cpu, "SRT_DINT"), ob);
+    p = text_int(text_str(p, ",\"dtime\":"), dtime);
+    p = text_word(text_str(p, ",\"sign\":"), sign, 4);
+    end_event(log, put_ret(p, ret));
+}
+
+void log_qry(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret, int status)
+{
+    char *p = put_ret(put_ob(begin_event(log, cpu, sfc), ob), ret);
     if (ret == 0) { /* [TINT-71] */
         p = text_str(p, ",\"status\":");
         p = text_word(p, status, 4);
@@ -121,6 +129,8 @@ void log_start(struct log *log, const struct cpu *cpu, int ob, const struct star
     p = put_info(p, "strt_info", info->strt_info, 2);
     p = put_info(p, "flt_id", info->flt_id, 2);
     p = put_info(p, "period", info->period, 4);
+    p = put_info(p, "sign", info->sign, 4);
+    p = put_info(p, "dtime", info->dtime, 0);
     p = put_info(p, "error_info", info->error_info, 4);
     p = put_info(p, "ev", info->ev, 4);
     p = put_info(p, "ev_ob", info->ev_ob, 0);

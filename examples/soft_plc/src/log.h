@@ -31,7 +31,9 @@ void log_header(struct log *log, const struct cpu *cpu);
 void log_set_tint(struct log *log, const struct cpu *cpu, int ob, const struct civil *sdt,
                   int period, int ret);
 void log_call_ob(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret);
-void log_qry_tint(struct log *log, const struct cpu *cpu, int ob, int ret, int status);
+void log_srt_dint(struct log *log, const struct cpu *cpu, int ob, int64_t dtime, int sign,
+                  int ret);
+void log_qry(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret, int status);
 void log_call(struct log *log, const struct cpu *cpu, const char *sfc, int ret);
 void log_start(struct log *log, const struct cpu *cpu, int ob, const struct start_info *info);
 void log_end(struct log *log, const struct cpu *cpu, int ob);

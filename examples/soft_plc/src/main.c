@@ -16,7 +16,7 @@ struct options {
     bool real_time, up, cycle, random, family_given;
     uint64_t seed, events;
     enum family family;
-    fault_set faults;
+    struct fault_set faults;
 };
 
 static void usage(FILE *out)
@@ -51,12 +51,12 @@ static bool number(const char *option, const char *s, int64_t low, uint64_t *val
     return true;
 }
 
-static bool add_fault(const char *name, fault_set *set)
+static bool add_fault(const char *name, struct fault_set *set)
 {
     enum fault f;
     if (name == NULL || !fault_by_name(name, &f))
         return wrong("--fault", "a name that --fault help lists");
-    *set |= UINT64_C(1) << f;
+    set->has[f] = true;
     return true;
 }
 

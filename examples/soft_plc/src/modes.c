@@ -1,5 +1,6 @@
 #include "modes.h"
 
+#include "dint.h"
 #include "events.h"
 #include "scheduler.h"
 #include "tod.h"
@@ -34,6 +35,7 @@ void modes_restart(struct cpu *cpu, bool cold)
     modes_stop(cpu, CAUSE_SWITCH); /* a restart leads through STOP */
     cpu->mode = MODE_STARTUP;
     log_restart(cpu->log, cpu, cold);
+    dint_restart(cpu);
     tod_restart(cpu); /* before the startup OB, whose own calls then last [OBS-55] */
     if (deselected_is_loaded(cpu)) {
         modes_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
@@ -57,6 +59,7 @@ void modes_hold(struct cpu *cpu)
     if (cpu->mode != MODE_RUN)
         return;
     cpu->mode = MODE_HOLD;
+    cpu->hold_began = cpu->clock.up;
     log_mode(cpu->log, cpu, "hold");
 }
 
@@ -66,5 +69,6 @@ void modes_release(struct cpu *cpu)
         return;
     cpu->mode = MODE_RUN;
     log_mode(cpu->log, cpu, "release");
+    dint_released(cpu, cpu->clock.up - cpu->hold_began);
     tod_released(cpu, cpu_now(cpu));
 }

@@ -109,6 +109,8 @@ bool ob_class_range(enum family f, int ob, int *low, int *high)
 
 int ob_strt_info(int ob)
 {
+    if (ob_kind(ob) == OB_DELAY)
+        return 0x21 + ob - DINT_FIRST;
     return ob_is_tod(ob) ? 0x11 + ob - TOD_FIRST : -1;
 }
 

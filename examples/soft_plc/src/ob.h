@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-enum { OB_MAX = 128, TOD_OBS = 8, TOD_FIRST = 10 };
+enum { OB_MAX = 128, TOD_OBS = 8, TOD_FIRST = 10, DINT_OBS = 4, DINT_FIRST = 20 };
 
 enum family { FAMILY_S7_300, FAMILY_S7_400, FAMILY_CPU_318 };
 

@@ -17,6 +17,9 @@ enum step_kind {
     STEP_CAN_TINT,
     STEP_ACT_TINT,
     STEP_QRY_TINT,
+    STEP_SRT_DINT,
+    STEP_CAN_DINT,
+    STEP_QRY_DINT,
     STEP_DIS_AIRT,
     STEP_EN_AIRT,
     STEP_SET_CLOCK,
@@ -28,8 +31,9 @@ struct step {
     enum step_kind kind;
     int ob;
     int period;
+    int sign;
     struct civil sdt;
-    int64_t ms; /* busy: duration; set clock: the new reading; move clock: by how much */
+    int64_t ms; /* DTIME of SFC 32; busy: duration; set clock: the new reading; move clock: by how much */
 };
 
 enum action_kind {

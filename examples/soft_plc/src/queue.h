@@ -13,6 +13,8 @@ struct start_info {
     int priority;
     int strt_info;
     int period;
+    int sign;
+    int dtime;
     int flt_id;
     int error_info;
     int ev;

@@ -42,6 +42,21 @@ static int draw_period(struct random_program *r)
     return percent(r, 4) ? wrong[below(r, 6)] : codes[below(r, 13)];
 }
 
+/* Time-delay interrupts: right operands mostly, with delays that meet each other and OB 1's. */
+static int draw_dint_ob_nr(struct random_program *r)
+{
+    static const int wrong[] = {-20, 0, 2, 19, 24, 10, 35, 85};
+    return percent(r, 4) ? wrong[below(r, 8)] : between(r, 20, 23);
+}
+
+static int64_t draw_dtime(struct random_program *r)
+{
+    static const int edges[] = {0, -1, -5, 60001, INT32_MAX, INT32_MIN, 1, 60000};
+    if (percent(r, 8))
+        return edges[below(r, 8)];
+    return percent(r, 60) ? between(r, 1, 400) : between(r, 1, 60000);
+}
+
 static dt_ms clamp(dt_ms t)
 {
     const dt_ms margin = 400 * MS_DAY;
@@ -127,9 +142,28 @@ static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
         return percent(r, 60) ? between(r, 1000, 30000) : between(r, 1, 800);
+    if (ob_kind(ob) == OB_DELAY && percent(r, 30))
+        return between(r, 200, 2000);
     if ((ob_is_tod(ob) || ob_kind(ob) == OB_STARTUP) && percent(r, 8))
         return between(r, 30, 130) * INT64_C(1000);
     return between(r, 1, 200);
+}
+
+static enum step_kind draw_kind(struct random_program *r)
+{
+    static const struct {
+        enum step_kind kind;
+        int weight;
+    } mix[] = {{STEP_BUSY, 340},    {STEP_SET_TINT, 70}, {STEP_ACT_TINT, 140},
+               {STEP_CAN_TINT, 30}, {STEP_QRY_TINT, 70}, {STEP_SRT_DINT, 90},
+               {STEP_CAN_DINT, 20}, {STEP_QRY_DINT, 50}, {STEP_DIS_AIRT, 85},
+               {STEP_EN_AIRT, 100}, {STEP_SET_CLOCK, 5}};
+    int n = below(r, 1000);
+    const int last = (int)(sizeof mix / sizeof mix[0]) - 1;
+    int i = 0;
+    while (i < last && n >= mix[i].weight)
+        n -= mix[i++].weight;
+    return mix[i].kind;
 }
 
 static bool next(struct program *p, const struct cpu *cpu, struct frame *frame, struct step *step)
@@ -138,31 +172,37 @@ static bool next(struct program *p, const struct cpu *cpu, struct frame *frame, 
     if (frame->step == 0)
         return false;
     frame->step--;
-    int n = below(r, 1000);
-    *step = (struct step){.kind = STEP_BUSY};
-    if (n < 380) {
+    *step = (struct step){.kind = draw_kind(r)};
+    switch (step->kind) {
+    case STEP_BUSY:
         step->ms = draw_busy(r, frame->ob);
-    } else if (n < 460) {
-        step->kind = STEP_SET_TINT;
+        break;
+    case STEP_SET_TINT:
         step->ob = r->last_set = draw_ob_nr(r);
         step->period = draw_period(r);
         draw_sdt(r, clock_now(&cpu->clock), &step->sdt);
-    } else if (n < 640) {
-        step->kind = STEP_ACT_TINT;
+        break;
+    case STEP_ACT_TINT:
         step->ob = percent(r, 60) ? r->last_set : draw_ob_nr(r);
-    } else if (n < 670) {
-        step->kind = STEP_CAN_TINT;
+        break;
+    case STEP_CAN_TINT:
+    case STEP_QRY_TINT:
         step->ob = draw_ob_nr(r);
-    } else if (n < 800) {
-        step->kind = STEP_QRY_TINT;
-        step->ob = draw_ob_nr(r);
-    } else if (n < 890) {
-        step->kind = STEP_DIS_AIRT;
-    } else if (n < 995) {
-        step->kind = STEP_EN_AIRT;
-    } else {
-        step->kind = STEP_SET_CLOCK;
+        break;
+    case STEP_SRT_DINT:
+        step->ob = draw_dint_ob_nr(r);
+        step->ms = draw_dtime(r);
+        step->sign = below(r, 0x10000);
+        break;
+    case STEP_CAN_DINT:
+    case STEP_QRY_DINT:
+        step->ob = draw_dint_ob_nr(r);
+        break;
+    case STEP_SET_CLOCK:
         draw_clock_change(r, clock_now(&cpu->clock), &step->ms);
+        break;
+    default: /* SFC 41 and 42 have no operands */
+        break;
     }
     return true;
 }
@@ -256,8 +296,8 @@ void random_program(struct random_program *r, uint64_t seed)
 
 void random_config(struct random_program *r, struct config *c)
 {
-    static const int always[] = {1, 10, 11, 12, 35, 80, 85, 100, 102};
-    static const int often[] = {13, 14, 15, 30, 40, 41, 55, 81, 82, 83, 87};
+    static const int always[] = {1, 10, 11, 12, 20, 21, 35, 80, 85, 100, 102};
+    static const int often[] = {13, 14, 15, 22, 23, 30, 40, 41, 55, 81, 82, 83, 87};
     c->family = (enum family)below(r, 3);
     for (unsigned i = 0; i < sizeof always / sizeof always[0]; i++)
         c->loaded[always[i]] = true;

@@ -69,6 +69,19 @@ static bool step_set_tint(struct parser *p, const char *name, struct step *step)
     return parse_word_count(p, name, 4, "three arguments");
 }
 
+static bool step_srt_dint(struct parser *p, const char *name, struct step *step)
+{
+    const char *s = parser_word(p, 2);
+    if (!ob_nr(p, name, step))
+        return false;
+    if (s == NULL || !word_time(s, &step->ms))
+        return parser_fail(p, name, "DTIME, as 500ms, T#1s500ms or -5", s);
+    s = parser_word(p, 3);
+    if (s == NULL || !word_hex(s, 0xFFFF, &step->sign))
+        return parser_fail(p, name, "SIGN, a word as 16#0007", s);
+    return parse_word_count(p, name, 4, "three arguments");
+}
+
 static bool step_with_ob(struct parser *p, const char *name, struct step *step)
 {
     return ob_nr(p, name, step) && parse_word_count(p, name, 2, "one argument");
@@ -110,6 +123,9 @@ bool parse_step(struct parser *p)
         {"CAN_TINT", STEP_CAN_TINT, step_with_ob},
         {"ACT_TINT", STEP_ACT_TINT, step_with_ob},
         {"QRY_TINT", STEP_QRY_TINT, step_with_ob},
+        {"SRT_DINT", STEP_SRT_DINT, step_srt_dint},
+        {"CAN_DINT", STEP_CAN_DINT, step_with_ob},
+        {"QRY_DINT", STEP_QRY_DINT, step_with_ob},
         {"DIS_AIRT", STEP_DIS_AIRT, step_plain},
         {"EN_AIRT", STEP_EN_AIRT, step_plain},
         {"set_clock", STEP_SET_CLOCK, step_set_clock},

@@ -5,14 +5,20 @@
 #include "events.h"
 #include "tod.h"
 
+/* OBs that start in STARTUP by mistake. */
+static bool runs_early(const struct cpu *cpu, int ob)
+{
+    return (ob_is_tod(ob) && cpu_fault(cpu, FAULT_STARTUP_RUNS_TOD)) ||
+           (ob_kind(ob) == OB_DELAY && cpu_fault(cpu, FAULT_STARTUP_RUNS_DINT));
+}
+
 /* In STARTUP only OB 80 to 87 may run beside the startup OB [OBS-42 to OBS-44, TINT-13]. */
 static bool mode_allows(const struct cpu *cpu, int ob)
 {
     if (cpu->mode == MODE_RUN)
         return true;
     return cpu->mode == MODE_STARTUP &&
-           (ob_kind(ob) == OB_ASYNC_ERROR ||
-            (ob_is_tod(ob) && cpu_fault(cpu, FAULT_STARTUP_RUNS_TOD)));
+           (ob_kind(ob) == OB_ASYNC_ERROR || runs_early(cpu, ob));
 }
 
 /* Only a strictly higher class interrupts [OBS-01, OBS-02], and nothing a delayed OB. */
@@ -25,8 +31,8 @@ static bool may_start(const struct cpu *cpu, const struct request *r)
     int running = cpu->stack[cpu->depth - 1].rank;
     if (cpu->depth == STACK_DEPTH || airt_delays(cpu, r->ob))
         return false;
-    if (cpu->mode == MODE_STARTUP && ob_is_tod(r->ob))
-        return running != r->rank; /* reached with a fault only */
+    if (cpu->mode == MODE_STARTUP && runs_early(cpu, r->ob))
+        return running == cpu_class(cpu, 100);
     return r->rank > running ||
            (r->rank == running && ob_is_tod(r->ob) && !cpu_is_running(cpu, r->ob) &&
             cpu_fault(cpu, FAULT_EQUAL_PREEMPTS));

@@ -8,7 +8,7 @@ enum { MAX_CATCH_UPS = 5 }; /* for the fault that makes one for every period */
 
 static dt_ms first_point(const struct cpu *cpu, const struct tod *t, dt_ms from)
 {
-    return series_first(t->start, t->period, from, faults_calendar_quirks(cpu->config.faults));
+    return series_first(t->start, t->period, from, faults_calendar_quirks(&cpu->config.faults));
 }
 
 /* The next point after the present ones are used up. A single start has no other. */

@@ -4,16 +4,6 @@
 
 #include "cpu.h"
 
-/* RET_VAL of SFC 28 to 31. */
-enum {
-    RET_OK = 0x0000,
-    RET_BAD_OB = 0x8090,
-    RET_BAD_SDT = 0x8091,
-    RET_BAD_PERIOD = 0x8092,
-    RET_NOT_SET = 0x80A0,
-    RET_PAST = 0x80A1
-};
-
 int sfc_set_tint(struct cpu *cpu, int ob, const struct civil *sdt, int period);
 int sfc_can_tint(struct cpu *cpu, int ob);
 int sfc_act_tint(struct cpu *cpu, int ob);

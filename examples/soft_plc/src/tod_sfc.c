@@ -1,6 +1,8 @@
 /* SFC 28 to 31. An error changes nothing (AMB-20, reading a). Of several wrong arguments the
  * first in the order OB_NR, SDT, PERIOD, past is reported (AMB-63: any of them is right). */
 #include "queue.h"
+#include "ret.h"
+#include "status.h"
 #include "tod.h"
 
 /* The interrupt of an OB number, NULL where it is a bad OB_NR [TINT-01].
@@ -20,7 +22,7 @@ static void withdraw(struct cpu *cpu, int ob)
 int sfc_set_tint(struct cpu *cpu, int ob, const struct civil *sdt, int period)
 {
     struct tod *t = find(cpu, ob);
-    unsigned quirks = faults_calendar_quirks(cpu->config.faults);
+    unsigned quirks = faults_calendar_quirks(&cpu->config.faults);
     if (t == NULL)
         return RET_BAD_OB;
     if (!civil_exists(sdt, quirks))
@@ -77,7 +79,7 @@ int sfc_act_tint(struct cpu *cpu, int ob)
     }
     t->active = true;
     t->next = series_first(t->start, t->period, cpu_now(cpu),
-                           faults_calendar_quirks(cpu->config.faults)); /* [TINT-10] */
+                           faults_calendar_quirks(&cpu->config.faults)); /* [TINT-10] */
     return RET_OK;
 }
 
@@ -86,12 +88,6 @@ int sfc_qry_tint(struct cpu *cpu, int ob, int *status)
     const struct tod *t = find(cpu, ob);
     if (t == NULL)
         return RET_BAD_OB;
-    *status = 0; /* bits 3, 5 and 7 to 15 are 0, bit 6 too: base time [TINT-75, 77 to 79] */
-    if (cpu->mode == MODE_STARTUP)
-        *status |= 1 << 0; /* [TINT-72], AMB-03 */
-    if (t->active)
-        *status |= 1 << 2; /* [TINT-74]; a once is active until its OB starts (AMB-34, 71) */
-    if (cpu->loaded[ob] && !cpu_fault(cpu, FAULT_QRY_NO_LOADED))
-        *status |= 1 << 4; /* [TINT-76] */
+    *status = status_word(cpu, ob, t->active); /* a once is active until its OB starts (AMB-34, 71) */
     return RET_OK;
 }

@@ -98,6 +98,17 @@ bool word_duration(const char *s, int64_t *ms)
     return true;
 }
 
+bool word_time(const char *s, int64_t *ms)
+{
+    bool negative = *s == '-';
+    if (word_int(s, INT32_MIN, INT32_MAX, ms))
+        return true;
+    if (!word_duration(s + negative, ms) || *ms > INT32_MAX)
+        return false;
+    *ms = negative ? -*ms : *ms;
+    return true;
+}
+
 static bool digits(const char **s, int width, int *value)
 {
     *value = 0;

@@ -23,6 +23,8 @@ bool word_int(const char *s, int64_t low, int64_t high, int64_t *value);
 bool word_hex(const char *s, int high, int *value);
 /* 1500ms, 5s, 10min, 2h, 3d, also combined (1s500ms) and with T# before it. */
 bool word_duration(const char *s, int64_t *ms);
+/* A TIME: a duration or a number of milliseconds, either also negative, within 32 bits. */
+bool word_time(const char *s, int64_t *ms);
 /* 2026-11-21T06:00[:00[.000]], also DT#2026-11-21-06:00:00.000; the date need not exist. */
 bool word_civil(const char *s, struct civil *c);
 /* The same, of a date that exists. */

@@ -44,18 +44,13 @@ static void back(void)
     static const struct {
         const char *cpu;
         int starts;
-        fault_set faults;
+        enum fault fault;
     } cases[] = {{"cpu S7-300", 5, 0}, {"cpu S7-400", 4, 0}, {"cpu 318", 4, 0},
-                 {"cpu S7-400", 5, UINT64_C(1) << FAULT_REPEAT_S7_400},
-                 {"cpu S7-300", 4, UINT64_C(1) << FAULT_NO_REPEAT_S7_300}};
+                 {"cpu S7-400", 5, FAULT_REPEAT_S7_400},
+                 {"cpu S7-300", 4, FAULT_NO_REPEAT_S7_300}};
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        size_t n = 0;
-        for (const char *p = cases[i].cpu; *p != '\0';)
-            text[n++] = *p++;
-        for (const char *p = rest; *p != '\0';)
-            text[n++] = *p++;
-        text[n] = '\0';
-        char *log = test_run(text, cases[i].faults);
+        test_join(text, sizeof text, cases[i].cpu, rest);
+        char *log = test_run(text, cases[i].fault);
         CHECK(test_count(log, ":\"start\"") == cases[i].starts); /* [CLK-09, CLK-10] */
         CHECK(test_count(log, "\"ob\":80,") == 0);
         free(log);

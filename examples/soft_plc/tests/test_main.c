@@ -59,12 +59,12 @@ static bool read_text(struct scenario *s, const char *text)
     return ok;
 }
 
-char *test_run(const char *text, fault_set faults)
+char *test_run(const char *text, enum fault fault)
 {
     struct scenario s;
     char *log;
     if (read_text(&s, text)) {
-        s.config.faults = faults;
+        s.config.faults.has[fault] = true;
         log = run(&s.config, &s.program);
     } else {
         test_check(false, "scenario", 0, s.error);
@@ -72,6 +72,11 @@ char *test_run(const char *text, fault_set faults)
     }
     scenario_free(&s);
     return log;
+}
+
+void test_join(char *to, size_t size, const char *first, const char *second)
+{
+    snprintf(to, size, "%s%s", first, second);
 }
 
 char *test_error(const char *text)
@@ -82,7 +87,7 @@ char *test_error(const char *text)
     return error;
 }
 
-char *test_random(uint64_t seed, uint64_t events, fault_set faults)
+char *test_random(uint64_t seed, uint64_t events, enum fault fault)
 {
     struct random_program r;
     struct config c;
@@ -93,7 +98,7 @@ char *test_random(uint64_t seed, uint64_t events, fault_set faults)
     c.latency_ms = 10;
     c.duration = INT64_MAX;
     c.max_events = events;
-    c.faults = faults;
+    c.faults.has[fault] = true;
     return run(&c, &r.program);
 }
 
@@ -129,6 +134,7 @@ int main(void)
 {
     test_calendar();
     test_calls();
+    test_dint();
     test_scheduling();
     test_clock();
     test_modes();
