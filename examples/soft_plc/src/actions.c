@@ -3,7 +3,9 @@
 #include "airt.h"
 #include "dint.h"
 #include "events.h"
+#include "irt.h"
 #include "modes.h"
+#include "ret.h"
 #include "tod.h"
 
 /* One rule for every source of a clock change [CLK-01]. */
@@ -56,6 +58,16 @@ void actions_step(struct cpu *cpu, const struct step *s)
     case STEP_QRY_DINT:
         ret = sfc_qry_dint(cpu, s->ob, &status);
         log_qry(cpu->log, cpu, "QRY_DINT", s->ob, ret, status);
+        break;
+    case STEP_DIS_IRT:
+        ret = sfc_dis_irt(cpu, s->mode, s->ob);
+        log_irt(cpu->log, cpu, "DIS_IRT", s->mode, s->ob, ret);
+        if (ret == RET_OK)
+            irt_report(cpu, s->mode); /* behind the line of the call, its cause */
+        break;
+    case STEP_EN_IRT:
+        ret = sfc_en_irt(cpu, s->mode, s->ob);
+        log_irt(cpu->log, cpu, "EN_IRT", s->mode, s->ob, ret);
         break;
     case STEP_DIS_AIRT:
         log_call(cpu->log, cpu, "DIS_AIRT", sfc_dis_airt(cpu));

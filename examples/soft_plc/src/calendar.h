@@ -12,6 +12,7 @@ typedef int64_t dt_ms;
 #define MS_HOUR (60 * MS_MINUTE)
 #define MS_DAY (24 * MS_HOUR)
 #define DT_NEVER INT64_MAX
+#define DT_FAR (36525 * MS_DAY) /* as long as the calendar */
 
 /* A date and time as a program writes it; it need not exist. */
 struct civil {

@@ -19,9 +19,10 @@ bool cpu_is_running(const struct cpu *cpu, int ob)
 
 int cpu_class(const struct cpu *cpu, int ob)
 {
-    if (cpu->mode == MODE_STARTUP && ob_kind(ob) == OB_ASYNC_ERROR)
+    if (cpu->mode == MODE_STARTUP && ob_kind(ob) == OB_ASYNC_ERROR &&
+        !cpu_fault(cpu, FAULT_STARTUP_CLASS))
         return 28; /* [OBS-31, OBS-43], AMB-13 */
-    if (cpu->config.priority[ob] != 0)
+    if (cpu->config.priority[ob] != 0 && !cpu_fault(cpu, FAULT_PRIORITY_DEFAULT))
         return cpu->config.priority[ob];
     return ob_default_class(cpu->config.family, ob);
 }

@@ -42,6 +42,12 @@ struct dint {
     int sign;
 };
 
+/* What SFC 39 has done to an OB. */
+struct irt {
+    int depth; /* 0: enabled, 1: blocked; more by mistake only [IRT-16] */
+    bool silent; /* MODE 8x: its events are not entered in the diagnostic buffer */
+};
+
 /* An OB that has been started and not processed to its end. */
 struct frame {
     int ob;
@@ -62,6 +68,7 @@ struct config {
     enum mode mode;
     int latency_ms;
     bool log_cycle;
+    bool log_diag;
     bool log_up;
     int64_t cycle_ms; /* shortest cycle of OB 1 */
     int buffer;       /* start events from outside that a class holds [OBS-08] */
@@ -80,6 +87,7 @@ struct cpu {
     int64_t hold_began; /* elapsed ms */
     struct tod tod[TOD_OBS];
     struct dint dint[DINT_OBS];
+    struct irt irt[OB_MAX];
     int delay_count; /* of the running OB; one is enough [AIRT-12] */
     struct queue queue;
     struct frame stack[STACK_DEPTH];

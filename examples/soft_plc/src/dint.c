@@ -2,6 +2,7 @@
 
 #include "errors.h"
 #include "events.h"
+#include "irt.h"
 #include "ret.h"
 #include "status.h"
 
@@ -90,6 +91,11 @@ static void elapsed(struct cpu *cpu, int k)
 {
     struct dint *d = &cpu->dint[k];
     int ob = DINT_FIRST + k;
+    if (irt_blocks(cpu, ob)) { /* lost, and the job is over [DINT-20], AMB-12 */
+        d->started = cpu_fault(cpu, FAULT_IRT_JOB_STAYS);
+        d->end += DT_FAR;
+        return;
+    }
     d->started = false;
     if (cpu_is_running(cpu, ob) && !cpu_fault(cpu, FAULT_DINT_OVERLAP_SILENT))
         errors_overlap(cpu, ob,

@@ -1,13 +1,19 @@
 #include "errors.h"
 
+#include "diag.h"
 #include "events.h"
+#include "irt.h"
 #include "modes.h"
 #include "tod.h"
 
-/* AMB-49, either: a time error without OB 80 stops the CPU at once, delayed or not
+/* Under SFC 39 there is neither OB 80 nor STOP, what was late still runs (AMB-23, reading a;
+ * AMB-48, either: reading a). AMB-49, either: a time error without OB 80 stops the CPU at once, delayed or not
  * (reading a) [CLK-05, OBS-22, AIRT-11]. */
 static void time_error(struct cpu *cpu, const struct request *r)
 {
+    diag_error(cpu, r);
+    if (irt_blocks(cpu, 80))
+        return;
     if (cpu->loaded[80])
         events_put(cpu, r);
     else if (!cpu_fault(cpu, FAULT_MISSING_OB80_RUNS_ON))
@@ -38,8 +44,11 @@ void errors_skipped(struct cpu *cpu, int flt_id, unsigned late, dt_ms before)
 
 void errors_overflow(struct cpu *cpu, int ob)
 {
+    if (cpu_fault(cpu, FAULT_OVERFLOW_SILENT))
+        return;
     struct request r = events_request(cpu, 80, cpu_now(cpu));
-    r.rank = r.info.priority = 28; /* AMB-13, reading d */
+    if (!cpu_fault(cpu, FAULT_OVERFLOW_CLASS))
+        r.rank = r.info.priority = 28; /* AMB-13, reading d */
     r.info.flt_id = 0x07;
     r.info.ev = ob_start_event(ob);
     r.info.ev_ob = ob;
@@ -60,7 +69,8 @@ void errors_missing_async(struct cpu *cpu, int ob)
     case 82:
     case 83:
     case 86:
-        modes_stop(cpu, CAUSE_NONE); /* [OBS-23] */
+        if (!cpu_fault(cpu, FAULT_ASYNC_RUNS_ON))
+            modes_stop(cpu, CAUSE_NONE); /* [OBS-23] */
         break;
     default: /* OB 81, 84, 87: nothing (AMB-75, reading a; OB 84: either) */
         break;
@@ -77,7 +87,13 @@ static void priority_class_error(struct cpu *cpu, const struct request *missing)
     r.info.flt_id = by_sfc ? 0xA2 : 0xA1;
     r.info.ev = ob_start_event(missing->ob);
     r.info.ev_ob = top != NULL ? top->ob : 1; /* the OB active at the error */
-    events_put(cpu, &r);
+    diag_error(cpu, &r);
+    if (irt_blocks(cpu, 85))
+        return; /* AMB-33, reading a: disabled is not missing */
+    if (cpu->loaded[85])
+        events_put(cpu, &r);
+    else if (!cpu_fault(cpu, FAULT_MISSING_OB85_RUNS_ON))
+        modes_stop(cpu, CAUSE_OB85_MISSING); /* [OBS-21] */
 }
 
 void errors_missing(struct cpu *cpu, const struct request *r)
@@ -90,8 +106,5 @@ void errors_missing(struct cpu *cpu, const struct request *r)
     }
     if (ob_kind(r->ob) == OB_REDUNDANCY || cpu_fault(cpu, FAULT_MISSING_SILENT))
         return; /* AMB-75, reading a */
-    if (cpu->loaded[85])
-        priority_class_error(cpu, r);
-    else if (!cpu_fault(cpu, FAULT_MISSING_OB85_RUNS_ON))
-        modes_stop(cpu, CAUSE_OB85_MISSING); /* [OBS-21] */
+    priority_class_error(cpu, r);
 }

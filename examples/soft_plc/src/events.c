@@ -1,6 +1,8 @@
 #include "events.h"
 
+#include "diag.h"
 #include "errors.h"
+#include "irt.h"
 #include "modes.h"
 
 struct request events_request(const struct cpu *cpu, int ob, dt_ms time)
@@ -47,13 +49,15 @@ void events_interrupt(struct cpu *cpu, int ob, int flt_id)
     if (cpu->mode == MODE_STOP)
         return; /* outputs and modules are disabled: nothing reaches the CPU [OBS-41] */
     log_interrupt(cpu->log, cpu, ob, flt_id);
-    if (!cpu->loaded[ob] && ob_kind(ob) == OB_ASYNC_ERROR) {
-        errors_missing_async(cpu, ob);
-        return;
-    }
     struct request r = events_request(cpu, ob, cpu_now(cpu));
     r.info.flt_id = flt_id;
-    if (ob != 80 && held(cpu, r.rank) >= cpu->config.buffer)
+    if (flt_id >= 0)
+        diag_error(cpu, &r);
+    if (irt_blocks(cpu, ob))
+        return;
+    if (!cpu->loaded[ob] && ob_kind(ob) == OB_ASYNC_ERROR && cpu->mode != MODE_HOLD)
+        errors_missing_async(cpu, ob);
+    else if (ob != 80 && held(cpu, r.rank) >= cpu->config.buffer)
         errors_overflow(cpu, ob); /* [OBS-08]: the new request is lost */
     else
         events_put(cpu, &r);

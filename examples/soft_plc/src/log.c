@@ -106,6 +106,12 @@ void log_qry(struct log *log, const struct cpu *cpu, const char *sfc, int ob, in
     end_event(log, p);
 }
 
+void log_irt(struct log *log, const struct cpu *cpu, const char *sfc, int mode, int ob, int ret)
+{
+    char *p = text_word(text_str(begin_event(log, cpu, sfc), ",\"mode\":"), mode, 2);
+    end_event(log, put_ret(put_ob(p, ob), ret));
+}
+
 void log_call(struct log *log, const struct cpu *cpu, const char *sfc, int ret)
 {
     end_event(log, put_ret(begin_event(log, cpu, sfc), ret));
@@ -121,9 +127,8 @@ static char *put_info(char *p, const char *name, int value, int digits)
     return digits > 0 ? text_word(p, value, digits) : text_int(p, value);
 }
 
-void log_start(struct log *log, const struct cpu *cpu, int ob, const struct start_info *info)
+static char *put_start_info(char *p, const struct start_info *info)
 {
-    char *p = put_ob(begin_event(log, cpu, "start"), ob);
     p = text_str(p, ",\"info\":{\"priority\":");
     p = text_int(p, info->priority);
     p = put_info(p, "strt_info", info->strt_info, 2);
@@ -137,6 +142,20 @@ void log_start(struct log *log, const struct cpu *cpu, int ob, const struct star
     p = text_str(p, ",\"time\":");
     p = text_dt(p, info->time);
     *p++ = '}';
+    return p;
+}
+
+void log_start(struct log *log, const struct cpu *cpu, int ob, const struct start_info *info)
+{
+    end_event(log, put_start_info(put_ob(begin_event(log, cpu, "start"), ob), info));
+}
+
+void log_diag(struct log *log, const struct cpu *cpu, int id, int ob, const struct start_info *info)
+{
+    char *p = text_word(text_str(begin_event(log, cpu, "diag"), ",\"id\":"), id, 4);
+    p = put_info(p, "ob", ob, 0);
+    if (info != NULL)
+        p = put_start_info(put_info(p, "priority", info->priority, 0), info);
     end_event(log, p);
 }
 
@@ -244,7 +263,8 @@ void log_header(struct log *log, const struct cpu *cpu)
     p = text_dt(text_str(p, ",\"clock\":"), c->clock);
     p = text_str(text_str(text_str(p, ",\"mode\":\""), modes[c->mode]), "\"");
     p = text_int(text_str(p, ",\"latency_ms\":"), c->latency_ms);
-    p = text_str(p, ",\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\"]");
+    p = text_str(p, ",\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\"");
+    p = text_str(p, c->log_diag ? ",\"diag\"]" : "]");
     if (c->log_cycle)
         p = text_str(p, ",\"cycle\":true");
     p = header_priority(p, c);

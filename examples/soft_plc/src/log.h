@@ -34,6 +34,8 @@ void log_call_ob(struct log *log, const struct cpu *cpu, const char *sfc, int ob
 void log_srt_dint(struct log *log, const struct cpu *cpu, int ob, int64_t dtime, int sign,
                   int ret);
 void log_qry(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret, int status);
+/* SFC 39 and 40 */
+void log_irt(struct log *log, const struct cpu *cpu, const char *sfc, int mode, int ob, int ret);
 void log_call(struct log *log, const struct cpu *cpu, const char *sfc, int ret);
 void log_start(struct log *log, const struct cpu *cpu, int ob, const struct start_info *info);
 void log_end(struct log *log, const struct cpu *cpu, int ob);
@@ -45,5 +47,8 @@ void log_stop(struct log *log, const struct cpu *cpu, int cause);
 void log_mode(struct log *log, const struct cpu *cpu, const char *event);
 void log_interrupt(struct log *log, const struct cpu *cpu, int ob, int flt_id);
 void log_block(struct log *log, const struct cpu *cpu, const char *event, int ob);
+/* ob: -1 where the entry names none; info may be NULL. */
+void log_diag(struct log *log, const struct cpu *cpu, int id, int ob,
+              const struct start_info *info);
 
 #endif

@@ -13,7 +13,7 @@ enum { LATENCY_SIMULATED_MS = 10, LATENCY_REAL_MS = 50 };
 
 struct options {
     const char *scenario, *output;
-    bool real_time, up, cycle, random, family_given;
+    bool real_time, up, cycle, diag, random, family_given;
     uint64_t seed, events;
     enum family family;
     struct fault_set faults;
@@ -27,6 +27,7 @@ static void usage(FILE *out)
           "  --real-time     run on the real clock: 8 s of a scenario take 8 s\n"
           "  --up            add `up`, elapsed ms, to every event (always with --real-time)\n"
           "  --cycle         log every start and end of OB 1\n"
+          "  --diag          log the entries of the diagnostic buffer\n"
           "  --random SEED   run a random program instead of a scenario\n"
           "  --events N      end after N events\n"
           "  --cpu FAMILY    S7-300, S7-400 or 318, with --random\n"
@@ -81,6 +82,8 @@ static bool flag(const char *a, struct options *o)
         o->up = true;
     else if (strcmp(a, "--cycle") == 0)
         o->cycle = true;
+    else if (strcmp(a, "--diag") == 0)
+        o->diag = true;
     else
         return false;
     return true;
@@ -151,18 +154,17 @@ static int prepare_and_run(const struct options *o, struct scenario *s, FILE *ou
         program = &random.program;
     }
     if (o->random) {
-        random_config(&random, c);
+        random_config(&random, c, o->family_given ? &o->family : NULL);
         c->cycle_ms = 10;
         c->duration = INT64_MAX;
         c->max_events = 1000;
-        if (o->family_given)
-            c->family = o->family;
     }
     if (o->events != 0)
         c->max_events = o->events;
     if (!s->latency_given)
         c->latency_ms = o->real_time ? LATENCY_REAL_MS : LATENCY_SIMULATED_MS;
     c->log_cycle |= o->cycle;
+    c->log_diag |= o->diag;
     c->log_up = o->up || o->real_time;
     c->faults = o->faults;
     return run(o, c, program, out);

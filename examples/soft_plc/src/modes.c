@@ -1,7 +1,9 @@
 #include "modes.h"
 
+#include "diag.h"
 #include "dint.h"
 #include "events.h"
+#include "irt.h"
 #include "scheduler.h"
 #include "tod.h"
 
@@ -16,6 +18,7 @@ void modes_stop(struct cpu *cpu, int cause)
 {
     if (cpu->mode == MODE_STOP)
         return;
+    diag_stop(cpu, cause);
     cpu->mode = MODE_STOP;
     log_stop(cpu->log, cpu, cause);
     forget_running(cpu); /* [OBS-41] */
@@ -35,6 +38,7 @@ void modes_restart(struct cpu *cpu, bool cold)
     modes_stop(cpu, CAUSE_SWITCH); /* a restart leads through STOP */
     cpu->mode = MODE_STARTUP;
     log_restart(cpu->log, cpu, cold);
+    irt_restart(cpu);
     dint_restart(cpu);
     tod_restart(cpu); /* before the startup OB, whose own calls then last [OBS-55] */
     if (deselected_is_loaded(cpu)) {

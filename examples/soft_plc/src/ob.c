@@ -59,6 +59,30 @@ bool ob_is_from_outside(int ob)
     }
 }
 
+int ob_interrupt_class(int ob)
+{
+    switch (ob_kind(ob)) {
+    case OB_TOD:
+        return 10;
+    case OB_DELAY:
+        return 20;
+    case OB_CYCLIC:
+        return 30;
+    case OB_HARDWARE:
+        return 40;
+    case OB_DPV1:
+        return 50;
+    case OB_MULTICOMPUTING:
+        return 60;
+    case OB_REDUNDANCY:
+        return 70;
+    case OB_ASYNC_ERROR:
+        return 80;
+    default:
+        return 0;
+    }
+}
+
 int ob_default_class(enum family f, int ob)
 {
     switch (ob_kind(ob)) {

@@ -28,6 +28,8 @@ enum ob_kind ob_kind(int ob);
 bool ob_is_tod(int ob);
 /* OBs that have a start event from outside (`interrupt` in the log). */
 bool ob_is_from_outside(int ob);
+/* Class number of SFC 39 and 40 [IRT-11]; 0 where the OB has none. */
+int ob_interrupt_class(int ob);
 int ob_default_class(enum family f, int ob);
 /* The classes that may be assigned to an OB [OBS-05]; false where it has a fixed one. */
 bool ob_class_range(enum family f, int ob, int *low, int *high);

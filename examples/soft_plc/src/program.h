@@ -20,6 +20,8 @@ enum step_kind {
     STEP_SRT_DINT,
     STEP_CAN_DINT,
     STEP_QRY_DINT,
+    STEP_DIS_IRT,
+    STEP_EN_IRT,
     STEP_DIS_AIRT,
     STEP_EN_AIRT,
     STEP_SET_CLOCK,
@@ -32,6 +34,7 @@ struct step {
     int ob;
     int period;
     int sign;
+    int mode; /* of SFC 39 and 40 */
     struct civil sdt;
     int64_t ms; /* DTIME of SFC 32; busy: duration; set clock: the new reading; move clock: by how much */
 };

@@ -57,6 +57,25 @@ static int64_t draw_dtime(struct random_program *r)
     return percent(r, 60) ? between(r, 1, 400) : between(r, 1, 60000);
 }
 
+/* MODE and OB_NR of SFC 39 and 40. Single OBs mostly, as a block for all hides everything. */
+static void draw_irt(struct random_program *r, struct step *step)
+{
+    static const int modes[] = {0x02, 0x82, 0x02, 0x82, 0x02, 0x01, 0x81, 0x00, 0x80};
+    static const int wrong_modes[] = {0x03, 0x7F, 0x83, 0xFF};
+    static const int classes[] = {10, 20, 30, 40, 50, 60, 70, 80};
+    static const int wrong_obs[] = {-1, 0, 1, 15, 19, 61, 73, 88, 90, 100, 121, 99};
+    static const int obs[] = {10, 11, 12, 20, 21, 35, 40, 55, 60, 70, 72, 80, 80, 85, 85, 82};
+    step->mode = percent(r, 5) ? wrong_modes[below(r, 4)] : modes[below(r, 9)];
+    if (step->kind == STEP_EN_IRT && percent(r, 95))
+        step->mode = percent(r, 50) ? 0 : step->mode & 0x0F;
+    if (percent(r, 4))
+        step->ob = wrong_obs[below(r, 12)];
+    else if ((step->mode & 0x0F) == 1)
+        step->ob = classes[below(r, 8)];
+    else if ((step->mode & 0x0F) != 0 || percent(r, 10))
+        step->ob = obs[below(r, 16)];
+}
+
 static dt_ms clamp(dt_ms t)
 {
     const dt_ms margin = 400 * MS_DAY;
@@ -135,13 +154,13 @@ static void begin(struct program *p, const struct cpu *cpu, struct frame *frame)
 {
     struct random_program *r = (struct random_program *)p;
     (void)cpu;
-    frame->step = (uint32_t)(frame->ob == 1 ? between(r, 1, 12) : between(r, 0, 6));
+    frame->step = (uint32_t)(frame->ob == 1 ? between(r, 1, 12) : between(r, 0, 4));
 }
 
 static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
-        return percent(r, 60) ? between(r, 1000, 30000) : between(r, 1, 800);
+        return percent(r, 75) ? between(r, 1000, 40000) : between(r, 1, 800);
     if (ob_kind(ob) == OB_DELAY && percent(r, 30))
         return between(r, 200, 2000);
     if ((ob_is_tod(ob) || ob_kind(ob) == OB_STARTUP) && percent(r, 8))
@@ -154,10 +173,11 @@ static enum step_kind draw_kind(struct random_program *r)
     static const struct {
         enum step_kind kind;
         int weight;
-    } mix[] = {{STEP_BUSY, 340},    {STEP_SET_TINT, 70}, {STEP_ACT_TINT, 140},
-               {STEP_CAN_TINT, 30}, {STEP_QRY_TINT, 70}, {STEP_SRT_DINT, 90},
-               {STEP_CAN_DINT, 20}, {STEP_QRY_DINT, 50}, {STEP_DIS_AIRT, 85},
-               {STEP_EN_AIRT, 100}, {STEP_SET_CLOCK, 5}};
+    } mix[] = {{STEP_BUSY, 360},    {STEP_SET_TINT, 65}, {STEP_ACT_TINT, 110},
+               {STEP_CAN_TINT, 30}, {STEP_QRY_TINT, 50}, {STEP_SRT_DINT, 70},
+               {STEP_CAN_DINT, 20}, {STEP_QRY_DINT, 40}, {STEP_DIS_IRT, 20},
+               {STEP_EN_IRT, 50},   {STEP_DIS_AIRT, 70}, {STEP_EN_AIRT, 90},
+               {STEP_SET_CLOCK, 5}};
     int n = below(r, 1000);
     const int last = (int)(sizeof mix / sizeof mix[0]) - 1;
     int i = 0;
@@ -198,6 +218,10 @@ static bool next(struct program *p, const struct cpu *cpu, struct frame *frame, 
     case STEP_QRY_DINT:
         step->ob = draw_dint_ob_nr(r);
         break;
+    case STEP_DIS_IRT:
+    case STEP_EN_IRT:
+        draw_irt(r, step);
+        break;
     case STEP_SET_CLOCK:
         draw_clock_change(r, clock_now(&cpu->clock), &step->ms);
         break;
@@ -220,30 +244,50 @@ static int64_t action_time(struct program *p, const struct cpu *cpu)
     return ((struct random_program *)p)->next_action;
 }
 
-/* A start event that the CPU answers without STOP or that meets a loaded OB. */
+/* An OB with a start event from outside: some often, so that they meet, and each now and then. */
+static int draw_interrupt_ob(struct random_program *r)
+{
+    static const int often[] = {35, 35, 35, 40, 40, 41, 80, 85};
+    int ob = between(r, 30, 87);
+    if (percent(r, 65))
+        return often[below(r, 8)];
+    while (!ob_is_from_outside(ob))
+        ob = between(r, 30, 87);
+    return ob;
+}
+
+/* An event whose OB is missing is rare: it may well stop the CPU. */
 static void draw_interrupt(struct random_program *r, const struct cpu *cpu, struct action *a)
 {
-    static const int obs[] = {35, 35, 35, 40, 40, 41, 30, 32, 38, 55, 82, 83, 81, 87, 80, 85};
+    static const int time_errors[] = {0x01, 0x03, 0x08, 0x09, 0x0A, 0x0B};
     a->kind = ACTION_INTERRUPT;
-    a->ob = obs[below(r, 16)];
+    a->ob = draw_interrupt_ob(r);
     if (!cpu->loaded[35] && percent(r, 30)) {
         a->kind = ACTION_LOAD;
         a->ob = 35;
         return;
     }
-    if (!cpu->loaded[a->ob] && !percent(r, 2))
+    if (!cpu->loaded[a->ob] && !percent(r, 15))
         a->ob = 35;
     if (a->ob == 80)
-        a->flt_id = 0x01;
+        a->flt_id = time_errors[below(r, 6)];
     if (a->ob == 85)
         a->flt_id = 0xA3;
+}
+
+/* An event burst fills the request buffer of a class, which only the long OBs allow. */
+static int64_t draw_pause(struct random_program *r)
+{
+    if (percent(r, 15))
+        return between(r, 0, 50);
+    return between(r, 50, percent(r, 15) ? 2000 : 25000);
 }
 
 /* Deletes a block, or brings back one that is missing: OB 80 and 85 soon. */
 static void draw_block(struct random_program *r, const struct cpu *cpu, struct action *a)
 {
-    static const int obs[] = {80, 85, 10, 11, 12, 35};
-    a->ob = obs[below(r, 6)];
+    static const int obs[] = {80, 85, 10, 11, 12, 20, 21, 35};
+    a->ob = obs[below(r, 8)];
     if (!cpu->loaded[80] || !cpu->loaded[85])
         a->ob = cpu->loaded[80] ? 85 : 80;
     a->kind = cpu->loaded[a->ob] ? ACTION_DELETE : ACTION_LOAD;
@@ -254,7 +298,7 @@ static bool take_action(struct program *p, const struct cpu *cpu, struct action 
     struct random_program *r = (struct random_program *)p;
     int n = below(r, 1000);
     *action = (struct action){.flt_id = -1};
-    r->next_action = cpu->clock.up + (percent(r, 10) ? between(r, 1, 50) : between(r, 50, 25000));
+    r->next_action = cpu->clock.up + draw_pause(r);
     if (cpu->mode == MODE_STOP && n < 100) {
         action->kind = ACTION_SET_CLOCK;
         draw_clock_change(r, clock_now(&cpu->clock), &action->ms);
@@ -264,15 +308,16 @@ static bool take_action(struct program *p, const struct cpu *cpu, struct action 
         action->kind = ACTION_RELEASE;
     } else if (n < 10) {
         draw_block(r, cpu, action);
-    } else if (n < 960) {
+    } else if (n < 950) {
         draw_interrupt(r, cpu, action);
-    } else if (n < 990) {
+    } else if (n < 980) {
         action->kind = ACTION_SET_CLOCK;
         draw_clock_change(r, clock_now(&cpu->clock), &action->ms);
-    } else if (n < 995) {
+    } else if (n < 985) {
         action->kind = ACTION_STOP;
-    } else if (n < 997) {
-        action->kind = ACTION_HOLD;
+    } else if (n < 993) {
+        action->kind = ACTION_HOLD; /* long enough for start points to pass */
+        r->next_action = cpu->clock.up + between(r, 1000, 200000);
     } else {
         action->kind = percent(r, 50) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
     }
@@ -294,18 +339,37 @@ void random_program(struct random_program *r, uint64_t seed)
         draw(r);
 }
 
-void random_config(struct random_program *r, struct config *c)
+/* Classes that differ from the default, where the CPU allows it: OBs that meet get to share one
+ * [OBS-05]. */
+static void draw_priorities(struct random_program *r, struct config *c)
+{
+    static const int obs[] = {10, 11, 12, 20, 21, 35, 40, 81, 82};
+    int shared = between(r, 2, 23);
+    for (unsigned i = 0; i < sizeof obs / sizeof obs[0]; i++) {
+        int low, high;
+        if (!ob_class_range(c->family, obs[i], &low, &high) || percent(r, 60))
+            continue;
+        c->priority[obs[i]] = percent(r, 50) ? shared : between(r, low, high);
+    }
+}
+
+void random_config(struct random_program *r, struct config *c, const enum family *family)
 {
     static const int always[] = {1, 10, 11, 12, 20, 21, 35, 80, 85, 100, 102};
-    static const int often[] = {13, 14, 15, 22, 23, 30, 40, 41, 55, 81, 82, 83, 87};
+    static const int often[] = {13, 14, 15, 22, 23, 30, 32, 38, 40, 41, 47, 55, 57, 60, 70, 72,
+                                81, 82, 83, 84, 86, 87};
     c->family = (enum family)below(r, 3);
+    if (family != NULL)
+        c->family = *family;
     for (unsigned i = 0; i < sizeof always / sizeof always[0]; i++)
         c->loaded[always[i]] = true;
     for (unsigned i = 0; i < sizeof often / sizeof often[0]; i++)
         c->loaded[often[i]] = percent(r, 75);
     c->clock = draw_instant(r);
     c->mode = percent(r, 50) ? MODE_RUN : MODE_STOP;
-    c->buffer = 64;
+    c->buffer = percent(r, 50) ? 64 : between(r, 1, 3);
+    if (percent(r, 70))
+        draw_priorities(r, c);
     c->step7[0] = (struct step7_tod){.configured = true, .active = true, .has_start = true,
                                      .execution = "hourly", .period = PERIOD_HOURLY,
                                      .start = c->clock - c->clock % MS_HOUR};

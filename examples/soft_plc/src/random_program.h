@@ -12,7 +12,7 @@ struct random_program {
 };
 
 void random_program(struct random_program *r, uint64_t seed);
-/* Settings drawn from the seed, for a run without a scenario. */
-void random_config(struct random_program *r, struct config *config);
+/* Settings drawn from the seed, for a run without a scenario; the family too where it is NULL. */
+void random_config(struct random_program *r, struct config *config, const enum family *family);
 
 #endif

@@ -84,13 +84,23 @@ static bool set_duration(struct parser *p)
                     &p->scenario->config.duration);
 }
 
-static bool set_log_cycle(struct parser *p)
+static bool set_switch(struct parser *p, const char *field, bool *on)
 {
     const char *s = parser_word(p, 1);
     if (s == NULL || (strcmp(s, "on") != 0 && strcmp(s, "off") != 0))
-        return parser_fail(p, "log_cycle", "on or off", s);
-    p->scenario->config.log_cycle = strcmp(s, "on") == 0;
-    return parse_word_count(p, "log_cycle", 2, "one value");
+        return parser_fail(p, field, "on or off", s);
+    *on = strcmp(s, "on") == 0;
+    return parse_word_count(p, field, 2, "one value");
+}
+
+static bool set_log_cycle(struct parser *p)
+{
+    return set_switch(p, "log_cycle", &p->scenario->config.log_cycle);
+}
+
+static bool set_log_diag(struct parser *p)
+{
+    return set_switch(p, "log_diag", &p->scenario->config.log_diag);
 }
 
 static bool set_buffer(struct parser *p)
@@ -195,6 +205,7 @@ static const struct {
     {"clock", set_clock, false},       {"mode", set_mode, false},
     {"latency", set_latency, false},   {"cycle_time", set_cycle_time, false},
     {"duration", set_duration, false}, {"log_cycle", set_log_cycle, false},
+    {"log_diag", set_log_diag, false},
     {"buffer", set_buffer, false},     {"random", set_random, false},
     {"priority", set_priority, true},  {"step7", set_step7, true},
 };

@@ -46,9 +46,9 @@ static bool clock_change(struct parser *p, const char *field, int word, bool *mo
 }
 
 /* OB_NR of an SFC: any INT, right or wrong. */
-static bool ob_nr(struct parser *p, const char *field, struct step *step)
+static bool ob_nr(struct parser *p, const char *field, int word, struct step *step)
 {
-    const char *s = parser_word(p, 1);
+    const char *s = parser_word(p, word);
     int64_t n;
     if (s == NULL || !word_int(s, INT16_MIN, INT16_MAX, &n))
         return parser_fail(p, field, "OB_NR, a number from -32768 to 32767", s);
@@ -59,7 +59,7 @@ static bool ob_nr(struct parser *p, const char *field, struct step *step)
 static bool step_set_tint(struct parser *p, const char *name, struct step *step)
 {
     const char *s = parser_word(p, 2);
-    if (!ob_nr(p, name, step))
+    if (!ob_nr(p, name, 1, step))
         return false;
     if (s == NULL || !word_civil(s, &step->sdt))
         return parser_fail(p, name, "SDT, a date and time", s);
@@ -72,7 +72,7 @@ static bool step_set_tint(struct parser *p, const char *name, struct step *step)
 static bool step_srt_dint(struct parser *p, const char *name, struct step *step)
 {
     const char *s = parser_word(p, 2);
-    if (!ob_nr(p, name, step))
+    if (!ob_nr(p, name, 1, step))
         return false;
     if (s == NULL || !word_time(s, &step->ms))
         return parser_fail(p, name, "DTIME, as 500ms, T#1s500ms or -5", s);
@@ -82,9 +82,17 @@ static bool step_srt_dint(struct parser *p, const char *name, struct step *step)
     return parse_word_count(p, name, 4, "three arguments");
 }
 
+static bool step_irt(struct parser *p, const char *name, struct step *step)
+{
+    const char *s = parser_word(p, 1);
+    if (s == NULL || !word_hex(s, 0xFF, &step->mode))
+        return parser_fail(p, name, "MODE, a byte as B#16#80", s);
+    return ob_nr(p, name, 2, step) && parse_word_count(p, name, 3, "two arguments");
+}
+
 static bool step_with_ob(struct parser *p, const char *name, struct step *step)
 {
-    return ob_nr(p, name, step) && parse_word_count(p, name, 2, "one argument");
+    return ob_nr(p, name, 1, step) && parse_word_count(p, name, 2, "one argument");
 }
 
 static bool step_plain(struct parser *p, const char *name, struct step *step)
@@ -126,6 +134,8 @@ bool parse_step(struct parser *p)
         {"SRT_DINT", STEP_SRT_DINT, step_srt_dint},
         {"CAN_DINT", STEP_CAN_DINT, step_with_ob},
         {"QRY_DINT", STEP_QRY_DINT, step_with_ob},
+        {"DIS_IRT", STEP_DIS_IRT, step_irt},
+        {"EN_IRT", STEP_EN_IRT, step_irt},
         {"DIS_AIRT", STEP_DIS_AIRT, step_plain},
         {"EN_AIRT", STEP_EN_AIRT, step_plain},
         {"set_clock", STEP_SET_CLOCK, step_set_clock},

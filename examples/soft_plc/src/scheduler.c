@@ -3,6 +3,7 @@
 #include "airt.h"
 #include "errors.h"
 #include "events.h"
+#include "irt.h"
 #include "tod.h"
 
 /* OBs that start in STARTUP by mistake. */
@@ -24,7 +25,7 @@ static bool mode_allows(const struct cpu *cpu, int ob)
 /* Only a strictly higher class interrupts [OBS-01, OBS-02], and nothing a delayed OB. */
 static bool may_start(const struct cpu *cpu, const struct request *r)
 {
-    if (!mode_allows(cpu, r->ob))
+    if (!mode_allows(cpu, r->ob) || irt_holds(cpu, r->ob))
         return false;
     if (cpu->depth == 0)
         return true;
@@ -105,4 +106,5 @@ void scheduler_end(struct cpu *cpu)
         log_end(cpu->log, cpu, ob);
     cpu->depth--;
     airt_ob_ended(cpu);
+    irt_ob_ended(cpu);
 }

@@ -5,6 +5,8 @@ int status_word(const struct cpu *cpu, int ob, bool active)
     int status = 0; /* bits 3, 5 and 7 to 15 are 0, bit 6 too: base time [TINT-75, 77 to 79] */
     if (cpu->mode == MODE_STARTUP)
         status |= 1 << 0; /* [TINT-72], AMB-03 */
+    if (cpu->irt[ob].depth > 0 && !cpu_fault(cpu, FAULT_IRT_NO_STATUS))
+        status |= 1 << 1; /* [IRT-17]; a delay by SFC 41 does not show [AIRT-13] */
     if (active)
         status |= 1 << 2; /* [TINT-74] */
     if (cpu->loaded[ob] && !cpu_fault(cpu, FAULT_QRY_NO_LOADED))

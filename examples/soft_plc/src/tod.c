@@ -3,6 +3,7 @@
 
 #include "errors.h"
 #include "events.h"
+#include "irt.h"
 
 enum { MAX_CATCH_UPS = 5 }; /* for the fault that makes one for every period */
 
@@ -59,6 +60,17 @@ static void put_request(struct cpu *cpu, int k, dt_ms time)
     events_put(cpu, &r);
 }
 
+/* A point that passes under SFC 39 is used up and its event lost [IRT-04, IRT-18]; AMB-12,
+ * reading a: a single start is over then. */
+static bool lost(struct cpu *cpu, int k)
+{
+    if (!irt_blocks(cpu, TOD_FIRST + k))
+        return false;
+    if (!cpu_fault(cpu, FAULT_IRT_JOB_STAYS))
+        tod_called(cpu, TOD_FIRST + k);
+    return true;
+}
+
 /* At most one request of an OB waits here: AMB-19 (reading a) for the run after an overlap,
  * AMB-18 and AMB-52, either: merged with the one that waits (readings c and b). */
 static void due(struct cpu *cpu, int k)
@@ -67,6 +79,8 @@ static void due(struct cpu *cpu, int k)
     int ob = TOD_FIRST + k;
     dt_ms point = t->next;
     t->next = next_point(cpu, t, cpu_now(cpu) + 1);
+    if (lost(cpu, k))
+        return;
     if (cpu_is_running(cpu, ob)) { /* [TINT-14] */
         if (!cpu_fault(cpu, FAULT_OVERLAP_SILENT))
             errors_overlap(cpu, ob, t->period);
@@ -130,9 +144,15 @@ static void catch_up(struct cpu *cpu, int k)
 static void skipped(struct cpu *cpu, int flt_id, dt_ms before)
 {
     unsigned late = 0;
-    for (int k = 0; k < TOD_OBS; k++)
-        if (cpu->tod[k].active && cpu->tod[k].next < cpu_now(cpu))
+    for (int k = 0; k < TOD_OBS; k++) {
+        struct tod *t = &cpu->tod[k];
+        if (!t->active || t->next >= cpu_now(cpu))
+            continue;
+        if (lost(cpu, k)) /* AMB-50, either: without OB 80 and its bit (reading b) */
+            t->next = next_point(cpu, t, cpu_now(cpu));
+        else
             late |= 1u << k;
+    }
     if (late == 0)
         return;
     /* AMB-53, either: in STARTUP there is no OB 80, the run is deferred to RUN (reading a). */

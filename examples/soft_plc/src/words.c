@@ -76,7 +76,7 @@ static bool unit(const char **s, int64_t *ms)
 
 bool word_duration(const char *s, int64_t *ms)
 {
-    const int64_t limit = 36525 * MS_DAY; /* as long as the calendar */
+    const int64_t limit = DT_FAR;
     if (strncmp(s, "T#", 2) == 0)
         s += 2;
     if (*s == '\0')

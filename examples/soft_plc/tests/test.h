@@ -29,6 +29,8 @@ int test_count(const char *log, const char *piece);
 void test_calendar(void);
 void test_calls(void);
 void test_dint(void);
+void test_irt(void);
+void test_diag(void);
 void test_scheduling(void);
 void test_clock(void);
 void test_modes(void);

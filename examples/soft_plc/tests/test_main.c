@@ -93,7 +93,8 @@ char *test_random(uint64_t seed, uint64_t events, enum fault fault)
     struct config c;
     memset(&c, 0, sizeof c);
     random_program(&r, seed);
-    random_config(&r, &c);
+    random_config(&r, &c, NULL);
+    c.log_diag = true;
     c.cycle_ms = 10;
     c.latency_ms = 10;
     c.duration = INT64_MAX;
@@ -135,6 +136,8 @@ int main(void)
     test_calendar();
     test_calls();
     test_dint();
+    test_irt();
+    test_diag();
     test_scheduling();
     test_clock();
     test_modes();
