@@ -14,7 +14,9 @@ NO_VERDICT = 3
 
 COMMANDS = {
     "trace": "trace_checker.trace_command:trace_command",
+    "import": "trace_checker.importing.command:import_command",
     "models": "trace_checker.models.command:models_command",
+    "mutants": "trace_checker.mutants.command:mutants_command",
     "verify": "trace_checker.verify_command:verify_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.

@@ -1,0 +1,24 @@
+"""The whole log as text, read back so that nothing unusable is ever written."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from trace_checker.importing.errors import SourceError
+from trace_checker.importing.recording import Placed
+from trace_checker.log.errors import UnusableLogError
+from trace_checker.log.reader import read_log
+
+
+def render(header: dict[str, Any], events: Sequence[Placed]) -> bytes:
+    """The log; raises SourceError with the place of the first event that the format does not allow."""
+    lines = [header, *(placed.event for placed in events)]
+    text = "".join(json.dumps(line, ensure_ascii=False) + "\n" for line in lines).encode()
+    try:
+        for _ in read_log([text]):
+            pass
+    except UnusableLogError as error:
+        place = "header" if error.line <= 1 else events[error.line - 2].place
+        where = f'field "{error.field}": ' if error.field else ""
+        raise SourceError(place, where + error.expected, error.found) from error
+    return text
