@@ -59,6 +59,16 @@ NoStatusWords == {}
 NoRetVals == {}
 \* @type: Set(Int);
 NoChangingObs == {}
+\* @type: Set(Int);
+NoDintObs == {}
+\* @type: Set(Int);
+NoBlockable == {}
+\* @type: Set(Int);
+NoDtimes == {}
+\* @type: Set(Int);
+NoSigns == {}
+\* @type: Set(Int);
+NoIrtModes == {}
 NoHoldPossible == FALSE
 
 (* At most n start events wait, and a few more that are open. *)
@@ -66,6 +76,6 @@ NoHoldPossible == FALSE
 Waiting(n) == /\ Cardinality({ r \in requests : ~r.open }) <= n
               /\ Cardinality(requests) <= n + 1
 
-(* The state without `step'. *)
+(* The state without what the last step was and entered. *)
 View == cpuVars
 =============================================================================

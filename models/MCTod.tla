@@ -22,7 +22,7 @@ MCRestartTypes == {"warm"}
 SetTableProp ==
     [][ Did("SET_TINT") =>
           LET d == step'.sdt
-              p == step'.period
+              p == step'.operand
               dated == IF d = WrongDate \/ (d = Monthly29 /\ p = Monthly)
                        THEN {\h8091} ELSE {}
               coded == IF p = \hFFFF THEN {\h8092} ELSE {}

@@ -8,11 +8,7 @@
 (* running OB, and it falls to 0 when that OB ends [AIRT-12].              *)
 (* Left out: an upper limit of the count; no source has one [AIRT-14].     *)
 (***************************************************************************)
-EXTENDS Requests
-
-(* A system function is called by the running OB; in HOLD none runs         *)
-(* [OBS-45].                                                               *)
-Called == stack # <<>> /\ mode # "HOLD"
+EXTENDS Calls
 
 (* [AIRT-03] [AIRT-06] *)
 \* @type: Int => Bool;
@@ -20,7 +16,8 @@ DisAirt(ret) ==
     /\ Called
     /\ ret = delay + 1
     /\ delay' = delay + 1
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
                    stack, stopCause>>
 
 (* [AIRT-03] [AIRT-07] *)
@@ -29,6 +26,7 @@ EnAirt(ret) ==
     /\ Called
     /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
     /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
                    stack, stopCause>>
 =============================================================================

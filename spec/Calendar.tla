@@ -99,10 +99,12 @@ At(m) == [min |-> m, ms |-> 0]
 \* @type: ($moment, $moment) => Bool;
 Before(a, b) == a.min < b.min \/ (a.min = b.min /\ a.ms < b.ms)
 
-(* The first whole minute that is not before the moment t: a point that    *)
-(* equals the clock is not past [AMB-37].                                  *)
-\* @type: $moment => Int;
-MinuteFrom(t) == IF t.ms = 0 THEN t.min ELSE t.min + 1
+Aeon == 1000000000
+
+(* ms from a to b, at most an aeon (11 days): TLC's integers have 32 bits. *)
+\* @type: ($moment, $moment) => Int;
+Span(a, b) == IF b.min - a.min > 16000 THEN Aeon
+              ELSE (b.min - a.min) * 60000 + b.ms - a.ms
 
 -----------------------------------------------------------------------------
 (* The series of start points *)
@@ -117,13 +119,17 @@ YearOfIndex(i) == FirstYear + (i \div 12)
 \* @type: Int => Int;
 MonthOfIndex(i) == (i % 12) + 1
 
+\* @type: (Int, Int) => Int;
+Earlier(a, b) == IF a <= b THEN a ELSE b
+
 (* The point of month i for a start on day d of the month at minute t of   *)
-(* the day; Never where the month has no such day.  d = 0: its last day.   *)
+(* the day; Never where the month has no such day.  Day -d is day d or, in *)
+(* shorter months, the last day.                                           *)
 \* @type: (Int, Int, Int) => Int;
 PointInMonth(i, d, t) ==
     LET y == YearOfIndex(i)
         m == MonthOfIndex(i)
-        k == IF d = 0 THEN DaysInMonth(y, m) ELSE d
+        k == IF d > 0 THEN d ELSE Earlier(-d, DaysInMonth(y, m))
     IN  IF y > LastYear \/ k > DaysInMonth(y, m) THEN Never
         ELSE DayNumber(y, m, k) * MinutesADay + t
 
@@ -132,9 +138,6 @@ PointInMonth(i, d, t) ==
 PointInYear(y, m, d, t) ==
     IF y > LastYear \/ d > DaysInMonth(y, m) THEN Never
     ELSE DayNumber(y, m, d) * MinutesADay + t
-
-\* @type: (Int, Int) => Int;
-Earlier(a, b) == IF a <= b THEN a ELSE b
 
 \* @type: (Int, Int) => Int;
 NotBefore(p, m) == IF p >= m THEN p ELSE Never
@@ -180,6 +183,7 @@ FirstPoint(start, period, m) ==
                [] period = Monthly    -> FirstMonthly(DayOf(day), time, from)
                [] period = Yearly     ->
                     FirstYearly(MonthOf(day), DayOf(day), time, from)
-               [] period = EndOfMonth -> FirstMonthly(0, time, from)
+               [] period = EndOfMonth -> FirstMonthly(-31, time, from)
+               [] period = MonthlyOrLast -> FirstMonthly(-DayOf(day), time, from)
                [] OTHER               -> Never
 =============================================================================

@@ -1,38 +1,42 @@
 -------------------------------- MODULE Clock -------------------------------
 (***************************************************************************)
-(* The CPU clock: time passes, and the clock is set by SFC 0, a programming *)
-(* device or synchronisation, one rule for all [CLK-01] (catalogue section *)
-(* 6, and 1.1).                                                            *)
+(* Time passes, and the CPU clock is set by SFC 0, a programming device or *)
+(* synchronisation, one rule for all [CLK-01] (catalogue section 6, and    *)
+(* 1.1).                                                                   *)
 (*                                                                         *)
 (* Left out: the limits of synchronisation, OB 87 [CLK-15].                *)
 (***************************************************************************)
-EXTENDS StartPoints
+EXTENDS TimeDelay
 
 (* No start point is left behind: one that equals the clock must have been  *)
 (* dealt with, and the clock stops at the next one.                        *)
 \* @type: $moment => Bool;
 PassesNoPoint(t) ==
     Watching => \A o \in DOMAIN tod :
-                  tod[o].active => /\ tod[o].next >= t.min
-                                   /\ tod[o].next = t.min => t.ms = 0
-                                   /\ clock # At(tod[o].next)
+                  tod[o].active => /\ ~Before(NextMoment(tod[o]), t)
+                                   /\ clock # NextMoment(tod[o])
 
-\* @type: $moment => Bool;
-TimePasses(t) ==
+(* The clock goes on to t while d ms elapse. *)
+\* @type: ($moment, Int) => Bool;
+TimePasses(t, d) ==
     /\ Before(clock, t)
     /\ PassesNoPoint(t)
+    /\ PassesNoDelay(d)
     /\ clock' = t
-    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, requests, stack, delay,
+    /\ dint'  = JobsAfter(d)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, irt, requests, stack, delay,
                    stopCause>>
 
 -----------------------------------------------------------------------------
+(* Points that the clock skips *)
 
 (* The active interrupts with points between the old and the new time.  A   *)
 (* point that equals the new time is reached, not skipped [AMB-37].        *)
 \* @type: $moment => Set(Int);
 SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
                                       /\ ~Deselected(o)
-                                      /\ Before(At(tod[o].next), to) }
+                                      /\ IsPast(NextMoment(tod[o]), to) }
 
 \* @type: ($tod, $moment) => $tod;
 Repeating(t, to) ==
@@ -45,12 +49,13 @@ Rearmed(to, reading) ==
     [ o \in DOMAIN tod |->
         LET t    == Repeating(tod[o], to)
             next == NextPoint(t, to, reading)
-            last == FirstPoint(t.start, t.period, t.next + 1)
+            last == [NextMoment(t) EXCEPT !.min = PointFrom(t, t.next + 1)]
         IN  IF ~t.active \/ next = t.next THEN t
             ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
-            ELSE IF Before(At(last), to)
-            THEN [ServedOnce(t, t.next, next) EXCEPT !.next = next]
-            ELSE [Served(t, t.next) EXCEPT !.next = next] ]
+            ELSE AfterPoint(o,
+                   IF IsPast(last, to)
+                   THEN [ServedOnce(t, t.next, next) EXCEPT !.next = next]
+                   ELSE [Served(t, t.next) EXCEPT !.next = next]) ]
 
 (* [AMB-56] [AMB-57] Set back, the clock makes the CPU show how it reads    *)
 (* what no source decides.                                                 *)
@@ -63,36 +68,97 @@ ReadingsWith(unserved, anew) ==
         IF a = "AMB-56" THEN unserved
         ELSE IF a = "AMB-57" THEN anew ELSE cpu.readings[a] ]
 
-(* [CLK-02] [CLK-03] [CLK-06] [OBS-46] One OB 80 for all, then one catch-up  *)
-(* each, in any order [AMB-54].  Whether an OB that waits or runs gets one  *)
-(* of its own is open [AMB-52], and so are all after HOLD [AMB-55].        *)
+(* By a letter: (a) nothing of the set, (b) all of it, or any part. *)
+\* @type: (Str, Set(Int)) => Set(Set(Int));
+PartBy(letter, whole) == CASE letter = "a" -> {{}}
+                           [] letter = "b" -> {whole}
+                           [] OTHER        -> SUBSET whole
+
+(* [AMB-54] The order of several catch-ups. *)
+\* @type: ($request, $request) => Bool;
+Precedes(r, s) == CASE Reading("AMB-54") = "a" -> Before(r.since, s.since)
+                    [] Reading("AMB-54") = "b" -> r.ob < s.ob
+                    [] OTHER                   -> FALSE
+
+\* @type: Set($request) => Set($request);
+WithCatchUps(runs) ==
+    requests \cup
+      { [ r EXCEPT !.rank = PlaceIn(requests, r)
+            + Cardinality({ s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
+        : r \in runs }
+
+(* [AMB-16] The time that OB 80 gives. *)
+\* @type: (Set(Int), $moment) => $moment;
+TimeOfSkip(skipped, now) ==
+    IF Reading("AMB-16") = "a" THEN now
+    ELSE LET points == { NextMoment(tod[o]) : o \in skipped }
+         IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
+
+(* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that is    *)
+(* late, then one catch-up each, in any order.  Whether an OB that waits   *)
+(* or runs gets one of its own is open [AMB-52], whether a blocked one is  *)
+(* reported [AMB-50], and what follows HOLD [AMB-55]; a missing one is     *)
+(* [AMB-51].                                                               *)
 \* @type: (Int, $moment, Set(Int)) => Bool;
-Skip(fault, since, skipped) ==
-    \E merged \in SUBSET { o \in skipped : OnStack(o) \/ PendingIn(requests, o) } :
-      LET error == [TimeError(fault, skipped, 0, 0) EXCEPT !.since = since]
-          runs  == { [ TodRequest(o, At(tod[o].next), fault) EXCEPT
-                         !.open = fault = SkippedInHold ]
-                     : o \in skipped \ merged }
-      IN  /\ requests'  = WithTimeError(EnterAll(requests, runs), error)
-          /\ stopCause' = StopOfTimeError
+Skip(fault, now, skipped) ==
+    LET silent == { o \in skipped : Blocked(o) }
+        waits  == { o \in skipped \ silent : OnStack(o) \/ PendingIn(requests, o) }
+        absent == IF Reading("AMB-51") = "b" THEN skipped \ loaded ELSE {}
+        after  == IF fault = SkippedInHold THEN Reading("AMB-55") ELSE "a"
+    IN  \E merged \in PartBy(Reading("AMB-52"), waits),
+           unsaid \in PartBy(Reading("AMB-50"), silent) :
+          LET late == (skipped \ unsaid) \ absent
+              runs == { [ TodRequest(o, NextMoment(tod[o]),
+                                     IF o \in absent THEN 0 ELSE fault)
+                          EXCEPT !.open = after = "c" ]
+                        : o \in IF after = "b" THEN {}
+                                ELSE skipped \ (silent \cup merged) }
+              kept == WithCatchUps(runs)
+          IN  IF late = {}
+              THEN requests' = kept /\ UNCHANGED stopCause /\ NothingEntered
+              ELSE TimeErrorOccurs(kept, requests,
+                     [ TimeError(fault, late, 0, 0) EXCEPT
+                         !.since = TimeOfSkip(skipped, now) ])
 
 (* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
 \* @type: Set(Int) => Bool;
 Defer(skipped) ==
-    /\ requests' = EnterAll(requests,
-                     { TodRequest(o, At(tod[o].next), 0)
-                       : o \in { s \in skipped : ~PendingIn(requests, s) } })
+    /\ requests' = WithCatchUps(
+                     { TodRequest(o, NextMoment(tod[o]), 0)
+                       : o \in { s \in skipped : ~PendingIn(requests, s)
+                                                 /\ ~Blocked(s) } })
     /\ UNCHANGED stopCause
+    /\ NothingEntered
+
+-----------------------------------------------------------------------------
+(* The clock is set *)
+
+(* What waits when the clock is set back: it stays [AMB-59]; under AMB-40   *)
+(* (b) an S7-300 calls every active time-of-day OB.                        *)
+\* @type: $moment => Bool;
+NothingSkipped(to) ==
+    LET stay == IF Before(to, clock) /\ Reading("AMB-59") = "b"
+                THEN Close({ r \in requests : r.ob \notin TodObs }) ELSE requests
+        all  == IF /\ Before(to, clock) /\ Watching
+                   /\ cpu.family = "S7-300" /\ Reading("AMB-40") = "b"
+                THEN { o \in TodObs : tod[o].active /\ ~Idle(o)
+                                      /\ ~PendingIn(stay, o) }
+                ELSE {}
+    IN  /\ requests' = EnterAll(stay, { TodRequest(o, to, 0) : o \in all })
+        /\ UNCHANGED stopCause
+        /\ NothingEntered
 
 (* [AMB-53] In HOLD the points that are skipped may also wait for release.  *)
 \* @type: $moment => Bool;
 ClockSet(to) ==
     LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to)
         back    == Remembers /\ Before(to, clock)
+        open    == Reading("AMB-53")
     IN  /\ to # clock
         /\ clock' = to
         /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back),
-              deferred \in IF mode = "HOLD" THEN BOOLEAN ELSE {FALSE} :
+              deferred \in IF mode # "HOLD" \/ open = "b" THEN {FALSE}
+                           ELSE IF open = "a" THEN {TRUE} ELSE BOOLEAN :
              /\ tod' = [ o \in DOMAIN tod |->
                           IF mode = "STOP" THEN Repeating(tod[o], to)
                           ELSE IF deferred /\ o \in skipped THEN tod[o]
@@ -100,8 +166,10 @@ ClockSet(to) ==
              /\ IF back
                 THEN cpu' = [cpu EXCEPT !.readings = ReadingsWith(unserved, anew)]
                 ELSE UNCHANGED cpu
-             /\ IF skipped = {} \/ deferred THEN Nothing
-                ELSE \/ Skip(SkippedByClock, to, skipped)
-                     \/ mode = "STARTUP" /\ Defer(skipped)
-        /\ UNCHANGED <<loaded, mode, startup, stack, delay>>
+             /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
+                ELSE \/ /\ mode # "STARTUP" \/ open # "a"
+                        /\ Skip(SkippedByClock, to, skipped)
+                     \/ /\ mode = "STARTUP" /\ open # "b"
+                        /\ Defer(skipped)
+        /\ UNCHANGED <<loaded, mode, startup, dint, irt, stack, delay>>
 =============================================================================

@@ -10,14 +10,20 @@ EXTENDS Integers
 
 (* [TINT-22] RET_VAL: no error *)
 OK == 0
-(* [TINT-35] [TINT-51] [TINT-61] [TINT-70] bad OB_NR *)
+(* [TINT-35] [TINT-51] [TINT-61] [TINT-70] [DINT-05] [IRT-12] bad OB_NR *)
 BadOb == \h8090
 (* [TINT-35] bad SDT *)
 BadSdt == \h8091
+(* [DINT-04] bad DTIME *)
+BadDtime == \h8091
+(* [IRT-12] bad MODE *)
+BadMode == \h8091
 (* [TINT-35] bad PERIOD *)
 BadPeriod == \h8092
 (* [TINT-51] [TINT-61] no start date and time defined for the OB *)
 NotSet == \h80A0
+(* [DINT-14] no delay started for the OB *)
+NotStarted == \h80A0
 (* [TINT-36] [TINT-61] start point in the past *)
 PastStart == \h80A1
 (* [AIRT-07] EN_AIRT where nothing is delayed *)
@@ -34,6 +40,10 @@ Monthly    == \h1401
 Yearly     == \h1801
 EndOfMonth == \h2001
 
+(* [AMB-05] (c) Not a code of the CPU: monthly, in shorter months on the    *)
+(* last day.                                                               *)
+MonthlyOrLast == -1
+
 PeriodCodes ==
     {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly
 
@@ -45,8 +55,13 @@ Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
 
-(* Causes of STOP: [OBS-22] [OBS-21] [OBS-25]; 0 where the sources name     *)
-(* no event for the rule [OBS-23].                                         *)
+(* Entries of the diagnostic buffer (table 8.3): \h3500 + fault id for time  *)
+(* errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09].       *)
+ErrorEntry == \h3500
+EntriesDisabled == \h5380
+
+(* Causes of STOP, which are entries too: [OBS-22] [OBS-21] [OBS-25]; 0     *)
+(* where the sources name no event for the rule [OBS-23].                  *)
 NoTimeErrorOb    == \h4568
 NoProgramErrorOb == \h456D
 DeselectedLoaded == \h454A

@@ -1,21 +1,21 @@
 --------------------------------- MODULE Cpu --------------------------------
 (***************************************************************************)
 (* The state of an S7-300/400 CPU as far as its interrupts depend on it,   *)
-(* and the words to speak of it: OBs, priority classes, readings.          *)
+(* and the words to speak of it: OBs, priority classes, the stack.         *)
 (*                                                                         *)
 (* Sources: catalogue sections 0.3, 5.1, table 8.1.                        *)
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
-EXTENDS Integers, FiniteSets, Sequences, Typedefs, Codes, Calendar
+EXTENDS Integers, FiniteSets, Sequences, Typedefs, Codes, Calendar, Readings
 
 VARIABLES
-    (* The CPU at hand; never changes.  family: "S7-300", "S7-400" or       *)
-    (* "CPU 318"; priority: the classes that differ from the default        *)
-    (* [OBS-05]; step7: the STEP 7 parameters of the time-of-day            *)
-    (* interrupts; readings: the letters of the ambiguities that are not    *)
-    (* read by their default.  Only where the default is "either" a letter  *)
-    (* may be found later, when the CPU shows it.                           *)
+    (* The CPU at hand.  family: "S7-300", "S7-400" or "CPU 318"; priority: *)
+    (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
+    (* parameters of the time-of-day interrupts; readings: the letters of   *)
+    (* the ambiguities that are not read by their default.  It never        *)
+    (* changes, but that where the default is "either" a letter may be      *)
+    (* found later, when the CPU shows it.                                  *)
     \* @type: $cpu;
     cpu,
     (* The OBs that are loaded. *)
@@ -31,13 +31,22 @@ VARIABLES
     (* The CPU clock. *)
     \* @type: $moment;
     clock,
-    (* The time-of-day interrupts.  next: the point that is watched for     *)
-    (* (Never: none).  On S7-400 and CPU 318 [CLK-09]: servedFrom ..         *)
-    (* servedTo, the points for which the OB was called, but for gapFrom .. *)
-    (* gapTo, 0 .. -1 for none; repeatTo, the last minute that the clock    *)
-    (* had reached before it was set back, -1 if it was not.                *)
+    (* The time-of-day interrupts.  next: the minute of the point that is   *)
+    (* watched for (Never: none), offset: its ms, 0 but under AMB-14 (c).   *)
+    (* On S7-400 and CPU 318 [CLK-09]: servedFrom .. servedTo, the points   *)
+    (* for which the OB was called, but for gapFrom .. gapTo, 0 .. -1 for   *)
+    (* none; repeatTo, the last minute that the clock had reached before it *)
+    (* was set back, -1 if it was not.                                      *)
     \* @type: Int -> $tod;
     tod,
+    (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
+    (* the ms that are left [DINT-03].                                      *)
+    \* @type: Int -> $job;
+    dint,
+    (* SFC 39/40: what is blocked, and of that what is not entered in the   *)
+    (* diagnostic buffer [IRT-20].  See Blocked.                            *)
+    \* @type: $irt;
+    irt,
     (* [OBS-07] The start events that wait for their OB to start.  See      *)
     (* module Requests.                                                     *)
     \* @type: Set($request);
@@ -51,34 +60,28 @@ VARIABLES
     (* The event id of the error for which the CPU must go to STOP; NoCause *)
     (* if there is none.                                                    *)
     \* @type: Int;
-    stopCause
+    stopCause,
+    (* What the last step entered in the diagnostic buffer: no rule depends *)
+    (* on it.  open: the sources leave open whether it is entered.          *)
+    \* @type: Set($entry);
+    entered
 
-cpuVars == <<cpu, loaded, mode, startup, clock, tod, requests, stack,
-             delay, stopCause>>
+cpuVars == <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+             stack, delay, stopCause>>
 
------------------------------------------------------------------------------
-(* Readings of the ambiguities *)
+NothingEntered == entered' = {}
 
-(* The letter by which an ambiguity is read where the header says nothing.  *)
-\* @type: Str => Str;
-DefaultReading(a) ==
-    CASE a \in {"AMB-02", "AMB-27", "AMB-31", "AMB-44", "AMB-63"} -> "b"
-      [] a \in {"AMB-01", "AMB-11", "AMB-28", "AMB-45", "AMB-47", "AMB-48",
-                "AMB-49", "AMB-50", "AMB-52", "AMB-53", "AMB-54", "AMB-55",
-                "AMB-56", "AMB-57", "AMB-60", "AMB-61", "AMB-67", "AMB-68",
-                "AMB-70"} -> "c"
-      [] a \in {"AMB-13", "AMB-18", "AMB-77"} -> "d"
-      [] OTHER -> "a"
-
+(* The letter by which an ambiguity is read. *)
 \* @type: Str => Str;
 Reading(a) == IF a \in DOMAIN cpu.readings THEN cpu.readings[a]
-                                           ELSE DefaultReading(a)
+                                           ELSE Defaults[a]
 
 -----------------------------------------------------------------------------
 (* OBs *)
 
-(* [TINT-01] [AMB-64] Offered by every CPU; models use fewer. *)
-TodObs == 10..17
+(* [TINT-01] [DINT-01] [AMB-64] Offered by every CPU; models use fewer. *)
+TodObs  == 10..17
+DintObs == 20..23
 
 CycleOb   == 1
 TimeErrorOb == 80
@@ -124,10 +127,45 @@ ErrorClass(o, fault) ==
              THEN 28 ELSE 26
         ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
 
-(* [OBS-06] [TINT-02] (c) *)
+(* [OBS-06] [TINT-02] (c) [DINT-02] *)
 \* @type: Int => Bool;
 Deselected(o) == \/ o \in TodObs /\ cpu.step7[o].deselected
                  \/ ClassOf(o) = 0
+
+-----------------------------------------------------------------------------
+(* SFC 39/40: what is blocked *)
+
+(* [IRT-11] The class number of an OB; not its priority class. *)
+\* @type: Int => Int;
+ClassNumber(o) == IF o \in 55..57 THEN 50 ELSE (o \div 10) * 10
+
+(* [IRT-11] The OBs that can be blocked; models use fewer. *)
+Blockable == (10..17) \cup (20..23) \cup ExternalObs
+
+(* [AMB-21] (b) Marks in irt for a whole class and for everything, apart    *)
+(* from the OBs.                                                           *)
+\* @type: Int => Int;
+ClassMark(number) == 1000 + number
+AllMark == 2000
+
+\* @type: (Set(Int), Int) => Bool;
+MarkedIn(marks, o) ==
+    /\ marks # {}
+    /\ \/ o \in marks
+       \/ ClassMark(ClassNumber(o)) \in marks
+       \/ AllMark \in marks
+
+(* [IRT-01] [IRT-02] New start events of the OB are lost. *)
+\* @type: Int => Bool;
+Blocked(o) == MarkedIn(irt.blocked, o)
+
+(* [IRT-09] Nor are they entered in the diagnostic buffer. *)
+\* @type: Int => Bool;
+Silenced(o) == MarkedIn(irt.silent, o)
+
+(* Start events of the OB come to nothing. *)
+\* @type: Int => Bool;
+Idle(o) == Deselected(o) \/ Blocked(o)
 
 -----------------------------------------------------------------------------
 (* The stack *)
@@ -142,6 +180,7 @@ OnStack(o) == \E i \in DOMAIN stack : stack[i].ob = o
 \* @type: (Int, Int) => $frame;
 Frame(o, class) == [ob |-> o, class |-> class]
 
-(* The clock is watched for start points [OBS-41] [OBS-44]. *)
+(* The clock is watched for start points, and delays run, [OBS-41] [OBS-44]; *)
+(* neither in HOLD [OBS-45] [DINT-19].                                      *)
 Watching == mode \in {"RUN", "STARTUP"}
 =============================================================================

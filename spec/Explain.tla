@@ -20,25 +20,17 @@ Allowed(event, ob, field, value) ==
 
 AllRecords == {"call", "ob", "clock", "mode", "interrupt", "load"}
 
-(* The letters that some formula tells apart. *)
-\* @type: Str => Set(Str);
-CoveredLetters(a) ==
-    CASE a \in {"AMB-01", "AMB-11", "AMB-56", "AMB-57"} -> {"a", "b", "c"}
-      [] a \in {"AMB-13", "AMB-18"} -> {"a", "b", "c", "d"}
-      [] a \in {"AMB-02", "AMB-05", "AMB-08", "AMB-09", "AMB-17", "AMB-20"} ->
-           {"a", "b"}
-      [] OTHER -> {DefaultReading(a)}
-
 \* @type: $header => Set(Str);
 NotCovered(h) ==
-    { r[1] : r \in { q \in h.readings : q[2] \notin CoveredLetters(q[1]) } }
-      \cup (IF h.records = AllRecords THEN {} ELSE {"records"})
+    { r[1] : r \in { q \in h.readings : q[2] \notin Letters(q[1]) } }
+      \cup (IF AllRecords \subseteq h.records THEN {} ELSE {"records"})
 
 -----------------------------------------------------------------------------
 (* Calls *)
 
-Calls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
-          "EN_AIRT"}
+Queries == {"QRY_TINT", "QRY_DINT"}
+Calls == Queries \cup {"SET_TINT", "CAN_TINT", "ACT_TINT", "SRT_DINT", "CAN_DINT",
+                      "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
 
 \* @type: $event => Set(Int);
 RightAnswers(e) ==
@@ -47,6 +39,11 @@ RightAnswers(e) ==
       [] e.event = "CAN_TINT" -> Answers(e.ob, CanErrors(e.ob))
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
       [] e.event = "QRY_TINT" -> Answers(e.ob, ObErrors(e.ob))
+      [] e.event = "SRT_DINT" -> Answers(e.ob, SrtErrors(e.ob, e.dtime))
+      [] e.event = "CAN_DINT" -> Answers(e.ob, CanDintErrors(e.ob))
+      [] e.event = "QRY_DINT" -> Answers(e.ob, DintErrors(e.ob))
+      [] e.event = "DIS_IRT"  -> Usual(IrtErrors(e.mode, e.ob, DisModes))
+      [] e.event = "EN_IRT"   -> Usual(IrtErrors(e.mode, e.ob, EnModes))
       [] e.event = "DIS_AIRT" -> {delay + 1}
       [] OTHER -> {IF delay = 0 THEN NotDelayed ELSE delay - 1}
 
@@ -69,13 +66,34 @@ ActRequirements(e, ret) ==
       [] ret = BadOb  -> {"TINT-61"}
       [] OTHER -> {"TINT-22"}
 
+\* @type: ($event, Int) => Set(Str);
+SrtRequirements(e, ret) ==
+    CASE ret = OK       -> {"DINT-03", "DINT-07"}
+      [] ret = BadOb    -> {"DINT-05"}
+      [] ret = BadDtime -> {"DINT-04"}
+      [] OTHER          -> {"DINT-21"}
+
+\* @type: ($event, Int) => Set(Str);
+IrtRequirements(e, ret) ==
+    CASE ret = OK /\ e.event = "EN_IRT"  -> {"IRT-13", "IRT-24"}
+      [] ret = OK      -> {"IRT-06"}
+      [] ret = BadMode -> {"IRT-12"}
+      [] ret = BadOb   -> {"IRT-11", "IRT-12"}
+      [] OTHER         -> {"IRT-22"}
+
 (* The requirement of each wrong bit of STATUS. *)
-\* @type: (Int, Int) => Set(Str);
-StatusRequirements(status, right) ==
+\* @type: Set(<<Int, Str>>);
+TodStatusBits ==
+    { <<1, "TINT-72">>, <<2, "TINT-73">>, <<4, "TINT-74">>, <<8, "TINT-75">>,
+      <<16, "TINT-76">>, <<32, "TINT-77">>, <<64, "TINT-78">> }
+\* @type: Set(<<Int, Str>>);
+DintStatusBits == { <<bit, "DINT-16">> : bit \in {1, 2, 4, 8, 16, 32, 64} }
+                    \cup {<<2, "IRT-17">>}
+
+\* @type: (Str, Int, Int) => Set(Str);
+StatusRequirements(event, status, right) ==
     LET wrong(bit) == (status \div bit) % 2 # (right \div bit) % 2
-        ids == { <<1, "TINT-72">>, <<2, "TINT-73">>, <<4, "TINT-74">>,
-                 <<8, "TINT-75">>, <<16, "TINT-76">>, <<32, "TINT-77">>,
-                 <<64, "TINT-78">> }
+        ids == IF event = "QRY_TINT" THEN TodStatusBits ELSE DintStatusBits
     IN  { p[2] : p \in { q \in ids : wrong(q[1]) } }
           \cup (IF status >= 128 THEN {"TINT-79"} ELSE {})
 
@@ -86,10 +104,19 @@ AnswerRequirements(e, ret) ==
            IF ret = OK THEN {"TINT-50", "TINT-52"} ELSE {"TINT-51"}
       [] e.event = "ACT_TINT" -> ActRequirements(e, ret)
       [] e.event = "QRY_TINT" -> {"TINT-70"}
+      [] e.event = "SRT_DINT" -> SrtRequirements(e, ret)
+      [] e.event = "CAN_DINT" -> {"DINT-14"}
+           \cup (IF ret = NotStarted THEN {"DINT-15"} ELSE {})
+      [] e.event = "QRY_DINT" -> {"DINT-16"}
+      [] e.event \in {"DIS_IRT", "EN_IRT"} -> IrtRequirements(e, ret)
       [] e.event = "DIS_AIRT" -> {"AIRT-03", "AIRT-06"}
                                    \cup (IF delay = 0 THEN {"AIRT-04"} ELSE {})
       [] OTHER                -> {"AIRT-03", "AIRT-07"}
                                    \cup (IF delay = 0 THEN {"AIRT-04"} ELSE {})
+
+\* @type: $event => Set(Int);
+RightStatuses(e) == IF e.event = "QRY_TINT" THEN Statuses(e.ob)
+                                            ELSE DintStatuses(e.ob)
 
 \* @type: $event => Bool;
 AnswerRight(e) == e.ret = -1 \/ e.ret \in RightAnswers(e)
@@ -116,7 +143,7 @@ Possible ==
 Expected(e) ==
     IF e.event \in Calls /\ Called
     THEN IF AnswerRight(e)
-         THEN { Allowed(e.event, e.ob, "status", s) : s \in Statuses(e.ob) }
+         THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
          ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
     ELSE Possible
 
@@ -144,8 +171,16 @@ NoTodRequest(o) ==
            \cup (IF tod[o].repeatTo >= clock.min THEN {"CLK-09"} ELSE {})
 
 \* @type: Int => Set(Str);
-NoRequest(o) ==
-    CASE o \in TodObs          -> NoTodRequest(o)
+NoDintRequest(o) ==
+    IF OnStack(o) THEN {"OBS-02", "DINT-10"}
+    ELSE IF ~dint[o].started THEN {"DINT-02", "DINT-13", "DINT-14"}
+    ELSE {"DINT-03", "DINT-06"} \cup (IF mode = "HOLD" THEN {"DINT-19"} ELSE {})
+
+\* @type: Int => Set(Str);
+WithoutRequest(o) ==
+    CASE Blocked(o)            -> {"IRT-01", "IRT-04"}
+      [] o \in TodObs          -> NoTodRequest(o)
+      [] o \in DintObs         -> NoDintRequest(o)
       [] o = TimeErrorOb       -> {"OBS-30", "CLK-02", "OBS-32"}
       [] o = ProgramErrorOb    -> {"OBS-20"}
       [] o \in {CycleOb} \cup StartupObs ->
@@ -158,6 +193,8 @@ InfoRequirements(r, i) ==
     (IF Fits(i.priority, r.class) THEN {} ELSE {"OBS-04"})
       \cup (IF r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word)
             THEN {"TINT-25", "TINT-33"} ELSE {})
+      \cup (IF r.ob \in DintObs /\ ~(Fits(i.sign, r.word) /\ Fits(i.dtime, r.dtime))
+            THEN {"DINT-03", "DINT-07"} ELSE {})
       \cup (IF FitsTime(r, i.time) THEN {}
             ELSE IF r.follows \in Skips THEN {"CLK-07"}
             ELSE IF r.ob \in TodObs THEN {"TINT-09", "TINT-24"} ELSE {"OBS-10"})
@@ -167,7 +204,9 @@ InfoRequirements(r, i) ==
 
 \* @type: ($request, $event) => Set(Str);
 StartRequirements(r, e) ==
-    IF ~ModeAllows(r) THEN (IF mode = "STARTUP" THEN {"OBS-42", "TINT-13"}
+    IF ~ModeAllows(r) THEN (IF mode = "STARTUP" THEN {"OBS-42"}
+                              \cup (IF r.ob \in TodObs THEN {"TINT-13"} ELSE {})
+                              \cup (IF r.ob \in DintObs THEN {"DINT-12"} ELSE {})
                             ELSE IF mode = "HOLD" THEN {"OBS-45"}
                             ELSE {"OBS-41"})
     ELSE IF r.ob \notin loaded THEN {"TINT-16", "OBS-20"}
@@ -189,12 +228,17 @@ Deciding(e) ==
            AnswerRequirements(e, e.ret)
              \cup UNION { AnswerRequirements(e, r) : r \in RightAnswers(e) }
       [] e.event \in Calls /\ Called /\ AnswerRight(e) ->
-           UNION { StatusRequirements(e.status, s) : s \in Statuses(e.ob) }
+           UNION { StatusRequirements(e.event, e.status, s)
+                   : s \in RightStatuses(e) }
       [] e.event = "start" ->
            IF mode = "STOP" THEN {"OBS-41"}
-           ELSE IF ~\E r \in requests : r.ob = e.ob THEN NoRequest(e.ob)
+           ELSE IF ~\E r \in requests : r.ob = e.ob THEN WithoutRequest(e.ob)
            ELSE UNION { StartRequirements(r, e)
                         : r \in { q \in requests : q.ob = e.ob } }
+      [] e.event = "diag"    ->
+           IF e.id = EntriesDisabled THEN {"IRT-09"}
+           ELSE IF e.id - ErrorEntry \in (\hA1..\hA3) THEN {"OBS-20"}
+           ELSE {"OBS-30"}
       [] e.event = "end"     -> {"OBS-03"}
       [] e.event = "restart" -> {"OBS-40"}
       [] e.event = "run"     -> IF stopCause # NoCause THEN {"OBS-25"}
@@ -209,11 +253,18 @@ Deciding(e) ==
 
 Due == { r \in requests : MayStart(r) /\ ~r.open }
 
-(* Points on the way to the line lead to something that is late as well.    *)
+(* Points and delays on the way to the line lead to something that is late  *)
+(* as well.                                                                *)
 \* @type: $event => Set(Int);
 DueOnTheWay(e) ==
     { o \in DOMAIN tod : /\ Watching /\ tod[o].active
                          /\ ~Before(e.at, At(tod[o].next)) }
+
+\* @type: $event => Set(Int);
+OverOnTheWay(e) == { o \in Jobs : dint[o].left <= Span(up, e.up) }
+
+ReportsDue == { r \in reports : /\ DiagRecorded /\ ~r.entry.open
+                               /\ r.entry.id \in DemandedEntries }
 
 (* All that may start is named: which class was late first depends on the   *)
 (* time that had passed when the line was reached.                         *)
@@ -225,6 +276,8 @@ TooLate(e) ==
                                    /\ q.ob \notin AsyncErrorObs } }
       \cup { Allowed("start", o, "", 0)
              : o \in DueOnTheWay(e) }
+      \cup { Allowed("start", o, "", 0) : o \in OverOnTheWay(e) }
+      \cup { Allowed("diag", 0, "id", r.entry.id) : r \in ReportsDue }
       \cup (IF StopDuty \notin DOMAIN waiting THEN {}
             ELSE {Allowed("stop", 0, "cause", stopCause)})
 
@@ -235,6 +288,7 @@ LateRequirement(r) ==
            ELSE {"TINT-16", "OBS-20", "OBS-21"}
       [] r.follows \in Skips         -> {"CLK-03"}
       [] r.follows = StillRunning    -> {"TINT-14"}
+      [] r.ob \in DintObs            -> {"DINT-03", "DINT-11"}
       [] r.ob \in TodObs             ->
            {"TINT-09", "TINT-23"} \cup SeriesRequirements(r.word)
              \cup (IF cpu.step7[r.ob].execution = "once" THEN {"OBS-56"} ELSE {})
@@ -255,9 +309,28 @@ PointRequirements(o) ==
            \cup (IF clock.min < tod[o].servedTo \/ ~Remembers
                  THEN {"CLK-10"} ELSE {})
 
+\* @type: Int => Set(Str);
+DelayRequirements(o) ==
+    IF OnStack(o)
+    THEN {"DINT-10"} \cup (IF TimeErrorOb \in loaded THEN {} ELSE {"OBS-22"})
+    ELSE IF o \notin loaded
+    THEN {"DINT-09", "OBS-20"}
+           \cup (IF ProgramErrorOb \in loaded THEN {} ELSE {"OBS-21"})
+    ELSE {"DINT-03"}
+
+\* @type: $entry => Set(Str);
+EntryRequirements(entry) ==
+    CASE entry.id = EntriesDisabled  -> {"IRT-09"}
+      [] entry.id = NoTimeErrorOb    -> {"OBS-22"}
+      [] entry.id = NoProgramErrorOb -> {"OBS-21"}
+      [] entry.of.ob = TimeErrorOb   -> {"OBS-30"}
+      [] OTHER                       -> {"OBS-20"}
+
 \* @type: $event => Set(Str);
 LateRequirements(e) ==
     UNION { LateRequirement(r) : r \in Due }
+      \cup UNION { DelayRequirements(o) : o \in OverOnTheWay(e) }
+      \cup UNION { EntryRequirements(r.entry) : r \in ReportsDue }
       \cup UNION { PointRequirements(o) : o \in DueOnTheWay(e) }
       \cup (IF StopDuty \notin DOMAIN waiting THEN {}
             ELSE CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}

@@ -3,8 +3,6 @@
 (* The records that stand for the lines of a log: header and events, with  *)
 (* the value that a field has where the line does not give it (-1).  The   *)
 (* trace checker's engine fills them from the log.                         *)
-(*                                                                         *)
-(* Left out: fields of events that the specification does not have yet.    *)
 (***************************************************************************)
 EXTENDS Modes
 
@@ -24,14 +22,10 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
 
 \* @type: $event;
 NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
-             sdt |-> NoDate, period |-> -1, ret |-> -1, status |-> -1,
-             to |-> NoMoment, type |-> "", cause |-> -1, flt_id |-> -1,
-             info |-> NoInfo ]
-
-(* The events that this specification explains. *)
-Explained == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "DIS_AIRT",
-              "EN_AIRT", "start", "end", "clock", "restart", "run", "stop",
-              "interrupt", "load", "delete", "hold", "release"}
+             sdt |-> NoDate, period |-> -1, dtime |-> -1, sign |-> -1,
+             mode |-> -1, ret |-> -1, status |-> -1, to |-> NoMoment,
+             type |-> "", cause |-> -1, flt_id |-> -1, id |-> -1,
+             priority |-> -1, info |-> NoInfo ]
 
 \* @type: (Int, Set(Int)) => Set(Int);
 Given(value, possible) == IF value = -1 THEN possible ELSE {value}
@@ -42,7 +36,7 @@ Given(value, possible) == IF value = -1 THEN possible ELSE {value}
 \* @type: $header;
 NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
               latency |-> 0, cycle |-> FALSE, priority |-> {}, step7 |-> {},
-              readings |-> {}, records |-> {} ]
+              readings |-> {}, profile |-> "", records |-> {} ]
 
 NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
                   deselected |-> FALSE ]

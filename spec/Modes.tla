@@ -35,7 +35,7 @@ Configured(s) ==
 PastOnce(o) ==
     LET s == cpu.step7[o]
     IN  /\ s.execution = "once" /\ s.active
-        /\ IsPast(s.start, clock)
+        /\ IsPast(At(s.start), clock)
         /\ ~Deselected(o)
 
 (* [OBS-50] The STEP 7 parameters apply again. *)
@@ -45,24 +45,31 @@ Reconfigured(o) ==
     IN  IF t.active THEN Armed(t, clock) ELSE t
 
 RestartRequests ==
-    { [ ob |-> o, class |-> ClassOf(o), rank |-> 1, fault |-> 0,
-        since |-> At(cpu.step7[o].start), word |-> Once, late |-> {},
-        cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
+    { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
+                         !.since = At(cpu.step7[o].start), !.word = Once ]
       : o \in { p \in TodObs : PastOnce(p) } }
+
+NoJobs    == [o \in DintObs |-> NoJob]
+NoneBlocked == [blocked |-> {}, silent |-> {}]
 
 (* [OBS-25] *)
 RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
                                                   ELSE NoCause
 
-(* [OBS-50] [OBS-52] [OBS-54] [OBS-55] [OBS-57] [AMB-65] *)
+(* [OBS-50] [OBS-52] [OBS-53] [OBS-54] [OBS-55] [OBS-57] [DINT-13] [IRT-03]   *)
+(* [AMB-65]                                                                *)
 \* @type: Str => Bool;
 Restart(type) ==
     /\ mode = "STOP"
+    /\ type = "cold" /\ cpu.family = "S7-300" => Reading("AMB-65") = "a"
     /\ mode'    = "STARTUP"
     /\ startup' = type
     /\ tod'     = [o \in TodObs |-> Reconfigured(o)]
+    /\ dint'    = NoJobs
+    /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
     /\ stopCause' = RestartStop
+    /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
     /\ stack' = <<>>
     /\ delay' = 0
     /\ UNCHANGED <<cpu, loaded, clock>>
@@ -74,15 +81,18 @@ Run ==
     /\ stack = <<>>
     /\ mode'    = "RUN"
     /\ startup' = "none"
-    /\ UNCHANGED <<cpu, loaded, clock, tod, requests, stack, delay,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, clock, tod, dint, irt, requests, stack, delay,
                    stopCause>>
 
-(* [OBS-45] Nothing runs in HOLD; the clock goes on. *)
+(* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the clock *)
+(* goes on.                                                                *)
 Hold ==
     /\ mode = "RUN"
     /\ mode' = "HOLD"
-    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, requests, stack, delay,
-                   stopCause>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, dint, irt, requests, stack,
+                   delay, stopCause>>
 
 (* [OBS-46] OB 80 reports the points that passed in HOLD. *)
 Release ==
@@ -91,9 +101,10 @@ Release ==
         /\ mode' = "RUN"
         /\ tod'  = Rearmed(clock, Reading("AMB-56"))
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
-        /\ UNCHANGED <<cpu, loaded, startup, clock, stack, delay>>
+        /\ UNCHANGED <<cpu, loaded, startup, clock, dint, irt, stack, delay>>
 
-(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time. *)
+(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  What      *)
+(* SFCs have set is of no use any more: a restart follows [DINT-13].       *)
 Stop ==
     /\ mode # "STOP"
     /\ mode'      = "STOP"
@@ -102,5 +113,7 @@ Stop ==
     /\ stack'     = <<>>
     /\ delay'     = 0
     /\ stopCause' = NoCause
-    /\ UNCHANGED <<cpu, loaded, clock, tod>>
+    /\ dint' = NoJobs
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, clock, tod, irt>>
 =============================================================================

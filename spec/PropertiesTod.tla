@@ -46,14 +46,14 @@ SetAnswerProp ==
     [][ Did("SET_TINT") =>
           LET o == step'.ob
               v == step'.value
-              past == /\ step'.period = Once
+              past == /\ step'.operand = Once
                       /\ Before(At(MinuteOf(step'.sdt)), clock)
           IN  /\ v \in {\h0000, \h8090, \h8091, \h8092, \h80A1}
               /\ v = \h8090 => o \notin TodObs \/ Deselected(o)
               /\ v = \h80A1 => past
-              /\ v = \h8092 => step'.period \notin PeriodCodes
+              /\ v = \h8092 => step'.operand \notin PeriodCodes
               /\ v = 0 => /\ o \in TodObs
-                          /\ step'.period \in PeriodCodes
+                          /\ step'.operand \in PeriodCodes
                           /\ ~past ]_vars
 
 (* [TINT-30] [TINT-31] SET_TINT sets, and does not activate. *)
@@ -61,7 +61,7 @@ SetProp ==
     [][ Did("SET_TINT") /\ step'.value = 0 =>
           /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active
           /\ tod'[step'.ob].start = MinuteOf(step'.sdt)
-          /\ tod'[step'.ob].period = step'.period
+          /\ tod'[step'.ob].period = step'.operand
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
 (* [TINT-51] [TINT-50] [TINT-52] CAN_TINT. *)
@@ -123,9 +123,9 @@ QueryProp ==
 
 (* [TINT-72] [TINT-74] [TINT-76] [TINT-79] STATUS. *)
 StatusProp ==
-    [][ Did("QRY_TINT") /\ step'.period # -1 /\ step'.value = 0 =>
+    [][ Did("QRY_TINT") /\ step'.operand # -1 /\ step'.value = 0 =>
           LET o == step'.ob
-              status == step'.period
+              status == step'.operand
               bit(n) == (status \div n) % 2 = 1
           IN  /\ o \in TodObs
               /\ status < 32 /\ ~bit(2) /\ ~bit(8)

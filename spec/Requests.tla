@@ -10,16 +10,19 @@
 (*   fault       fault id of OB 80 and OB 85, else 0                       *)
 (*   since       the moment of the start event; for the catch-up of a      *)
 (*               skipped point the first point skipped [CLK-07]            *)
-(*   word        PERIOD of a time-of-day interrupt; for OB 80 and OB 85    *)
-(*               that of the OB which caused the error                     *)
+(*   word        PERIOD of a time-of-day interrupt, SIGN of a time-delay   *)
+(*               interrupt; for OB 80 and OB 85 that of the OB which       *)
+(*               caused the error                                          *)
+(*   dtime       DTIME of a time-delay interrupt                           *)
 (*   late        OB 80: the OBs that it reports [CLK-06]                   *)
 (*   cause       OB 80 and OB 85: the OB that was requested, else 0        *)
-(*   during      OB 85: the OB that was active at the error                *)
+(*   during      OB 80 and OB 85: the OB that was active at the error      *)
 (*   follows     fault id of the OB 80 that reports this run and that comes *)
 (*               first [TINT-15] [CLK-03], else 0                          *)
 (*   open        where the sources leave open whether the start event has  *)
 (*               this effect: the OB may start by it, or nothing happens   *)
 (*                                                                         *)
+(* What a start event leads to when it occurs is in module StartEvents.    *)
 (* Left out: the size of the buffers, which differs between CPUs [OBS-09]; *)
 (* where a buffer may be full, both outcomes are allowed [AMB-18].         *)
 (***************************************************************************)
@@ -41,7 +44,8 @@ OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 \* @type: ($request, $request) => Bool;
 OfOnePoint(r, s) ==
     /\ r.since = s.since /\ r.follows = s.follows /\ r.fault = s.fault
-    /\ \/ r.ob \in TodObs /\ s.ob \in TodObs /\ r.ob # s.ob
+    /\ \/ /\ r.ob \in TodObs \cup DintObs /\ s.ob \in TodObs \cup DintObs
+          /\ r.ob # s.ob
        \/ /\ r.ob = TimeErrorOb /\ s.ob = TimeErrorOb
           /\ r.cause \in TodObs /\ s.cause \in TodObs /\ r.cause # s.cause
 
@@ -84,64 +88,36 @@ Withdraw(q, o) ==
     THEN Close({ r \in q : r.ob # o }) ELSE q
 
 -----------------------------------------------------------------------------
-(* Start events *)
+(* Requests of each kind *)
+
+NoRequest ==
+    [ ob |-> 0, class |-> 0, rank |-> 0, fault |-> 0,
+      since |-> [min |-> 0, ms |-> 0], word |-> 0, dtime |-> 0, late |-> {},
+      cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
 
 \* @type: (Int, $moment, Int) => $request;
 TodRequest(o, since, follows) ==
-    [ ob |-> o, class |-> ClassOf(o), rank |-> 0, fault |-> 0,
-      since |-> since, word |-> tod[o].period, late |-> {}, cause |-> 0,
-      during |-> 0, follows |-> follows, open |-> FALSE ]
+    [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = since,
+                       !.word = tod[o].period, !.follows = follows ]
+
+(* [DINT-03] DTIME and SIGN come again in the start information. *)
+\* @type: Int => $request;
+DintRequest(o) ==
+    [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = clock,
+                       !.word = dint[o].sign, !.dtime = dint[o].dtime ]
 
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==
-    [ ob |-> o,
-      class |-> IF o \in AsyncErrorObs THEN ErrorClass(o, fault)
-                                       ELSE ClassOf(o),
-      rank |-> 0, fault |-> fault, since |-> clock, word |-> 0, late |-> {},
-      cause |-> 0, during |-> 0, follows |-> 0, open |-> FALSE ]
+    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.since = clock,
+                       !.class = IF o \in AsyncErrorObs
+                                 THEN ErrorClass(o, fault) ELSE ClassOf(o) ]
 
 (* A time error; `cause' is the OB that was requested [AMB-27]. *)
 \* @type: (Int, Set(Int), Int, Int) => $request;
 TimeError(fault, obs, cause, word) ==
     [ ExternalRequest(TimeErrorOb, fault) EXCEPT
-        !.late = obs, !.cause = cause, !.word = word ]
-
-(* [AMB-18] [AMB-77] Where the OB of a start event waits or runs already:   *)
-(* it may run again, there may be a time error, still running or buffer    *)
-(* overflow, or nothing.                                                   *)
-\* @type: ($request, Int) => Set($request);
-LeftOpen(again, word) ==
-    { [again EXCEPT !.open = TRUE] }
-      \cup (IF TimeErrorOb \notin loaded THEN {}
-            ELSE { [TimeError(f, {}, again.ob, word) EXCEPT !.open = TRUE]
-                   : f \in {StillRunning, BufferOverflow} })
-
-(* Where the OB waits, if at all, by what is open, it waits for sure after  *)
-(* another start event: by the first of the open ones, or by the new one if *)
-(* they had no effect.  The latter shows only where another OB of the class *)
-(* stands between.                                                         *)
-\* @type: (Set($request), $request) => Set($request);
-Confirmed(q, new) ==
-    { IF /\ r.ob = new.ob /\ r.open
-         /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
-      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
-
-\* @type: ($request, Int) => Set(Set($request));
-EnterAmongOpen(new, word) ==
-    { EnterAll(Confirmed(requests, new), LeftOpen(new, word)) }
-      \cup (IF \E r, s \in requests : /\ r.ob = new.ob /\ s.ob # new.ob
-                                     /\ s.class = r.class /\ s.rank > r.rank
-            THEN { Enter(Withdraw(requests, new.ob), new) } ELSE {})
-
-(* [OBS-22] [CLK-05] Without OB 80 a time error stops the CPU, also while   *)
-(* interrupts are delayed; whether at once or when the delay ends is left   *)
-(* open by AMB-49.                                                          *)
-\* @type: (Set($request), $request) => Set($request);
-WithTimeError(q, e) == IF TimeErrorOb \in loaded THEN Enter(q, e) ELSE q
-
-StopOfTimeError == IF TimeErrorOb \in loaded \/ stopCause # NoCause
-                   THEN stopCause ELSE NoTimeErrorOb
+        !.late = obs, !.cause = cause, !.word = word, !.during = Running.ob ]
 
 -----------------------------------------------------------------------------
 (* Which requests may start: the only statement of priorities and delays.  *)
@@ -168,10 +144,18 @@ InTurn(r) ==
 Reported(r) ==
     r.follows # 0 => \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
 
+(* [AMB-44] (b) A missing OB is noticed when it would start. *)
+\* @type: $request => Bool;
+NoticedAtOnce(r) == r.ob \notin loaded /\ Reading("AMB-44") = "a"
+
 \* @type: $request => Bool;
 MayStart(r) == /\ ModeAllows(r)
-               /\ Undelayed
-               /\ Preempts(r)
-               /\ InTurn(r)
-               /\ Reported(r)
+               /\ \/ /\ Undelayed
+                     /\ Preempts(r)
+                     /\ InTurn(r)
+                     /\ Reported(r)
+                  \/ NoticedAtOnce(r)
+
+(* [AMB-49] A STOP by rule may wait for the end of a delay. *)
+StopIsDue == stopCause # NoCause /\ (Undelayed \/ Reading("AMB-49") = "a")
 =============================================================================

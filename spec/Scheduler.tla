@@ -8,31 +8,30 @@
 (***************************************************************************)
 EXTENDS Clock
 
-(* [OBS-07] [OBS-02] A start event from outside.  While the OB runs or      *)
-(* waits already, what happens is open [AMB-77] [AMB-18]; so it is in       *)
-(* STARTUP and HOLD [AMB-67].  In STOP nothing happens [OBS-41].           *)
+(* [OBS-07] A start event from outside.  In STOP nothing happens [OBS-41];   *)
+(* in STARTUP and HOLD it may be kept or lost [AMB-67], but for errors in  *)
+(* STARTUP.                                                                *)
 \* @type: (Int, Int) => Bool;
 Interrupt(o, fault) ==
-    LET new  == ExternalRequest(o, fault)
-        open == EnterAll(requests, LeftOpen(new, 0))
+    LET new     == ExternalRequest(o, fault)
+        reading == Reading("AMB-67")
     IN  /\ IF mode = "STOP" \/ Deselected(o) THEN Nothing
-           ELSE IF mode = "HOLD"
-           THEN /\ requests' = Enter(requests, [new EXCEPT !.open = TRUE])
+           ELSE IF o = TimeErrorOb /\ mode # "HOLD"
+           THEN TimeErrorOccurs(requests, requests, new)
+           ELSE IF Blocked(o)
+           THEN /\ UNCHANGED <<requests, stopCause>>
+                /\ entered' = IF fault = 0 THEN EntriesOfLost(o) ELSE EntriesOf(new)
+           ELSE IF mode = "HOLD" \/ (mode = "STARTUP" /\ o \notin AsyncErrorObs)
+           THEN /\ requests' = IF reading = "b" THEN requests
+                               ELSE Enter(requests, [new EXCEPT !.open = reading = "c"])
                 /\ UNCHANGED stopCause
-           ELSE IF o = TimeErrorOb
-           THEN /\ requests'  = WithTimeError(requests, new)
-                /\ stopCause' = StopOfTimeError
+                /\ entered' = OpenEntries({new})
            ELSE IF o \in AsyncErrorObs
-           THEN requests' = Enter(requests, new) /\ UNCHANGED stopCause
-           ELSE /\ UNCHANGED stopCause
-                /\ IF OnStack(o) \/ PendingIn(requests, o)
-                   THEN requests' = open
-                   ELSE IF mode = "STARTUP"
-                   THEN requests' = Enter(requests, [new EXCEPT !.open = TRUE])
-                   ELSE IF OpenIn(requests, o)
-                   THEN requests' \in EnterAmongOpen(new, 0)
-                   ELSE requests' = Enter(requests, new)
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack,
+           THEN /\ requests' = Enter(requests, new)
+                /\ UNCHANGED stopCause
+                /\ entered' = IF fault = 0 THEN {} ELSE {EntryOf(new)}
+           ELSE Occurs(new)
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
                        delay>>
 
 (* What is open has no effect: seen when its OB could start. *)
@@ -41,20 +40,37 @@ Drop(r) ==
     /\ MayStart(r)
     /\ r.open
     /\ requests' = Close(requests \ {r})
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,
-                   stopCause>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
+                   delay, stopCause>>
 
-(* [TINT-08] [AMB-71] A once interrupt is cancelled when its OB starts, also *)
-(* where the clock was set back meanwhile and its point is ahead again      *)
+(* [TINT-08] A once interrupt is cancelled by the call of its OB, also       *)
+(* where the clock was set back meanwhile and its point is ahead again     *)
 (* [AMB-59] [CLK-12]; not one that was set anew.                           *)
 \* @type: $request => Bool;
 LastCall(r) ==
     /\ r.ob \in TodObs /\ tod[r.ob].active /\ tod[r.ob].period = Once
-    /\ tod[r.ob].next = Never \/ r.since = At(tod[r.ob].start)
+    /\ tod[r.ob].next = Never \/ r.since = FirstMoment(tod[r.ob])
 
+(* [AMB-71] At the start of the OB; under (c) at its end. *)
 \* @type: $request => (Int -> $tod);
 TodAfterCall(r) ==
-    IF LastCall(r) THEN [tod EXCEPT ![r.ob] = UsedUp(@)] ELSE tod
+    IF LastCall(r) /\ Reading("AMB-71") # "c"
+    THEN [tod EXCEPT ![r.ob] = UsedUp(@)] ELSE tod
+
+\* @type: Int => (Int -> $tod);
+TodAfterEnd(o) ==
+    IF /\ o \in TodObs /\ Reading("AMB-71") = "c"
+       /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
+       /\ ~PendingIn(requests, o)
+    THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
+
+(* [AMB-46] After a missing OB; under (b) its source is disabled. *)
+\* @type: $request => (Int -> $tod);
+TodAfterMissing(r) ==
+    IF r.ob \in TodObs /\ Reading("AMB-46") = "b"
+    THEN [tod EXCEPT ![r.ob].active = FALSE, ![r.ob].next = Never]
+    ELSE TodAfterCall(r)
 
 (* What else waits for a cancelled interrupt is withdrawn [AMB-11]. *)
 \* @type: $request => Set($request);
@@ -70,63 +86,86 @@ Start(r) ==
     /\ stack'    = Append(stack, Frame(r.ob, r.class))
     /\ requests' = RequestsAfterCall(r)
     /\ tod'      = TodAfterCall(r)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, delay, stopCause>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, delay, stopCause>>
 
 (* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
-Excused == { [ r EXCEPT !.open = @ \/ (r.ob \notin loaded \cup AsyncErrorObs) ]
-             : r \in requests }
+Excused ==
+    IF Reading("AMB-45") = "b" THEN requests
+    ELSE { [ r EXCEPT !.open = @ \/ (r.ob \notin loaded \cup AsyncErrorObs) ]
+           : r \in requests }
 
-(* [AIRT-04] The delay count falls to 0 when the OB has been processed. *)
+(* [AIRT-04] The delay count falls to 0 when the OB has been processed       *)
+(* [AMB-25].                                                               *)
 \* @type: Int => Bool;
 End(o) ==
     /\ Running.ob = o
     /\ mode # "HOLD"
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-    /\ delay' = 0
+    /\ delay' = IF o = CycleOb /\ Reading("AMB-25") = "b" THEN delay ELSE 0
     /\ requests' = IF o = ProgramErrorOb THEN Excused ELSE requests
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stopCause>>
+    /\ tod' = TodAfterEnd(o)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stopCause>>
 
-(* [TINT-16] [OBS-20] [AMB-44] The OB is missing when it would start: OB 85, *)
-(* once for all missing OBs or once for each [AMB-45].  The source stays as *)
-(* it is [AMB-46].                                                         *)
+-----------------------------------------------------------------------------
+(* Missing OBs *)
+
+(* [TINT-16] [DINT-09] [OBS-20] [AMB-06] The OB is missing when it would     *)
+(* start: OB 85.  Where that was noticed when it was activated or its      *)
+(* delay started, it may be nothing.                                       *)
 \* @type: $request => Bool;
-ProgramError(r) ==
-    LET rest  == Remove(requests, r)
-        error == [ ExternalRequest(ProgramErrorOb, \hA2) EXCEPT
-                     !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
-    IN  /\ \/ requests' = Enter(rest, error)
-           \/ /\ OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
-              /\ requests' = rest
-        /\ UNCHANGED stopCause
+ObMissing(r) ==
+    LET known == \/ r.ob \in TodObs /\ Reading("AMB-06") = "b"
+                 \/ r.ob \in DintObs /\ Reading("AMB-06") # "a"
+    IN  \/ ProgramErrorOccurs(Remove(requests, r), r)
+        \/ /\ known
+           /\ requests' = Remove(requests, r)
+           /\ UNCHANGED stopCause /\ NothingEntered
 
-(* [OBS-23] [AMB-75] Other asynchronous errors without their OB. *)
+(* [OBS-23] [AMB-75] Asynchronous errors without their OB. *)
+ErrorObsNotMissed ==
+    IF Reading("AMB-75") = "a" THEN {70, 72, 81, 84, 87} ELSE {81}
+ErrorObsAs85 ==
+    IF Reading("AMB-75") = "a" THEN {} ELSE {70, 72, 84, 87}
+
 \* @type: $request => Bool;
 ErrorObMissing(r) ==
-    /\ requests' = Remove(requests, r)
-    /\ \/ r.ob \in {70, 72, 81, 84, 87} /\ UNCHANGED stopCause
-       \/ /\ r.ob \in {82, 83, 84, 86}
-          /\ stopCause' = OtherErrorOb
-       \/ /\ r.ob = ProgramErrorOb  \* [OBS-21]
-          /\ stopCause' = NoProgramErrorOb
-       \/ /\ r.ob = TimeErrorOb     \* deleted while it was waited for
-          /\ stopCause' = NoTimeErrorOb
+    \/ /\ r.ob \in ErrorObsAs85
+       /\ ProgramErrorOccurs(Remove(requests, r), r)
+    \/ /\ r.ob \in ErrorObsNotMissed
+       /\ requests' = Remove(requests, r)
+       /\ UNCHANGED stopCause /\ NothingEntered
+    \/ /\ r.ob \in {82, 83, 84, 86} \ ErrorObsAs85
+       /\ requests' = Remove(requests, r)
+       /\ stopCause' = StopFor(OtherErrorOb)
+       /\ NothingEntered
+    \/ /\ r.ob \in {ProgramErrorOb, TimeErrorOb}  \* OB 80: deleted meanwhile
+       /\ requests' = Remove(requests, r)
+       /\ LET cause == IF r.ob = ProgramErrorOb THEN NoProgramErrorOb  \* [OBS-21]
+                                                ELSE NoTimeErrorOb
+          IN  stopCause' = StopFor(cause) /\ entered' = EntriesOfStop(cause)
 
 \* @type: $request => Bool;
 Missing(r) ==
     /\ MayStart(r)
     /\ r.ob \notin loaded
     /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
-                                               ELSE ProgramError(r)
-    /\ tod' = TodAfterCall(r)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
+                                               ELSE ObMissing(r)
+    /\ tod' = TodAfterMissing(r)
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay>>
 
 (* Blocks are loaded and deleted at any time.  An OB that runs goes on to   *)
 (* its end; a deleted one is missing when it would start [AMB-66].         *)
 \* @type: Set(Int) => Bool;
 LoadedAre(obs) ==
     /\ loaded' = obs
-    /\ UNCHANGED <<cpu, mode, startup, clock, tod, requests, stack,
-                   delay, stopCause>>
+    /\ requests' = IF obs \subseteq loaded /\ obs # loaded /\ Reading("AMB-66") = "b"
+                   THEN Close({ r \in requests : r.ob \notin loaded \ obs })
+                   ELSE requests
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, mode, startup, clock, tod, dint, irt, stack, delay,
+                   stopCause>>
 
 -----------------------------------------------------------------------------
 (* OB 1 and the startup OB *)
@@ -136,7 +175,8 @@ CycleStarts ==
     /\ mode = "RUN"
     /\ stack = <<>>
     /\ stack' = <<Frame(CycleOb, 1)>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, requests,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
                    delay, stopCause>>
 
 (* [OBS-42] [OBS-55] *)
@@ -148,6 +188,7 @@ StartupStarts(o) ==
     /\ stack = <<>>
     /\ stack'   = <<Frame(o, 27)>>
     /\ startup' = "begun"
-    /\ UNCHANGED <<cpu, loaded, mode, clock, tod, requests, delay,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, clock, tod, dint, irt, requests, delay,
                    stopCause>>
 =============================================================================

@@ -1,7 +1,8 @@
 ------------------------------ MODULE StartInfo -------------------------------
 (***************************************************************************)
 (* The start information of an OB, as far as table 8.2 determines it: does *)
-(* what a log says of a start fit the request that led to it?              *)
+(* what a log says of a start fit the request that led to it?  And the     *)
+(* entries of the diagnostic buffer, which say the same (table 8.4).       *)
 (*                                                                         *)
 (* Left out: what the table leaves open is not judged.                     *)
 (***************************************************************************)
@@ -41,21 +42,60 @@ FitsTime(r, time) ==
         \/ time = r.since
         \/ ~exact /\ ~Before(time, r.since) /\ ~Before(clock, time)
 
+(* Of OB 80 and OB 85 the fault, and the OB that caused it [AMB-27] [AMB-28]. *)
+\* @type: (Int, Int) => Bool;
+FitsFault(fault, value) ==
+    \/ Fits(value, fault)
+    \/ fault \in ObNotLoaded /\ value \in ObNotLoaded /\ Reading("AMB-28") = "c"
+
+\* @type: ($request, $info) => Bool;
+FitsCause(r, i) ==
+    \/ r.cause = 0
+    \/ /\ Fits(i.ev, EventOf(r.cause))
+       /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ Reading("AMB-27") = "a"
+                        THEN r.during ELSE r.cause)
+       /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
+          ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
+
+(* What the start information and the entry of an error both say. *)
+\* @type: ($request, $info) => Bool;
+FitsError(r, i) ==
+    /\ Fits(i.priority, r.class)
+    /\ FitsFault(r.fault, i.flt_id)
+    /\ FitsFault(r.fault, i.strt_info)
+    /\ FitsCause(r, i)
+    /\ r.fault \in Skips /\ r.late # {} => Fits(i.error_info, LateMask(r.late))
+
+(* [DINT-03] [AMB-31] *)
+\* @type: ($request, $info) => Bool;
+FitsInterrupt(r, i) ==
+    /\ Fits(i.priority, r.class)
+    /\ EventOf(r.ob) = -1 \/ Fits(i.strt_info, EventOf(r.ob) % 256)
+    /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
+    /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ Fits(i.dtime, r.dtime)
+
 \* @type: ($request, $info) => Bool;
 FitsRequest(r, i) ==
-    /\ Fits(i.priority, r.class)
-    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb}
-       THEN \A f \in {i.flt_id, i.strt_info} :
-              \/ Fits(f, r.fault)
-              \/ r.fault \in ObNotLoaded /\ f \in ObNotLoaded  \* AMB-28
-       ELSE EventOf(r.ob) = -1 \/ Fits(i.strt_info, EventOf(r.ob) % 256)
-    /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
-    /\ IF r.fault \in Skips /\ r.late # {}
-       THEN Fits(i.error_info, LateMask(r.late))
-       ELSE r.cause \in TodObs => FitsPeriod(i.error_info, r.word)
-    /\ r.cause # 0 => Fits(i.ev, EventOf(r.cause))
-    /\ CASE r.cause = 0            -> TRUE
-         [] r.ob = ProgramErrorOb  -> Fits(i.ev_ob, r.during)
-         [] OTHER                  -> Fits(i.ev_ob, r.cause)
+    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, i)
+                                                 ELSE FitsInterrupt(r, i)
     /\ FitsTime(r, i.time)
+
+-----------------------------------------------------------------------------
+(* Entries of the diagnostic buffer *)
+
+(* Those that a log must show if it has entries at all, and 454A. *)
+DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
+                     \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
+JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
+
+(* 0 and 16#FF: no OB. *)
+\* @type: ($entry, $event) => Bool;
+FitsEntry(entry, e) ==
+    /\ \/ e.id = entry.id
+       \/ /\ e.id - ErrorEntry \in ObNotLoaded
+          /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
+    /\ \/ entry.of.ob = 0
+       \/ /\ e.ob \in {0, 255, entry.of.ob}
+          /\ Fits(e.priority, entry.of.class)
+          /\ FitsError(entry.of, e.info)
 =============================================================================

@@ -1,10 +1,10 @@
 ----------------------------- MODULE StartPoints ------------------------------
 (***************************************************************************)
-(* A start point of a time-of-day interrupt is reached: what follows where *)
-(* the OB does not run, waits or runs (catalogue section 1.1), and which   *)
-(* points were served, for a clock that is set back [CLK-09].              *)
+(* A start point of a time-of-day interrupt is reached (catalogue section  *)
+(* 1.1), and which points were served, for a clock that is set back        *)
+(* [CLK-09].  What follows for its OB is said in StartEvents.              *)
 (*                                                                         *)
-(* Left out: how many requests a buffer holds [OBS-09]; see module Requests. *)
+(* Left out: of several gaps in what was served only their hull is kept.   *)
 (***************************************************************************)
 EXTENDS TimeOfDay
 
@@ -28,58 +28,36 @@ ServedOnce(t, p, next) ==
     ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p + 1 ELSE @,
                                !.gapTo   = next - 1 ]
 
-(* The point p of OB o leads to a start event ... *)
-\* @type: (Int, Int) => Bool;
-Ordinary(o, p) ==
-    /\ requests' = Enter(requests, TodRequest(o, At(p), 0))
-    /\ UNCHANGED stopCause
+(* [IRT-18] A point that is lost is over, and not served. *)
+\* @type: ($tod, Int) => $tod;
+Unserved(t, p) ==
+    IF ~Remembers \/ p < t.servedFrom THEN t
+    ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p ELSE @,
+                               !.gapTo   = p ]
 
-(* ... to a time error [TINT-14], with a run that follows it or without ... *)
-\* @type: (Int, Int, Int, Bool) => Bool;
-Overlap(o, p, fault, again) ==
-    LET error == [ TimeError(fault, {o}, o, tod[o].period) EXCEPT
-                     !.since = At(p) ]
-        runs  == IF again
-                 THEN Enter(requests, TodRequest(o, At(p), StillRunning))
-                 ELSE requests
-    IN  /\ requests'  = WithTimeError(runs, error)
-        /\ stopCause' = StopOfTimeError
+(* [AMB-12] A once that is lost is used up.  [AMB-71] (b) Any once is, when *)
+(* its point is reached.                                                   *)
+\* @type: (Int, $tod) => $tod;
+AfterPoint(o, t) ==
+    IF /\ t.period = Once
+       /\ \/ Blocked(o) /\ Reading("AMB-12") = "a"
+          \/ Reading("AMB-71") = "b"
+    THEN UsedUp(t) ELSE t
 
-(* ... or to nothing. *)
-Nothing == UNCHANGED <<requests, stopCause>>
-
-(* [AMB-18] The OB waits already.  The size of the buffer is not known, so  *)
-(* under (b) the run is kept or the buffer overflows [OBS-08].             *)
-\* @type: (Int, Int) => Bool;
-AgainWhilePending(o, p) ==
-    CASE Reading("AMB-18") = "a" -> Overlap(o, p, StillRunning, FALSE)
-      [] Reading("AMB-18") = "b" -> \/ Ordinary(o, p)
-                                    \/ Overlap(o, p, BufferOverflow, FALSE)
-      [] Reading("AMB-18") = "c" -> Nothing
-      [] OTHER ->
-           /\ requests' = EnterAll(requests,
-                            LeftOpen(TodRequest(o, At(p), 0), tod[o].period))
-           /\ UNCHANGED stopCause
-
-\* @type: (Int, Int) => Bool;
-AgainWhileOpen(o, p) ==
-    /\ requests' \in EnterAmongOpen(TodRequest(o, At(p), 0), tod[o].period)
-    /\ UNCHANGED stopCause
-
-(* [TINT-09] [TINT-14] [TINT-19] [AMB-35] *)
+(* [TINT-09] [TINT-14] [TINT-19]; in STARTUP one run is deferred [AMB-35]. *)
 \* @type: Int => Bool;
 PointReached(o) ==
     LET p == tod[o].next
     IN  /\ Watching
-        /\ clock = At(p)  \* no point is watched unless it is active
+        /\ clock = NextMoment(tod[o])  \* no point is watched unless it is active
         /\ tod' = [tod EXCEPT ![o] =
-                      Armed(Served(@, p), [min |-> p, ms |-> 1])]
-        /\ IF Deselected(o) THEN Nothing
-           ELSE IF mode = "STARTUP" /\ PendingIn(requests, o) THEN Nothing
-           ELSE IF OnStack(o)
-           THEN Overlap(o, p, StillRunning, ~PendingIn(requests, o))
-           ELSE IF PendingIn(requests, o) THEN AgainWhilePending(o, p)
-           ELSE IF OpenIn(requests, o) THEN AgainWhileOpen(o, p)
-           ELSE Ordinary(o, p)
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay>>
+                      AfterPoint(o, Armed(IF Blocked(o) THEN Unserved(@, p)
+                                                        ELSE Served(@, p),
+                                          [clock EXCEPT !.ms = @ + 1]))]
+        /\ IF mode = "STARTUP" /\ PendingIn(requests, o) /\ ~Idle(o)
+           THEN IF Reading("AMB-35") = "a" THEN Nothing
+                ELSE Ordinary(TodRequest(o, clock, 0))
+           ELSE Occurs(TodRequest(o, clock, 0))
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack,
+                       delay>>
 =============================================================================

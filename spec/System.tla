@@ -5,8 +5,10 @@
 (* class first [AIRT-08] [OBS-01]; everything else waits.  (How much later *)
 (* a real CPU may be is for module Trace.)                                 *)
 (*                                                                         *)
-(* `step' is what an observer would see of the last step.  The state does  *)
-(* not depend on it; properties speak of it.                               *)
+(* `step' is what an observer would see of the last step: the event, its   *)
+(* OB, a value (RET_VAL of a call, class of a start), SDT, another operand *)
+(* (PERIOD, DTIME, MODE or the STATUS that came back) and SIGN.  The state *)
+(* does not depend on it; properties speak of it.                          *)
 (*                                                                         *)
 (* The sets below are what a program may pass and what the world may do;   *)
 (* models replace them by small ones.                                      *)
@@ -17,7 +19,7 @@ VARIABLE
     \* @type: $step;
     step
 
-vars == <<cpuVars, step>>
+vars == <<cpuVars, entered, step>>
 
 -----------------------------------------------------------------------------
 (* Surroundings *)
@@ -42,6 +44,9 @@ ObNumbers == -32768..32767
 Sdts == [ year : 1990..2089, month : 1..99, day : 1..99, hour : 0..99,
           minute : 0..99, second : 0..99, ms : 0..999 ]
 Words == 0..65535
+Dtimes == -60000..600000
+Signs == Words
+IrtModes == 0..255
 
 (* What calls may answer, for an observer who does not know the rules. *)
 RetVals == Words
@@ -76,7 +81,7 @@ NoOperand == [ year |-> 0, month |-> 0, day |-> 0, hour |-> 0, minute |-> 0,
 \* @type: (Str, Int, Int) => $step;
 Step(event, ob, value) ==
     [ event |-> event, ob |-> ob, value |-> value, sdt |-> NoOperand,
-      period |-> 0 ]
+      operand |-> 0, sign |-> 0 ]
 
 \* @type: (Str, Int, Int) => Bool;
 Seen(event, ob, value) == step' = Step(event, ob, value)
@@ -89,17 +94,20 @@ Init ==
     /\ startup = "none"
     /\ clock \in PowerOnMoments
     /\ tod = [o \in TodObs |-> NoSetting]
+    /\ dint = NoJobs
+    /\ irt = NoneBlocked
     /\ requests = {}
     /\ stack = <<>>
     /\ delay = 0
     /\ stopCause = NoCause
+    /\ entered = {}
     /\ step = Step("power on", 0, 0)
 
 -----------------------------------------------------------------------------
 (* What must happen at once *)
 
 Pressing == \/ \E r \in requests : MayStart(r)
-            \/ stopCause # NoCause /\ Undelayed
+            \/ StopIsDue
 
 (* [AIRT-08] The highest class first. *)
 \* @type: $request => Bool;
@@ -126,12 +134,24 @@ Call ==
            \/ \E sdt \in Sdts, period \in Words :
                 /\ SetTint(o, sdt, period, ret)
                 /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
-                               !.sdt = sdt, !.period = period ]
+                               !.sdt = sdt, !.operand = period ]
+           \/ \E dtime \in Dtimes, sign \in Signs :
+                /\ SrtDint(o, dtime, sign, ret)
+                /\ step' = [ Step("SRT_DINT", o, ret) EXCEPT
+                               !.operand = dtime, !.sign = sign ]
+           \/ CanDint(o, ret) /\ Seen("CAN_DINT", o, ret)
+           \/ \E m \in IrtModes :
+                \/ /\ DisIrt(m, o, ret)
+                   /\ step' = [Step("DIS_IRT", o, ret) EXCEPT !.operand = m]
+                \/ /\ EnIrt(m, o, ret)
+                   /\ step' = [Step("EN_IRT", o, ret) EXCEPT !.operand = m]
            \/ CanTint(o, ret) /\ Seen("CAN_TINT", o, ret)
            \/ ActTint(o, ret) /\ Seen("ACT_TINT", o, ret)
            \/ \E status \in StatusWords :
-                /\ QryTint(o, ret, status)
-                /\ step' = [Step("QRY_TINT", o, ret) EXCEPT !.period = status]
+                \/ /\ QryTint(o, ret, status)
+                   /\ step' = [Step("QRY_TINT", o, ret) EXCEPT !.operand = status]
+                \/ /\ QryDint(o, ret, status)
+                   /\ step' = [Step("QRY_DINT", o, ret) EXCEPT !.operand = status]
 
 (* OB 1 and the startup OB start when nothing else does; any OB may end. *)
 Proceed ==
@@ -155,7 +175,8 @@ World ==
 
 Time ==
     \/ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
-    \/ \E t \in Moments : TimePasses(t) /\ Seen("time", 0, 0)
+    \/ \E o \in DintObs : DelayElapses(o) /\ Seen("elapsed", o, dint[o].left)
+    \/ \E t \in Moments : TimePasses(t, Span(clock, t)) /\ Seen("time", 0, 0)
 
 Next == \/ Respond
         \/ ~Pressing /\ (Call \/ Proceed \/ World \/ Time)

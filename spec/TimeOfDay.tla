@@ -3,15 +3,13 @@
 (* SFC 28 SET_TINT, SFC 29 CAN_TINT, SFC 30 ACT_TINT and SFC 31 QRY_TINT:  *)
 (* what they answer and what they change (catalogue sections 1.2 to 1.5).  *)
 (*                                                                         *)
-(* Of several errors in one call any may be answered [AMB-63]; a call on a *)
-(* deselected OB may be answered 8090 or as usual [AMB-61].                *)
 (* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
-(* is local time, STATUS bit 6 [TINT-78]; test functions, bit 5 [AMB-04].  *)
+(* is local time, STATUS bit 6 [TINT-78].                                  *)
 (***************************************************************************)
-EXTENDS Airt
+EXTENDS Irt
 
-NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, period |-> Once,
-               next |-> Never, servedFrom |-> 0, servedTo |-> -1,
+NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
+               period |-> Once, next |-> Never, servedFrom |-> 0, servedTo |-> -1,
                gapFrom |-> 0, gapTo |-> -1, repeatTo |-> -1 ]
 
 (* [AMB-57] Inside a repeated interval the OB may keep the memory of the    *)
@@ -42,21 +40,54 @@ UsedUp(t) == IF Reading("AMB-08") = "a" THEN Unset(t)
 -----------------------------------------------------------------------------
 (* The next start point *)
 
+(* The first start point, and the one that is watched for. *)
+\* @type: $tod => $moment;
+FirstMoment(t) == [min |-> t.start, ms |-> t.offset]
+\* @type: $tod => $moment;
+NextMoment(t) == [min |-> t.next, ms |-> t.offset]
+
+(* [AMB-37] Equal is not past; under (b) it is. *)
+\* @type: ($moment, $moment) => Bool;
+IsPast(point, now) ==
+    Before(point, now) \/ (point = now /\ Reading("AMB-37") = "b")
+
+(* The first minute with a point that is not past at moment m. *)
+\* @type: ($tod, $moment) => Int;
+FirstMinute(t, m) == IF IsPast([min |-> m.min, ms |-> t.offset], m)
+                     THEN m.min + 1 ELSE m.min
+
+(* [AMB-05] [AMB-43] The series that belongs to a PERIOD. *)
+\* @type: Int => Int;
+SeriesOf(period) ==
+    IF period = Monthly /\ Reading("AMB-05") = "c" THEN MonthlyOrLast
+    ELSE IF period = Hourly /\ Reading("AMB-43") = "b" THEN Daily
+    ELSE period
+
+(* [AMB-36] [AMB-39] The first point of the series at or after minute m.    *)
+(* Under AMB-36 (b) the first run is one period after the start, under     *)
+(* AMB-39 (b) the start of an end-of-month interrupt is a point as well.   *)
+\* @type: ($tod, Int) => Int;
+PointFrom(t, m) ==
+    IF m > t.start THEN FirstPoint(t.start, SeriesOf(t.period), m)
+    ELSE IF t.period = EndOfMonth /\ Reading("AMB-39") = "b" THEN t.start
+    ELSE IF t.period # Once /\ Reading("AMB-36") = "b"
+    THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
+    ELSE FirstPoint(t.start, SeriesOf(t.period), m)
+
 (* The first point at or after moment m that is served.  In an interval     *)
 (* that the clock repeats, points that were served are not served again     *)
 (* [CLK-09]; whether the others are is a matter of reading [AMB-56].       *)
 \* @type: ($tod, $moment, Str) => Int;
 NextPoint(t, m, reading) ==
-    LET p == FirstPoint(t.start, t.period, MinuteFrom(m))
+    LET p == PointFrom(t, FirstMinute(t, m))
     IN  IF p > t.repeatTo THEN p
         ELSE IF reading = "b"
-        THEN FirstPoint(t.start, t.period, t.repeatTo + 1)
+        THEN PointFrom(t, t.repeatTo + 1)
         ELSE IF t.servedFrom > p \/ p > t.servedTo
                   \/ (t.gapFrom <= p /\ p <= t.gapTo)
         THEN p
-        ELSE FirstPoint(t.start, t.period,
-               IF p < t.gapFrom /\ t.gapFrom <= t.gapTo THEN t.gapFrom
-                                                           ELSE t.servedTo + 1)
+        ELSE PointFrom(t, IF p < t.gapFrom /\ t.gapFrom <= t.gapTo
+                          THEN t.gapFrom ELSE t.servedTo + 1)
 
 \* @type: ($tod, $moment) => $tod;
 Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
@@ -68,18 +99,8 @@ Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
 Withdrawn(o) == IF Reading("AMB-11") = "a" THEN requests
                                            ELSE Withdraw(requests, o)
 
-(* [AMB-37] Equal is not past. *)
-\* @type: (Int, $moment) => Bool;
-IsPast(start, now) == Before(At(start), now)
-
 \* @type: Int => Set(Int);
 ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
-
-(* [AMB-61] *)
-\* @type: (Int, Set(Int)) => Set(Int);
-Answers(o, errors) ==
-    (IF errors = {} THEN {OK} ELSE errors)
-      \cup (IF o \in TodObs /\ Deselected(o) THEN {BadOb} ELSE {})
 
 -----------------------------------------------------------------------------
 (* SFC 28 *)
@@ -95,12 +116,19 @@ ValidPeriods ==
 ValidSdt(sdt, period) ==
     /\ ValidDate(sdt)
     /\ period = Monthly /\ Reading("AMB-05") = "a" => sdt.day <= 28
+    /\ period = Yearly /\ Reading("AMB-38") = "b" => sdt.month # 2 \/ sdt.day # 29
+    /\ period = EndOfMonth /\ Reading("AMB-39") = "c" =>
+         sdt.day = DaysInMonth(sdt.year, sdt.month)
+
+\* @type: $date => $moment;
+ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 
 (* [TINT-35] [TINT-36] [TINT-37]; seconds are dropped first [AMB-14]. *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetErrors(o, sdt, period) ==
     LET judged == period = Once \/ Reading("AMB-02") = "a"
-        past   == IsPast(MinuteOf(sdt), clock)
+        past   == IsPast(IF Reading("AMB-14") = "a" THEN At(MinuteOf(sdt))
+                         ELSE ExactMoment(sdt), clock)
     IN  ObErrors(o)
           \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
           \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
@@ -114,15 +142,19 @@ SetTint(o, sdt, period, ret) ==
     /\ ret \in Answers(o, SetErrors(o, sdt, period))
     /\ IF ret = OK
        THEN /\ tod' = [tod EXCEPT ![o] =
-                         [ Unset(tod[o]) EXCEPT !.set    = TRUE,
-                                                !.start  = MinuteOf(sdt),
-                                                !.period = period ]]
+                         [ Unset(tod[o]) EXCEPT
+                             !.set    = TRUE,
+                             !.start  = MinuteOf(sdt),
+                             !.offset = IF Reading("AMB-14") = "c"
+                                        THEN ExactMoment(sdt).ms ELSE 0,
+                             !.period = period ]]
             /\ requests' = Withdrawn(o)
        ELSE IF o \in TodObs /\ Reading("AMB-20") = "b"
        THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
             /\ requests' = Withdrawn(o)
        ELSE UNCHANGED <<tod, requests>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay,
                    stopCause>>
 
 -----------------------------------------------------------------------------
@@ -144,7 +176,8 @@ CanTint(o, ret) ==
     /\ IF ret = OK THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
                         /\ requests' = Withdrawn(o)
                    ELSE UNCHANGED <<tod, requests>>
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, stack, delay,
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay,
                    stopCause>>
 
 -----------------------------------------------------------------------------
@@ -157,46 +190,66 @@ ActErrors(o) ==
     ELSE IF ~tod[o].set THEN {NotSet}
     ELSE IF /\ ~tod[o].active
             /\ tod[o].period = Once
-            /\ IsPast(tod[o].start, clock)
+            /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
 (* An active once whose start event waits: open [AMB-60]. *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    Answers(o, ActErrors(o))
-      \cup (IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
-               /\ PendingIn(requests, o)
-            THEN {PastStart} ELSE {})
+    IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
+       /\ PendingIn(requests, o)
+    THEN CASE Reading("AMB-60") = "a" -> Answers(o, {})
+           [] Reading("AMB-60") = "b" -> Answers(o, {PastStart})
+           [] OTHER                   -> Answers(o, {}) \cup {PastStart}
+    ELSE Answers(o, ActErrors(o))
 
-(* [TINT-60] [TINT-10] [TINT-24]; on an active interrupt no effect          *)
-(* [TINT-63].                                                              *)
+(* On an active interrupt no effect [TINT-63], but under AMB-10 (b).        *)
+\* @type: $tod => $tod;
+AfterActivation(t) ==
+    IF ~t.active
+    THEN Armed(WithMemory([ Forgotten(t) EXCEPT !.active = TRUE ], t), clock)
+    ELSE IF Reading("AMB-10") = "b" THEN Armed(t, clock) ELSE t
+
+(* [AMB-15] (b) In OB 80 it keeps a catch-up from coming [CLK-04]. *)
+\* @type: Int => Set($request);
+RequestsAfterAct(o) ==
+    IF Reading("AMB-15") = "b" /\ Running.ob = TimeErrorOb
+    THEN Close({ r \in requests : r.ob # o \/ r.follows \notin Skips })
+    ELSE requests
+
+(* [TINT-60] [TINT-10] [TINT-24]; a missing OB is noticed later [TINT-17],   *)
+(* but under AMB-06 (b).                                                   *)
 \* @type: (Int, Int) => Bool;
 ActTint(o, ret) ==
     /\ Called
     /\ ret \in ActAnswers(o)
-    /\ IF ret = OK /\ ~tod[o].active
-       THEN tod' = [tod EXCEPT ![o] =
-                      Armed(WithMemory([ Forgotten(@) EXCEPT !.active = TRUE ], @),
-                            clock)]
-       ELSE UNCHANGED tod
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, requests, stack,
-                   delay, stopCause>>
+    /\ IF ret = OK
+       THEN /\ tod' = [tod EXCEPT ![o] = AfterActivation(@)]
+            /\ IF o \notin loaded /\ Reading("AMB-06") = "b"
+               THEN ProgramErrorOccurs(RequestsAfterAct(o), TodRequest(o, clock, 0))
+               ELSE /\ requests' = RequestsAfterAct(o)
+                    /\ UNCHANGED stopCause /\ NothingEntered
+       ELSE UNCHANGED tod /\ Nothing
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay>>
 
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
-(* [TINT-72] .. [TINT-79]; bit 0 of a deselected OB in RUN is not judged     *)
-(* [AMB-03],                                                               *)
-(* nor bit 2 of an interrupt without a further point [AMB-68].             *)
+(* [TINT-74] [AMB-34] [AMB-71] Bit 2 of a once that waits or runs, and of   *)
+(* an interrupt without a further point [AMB-68].                          *)
 \* @type: Int => Set(Int);
-Statuses(o) ==
-    LET startingUp == IF mode = "STARTUP" THEN 1 ELSE 0
-        bit0 == IF Deselected(o) /\ mode = "RUN" THEN {0, 1} ELSE {startingUp}
-        bit2 == IF ~tod[o].active THEN {0}
-                ELSE IF tod[o].next = Never /\ tod[o].period # Once
-                THEN {0, 4} ELSE {4}
-        bit4 == IF o \in loaded THEN 16 ELSE 0
-    IN  { b + c + bit4 : b \in bit0, c \in bit2 }
+ActiveBit(o) ==
+    IF ~tod[o].active THEN {0}
+    ELSE IF tod[o].next # Never THEN {4}
+    ELSE IF tod[o].period # Once
+    THEN CASE Reading("AMB-68") = "a" -> {4}
+           [] Reading("AMB-68") = "b" -> {0}
+           [] OTHER                   -> {0, 4}
+    ELSE IF Reading("AMB-34") = "a" THEN {4}
+    ELSE IF OnStack(o) THEN {0, 4} ELSE {0}
+
+\* @type: Int => Set(Int);
+Statuses(o) == StatusWithBit2(o, ActiveBit(o))
 
 (* [TINT-70] [TINT-71]; status is -1 where it is not given. *)
 \* @type: (Int, Int, Int) => Bool;
@@ -204,6 +257,7 @@ QryTint(o, ret, status) ==
     /\ Called
     /\ ret \in Answers(o, ObErrors(o))
     /\ ret = OK => status = -1 \/ status \in Statuses(o)
+    /\ NothingEntered
     /\ UNCHANGED cpuVars
 
 =============================================================================

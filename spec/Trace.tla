@@ -3,8 +3,8 @@
 (* The specification as the explanation of a log, one line at a time.      *)
 (*                                                                         *)
 (* A line is an event record, Begin takes the header.  Before a line is    *)
-(* observed time elapses to it, start points on the way are reached, and   *)
-(* silent steps may happen: what a log does not show.  The trace checker's *)
+(* observed time elapses to it, start points and ends of delays on the way *)
+(* are reached, and silent steps may happen: what a log does not show.  The trace checker's *)
 (* engine evaluates Begin, Elapse, Silent and Observe on the set of states *)
 (* that explain the log so far; a log is accepted while that set is not    *)
 (* empty.                                                                  *)
@@ -13,14 +13,14 @@
 (* within the latency that the header states (AMB-69), and inside it a     *)
 (* lower class may start first.                                            *)
 (*                                                                         *)
-(* Left out: kinds of event that are not recorded; events of functions     *)
-(* that the specification does not have yet.                               *)
+(* Left out: kinds of event that are not recorded, in module Unrecorded.   *)
 (***************************************************************************)
 EXTENDS StartInfo
 
 VARIABLES
     (* latency: ms from the moment an OB may start until it starts; cycle:  *)
-    (* every start and end of OB 1 is in the log.                           *)
+    (* every start and end of OB 1 is in the log; records: the kinds of     *)
+    (* event that are.                                                      *)
     \* @type: $terms;
     terms,
     (* Time elapsed since the log began, on a clock that nobody sets. *)
@@ -29,9 +29,14 @@ VARIABLES
     (* For each priority class with an OB that may start, and StopDuty for  *)
     (* a STOP that must come: the ms since when.                            *)
     \* @type: Int -> Int;
-    waiting
+    waiting,
+    (* What was entered in the diagnostic buffer and has not been seen in   *)
+    (* the log: for each entry how often, and the ms since when, if such    *)
+    (* lines are recorded.                                                  *)
+    \* @type: Set($report);
+    reports
 
-traceVars == <<terms, up, waiting>>
+traceVars == <<terms, up, waiting, reports>>
 
 StopDuty == 99
 
@@ -44,18 +49,25 @@ Init ==
                step7 |-> [o \in {} |-> NoParameters],
                readings |-> [a \in {} |-> ""] ]
     /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
-    /\ tod = [o \in {} |-> NoSetting] /\ requests = {}
-    /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
-    /\ terms = [latency |-> 0, cycle |-> FALSE]
-    /\ up = At(0) /\ waiting = [c \in {} |-> 0]
+    /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
+    /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
+    /\ entered = {}
+    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {}]
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
+
+(* What the header says goes before its profile. *)
+\* @type: $header => Set(<<Str, Str>>);
+ReadingsOf(h) ==
+    h.readings \cup { p \in Profile(h.profile) :
+                        ~\E r \in h.readings : r[1] = p[1] }
 
 \* @type: $header => $cpu;
 CpuOf(h) ==
     [ family   |-> h.cpu,
       priority |-> [ o \in { p[1] : p \in h.priority } |->
                        (CHOOSE p \in h.priority : p[1] = o)[2] ],
-      readings |-> [ a \in { r[1] : r \in h.readings } |->
-                       (CHOOSE r \in h.readings : r[1] = a)[2] ],
+      readings |-> [ a \in { r[1] : r \in ReadingsOf(h) } |->
+                       (CHOOSE r \in ReadingsOf(h) : r[1] = a)[2] ],
       step7    |-> [ o \in TodObs |->
                        IF \E p \in h.step7 : p.ob = o
                        THEN LET s == CHOOSE p \in h.step7 : p.ob = o
@@ -69,7 +81,7 @@ CpuOf(h) ==
 \* @type: ($header, Int, Int) => $tod;
 TodAtBegin(h, o, called) ==
     LET t == Configured(CpuOf(h).step7[o])
-        n == FirstPoint(t.start, t.period, MinuteFrom(h.clock) + called)
+        n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
     IN  IF ~t.active THEN t
         ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN NoSetting
         ELSE [t EXCEPT !.next = n]
@@ -86,13 +98,17 @@ Begin(h) ==
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
          tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
                                    ELSE TodAtBegin(h, o, called) ]
+    /\ dint' = NoJobs
+    /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
     /\ stack'  = IF h.mode = "RUN" THEN <<Frame(CycleOb, 1)>> ELSE <<>>
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
-    /\ terms'  = [latency |-> h.latency, cycle |-> h.cycle]
+    /\ NothingEntered
+    /\ terms'  = [latency |-> h.latency, cycle |-> h.cycle, records |-> h.records]
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
+    /\ reports' = {}
 
 -----------------------------------------------------------------------------
 (* Waiting OBs *)
@@ -102,34 +118,47 @@ Begin(h) ==
 WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
-             \cup (IF stopCause # NoCause /\ Undelayed THEN {StopDuty} ELSE {})
+             \cup (IF StopIsDue THEN {StopDuty} ELSE {})
+
+DiagRecorded == "diag" \in terms.records
+
+(* Only what a line of the log could tell is kept. *)
+\* @type: $entry => $entry;
+AsReported(entry) == [entry EXCEPT !.of.since = At(0), !.of.rank = 0]
+
+(* What this step enters is to be seen; its cause was `age' ms ago. *)
+\* @type: Int => Bool;
+Report(age) ==
+    LET new == { AsReported(n) : n \in { m \in entered' : m.id \in JudgedEntries } }
+        a   == IF DiagRecorded THEN age ELSE 0
+        same(n) == { r \in reports : r.entry = n /\ r.age = a }
+        times(n) == IF same(n) = {} THEN 1 ELSE (CHOOSE r \in same(n) : TRUE).times + 1
+    IN  reports' = IF entered' = {} THEN reports
+                   ELSE (reports \ UNION { same(n) : n \in new })
+                          \cup { [entry |-> n, age |-> a, times |-> times(n)]
+                                 : n \in new }
 
 (* Waiting goes on for what still may start, and begins for what now may.   *)
 Rewait ==
-    waiting' = IF requests' = {} /\ stopCause' = NoCause
-               THEN [c \in {} |-> 0]
-               ELSE [ c \in Awaited' |->
-                        IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
+    /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
+                  THEN [c \in {} |-> 0]
+                  ELSE [ c \in Awaited' |->
+                           IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
+    /\ Report(0)
 
 (* An OB that is found missing has kept OB 85, or the STOP, waiting.        *)
 \* @type: $request => Bool;
 RewaitMissing(r) ==
-    waiting' = [ c \in Awaited' |->
-                   LET before == IF c \in DOMAIN waiting THEN waiting[c] ELSE 0
-                       since  == WaitsAs(r)
-                   IN  IF since \in DOMAIN waiting /\ c > r.class
-                            /\ waiting[since] > before
-                       THEN waiting[since] ELSE before ]
+    LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)] ELSE 0
+    IN  /\ waiting' = [ c \in Awaited' |->
+                          LET before == IF c \in DOMAIN waiting THEN waiting[c]
+                                                                ELSE 0
+                          IN  IF c > r.class /\ since > before THEN since
+                                                               ELSE before ]
+        /\ Report(since)
 
 -----------------------------------------------------------------------------
 (* Time elapses *)
-
-Aeon == 1000000000
-
-(* ms from a to b, at most an aeon (11 days), which no latency reaches. *)
-\* @type: ($moment, $moment) => Int;
-Span(a, b) == IF b.min - a.min > 16000 THEN Aeon
-              ELSE (b.min - a.min) * 60000 + b.ms - a.ms
 
 (* The moment on the clock of `up' when the CPU clock, now at a, is at b;   *)
 (* not beyond the moment `last'.                                           *)
@@ -141,12 +170,28 @@ UpAt(a, b, last) ==
     IN  IF Before(t, last) THEN t ELSE last
 
 (* Start points that equal the clock. *)
-PointsNow == IF clock.ms # 0 \/ ~Watching THEN {}
-             ELSE { o \in DOMAIN tod : tod[o].active /\ tod[o].next = clock.min }
+PointsNow ==
+    IF ~Watching \/ (clock.ms # 0 /\ Reading("AMB-14") # "c") THEN {}
+    ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
+
+(* Delays that may be over now, and those that are. *)
+EndingNow == { o \in Jobs : dint[o].left <= 1 }
+OverNow == { o \in Jobs : dint[o].left = 0 }
 
 \* @type: Int => Bool;
 InTime(d) ==
-    { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
+    /\ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
+    /\ \/ reports = {} \/ ~DiagRecorded
+       \/ { r \in reports : /\ ~r.entry.open
+                            /\ r.entry.id \in DemandedEntries
+                            /\ r.age + d > terms.latency } = {}
+
+(* What was entered grows older; what need not come is forgotten. *)
+\* @type: Int => Set($report);
+ReportsAfter(d) ==
+    IF reports = {} \/ ~DiagRecorded THEN reports
+    ELSE { [r EXCEPT !.age = @ + d]
+           : r \in { q \in reports : q.age + d <= terms.latency } }
 
 (* What was open and could have started, but has not in time. *)
 \* @type: Int => Set($request);
@@ -159,22 +204,55 @@ Stale(d) ==
 \* @type: Set($request) => Bool;
 Expire(stale) ==
     /\ requests' = Close(requests \ stale)
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, stack, delay,
-                   stopCause>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
+                   delay, stopCause>>
     /\ Rewait
-    /\ UNCHANGED <<terms, up>>
+    /\ UNCHANGED up
 
-(* Time elapses to t on the clock of `up'. *)
-\* @type: $moment => Bool;
-ElapseTo(t) ==
-    LET d == Span(up, t)
+(* The moments of the next start point, and of the next end of a delay on   *)
+(* the clock of `up'.                                                      *)
+NextPointDue ==
+    LET n == { NextMoment(tod[o]) : o \in { p \in DOMAIN tod : tod[p].active } }
+    IN  CHOOSE m \in n : \A k \in n : ~Before(k, m)
+
+\* @type: ($moment, Int) => $moment;
+After(t, ms) == [ min |-> t.min + ((t.ms + ms) \div 60000),
+                  ms  |-> (t.ms + ms) % 60000 ]
+
+NextDelayOver ==
+    LET n == { dint[o].left : o \in Jobs }
+    IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
+
+(* Time elapses to `until' on the clock of `up', the CPU clock to `to'. *)
+\* @type: ($moment, $moment) => Bool;
+ElapseTo(until, to) ==
+    LET d == Span(up, until)
     IN  /\ InTime(d)
         /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
-        /\ up' = t
-        /\ UNCHANGED terms
+        /\ reports' = ReportsAfter(d)
+        /\ up' = until
+        /\ IF to # clock THEN TimePasses(to, d)
+           ELSE /\ dint' = JobsAfter(d)
+                /\ NothingEntered
+                /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, irt,
+                               requests, stack, delay, stopCause>>
 
-NextDue == LET n == { tod[o].next : o \in { p \in DOMAIN tod : tod[p].active } }
-           IN  CHOOSE m \in n : \A k \in n : m <= k
+(* Time elapses towards the line e, no further than to the next start point *)
+(* or end of a delay.  Durations are those of `up', moments those of the   *)
+(* clock; the two need not agree.                                          *)
+\* @type: $event => Bool;
+Advance(e) ==
+    LET straight == clock = e.at \/ PassesNoPoint(e.at)
+        point == IF straight THEN e.at ELSE NextPointDue
+        there == IF straight THEN e.up ELSE UpAt(clock, point, e.up)
+        over  == IF Jobs = {} THEN there ELSE NextDelayOver
+        until == IF Before(over, there) THEN over ELSE there
+        by    == After(clock, Span(up, until))
+        to    == IF until = there \/ clock = e.at \/ ~Before(by, point)
+                 THEN point ELSE by
+        stale == IF requests = {} THEN {} ELSE Stale(Span(up, until))
+    IN  IF stale # {} THEN Expire(stale) ELSE ElapseTo(until, to)
 
 \* @type: $event => Bool;
 Arrived(e) == clock = e.at /\ up = e.up
@@ -185,26 +263,20 @@ MissingNow ==
 FindMissing ==
     \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
 
-(* One step towards the line e: the next start point, or the line itself.   *)
-(* Durations are those of `up', moments those of the clock.  An OB that is  *)
-(* found missing on the way may leave nothing to wait for.                 *)
+\* @type: Set(Int) => Int;
+Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
+
+(* One step towards the line e.  An OB that is found missing on the way may *)
+(* leave nothing to wait for.                                              *)
 \* @type: $event => Bool;
 Elapse(e) ==
-    IF PointsNow # {} /\ clock # e.at
-    THEN /\ PointReached(CHOOSE o \in PointsNow :
-                           \A p \in PointsNow : o <= p)
-         /\ Rewait
-         /\ UNCHANGED <<terms, up>>
-    ELSE \/ FindMissing /\ UNCHANGED <<terms, up>>
-         \/ LET straight == clock = e.at \/ PassesNoPoint(e.at)
-                until    == IF straight THEN e.up
-                            ELSE UpAt(clock, At(NextDue), e.up)
-                stale    == IF requests = {} THEN {}
-                            ELSE Stale(Span(up, until))
-            IN  IF stale # {} THEN Expire(stale)
-                ELSE /\ ElapseTo(until)
-                     /\ IF clock = e.at THEN UNCHANGED cpuVars
-                        ELSE TimePasses(IF straight THEN e.at ELSE At(NextDue))
+    /\ UNCHANGED terms
+    /\ IF PointsNow # {} /\ clock # e.at
+       THEN PointReached(Least(PointsNow)) /\ Rewait /\ UNCHANGED up
+       ELSE IF OverNow # {} /\ up # e.up
+       THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up
+       ELSE \/ FindMissing /\ UNCHANGED up
+            \/ Advance(e)
 
 -----------------------------------------------------------------------------
 (* Silent steps: what may happen just before a line, unseen *)
@@ -219,15 +291,17 @@ HiddenBoundary ==
 Silent ==
     /\ UNCHANGED <<terms, up>>
     /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
+       \/ \E o \in EndingNow : DelayElapses(o) /\ Rewait
        \/ FindMissing
        \/ HiddenBoundary /\ Rewait
 
 (* Cheap to evaluate: may a silent step be possible? *)
-Stirs == \/ clock.ms = 0
-         \/ stack = <<>>
+Stirs == \/ stack = <<>>
          \/ delay > 0
          \/ requests # {}
          \/ mode = "STARTUP"
+         \/ PointsNow # {}
+         \/ EndingNow # {}
 
 -----------------------------------------------------------------------------
 (* Lines *)
@@ -240,8 +314,9 @@ IsStart(e) ==
            /\ \/ CycleStarts
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
-                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod,
-                                requests, stack, stopCause>>
+                 /\ NothingEntered
+                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint,
+                                irt, requests, stack, stopCause>>
       [] e.ob \in StartupObs ->
            /\ Fits(e.info.priority, 27)
            /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
@@ -253,7 +328,7 @@ IsStart(e) ==
 
 \* @type: $event => Bool;
 IsClock(e) ==
-    IF e.to = clock THEN UNCHANGED cpuVars ELSE ClockSet(e.to)
+    IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered ELSE ClockSet(e.to)
 
 (* The cause is that of the rule, if a rule stops the CPU. *)
 \* @type: $event => Bool;
@@ -262,7 +337,20 @@ IsStop(e) ==
     /\ \/ e.cause = -1
        \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
-       \/ delay > 0  \* the rule may come when the delay ends [AMB-49]
+       \/ /\ delay > 0  \* the rule may come when the delay ends [AMB-49]
+          /\ Reading("AMB-49") # "b" \/ e.cause # stopCause
+
+(* An entry of the diagnostic buffer has a cause that was not yet reported. *)
+\* @type: $event => Bool;
+IsEntry(e) ==
+    LET fits == { r \in reports : FitsEntry(r.entry, e) }
+    IN  /\ UNCHANGED cpuVars
+        /\ NothingEntered
+        /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
+           ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
+                  reports' = (reports \ {r}) \cup
+                               IF r.times = 1 THEN {}
+                               ELSE {[r EXCEPT !.times = @ - 1]}
 
 \* @type: $event => Bool;
 Observe(e) ==
@@ -284,6 +372,21 @@ Observe(e) ==
          [] e.event = "QRY_TINT" ->
               \E ret \in Given(e.ret, Answers(e.ob, ObErrors(e.ob))) :
                 QryTint(e.ob, ret, e.status)
+         [] e.event = "SRT_DINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob, SrtErrors(e.ob, e.dtime))) :
+                SrtDint(e.ob, e.dtime, e.sign, ret)
+         [] e.event = "CAN_DINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob, CanDintErrors(e.ob))) :
+                CanDint(e.ob, ret)
+         [] e.event = "QRY_DINT" ->
+              \E ret \in Given(e.ret, Answers(e.ob, DintErrors(e.ob))) :
+                QryDint(e.ob, ret, e.status)
+         [] e.event = "DIS_IRT" ->
+              \E ret \in Given(e.ret, Usual(IrtErrors(e.mode, e.ob, DisModes))) :
+                DisIrt(e.mode, e.ob, ret)
+         [] e.event = "EN_IRT" ->
+              \E ret \in Given(e.ret, Usual(IrtErrors(e.mode, e.ob, EnModes))) :
+                EnIrt(e.mode, e.ob, ret)
          [] e.event = "interrupt" ->
               Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
          [] e.event = "clock" -> IsClock(e)
@@ -294,12 +397,13 @@ Observe(e) ==
          [] e.event = "hold" -> Hold
          [] e.event = "release" -> Release
          [] e.event = "stop" -> IsStop(e)
-    /\ Rewait
+         [] e.event = "diag" -> IsEntry(e)
+    /\ IF e.event = "diag" THEN UNCHANGED waiting ELSE Rewait
     /\ UNCHANGED <<terms, up>>
 
 Next == Silent
 
 (* What tells two explanations of a log apart. *)
-Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, requests, stack,
-              delay, stopCause, up, waiting>>
+Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
+              requests, stack, delay, stopCause, up, waiting, reports>>
 =============================================================================

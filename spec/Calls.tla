@@ -1,0 +1,45 @@
+------------------------------- MODULE Calls --------------------------------
+(***************************************************************************)
+(* What the calls of the system functions have in common: who calls, what  *)
+(* may be answered, and the STATUS that SFC 31 and SFC 34 give (catalogue  *)
+(* sections 1.5, 2, 8.6).                                                  *)
+(*                                                                         *)
+(* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
+(***************************************************************************)
+EXTENDS StartEvents
+
+(* A system function is called by the running OB; in HOLD none runs         *)
+(* [OBS-45].                                                               *)
+Called == stack # <<>> /\ mode # "HOLD"
+
+(* [AMB-63] Of several errors in one call any may be answered; under (a)    *)
+(* the first in the order of the operands, which is that of the codes.     *)
+\* @type: Set(Int) => Set(Int);
+Usual(errors) ==
+    IF errors = {} THEN {OK}
+    ELSE IF Reading("AMB-63") = "a"
+    THEN { e \in errors : \A f \in errors : e <= f }
+    ELSE errors
+
+(* [AMB-61] A call for a deselected OB. *)
+\* @type: (Int, Set(Int)) => Set(Int);
+Answers(o, errors) ==
+    IF o \notin TodObs \cup DintObs \/ ~Deselected(o) THEN Usual(errors)
+    ELSE CASE Reading("AMB-61") = "a" -> {BadOb}
+           [] Reading("AMB-61") = "b" -> Usual(errors)
+           [] OTHER                   -> Usual(errors) \cup {BadOb}
+
+(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible     *)
+(* values of that bit, 0 or 4.  Bit 0 of a deselected OB in RUN is not     *)
+(* judged by default [AMB-03]; there is no test function [AMB-04].  The    *)
+(* clock is base time, bit 6.  SFC 41 does not show [AIRT-13].             *)
+\* @type: (Int, Set(Int)) => Set(Int);
+StatusWithBit2(o, bit2) ==
+    LET bit0 == IF mode = "STARTUP" THEN {1}
+                ELSE IF ~Deselected(o) THEN {0}
+                ELSE IF Reading("AMB-03") = "a" THEN {0, 1} ELSE {1}
+        rest == (IF Blocked(o) THEN 2 ELSE 0)
+                  + (IF o \in loaded THEN 16 ELSE 0)
+                  + (IF Reading("AMB-04") = "b" THEN 32 ELSE 0)
+    IN  { b + c + rest : b \in bit0, c \in bit2 }
+=============================================================================

@@ -1,0 +1,98 @@
+--------------------------------- MODULE Irt --------------------------------
+(***************************************************************************)
+(* SFC 39 DIS_IRT and SFC 40 EN_IRT: new interrupts and asynchronous       *)
+(* errors are lost, without the reaction to a missing OB, until they are   *)
+(* enabled again or the CPU is restarted (catalogue section 3).  What is   *)
+(* lost is said in StartEvents, what is blocked in Cpu.                    *)
+(*                                                                         *)
+(* Left out: synchronous errors, which are not affected [IRT-05] [IRT-23]. *)
+(***************************************************************************)
+EXTENDS Airt
+
+(* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
+Lacking == IF Reading("AMB-73") = "b"
+           THEN {60, 70, 72} \cup (IF cpu.family = "S7-300" THEN 30..34 ELSE {})
+           ELSE {}
+ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
+ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
+
+(* Numbers that some OB of these CPUs has. *)
+ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
+                    \cup (61..65) \cup (100..102) \cup ExternalObs
+
+(* [IRT-06] [IRT-07] [IRT-08] What MODE says: all, a class or an OB; with   *)
+(* 80 to 82 nothing is entered in the diagnostic buffer either [IRT-09].   *)
+\* @type: Int => Int;
+Level(m) == m % 128
+DisModes == {0, 1, 2, 128, 129, 130}
+(* [IRT-13] [AMB-76] *)
+EnModes == IF Reading("AMB-76") = "b" THEN DisModes ELSE {0, 1, 2}
+
+(* [IRT-12] [AMB-22] [AMB-63] Beside a bad MODE, 8090 applies only to a      *)
+(* number that no OB has.                                                  *)
+\* @type: (Int, Int, Set(Int)) => Set(Int);
+IrtErrors(m, o, modes) ==
+    IF m \notin modes
+    THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
+    ELSE IF CASE Level(m) = 0 -> o # 0 /\ Reading("AMB-22") = "b"
+              [] Level(m) = 1 -> o \notin ClassNumbersOfIrt
+              [] OTHER        -> o \notin ObNumbersOfIrt
+    THEN {BadOb} ELSE {}
+
+(* [AMB-21] One flag for each OB; under (b) one for each of three levels.   *)
+\* @type: (Int, Int) => Set(Int);
+Meant(m, o) ==
+    IF Level(m) = 2 THEN {o}
+    ELSE IF Reading("AMB-21") = "b"
+    THEN { IF Level(m) = 0 THEN AllMark ELSE ClassMark(o) }
+    ELSE { b \in Blockable : Level(m) = 0 \/ ClassNumber(b) = o }
+
+(* [IRT-16] Flags, not counters; the last call wins, also for what is       *)
+(* entered.                                                                *)
+\* @type: (Set(Int), Bool) => $irt;
+BlockedWith(marks, silent) ==
+    [ blocked |-> irt.blocked \cup marks,
+      silent  |-> IF silent THEN irt.silent \cup marks ELSE irt.silent \ marks ]
+
+\* @type: Set(Int) => $irt;
+BlockedWithout(marks) ==
+    [blocked |-> irt.blocked \ marks, silent |-> irt.silent \ marks]
+
+(* [AMB-72] What waits already still runs; under (b) it is dropped.  Under   *)
+(* AMB-15 (c) a call in OB 80 keeps a catch-up from coming [CLK-04].       *)
+\* @type: Set(Int) => Set($request);
+RequestsAfterDisIrt(marks) ==
+    LET gone == { r \in requests :
+                    /\ MarkedIn(marks, r.ob)
+                    /\ \/ Reading("AMB-72") = "b"
+                       \/ /\ Reading("AMB-15") = "c"
+                          /\ Running.ob = TimeErrorOb /\ r.follows \in Skips }
+    IN  IF gone = {} THEN requests ELSE Close(requests \ gone)
+
+(* [IRT-01] [IRT-06] .. [IRT-09] [AMB-41] *)
+\* @type: (Int, Int, Int) => Bool;
+DisIrt(m, o, ret) ==
+    /\ Called
+    /\ ret \in Usual(IrtErrors(m, o, DisModes))
+    /\ IF ret = OK
+       THEN /\ irt' = BlockedWith(Meant(m, o), m >= 128)
+            /\ requests' = RequestsAfterDisIrt(Meant(m, o))
+            /\ entered' = IF m >= 128 /\ Reading("AMB-41") = "a"
+                          THEN {Entry(EntriesDisabled)} ELSE {}
+       ELSE UNCHANGED <<irt, requests>> /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, stack, delay,
+                   stopCause>>
+
+(* [IRT-13] [IRT-14] [IRT-24] [AMB-42] Under (b) MODE 1 blocks. *)
+\* @type: (Int, Int, Int) => Bool;
+EnIrt(m, o, ret) ==
+    /\ Called
+    /\ ret \in Usual(IrtErrors(m, o, EnModes))
+    /\ irt' = IF ret # OK THEN irt
+              ELSE IF Level(m) = 1 /\ Reading("AMB-42") = "b"
+              THEN BlockedWith(Meant(m, o), FALSE)
+              ELSE BlockedWithout(Meant(m, o))
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, requests, stack,
+                   delay, stopCause>>
+=============================================================================

@@ -1,0 +1,218 @@
+----------------------------- MODULE StartEvents ----------------------------
+(***************************************************************************)
+(* A start event or an error occurs: what it leads to where its OB is      *)
+(* idle, waits, runs, is blocked or is missing, and what is entered in the *)
+(* diagnostic buffer (catalogue sections 5.2, 5.3, table 8.3).             *)
+(*                                                                         *)
+(* The operators set requests', stopCause' and entered'.                   *)
+(* Left out: entries for other events than those of table 8.3 that belong  *)
+(* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
+(***************************************************************************)
+EXTENDS Requests
+
+-----------------------------------------------------------------------------
+(* Entries *)
+
+\* @type: Int => $entry;
+Entry(id) == [id |-> id, of |-> NoRequest, open |-> FALSE]
+
+\* @type: $request => $entry;
+EntryOf(error) == [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE]
+
+\* @type: Set($request) => Set($entry);
+OpenEntries(errors) ==
+    { [EntryOf(e) EXCEPT !.open = TRUE] : e \in { r \in errors : r.fault # 0 } }
+
+(* [AMB-41] (b) Under MODE 8x every blocked event shows as 5380. *)
+\* @type: Int => Set($entry);
+EntriesOfLost(o) ==
+    IF Silenced(o) /\ Reading("AMB-41") = "b" THEN {Entry(EntriesDisabled)} ELSE {}
+
+(* [IRT-09] *)
+\* @type: $request => Set($entry);
+EntriesOf(error) == IF Silenced(error.ob) THEN EntriesOfLost(error.ob)
+                                          ELSE {EntryOf(error)}
+
+-----------------------------------------------------------------------------
+(* STOP by rule *)
+
+(* The first cause counts. *)
+\* @type: Int => Int;
+StopFor(cause) == IF stopCause = NoCause THEN cause ELSE stopCause
+
+\* @type: Int => Set($entry);
+EntriesOfStop(cause) == IF stopCause = NoCause THEN {Entry(cause)} ELSE {}
+
+-----------------------------------------------------------------------------
+(* Time errors *)
+
+(* [OBS-22] [CLK-05] [OBS-33] A time error, after which requests are `kept', *)
+(* with the runs that follow it.  Without OB 80 it stops the CPU, also     *)
+(* while interrupts are delayed [AMB-49].  Blocked, it does not [IRT-01]   *)
+(* [AMB-23], and the runs that follow may be `lost' with it [AMB-48].      *)
+\* @type: (Set($request), Set($request), $request) => Bool;
+TimeErrorOccurs(kept, lost, error) ==
+    LET absent == TimeErrorOb \notin loaded
+        stops  == absent /\ IF Blocked(TimeErrorOb)
+                            THEN Reading("AMB-23") = "b"
+                            ELSE ~(/\ Reading("AMB-07") = "b"
+                                   /\ error.cause \in DintObs)
+    IN  /\ requests' \in
+             IF ~Blocked(TimeErrorOb)
+             THEN {IF absent THEN kept ELSE Enter(kept, error)}
+             ELSE CASE Reading("AMB-48") = "a" -> {kept}
+                    [] Reading("AMB-48") = "b" -> {lost}
+                    [] OTHER                   -> {kept, lost}
+        /\ stopCause' = IF stops THEN StopFor(NoTimeErrorOb) ELSE stopCause
+        /\ entered'   = EntriesOf(error)
+                          \cup (IF stops THEN EntriesOfStop(NoTimeErrorOb) ELSE {})
+
+-----------------------------------------------------------------------------
+(* Missing OBs *)
+
+(* [TINT-16] [DINT-09] [OBS-20] [AMB-28] The OB of a request is missing:    *)
+(* OB 85, once for all missing OBs or once for each [AMB-45]; blocked, it  *)
+(* is lost [AMB-33] [AMB-23].  Requests are then `rest'.                   *)
+\* @type: (Set($request), $request) => Bool;
+ProgramErrorOccurs(rest, r) ==
+    LET error == [ ExternalRequest(ProgramErrorOb,
+                                   IF Reading("AMB-28") = "a" THEN \hA1 ELSE \hA2)
+                   EXCEPT !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
+        joins == OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
+        absent == ProgramErrorOb \notin loaded
+        stops == \/ Reading("AMB-33") = "b"
+                 \/ Reading("AMB-23") = "b" /\ absent
+    IN  IF Blocked(ProgramErrorOb)
+        THEN /\ requests' = rest
+             /\ stopCause' = IF stops THEN StopFor(NoProgramErrorOb) ELSE stopCause
+             /\ entered' = EntriesOf(error)
+                             \cup (IF stops THEN EntriesOfStop(NoProgramErrorOb)
+                                   ELSE {})
+        ELSE IF absent /\ Reading("AMB-07") = "b" /\ r.ob \in DintObs
+        THEN requests' = rest /\ UNCHANGED stopCause /\ entered' = {EntryOf(error)}
+        ELSE /\ UNCHANGED stopCause
+             /\ \/ /\ ~(joins /\ Reading("AMB-45") = "a")
+                   /\ requests' = Enter(rest, error)
+                   /\ entered' = {EntryOf(error)}
+                \/ /\ joins /\ Reading("AMB-45") # "b"
+                   /\ requests' = rest
+                   /\ entered' = OpenEntries({error})
+
+-----------------------------------------------------------------------------
+(* A start event leads to a request ... *)
+
+\* @type: $request => Bool;
+Ordinary(new) ==
+    /\ requests' = Enter(requests, new)
+    /\ UNCHANGED stopCause
+    /\ NothingEntered
+
+(* ... to a time error [TINT-14] [DINT-10], with a run that follows it or    *)
+(* without ...                                                             *)
+\* @type: ($request, Int, Bool) => Bool;
+Overlap(new, fault, again) ==
+    LET runs  == IF again THEN Enter(requests, [new EXCEPT !.follows = fault])
+                 ELSE requests
+        error == [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
+                     !.since = new.since ]
+    IN  TimeErrorOccurs(runs, requests, error)
+
+(* ... or to nothing. *)
+Nothing == UNCHANGED <<requests, stopCause>> /\ NothingEntered
+
+(* [IRT-04] *)
+\* @type: Int => Bool;
+Lost(o) == UNCHANGED <<requests, stopCause>> /\ entered' = EntriesOfLost(o)
+
+-----------------------------------------------------------------------------
+(* Start events of an OB that waits or runs already *)
+
+(* [AMB-18] [AMB-77] The OB may run again, there may be a time error, still *)
+(* running or buffer overflow, or nothing.                                 *)
+\* @type: $request => Set($request);
+LeftOpen(again) ==
+    { [again EXCEPT !.open = TRUE] }
+      \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
+            ELSE { [TimeError(f, {}, again.ob, again.word) EXCEPT !.open = TRUE]
+                   : f \in {StillRunning, BufferOverflow} })
+
+(* Where the OB waits, if at all, by what is open, it waits for sure after  *)
+(* another start event: by the first of the open ones, or by the new one if *)
+(* they had no effect.  The latter shows only where another OB of the class *)
+(* stands between.                                                         *)
+\* @type: (Set($request), $request) => Set($request);
+Confirmed(q, new) ==
+    { IF /\ r.ob = new.ob /\ r.open
+         /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
+      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
+
+\* @type: $request => Set(Set($request));
+EnterAmongOpen(new) ==
+    { EnterAll(Confirmed(requests, new), LeftOpen(new)) }
+      \cup (IF \E r, s \in requests : /\ r.ob = new.ob /\ s.ob # new.ob
+                                     /\ s.class = r.class /\ s.rank > r.rank
+            THEN { Enter(Withdraw(requests, new.ob), new) } ELSE {})
+
+\* @type: $request => Bool;
+AnyEffect(new) ==
+    /\ requests' = EnterAll(requests, LeftOpen(new))
+    /\ UNCHANGED stopCause
+    /\ entered' = OpenEntries(LeftOpen(new))
+
+\* @type: $request => Bool;
+AgainWhileOpen(new) ==
+    /\ requests' \in EnterAmongOpen(new)
+    /\ UNCHANGED stopCause
+    /\ entered' = OpenEntries(LeftOpen(new))
+
+(* [AMB-18] The OB waits already.  The size of the buffer is not known, so  *)
+(* under (b) the run is kept or the buffer overflows [OBS-08].             *)
+\* @type: $request => Bool;
+AgainWhilePending(new) ==
+    CASE Reading("AMB-18") = "a" -> Overlap(new, StillRunning, FALSE)
+      [] Reading("AMB-18") = "b" -> \/ Ordinary(new)
+                                    \/ Overlap(new, BufferOverflow, FALSE)
+      [] Reading("AMB-18") = "c" -> Nothing
+      [] OTHER                   -> AnyEffect(new)
+
+(* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs: one run is     *)
+(* kept for later.                                                         *)
+\* @type: $request => Bool;
+TodWhileRunning(new) ==
+    LET again == PendingIn(requests, new.ob)
+    IN  CASE Reading("AMB-19") = "b" -> Overlap(new, StillRunning, TRUE)
+          [] Reading("AMB-19") = "c" /\ again -> Nothing
+          [] OTHER -> Overlap(new, StillRunning, ~again)
+
+(* [DINT-10] [AMB-47] *)
+\* @type: $request => Bool;
+DintWhileRunning(new) ==
+    \E follows \in CASE Reading("AMB-47") = "a" -> {TRUE}
+                     [] Reading("AMB-47") = "b" -> {FALSE}
+                     [] OTHER                   -> BOOLEAN :
+      Overlap(new, StillRunning, follows /\ ~PendingIn(requests, new.ob))
+
+(* [AMB-77] *)
+\* @type: $request => Bool;
+ExternalWhileRunning(new) ==
+    CASE Reading("AMB-77") = "a" ->
+           Overlap(new, StillRunning, ~PendingIn(requests, new.ob))
+      [] Reading("AMB-77") = "b" -> Ordinary(new)
+      [] Reading("AMB-77") = "c" -> Nothing
+      [] OTHER                   -> AnyEffect(new)
+
+-----------------------------------------------------------------------------
+
+(* [OBS-07] A start event occurs. *)
+\* @type: $request => Bool;
+Occurs(new) ==
+    IF Deselected(new.ob) THEN Nothing
+    ELSE IF Blocked(new.ob) THEN Lost(new.ob)
+    ELSE IF OnStack(new.ob)
+    THEN IF new.ob \in TodObs THEN TodWhileRunning(new)
+         ELSE IF new.ob \in DintObs THEN DintWhileRunning(new)
+         ELSE ExternalWhileRunning(new)
+    ELSE IF PendingIn(requests, new.ob) THEN AgainWhilePending(new)
+    ELSE IF OpenIn(requests, new.ob) THEN AgainWhileOpen(new)
+    ELSE Ordinary(new)
+=============================================================================
