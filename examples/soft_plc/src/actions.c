@@ -26,62 +26,54 @@ static void set_clock(struct cpu *cpu, dt_ms to)
 
 void actions_step(struct cpu *cpu, const struct step *s)
 {
-    int ret, status = 0;
+    int ret = 0, status = 0;
     switch (s->kind) {
     case STEP_BUSY:
         cpu_top(cpu)->busy = s->ms;
-        break;
+        return;
+    case STEP_SET_CLOCK:
+        set_clock(cpu, s->ms);
+        return;
+    case STEP_MOVE_CLOCK:
+        set_clock(cpu, cpu_now(cpu) + s->ms);
+        return;
     case STEP_SET_TINT:
         ret = sfc_set_tint(cpu, s->ob, &s->sdt, s->period);
-        log_set_tint(cpu->log, cpu, s->ob, &s->sdt, s->period, ret);
         break;
     case STEP_CAN_TINT:
         ret = sfc_can_tint(cpu, s->ob);
-        log_call_ob(cpu->log, cpu, "CAN_TINT", s->ob, ret);
         break;
     case STEP_ACT_TINT:
         ret = sfc_act_tint(cpu, s->ob);
-        log_call_ob(cpu->log, cpu, "ACT_TINT", s->ob, ret);
         break;
     case STEP_QRY_TINT:
         ret = sfc_qry_tint(cpu, s->ob, &status);
-        log_qry(cpu->log, cpu, "QRY_TINT", s->ob, ret, status);
         break;
     case STEP_SRT_DINT:
         ret = sfc_srt_dint(cpu, s->ob, s->ms, s->sign);
-        log_srt_dint(cpu->log, cpu, s->ob, s->ms, s->sign, ret);
         break;
     case STEP_CAN_DINT:
         ret = sfc_can_dint(cpu, s->ob);
-        log_call_ob(cpu->log, cpu, "CAN_DINT", s->ob, ret);
         break;
     case STEP_QRY_DINT:
         ret = sfc_qry_dint(cpu, s->ob, &status);
-        log_qry(cpu->log, cpu, "QRY_DINT", s->ob, ret, status);
         break;
     case STEP_DIS_IRT:
         ret = sfc_dis_irt(cpu, s->mode, s->ob);
-        log_irt(cpu->log, cpu, "DIS_IRT", s->mode, s->ob, ret);
-        if (ret == RET_OK)
-            irt_report(cpu, s->mode); /* behind the line of the call, its cause */
         break;
     case STEP_EN_IRT:
         ret = sfc_en_irt(cpu, s->mode, s->ob);
-        log_irt(cpu->log, cpu, "EN_IRT", s->mode, s->ob, ret);
         break;
     case STEP_DIS_AIRT:
-        log_call(cpu->log, cpu, "DIS_AIRT", sfc_dis_airt(cpu));
+        ret = sfc_dis_airt(cpu);
         break;
     case STEP_EN_AIRT:
-        log_call(cpu->log, cpu, "EN_AIRT", sfc_en_airt(cpu));
-        break;
-    case STEP_SET_CLOCK:
-        set_clock(cpu, s->ms);
-        break;
-    case STEP_MOVE_CLOCK:
-        set_clock(cpu, cpu_now(cpu) + s->ms);
+        ret = sfc_en_airt(cpu);
         break;
     }
+    log_call(cpu->log, cpu, s, ret, status);
+    if (s->kind == STEP_DIS_IRT && ret == RET_OK)
+        irt_report(cpu, s->mode); /* behind the line of the call, its cause */
 }
 
 static void load(struct cpu *cpu, int ob, bool present)
@@ -89,7 +81,7 @@ static void load(struct cpu *cpu, int ob, bool present)
     if (cpu->loaded[ob] == present)
         return;
     cpu->loaded[ob] = present; /* AMB-66: what runs goes on, what waits will be missing */
-    log_block(cpu->log, cpu, present ? "load" : "delete", ob);
+    log_block(cpu->log, cpu, present, ob);
 }
 
 static void act(struct cpu *cpu, const struct action *a)

@@ -121,7 +121,7 @@ static void run_once(struct cpu *cpu)
 
 static bool is_over(struct cpu *cpu)
 {
-    return cpu->log->failed || cpu->log->events >= cpu->config.max_events ||
+    return cpu->log->s7.failed || cpu->log->s7.events >= cpu->config.max_events ||
            cpu->clock.up >= cpu->config.duration || cpu_now(cpu) >= dt_last();
 }
 

@@ -17,13 +17,12 @@ enum mode { MODE_STOP, MODE_STARTUP, MODE_RUN, MODE_HOLD };
 /* What is assigned to a time-of-day interrupt with STEP 7. */
 struct step7_tod {
     bool configured; /* named in the header of the log */
-    bool none;       /* execution "none" [TINT-07] */
     bool active;
     bool deselected;
     bool has_start;
     dt_ms start;
     int period;
-    const char *execution; /* as written in the header, NULL where only deselected */
+    enum s7log_execution execution;
 };
 
 /* One time-of-day interrupt, OB 10 + index. */

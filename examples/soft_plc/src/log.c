@@ -1,272 +1,221 @@
 #include "log.h"
 
 #include "cpu.h"
-#include "text.h"
+
+static int write_line(void *context, const char *line, size_t length)
+{
+    struct log *log = context;
+    if (s7log_to_file(log->out, line, length) != 0)
+        return -1;
+    return log->flush_lines ? fflush(log->out) : 0;
+}
 
 void log_open(struct log *log, FILE *out, bool flush_lines)
 {
     log->out = out;
     log->flush_lines = flush_lines;
-    log->failed = false;
-    log->events = 0;
-    log->used = 0;
-}
-
-static void flush(struct log *log)
-{
-    if (fwrite(log->buffer, 1, log->used, log->out) != log->used || fflush(log->out) != 0)
-        log->failed = true;
-    log->used = 0;
+    s7log_open(&log->s7, write_line, log);
 }
 
 bool log_close(struct log *log)
 {
-    flush(log);
-    return !log->failed;
+    return fflush(log->out) == 0 && !log->s7.failed;
 }
 
-static char *begin_line(struct log *log)
+static struct s7log_now now(const struct cpu *cpu)
 {
-    if (LOG_BUFFER - log->used < LOG_LINE)
-        flush(log);
-    return log->buffer + log->used;
+    return (struct s7log_now){.at = cpu_now(cpu),
+                              .up = cpu->config.log_up ? cpu->clock.up : S7LOG_NONE};
 }
 
-static void end_line(struct log *log, char *p)
+static int or_none(int value)
 {
-    p = text_str(p, "}\n");
-    log->used = (size_t)(p - log->buffer);
-    if (log->flush_lines)
-        flush(log);
+    return value < 0 ? S7LOG_NONE : value;
 }
 
-static void end_event(struct log *log, char *p)
+static struct s7log_info convert(const struct start_info *i)
 {
-    end_line(log, p);
-    log->events++;
+    return (struct s7log_info){.priority = i->priority,
+                               .strt_info = or_none(i->strt_info),
+                               .flt_id = or_none(i->flt_id),
+                               .period = or_none(i->period),
+                               .sign = or_none(i->sign),
+                               .dtime = or_none(i->dtime),
+                               .error_info = or_none(i->error_info),
+                               .ev = or_none(i->ev),
+                               .ev_ob = or_none(i->ev_ob),
+                               .time = i->time};
 }
 
-static char *begin_event(struct log *log, const struct cpu *cpu, const char *event)
+void log_call(struct log *log, const struct cpu *cpu, const struct step *s, int ret, int status)
 {
-    char *p = begin_line(log);
-    p = text_str(p, "{\"event\":\"");
-    p = text_str(p, event);
-    p = text_str(p, "\",\"at\":");
-    p = text_dt(p, cpu_now(cpu));
-    if (cpu->config.log_up) {
-        p = text_str(p, ",\"up\":");
-        p = text_int(p, cpu->clock.up);
+    const struct s7log_dt sdt = {s->sdt.year,   s->sdt.month,  s->sdt.day, s->sdt.hour,
+                                 s->sdt.minute, s->sdt.second, s->sdt.ms};
+    const struct s7log_now t = now(cpu);
+    struct s7log *l = &log->s7;
+    int word = ret == 0 ? status : S7LOG_NONE; /* [TINT-71] */
+    switch (s->kind) {
+    case STEP_SET_TINT:
+        s7log_set_tint(l, t, s->ob, &sdt, s->period, ret);
+        break;
+    case STEP_CAN_TINT:
+        s7log_can_tint(l, t, s->ob, ret);
+        break;
+    case STEP_ACT_TINT:
+        s7log_act_tint(l, t, s->ob, ret);
+        break;
+    case STEP_QRY_TINT:
+        s7log_qry_tint(l, t, s->ob, ret, word);
+        break;
+    case STEP_SRT_DINT:
+        s7log_srt_dint(l, t, s->ob, s->ms, s->sign, ret);
+        break;
+    case STEP_CAN_DINT:
+        s7log_can_dint(l, t, s->ob, ret);
+        break;
+    case STEP_QRY_DINT:
+        s7log_qry_dint(l, t, s->ob, ret, word);
+        break;
+    case STEP_DIS_IRT:
+        s7log_dis_irt(l, t, s->mode, s->ob, ret);
+        break;
+    case STEP_EN_IRT:
+        s7log_en_irt(l, t, s->mode, s->ob, ret);
+        break;
+    case STEP_DIS_AIRT:
+        s7log_dis_airt(l, t, ret);
+        break;
+    case STEP_EN_AIRT:
+        s7log_en_airt(l, t, ret);
+        break;
+    case STEP_BUSY:
+    case STEP_SET_CLOCK:
+    case STEP_MOVE_CLOCK:
+        break;
     }
-    return p;
-}
-
-static char *put_ob(char *p, int ob)
-{
-    p = text_str(p, ",\"ob\":");
-    return text_int(p, ob);
-}
-
-static char *put_ret(char *p, int ret)
-{
-    p = text_str(p, ",\"ret\":");
-    return text_word(p, ret, 4);
-}
-
-void log_set_tint(struct log *log, const struct cpu *cpu, int ob, const struct civil *sdt,
-                  int period, int ret)
-{
-    char *p = put_ob(begin_event(log, cpu, "SET_TINT"), ob);
-    p = text_str(p, ",\"sdt\":");
-    p = text_civil(p, sdt);
-    p = text_str(p, ",\"period\":");
-    p = text_word(p, period, 4);
-    end_event(log, put_ret(p, ret));
-}
-
-void log_call_ob(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret)
-{
-    end_event(log, put_ret(put_ob(begin_event(log, cpu, sfc), ob), ret));
-}
-
-void log_srt_dint(struct log *log, const struct cpu *cpu, int ob, int64_t dtime, int sign, int ret)
-{
-    char *p = put_ob(begin_event(log, cpu, "SRT_DINT"), ob);
-    p = text_int(text_str(p, ",\"dtime\":"), dtime);
-    p = text_word(text_str(p, ",\"sign\":"), sign, 4);
-    end_event(log, put_ret(p, ret));
-}
-
-void log_qry(struct log *log, const struct cpu *cpu, const char *sfc, int ob, int ret, int status)
-{
-    char *p = put_ret(put_ob(begin_event(log, cpu, sfc), ob), ret);
-    if (ret == 0) { /* [TINT-71] */
-        p = text_str(p, ",\"status\":");
-        p = text_word(p, status, 4);
-    }
-    end_event(log, p);
-}
-
-void log_irt(struct log *log, const struct cpu *cpu, const char *sfc, int mode, int ob, int ret)
-{
-    char *p = text_word(text_str(begin_event(log, cpu, sfc), ",\"mode\":"), mode, 2);
-    end_event(log, put_ret(put_ob(p, ob), ret));
-}
-
-void log_call(struct log *log, const struct cpu *cpu, const char *sfc, int ret)
-{
-    end_event(log, put_ret(begin_event(log, cpu, sfc), ret));
-}
-
-static char *put_info(char *p, const char *name, int value, int digits)
-{
-    if (value < 0)
-        return p;
-    p = text_str(p, ",\"");
-    p = text_str(p, name);
-    p = text_str(p, "\":");
-    return digits > 0 ? text_word(p, value, digits) : text_int(p, value);
-}
-
-static char *put_start_info(char *p, const struct start_info *info)
-{
-    p = text_str(p, ",\"info\":{\"priority\":");
-    p = text_int(p, info->priority);
-    p = put_info(p, "strt_info", info->strt_info, 2);
-    p = put_info(p, "flt_id", info->flt_id, 2);
-    p = put_info(p, "period", info->period, 4);
-    p = put_info(p, "sign", info->sign, 4);
-    p = put_info(p, "dtime", info->dtime, 0);
-    p = put_info(p, "error_info", info->error_info, 4);
-    p = put_info(p, "ev", info->ev, 4);
-    p = put_info(p, "ev_ob", info->ev_ob, 0);
-    p = text_str(p, ",\"time\":");
-    p = text_dt(p, info->time);
-    *p++ = '}';
-    return p;
 }
 
 void log_start(struct log *log, const struct cpu *cpu, int ob, const struct start_info *info)
 {
-    end_event(log, put_start_info(put_ob(begin_event(log, cpu, "start"), ob), info));
-}
-
-void log_diag(struct log *log, const struct cpu *cpu, int id, int ob, const struct start_info *info)
-{
-    char *p = text_word(text_str(begin_event(log, cpu, "diag"), ",\"id\":"), id, 4);
-    p = put_info(p, "ob", ob, 0);
-    if (info != NULL)
-        p = put_start_info(put_info(p, "priority", info->priority, 0), info);
-    end_event(log, p);
+    const struct s7log_info i = convert(info);
+    s7log_start(&log->s7, now(cpu), ob, &i);
 }
 
 void log_end(struct log *log, const struct cpu *cpu, int ob)
 {
-    end_event(log, put_ob(begin_event(log, cpu, "end"), ob));
+    s7log_end(&log->s7, now(cpu), ob);
 }
 
 void log_clock(struct log *log, const struct cpu *cpu, dt_ms to)
 {
-    char *p = begin_event(log, cpu, "clock");
-    p = text_str(p, ",\"to\":");
-    end_event(log, text_dt(p, to));
+    s7log_clock(&log->s7, now(cpu), to);
 }
 
 void log_restart(struct log *log, const struct cpu *cpu, bool cold)
 {
-    char *p = begin_event(log, cpu, "restart");
-    end_event(log, text_str(p, cold ? ",\"type\":\"cold\"" : ",\"type\":\"warm\""));
+    s7log_restart(&log->s7, now(cpu), cold ? S7LOG_COLD : S7LOG_WARM);
 }
 
 void log_stop(struct log *log, const struct cpu *cpu, int cause)
 {
-    end_event(log, put_info(begin_event(log, cpu, "stop"), "cause", cause, 4));
+    s7log_stop(&log->s7, now(cpu), or_none(cause));
 }
 
-void log_mode(struct log *log, const struct cpu *cpu, const char *event)
+void log_run(struct log *log, const struct cpu *cpu)
 {
-    end_event(log, begin_event(log, cpu, event));
+    s7log_run(&log->s7, now(cpu));
+}
+
+void log_hold(struct log *log, const struct cpu *cpu)
+{
+    s7log_hold(&log->s7, now(cpu));
+}
+
+void log_release(struct log *log, const struct cpu *cpu)
+{
+    s7log_release(&log->s7, now(cpu));
 }
 
 void log_interrupt(struct log *log, const struct cpu *cpu, int ob, int flt_id)
 {
-    char *p = put_ob(begin_event(log, cpu, "interrupt"), ob);
-    end_event(log, put_info(p, "flt_id", flt_id, 2));
+    s7log_interrupt(&log->s7, now(cpu), ob, or_none(flt_id));
 }
 
-void log_block(struct log *log, const struct cpu *cpu, const char *event, int ob)
+void log_block(struct log *log, const struct cpu *cpu, bool present, int ob)
 {
-    end_event(log, put_ob(begin_event(log, cpu, event), ob));
+    if (present)
+        s7log_load(&log->s7, now(cpu), ob);
+    else
+        s7log_delete(&log->s7, now(cpu), ob);
 }
 
-static char *header_obs(char *p, const struct config *c)
+void log_diag(struct log *log, const struct cpu *cpu, int id, int ob, const struct start_info *info)
 {
-    const char *comma = "";
-    p = text_str(p, ",\"obs\":[");
+    if (info != NULL) {
+        const struct s7log_info i = convert(info);
+        s7log_diag(&log->s7, now(cpu), id, ob, info->priority, &i);
+    } else {
+        s7log_diag(&log->s7, now(cpu), id, or_none(ob), S7LOG_NONE, NULL);
+    }
+}
+
+static size_t loaded_obs(const struct config *c, int *obs)
+{
+    size_t n = 0;
     for (int ob = 0; ob < OB_MAX; ob++)
-        if (c->loaded[ob]) {
-            p = text_str(p, comma);
-            p = text_int(p, ob);
-            comma = ",";
-        }
-    *p++ = ']';
-    return p;
+        if (c->loaded[ob])
+            obs[n++] = ob;
+    return n;
 }
 
-static char *header_priority(char *p, const struct config *c)
+static size_t set_priorities(const struct config *c, struct s7log_priority *priorities)
 {
-    const char *before = ",\"priority\":{\"";
-    const char *after = "";
+    size_t n = 0;
     for (int ob = 0; ob < OB_MAX; ob++)
-        if (c->priority[ob] != 0) {
-            p = text_int(text_str(p, before), ob);
-            p = text_int(text_str(p, "\":"), c->priority[ob]);
-            before = ",\"";
-            after = "}";
-        }
-    return text_str(p, after);
+        if (c->priority[ob] != 0)
+            priorities[n++] = (struct s7log_priority){ob, c->priority[ob]};
+    return n;
 }
 
-static char *header_step7(char *p, const struct config *c)
+static size_t step7_tods(const struct config *c, struct s7log_tod *tods)
 {
-    const char *before = ",\"step7\":{\"tod\":{\"";
-    const char *after = "";
+    size_t n = 0;
     for (int k = 0; k < TOD_OBS; k++) {
         const struct step7_tod *s = &c->step7[k];
-        const char *comma = "";
-        if (!s->configured)
-            continue;
-        p = text_str(text_int(text_str(p, before), TOD_FIRST + k), "\":{");
-        before = ",\"";
-        after = "}}";
-        if (s->execution != NULL) {
-            p = text_str(text_str(text_str(p, "\"execution\":\""), s->execution), "\"");
-            p = text_str(p, s->active ? ",\"active\":true" : ",\"active\":false");
-            comma = ",";
-        }
-        if (s->has_start)
-            p = text_dt(text_str(p, ",\"start\":"), s->start);
-        if (s->deselected)
-            p = text_str(text_str(p, comma), "\"deselected\":true");
-        *p++ = '}';
+        if (s->configured)
+            tods[n++] = (struct s7log_tod){.ob = TOD_FIRST + k,
+                                           .execution = s->execution,
+                                           .start = s->has_start ? s->start : S7LOG_NONE,
+                                           .active = s->active,
+                                           .deselected = s->deselected};
     }
-    return text_str(p, after);
+    return n;
 }
 
 void log_header(struct log *log, const struct cpu *cpu)
 {
-    static const char *const modes[] = {"STOP", "STARTUP", "RUN"};
+    static const enum s7log_cpu cpus[] = {
+        [FAMILY_S7_300] = S7LOG_S7_300, [FAMILY_S7_400] = S7LOG_S7_400,
+        [FAMILY_CPU_318] = S7LOG_CPU_318};
+    static const enum s7log_mode modes[] = {
+        [MODE_STOP] = S7LOG_STOP, [MODE_STARTUP] = S7LOG_STARTUP, [MODE_RUN] = S7LOG_RUN};
     const struct config *c = &cpu->config;
-    /* The header may be longer than the line of an event; the buffer is still empty here. */
-    char *p = text_str(log->buffer, "{\"format\":\"s7-interrupt-log/1\",\"cpu\":\"");
-    p = text_str(text_str(p, family_name(c->family)), "\"");
-    p = header_obs(p, c);
-    p = text_dt(text_str(p, ",\"clock\":"), c->clock);
-    p = text_str(text_str(text_str(p, ",\"mode\":\""), modes[c->mode]), "\"");
-    p = text_int(text_str(p, ",\"latency_ms\":"), c->latency_ms);
-    p = text_str(p, ",\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\"");
-    p = text_str(p, c->log_diag ? ",\"diag\"]" : "]");
-    if (c->log_cycle)
-        p = text_str(p, ",\"cycle\":true");
-    p = header_priority(p, c);
-    end_line(log, header_step7(p, c));
+    int obs[OB_MAX];
+    struct s7log_priority priorities[OB_MAX];
+    struct s7log_tod tods[TOD_OBS];
+    const struct s7log_header h = {
+        .cpu = cpus[c->family],
+        .obs = obs,
+        .ob_count = loaded_obs(c, obs),
+        .clock = c->clock,
+        .mode = modes[c->mode],
+        .latency_ms = c->latency_ms,
+        .records = S7LOG_CALL | S7LOG_OB | S7LOG_CLOCK | S7LOG_MODE | S7LOG_INTERRUPT | S7LOG_LOAD |
+                   (c->log_diag ? S7LOG_DIAG : 0u),
+        .cycle = c->log_cycle,
+        .priorities = priorities,
+        .priority_count = set_priorities(c, priorities),
+        .tods = tods,
+        .tod_count = step7_tods(c, tods)};
+    s7log_header(&log->s7, &h);
 }

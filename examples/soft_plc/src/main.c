@@ -134,9 +134,9 @@ static int run(const struct options *o, const struct config *config, struct prog
     cpu_begin(&cpu, config, program, &log, o->real_time);
     cpu_run(&cpu);
     if (log_close(&log)) {
-        if (o->scenario != NULL && o->events == 0 && log.events == config->max_events)
+        if (o->scenario != NULL && o->events == 0 && log.s7.events == config->max_events)
             fprintf(stderr, "soft_plc: the log ends after %llu events; see --events\n",
-                    (unsigned long long)log.events);
+                    (unsigned long long)log.s7.events);
         return EXIT_DONE;
     }
     fputs("soft_plc: the log could not be written\n", stderr);

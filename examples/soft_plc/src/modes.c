@@ -55,7 +55,7 @@ void modes_restart(struct cpu *cpu, bool cold)
 void modes_run(struct cpu *cpu)
 {
     cpu->mode = MODE_RUN;
-    log_mode(cpu->log, cpu, "run");
+    log_run(cpu->log, cpu);
 }
 
 void modes_hold(struct cpu *cpu)
@@ -64,7 +64,7 @@ void modes_hold(struct cpu *cpu)
         return;
     cpu->mode = MODE_HOLD;
     cpu->hold_began = cpu->clock.up;
-    log_mode(cpu->log, cpu, "hold");
+    log_hold(cpu->log, cpu);
 }
 
 void modes_release(struct cpu *cpu)
@@ -72,7 +72,7 @@ void modes_release(struct cpu *cpu)
     if (cpu->mode != MODE_HOLD)
         return;
     cpu->mode = MODE_RUN;
-    log_mode(cpu->log, cpu, "release");
+    log_release(cpu->log, cpu);
     dint_released(cpu, cpu->clock.up - cpu->hold_began);
     tod_released(cpu, cpu_now(cpu));
 }

@@ -5,12 +5,6 @@ static bool within(int ob, int low, int high)
     return ob >= low && ob <= high;
 }
 
-const char *family_name(enum family f)
-{
-    static const char *const names[] = {"S7-300", "S7-400", "CPU 318"};
-    return names[f];
-}
-
 enum ob_kind ob_kind(int ob)
 {
     if (ob == 1)

@@ -23,7 +23,6 @@ enum ob_kind {
     OB_OTHER /* may be loaded, is never started here */
 };
 
-const char *family_name(enum family f);
 enum ob_kind ob_kind(int ob);
 bool ob_is_tod(int ob);
 /* OBs that have a start event from outside (`interrupt` in the log). */

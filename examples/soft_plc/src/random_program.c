@@ -371,10 +371,10 @@ void random_config(struct random_program *r, struct config *c, const enum family
     if (percent(r, 70))
         draw_priorities(r, c);
     c->step7[0] = (struct step7_tod){.configured = true, .active = true, .has_start = true,
-                                     .execution = "hourly", .period = PERIOD_HOURLY,
+                                     .execution = S7LOG_HOURLY, .period = PERIOD_HOURLY,
                                      .start = c->clock - c->clock % MS_HOUR};
     if (percent(r, 50)) {
-        c->step7[0].execution = "minute";
+        c->step7[0].execution = S7LOG_MINUTE;
         c->step7[0].period = PERIOD_MINUTE;
     }
     c->step7[7] = (struct step7_tod){.configured = true, .deselected = true};

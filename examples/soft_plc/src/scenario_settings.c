@@ -149,17 +149,21 @@ static bool set_execution(const char *s, struct step7_tod *t)
 {
     static const struct {
         const char *name;
+        enum s7log_execution execution;
         int period;
-    } table[] = {{"none", PERIOD_ONCE},           {"once", PERIOD_ONCE},
-                 {"minute", PERIOD_MINUTE},       {"hourly", PERIOD_HOURLY},
-                 {"daily", PERIOD_DAILY},         {"weekly", PERIOD_WEEKLY},
-                 {"monthly", PERIOD_MONTHLY},     {"yearly", PERIOD_YEARLY},
-                 {"end_of_month", PERIOD_END_OF_MONTH}};
+    } table[] = {{"none", S7LOG_NO_EXECUTION, PERIOD_ONCE},
+                 {"once", S7LOG_ONCE, PERIOD_ONCE},
+                 {"minute", S7LOG_MINUTE, PERIOD_MINUTE},
+                 {"hourly", S7LOG_HOURLY, PERIOD_HOURLY},
+                 {"daily", S7LOG_DAILY, PERIOD_DAILY},
+                 {"weekly", S7LOG_WEEKLY, PERIOD_WEEKLY},
+                 {"monthly", S7LOG_MONTHLY, PERIOD_MONTHLY},
+                 {"yearly", S7LOG_YEARLY, PERIOD_YEARLY},
+                 {"end_of_month", S7LOG_END_OF_MONTH, PERIOD_END_OF_MONTH}};
     for (unsigned i = 0; i < sizeof table / sizeof table[0]; i++)
         if (strcmp(s, table[i].name) == 0) {
-            t->execution = table[i].name;
+            t->execution = table[i].execution;
             t->period = table[i].period;
-            t->none = i == 0;
             return true;
         }
     return false;
@@ -185,12 +189,12 @@ static bool set_step7(struct parser *p)
             t->deselected = true;
         else if (!t->has_start && word_dt(s, &t->start))
             t->has_start = true;
-        else if (t->execution != NULL || !set_execution(s, t))
+        else if (t->execution != S7LOG_NOT_GIVEN || !set_execution(s, t))
             return parser_fail(p, "step7", "one execution, one start, active or deselected", s);
     }
-    if (t->execution == NULL && !t->deselected)
+    if (t->execution == S7LOG_NOT_GIVEN && !t->deselected)
         return parser_fail(p, "step7", "an execution or deselected", NULL);
-    if (t->execution != NULL && !t->none && !t->has_start)
+    if (t->execution > S7LOG_NO_EXECUTION && !t->has_start)
         return parser_fail(p, "step7", "a start beside this execution", NULL);
     t->start -= t->start % MS_MINUTE; /* [TINT-11] */
     return true;

@@ -23,9 +23,9 @@ static void take_step7(struct cpu *cpu, int k)
     const struct step7_tod *s = &cpu->config.step7[k];
     struct tod *t = &cpu->tod[k];
     *t = (struct tod){.next = DT_NEVER};
-    if (!s->configured || s->deselected || s->none || !s->has_start ||
+    if (!s->configured || s->deselected || s->execution == S7LOG_NO_EXECUTION || !s->has_start ||
         cpu_fault(cpu, FAULT_RESTART_NO_STEP7))
-        return; /* AMB-62: with "none" nothing is set */
+        return; /* AMB-62: with "none" [TINT-07] nothing is set */
     t->set = true;
     t->active = s->active;
     t->start = s->start;
