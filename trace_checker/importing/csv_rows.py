@@ -10,7 +10,7 @@ from typing import Any
 
 import msgspec
 
-from trace_checker.importing.errors import SourceError, shown
+from trace_checker.importing.errors import SourceError, in_field, shown
 from trace_checker.importing.recording import Placed, Recording, select
 
 _TIMES = frozenset({"at", "to", "sdt", "info.time"})
@@ -96,7 +96,7 @@ def _rows(content: bytes, columns: ColumnMap, recording: Recording) -> Iterator[
                 raise SourceError(f"line {reader.line_num}", f"{len(headings)} cells", "another number of them")
             yield _Row(reader.line_num, {field: row[heading].strip() for field, heading in columns.columns.items()})
     except csv.Error as error:
-        raise SourceError(f"line {reader.line_num}", "CSV", str(error)) from error
+        raise SourceError(f"line {reader.reader.line_num}", "CSV", str(error)) from error
 
 
 def _event(row: _Row, columns: ColumnMap) -> dict[str, Any]:
@@ -124,5 +124,5 @@ def _value(row: _Row, field: str, cell: str, columns: ColumnMap) -> str | int | 
         try:
             return datetime.strptime(cell, columns.times).isoformat(timespec="milliseconds")
         except ValueError as error:
-            raise SourceError(row.place, f'field "{field}": a time like {columns.times}', shown(cell)) from error
+            raise SourceError(in_field(row.place, field), f"a time like {columns.times}", shown(cell)) from error
     return int(cell) if _INTEGER.fullmatch(cell) else cell

@@ -24,3 +24,8 @@ class SourceError(Exception):
 def shown(text: str) -> str:
     """``text`` from a source as a message quotes it: short, in quotation marks, printable."""
     return f'"{printable(text)}"'
+
+
+def in_field(place: str, field: str | None) -> str:
+    """The place of a field of the log within ``place``."""
+    return f'{place}: field "{field}"' if field else place

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from trace_checker.importing.errors import SourceError
+from trace_checker.importing.errors import SourceError, in_field
 from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.header import FORMAT, read_header
 
@@ -18,10 +18,10 @@ def complete(told: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
     header = {"format": FORMAT, **told, **given}
     for field, option in _OPTIONS.items():
         if field not in header:
-            expected = f'field "{field}", which the source does not tell: {option}, or --header'
-            raise SourceError("header", expected, "none")
+            expected = f"it from {option} or --header, since the source does not tell it"
+            raise SourceError(in_field("header", field), expected, "none")
     try:
         read_header(header)
     except UnusableLogError as error:
-        raise SourceError("header", error.expected, f"{error.found} in field {error.field}") from error
+        raise SourceError(in_field("header", error.field), error.expected, error.found) from error
     return header

@@ -4,7 +4,7 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from trace_checker.importing.errors import SourceError
+from trace_checker.importing.errors import SourceError, in_field
 from trace_checker.importing.recording import Placed
 from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.reader import read_log
@@ -19,6 +19,5 @@ def render(header: dict[str, Any], events: Sequence[Placed]) -> bytes:
             pass
     except UnusableLogError as error:
         place = "header" if error.line <= 1 else events[error.line - 2].place
-        where = f'field "{error.field}": ' if error.field else ""
-        raise SourceError(place, where + error.expected, error.found) from error
+        raise SourceError(in_field(place, error.field), error.expected, error.found) from error
     return text

@@ -34,7 +34,8 @@ _OF_ID: dict[int, tuple[str | None, str | None]] = {
 }
 """Event ID -> old and new mode, as far as the ID alone tells them."""
 
-_STARTUPS = {5: {"warm", "cold"}, 6: {"warm"}, 7: {"hot"}}
+_ANY_RESTART = frozenset({"warm", "hot", "cold"})
+_STARTUPS = {5: frozenset({"warm", "cold"}), 6: frozenset({"warm"}), 7: frozenset({"hot"})}
 """New mode of an entry 4301 -> the kinds of restart it may be; editions disagree about 5."""
 
 _REQUESTS = {0x1381: "warm", 0x1382: "warm", 0x1383: "hot", 0x1384: "hot", 0x1385: "cold", 0x1386: "cold"}
@@ -114,10 +115,10 @@ def _event(old: str | None, new: str | None, index: int, entries: Sequence[Entry
 def _restart(index: int, entries: Sequence[Entry]) -> str | None:
     """The kind of restart that entry 4301 begins, None if not told or not one that a log can name."""
     coding = entries[index].coding
-    kinds = _STARTUPS[coding[3] % 16] if coding else {"warm", "cold", "hot"}
+    kinds = _STARTUPS[coding[3] % 16] if coding else _ANY_RESTART
     for entry in entries[index + 1 :]:
         if entry.event_class == _MODE_CLASS:
             break
         if entry.id in _REQUESTS:
             kinds = kinds & {_REQUESTS[entry.id]}
-    return kinds.pop() if len(kinds) == 1 and kinds != {"hot"} else None
+    return next((kind for kind in ("warm", "cold") if kinds == {kind}), None)

@@ -45,7 +45,7 @@ def convert(raw: bytes, chosen: range | None = None) -> Recording:
     elapsed = Elapsed()
     for entry in entries:
         at = _at(entry)
-        restarts = entry.code == _OB_BEGINS and entry.ob in _RESTARTS
+        restarts = entry.code == _OB_BEGINS and entry.ob_nr in _RESTARTS
         stamp = {"at": at, "up": elapsed.up(at, entry.tick, restarts)}
         for event in _events(entry, recording):
             recording.events.append(Placed({"event": event.pop("event"), **stamp, **event}, entry.place))
@@ -72,7 +72,7 @@ def _in_order(header: RingHeader, slots: Sequence[RingEntry], recording: Recordi
 def _from_known_mode(entries: Sequence[RingEntry], recording: Recording) -> Sequence[RingEntry]:
     """The entries from the first one on at which a log can begin."""
     for index, entry in enumerate(entries):
-        if entry.code == _OB_BEGINS and entry.ob in _RESTARTS:
+        if entry.code == _OB_BEGINS and entry.ob_nr in _RESTARTS:
             recording.header["mode"] = "STOP"
         elif entry.caller in _MODES_AT_BEGIN:
             recording.header["mode"] = "STARTUP" if _begins_run(entry) else _MODES_AT_BEGIN[entry.caller]
@@ -98,9 +98,9 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
         yield {"event": _CALLS[entry.code], **_parameters(entry), **_result(entry), **own}
     elif entry.code == _OB_BEGINS:
         yield from _mode_before(entry)
-        yield {"event": "start", "ob": entry.ob, "info": _info(entry)}
+        yield {"event": "start", "ob": entry.ob_nr, "info": _info(entry)}
     elif entry.code == _OB_ENDS:
-        yield {"event": "end", "ob": entry.ob}
+        yield {"event": "end", "ob": entry.ob_nr}
     elif entry.code == _SET_CLK:
         if entry.done and not entry.ret:
             yield {"event": "clock", "to": _date(entry), **own}
@@ -112,9 +112,9 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
 
 def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
     """The change of the mode that an OB's begin proves."""
-    if entry.ob in _RESTARTS:
-        yield {"event": "restart", "type": _RESTARTS[entry.ob]}
-    elif entry.ob == _HOT_RESTART:
+    if entry.ob_nr in _RESTARTS:
+        yield {"event": "restart", "type": _RESTARTS[entry.ob_nr]}
+    elif entry.ob_nr == _HOT_RESTART:
         found = f"OB 101; import the entries after it apart, with --entries {entry.number + 1}-"
         raise SourceError(entry.place, "a warm or cold restart, which are those that a log can express", found)
     elif _begins_run(entry):
@@ -122,21 +122,21 @@ def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
 
 
 def _begins_run(entry: RingEntry) -> bool:
-    return (entry.code, entry.ob) == (_OB_BEGINS, 1) and entry.ev_num in _FIRST_CYCLES
+    return (entry.code, entry.ob_nr) == (_OB_BEGINS, 1) and entry.ev_num in _FIRST_CYCLES
 
 
 def _parameters(entry: RingEntry) -> dict[str, Any]:
     match entry.code:
         case 28:
-            return {"ob": entry.ob, "sdt": _date(entry), "period": word(entry.info_1)}
+            return {"ob": entry.ob_nr, "sdt": _date(entry), "period": word(entry.info_1)}
         case 32:
-            return {"ob": entry.ob, "dtime": duration(entry.info_2), "sign": word(entry.info_1)}
+            return {"ob": entry.ob_nr, "dtime": duration(entry.info_2), "sign": word(entry.info_1)}
         case 39 | 40:
-            return {"mode": byte(entry.mode), "ob": entry.ob}
+            return {"mode": byte(entry.mode), "ob": entry.ob_nr}
         case 41 | 42:
             return {}
         case _:
-            return {"ob": entry.ob}
+            return {"ob": entry.ob_nr}
 
 
 def _result(entry: RingEntry) -> dict[str, Any]:
@@ -151,12 +151,12 @@ def _result(entry: RingEntry) -> dict[str, Any]:
 
 def _info(entry: RingEntry) -> dict[str, Any]:
     info: dict[str, Any] = {"priority": entry.priority}
-    info |= start_info(entry.ob, entry.ev_num, entry.info_1, entry.info_2)
+    info |= start_info(entry.ob_nr, entry.ev_num, entry.info_1, entry.info_2)
     return info | {"time": _date(entry)}
 
 
 def _date(entry: RingEntry) -> str:
     try:
-        return bcd.digits(entry.date)
+        return bcd.digits(entry.stamp)
     except ValueError as error:
-        raise SourceError(entry.place, "a DATE_AND_TIME in BCD", bcd.spaced(entry.date)) from error
+        raise SourceError(entry.place, "a DATE_AND_TIME in BCD", bcd.spaced(entry.stamp)) from error

@@ -10,7 +10,7 @@ _ENTRY = struct.Struct(">iI8shBBhHIhH8sBBBB")
 
 HEADER_LENGTH = _HEADER.size
 _MAGIC = 0x5337
-_VERSION = 1
+_LAYOUT = 1
 
 
 class RingHeader(NamedTuple):
@@ -22,7 +22,7 @@ class RingHeader(NamedTuple):
     """
 
     magic: int
-    version: int
+    layout: int
     capacity: int
     size: int
     slot: int
@@ -45,12 +45,12 @@ class RingEntry(NamedTuple):
     code: int
     caller: int
     mode: int
-    ob: int
+    ob_nr: int
     info_1: int
     info_2: int
     ret: int
     status: int
-    date: bytes
+    stamp: bytes
     ev_class: int
     ev_num: int
     priority: int
@@ -69,8 +69,8 @@ def read_header(raw: bytes) -> RingHeader:
     header = RingHeader._make(_HEADER.unpack_from(raw))
     if header.magic != _MAGIC:
         raise SourceError("", f"a ring that begins with 16#{_MAGIC:04X}", f"16#{header.magic:04X}")
-    if header.version != _VERSION:
-        raise SourceError("", f"a ring of layout {_VERSION}", f"layout {header.version}")
+    if header.layout != _LAYOUT:
+        raise SourceError("", f"a ring of layout {_LAYOUT}", f"layout {header.layout}")
     if header.size != _ENTRY.size or header.capacity < 1:
         expected = f"slots of {_ENTRY.size} bytes, one at least"
         raise SourceError("", expected, f"{header.capacity} slots of {header.size}")

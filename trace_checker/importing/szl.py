@@ -12,8 +12,8 @@ _IDENTIFIED = 8
 _COUNTED = 4
 """Those without SZL-ID and index."""
 
-_LIST = 0x0A0
-"""The list's number, the lower twelve bits of the SZL-ID."""
+_LIST = 0xA0
+"""The list's number, the lower byte of the SZL-ID."""
 
 
 def read(content: bytes) -> Buffer:
@@ -26,7 +26,7 @@ def read(content: bytes) -> Buffer:
 
 def _records(raw: bytes) -> Sequence[bytes]:
     header = len(raw) % LENGTH
-    if header == _IDENTIFIED and int.from_bytes(raw[:2]) & 0xFFF == _LIST:
+    if header == _IDENTIFIED and int.from_bytes(raw[:2]) & 0xFF == _LIST:
         _check_counts(raw[_COUNTED:_IDENTIFIED], len(raw) // LENGTH)
     elif header == _COUNTED and int.from_bytes(raw[:2]) == LENGTH:
         _check_counts(raw[:_COUNTED], len(raw) // LENGTH)
