@@ -109,7 +109,7 @@ struct s7log_tod {
     int ob; /* 10 to 17 */
     enum s7log_execution execution;
     int64_t start; /* or S7LOG_NONE */
-    bool active, deselected;
+    bool active, deselected; /* active: with an execution only */
 };
 
 /* A priority class that differs from the default. */
@@ -427,7 +427,17 @@ static inline enum s7log_result s7log__end_event(struct s7log *l)
     return result;
 }
 
-/* `,"info":{...}`: every field is written with a comma before it, the first one loses it. */
+/* The end of an object whose fields begin at `begin`, each with a comma before it: the first one
+ * loses it. */
+static inline void s7log__end_object(struct s7log *l, size_t begin)
+{
+    if (l->length > begin) {
+        memmove(l->line + begin, l->line + begin + 1, l->length - begin - 1);
+        l->length--;
+    }
+    s7log__char(l, '}');
+}
+
 static inline void s7log__info(struct s7log *l, const struct s7log_info *i)
 {
     size_t begin;
@@ -453,11 +463,7 @@ static inline void s7log__info(struct s7log *l, const struct s7log_info *i)
         s7log__number(l, "ev_ob", i->ev_ob, 0, 255);
     if (i->time != S7LOG_NONE)
         s7log__clock(l, "time", i->time);
-    if (l->length > begin) {
-        memmove(l->line + begin, l->line + begin + 1, l->length - begin - 1);
-        l->length--;
-    }
-    s7log__char(l, '}');
+    s7log__end_object(l, begin);
 }
 
 /* ---- the log --------------------------------------------------------------------------------- */
@@ -537,18 +543,21 @@ static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
 {
     static const char *const names[] = {"none",   "once",    "minute", "hourly",      "daily",
                                         "weekly", "monthly", "yearly", "end_of_month"};
+    size_t begin;
     s7log__require(l, t->ob >= 10 && t->ob <= 17);
     s7log__int(l, t->ob);
-    s7log__text(l, t->active ? "\":{\"active\":true" : "\":{\"active\":false");
+    s7log__text(l, "\":{");
+    begin = l->length;
     if (t->execution >= S7LOG_NO_EXECUTION && t->execution <= S7LOG_END_OF_MONTH) {
         s7log__name(l, "execution");
         s7log__string(l, names[t->execution - S7LOG_NO_EXECUTION]);
+        s7log__text(l, t->active ? ",\"active\":true" : ",\"active\":false");
     }
     if (t->start != S7LOG_NONE)
         s7log__clock(l, "start", t->start);
     if (t->deselected)
         s7log__text(l, ",\"deselected\":true");
-    s7log__char(l, '}');
+    s7log__end_object(l, begin);
 }
 
 static inline void s7log__tods(struct s7log *l, const struct s7log_header *h)

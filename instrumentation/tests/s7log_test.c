@@ -75,8 +75,8 @@ static void header(void)
                  "\"clock\":\"1990-01-01T00:00:01.500\",\"mode\":\"RUN\",\"latency_ms\":20,"
                  "\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\",\"diag\"],"
                  "\"cycle\":true,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
-                 "\"10\":{\"active\":true,\"execution\":\"daily\",\"start\":"
-                 "\"1990-01-01T00:00:00.000\"},\"17\":{\"active\":false,\"deselected\":true}}},"
+                 "\"10\":{\"execution\":\"daily\",\"active\":true,\"start\":"
+                 "\"1990-01-01T00:00:00.000\"},\"17\":{\"deselected\":true}}},"
                  "\"readings\":{\"AMB-02\":\"a\",\"AMB-77\":\"d\"}}\n") == 0);
     CHECK(s7log_header(&l, &h) == S7LOG_ORDER);
     CHECK(s.lines == 1 && l.events == 0);
