@@ -1,0 +1,208 @@
+"""Reading a CPU by python-snap7, against a CPU of our own: ISO-on-TCP as far as the import needs it.
+
+python-snap7's own server does not have SZL 16#00A0, and never splits an answer.
+"""
+
+import json
+import socket
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from trace_checker import cli
+from trace_checker.importing import live
+from trace_checker.tests.test_import_diagnostics import records
+from trace_checker.tests.test_import_ring import dump, entry
+
+PDU = 240
+"""The shortest PDU that CPUs negotiate; an S7-300 has it."""
+
+SETUP, READ = 0xF0, 0x04
+JOB, ANSWER, USER_DATA = 1, 3, 7
+OK, ABSENT = 0xFF, 0x0A
+NOT_AVAILABLE = 0xD401
+"""Error of a CPU that does not have an SZL."""
+
+
+class Cpu:
+    """A CPU with system status lists and data blocks, answering on a port of its own."""
+
+    def __init__(self) -> None:
+        self.szl: dict[tuple[int, int], bytes] = {}
+        self.db: dict[int, bytes] = {}
+        self.tsap = b""
+        self._rest = b""
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.port: int = self._listener.getsockname()[1]
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Ends the thread."""
+        self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        self._thread.join(10)
+
+    def _serve(self) -> None:
+        while True:
+            try:
+                connection, _ = self._listener.accept()
+            except OSError:
+                return
+            with connection, connection.makefile("rb") as stream:
+                while header := stream.read(4):
+                    answer = self._answer(stream.read(int.from_bytes(header[2:]) - 4))
+                    if answer is None:
+                        break
+                    connection.sendall(b"\x03\x00" + (len(answer) + 4).to_bytes(2) + answer)
+
+    def _answer(self, packet: bytes) -> bytes | None:
+        """The answer to a COTP packet."""
+        if packet[1] == 0xE0:  # connection request, confirmed with the references turned around
+            self.tsap = packet.partition(b"\xc2\x02")[2][:2]
+            parameters = packet[7:]
+            return bytes([6 + len(parameters), 0xD0]) + packet[4:6] + b"\x00\x01\x00" + parameters
+        if packet[1] != 0xF0:
+            return None
+        pdu = packet[3:]
+        length = int.from_bytes(pdu[6:8])
+        kind, parameters, data = pdu[1], pdu[10 : 10 + length], pdu[10 + length :]
+        reply = self._job(parameters) if kind == JOB else self._user_data(parameters, data)
+        answer_kind, errors, parameters, data = reply
+        assert 12 + len(parameters) + len(data) <= PDU
+        lengths = len(parameters).to_bytes(2) + len(data).to_bytes(2)
+        header = b"\x32" + bytes([answer_kind]) + pdu[2:6] + lengths + errors
+        return b"\x02\xf0\x80" + header + parameters + data
+
+    def _job(self, parameters: bytes) -> tuple[int, bytes, bytes, bytes]:
+        if parameters[0] == SETUP:
+            return ANSWER, b"\0\0", b"\xf0\0\0\x01\0\x01" + PDU.to_bytes(2), b""
+        assert parameters[0] == READ
+        count, number = int.from_bytes(parameters[6:8]), int.from_bytes(parameters[8:10])
+        start = int.from_bytes(parameters[11:14]) // 8
+        content = self.db.get(number, b"")[start : start + count]
+        if len(content) < count:
+            return ANSWER, b"\0\0", b"\x04\x01", bytes([ABSENT, 0, 0, 0])
+        return ANSWER, b"\0\0", b"\x04\x01", bytes([OK, 4]) + (count * 8).to_bytes(2) + content
+
+    def _user_data(self, parameters: bytes, data: bytes) -> tuple[int, bytes, bytes, bytes]:
+        """A piece of an SZL: the list anew, or what is left of it."""
+        error = 0
+        if parameters[4] == 0x11:
+            key = int.from_bytes(data[4:6]), int.from_bytes(data[6:8])
+            error = 0 if key in self.szl else NOT_AVAILABLE
+            self._rest = data[4:8] + self.szl.get(key, b"")
+        piece, self._rest = self._rest[: PDU - 40], self._rest[PDU - 40 :]
+        more = bool(self._rest)
+        head = b"\0\x01\x12\x08\x12\x84\x01\x01" + bytes([0, more]) + error.to_bytes(2)
+        code = ABSENT if error else OK
+        return USER_DATA, b"", head, bytes([code, 9]) + len(piece).to_bytes(2) + piece
+
+
+@pytest.fixture
+def cpu() -> Iterator[Cpu]:
+    """A running CPU."""
+    running = Cpu()
+    yield running
+    running.stop()
+
+
+def imported(cpu: Cpu, log: Path, *arguments: str) -> list[dict[str, object]]:
+    """The lines of the log imported from the CPU."""
+    options = ["--cpu", "S7-300", "--obs", "1,10,80", "--port", str(cpu.port), "-o", str(log)]
+    assert cli.main(["import", "snap7://127.0.0.1:0:2", *options, *arguments]) == 0
+    return [json.loads(line) for line in log.read_text().splitlines()]
+
+
+def refused(capfd: pytest.CaptureFixture[str], *arguments: str) -> str:
+    """The one message with which an import fails."""
+    code = cli.main(["import", "--cpu", "S7-300", "--obs", "1", "--mode", "RUN", *arguments])
+    captured = capfd.readouterr()
+    assert (code, captured.out) == (2, "")
+    assert captured.err.startswith("Error: ") or captured.err.startswith("Usage: ")
+    return captured.err.partition("Error: ")[2].rstrip("\n")
+
+
+def listed(content: bytes) -> bytes:
+    """Records with the length of one and their number before them."""
+    return (20).to_bytes(2) + (len(content) // 20).to_bytes(2) + content
+
+
+def test_diagnostic_buffer(cpu: Cpu, tmp_path: Path) -> None:
+    """A buffer longer than a PDU, oldest entry first, the same as from a file."""
+    content = records(*["3502 1A50 C358 0000 1136 0C23"] * 9, "4568 FF84 C700 0000 0000 0000")
+    content = content + bytes(20 * 90)
+    cpu.szl[0x00A0, 0] = listed(content)
+    header, *events = imported(cpu, tmp_path / "log")
+    assert cpu.tsap == b"\x01\x02", "rack 0, slot 2"
+    assert (header["mode"], header["records"]) == ("RUN", ["mode", "diag"])
+    assert [event["event"] for event in events] == ["diag"] * 9 + ["stop", "diag"]
+    (tmp_path / "raw").write_bytes(content)
+    options = ["--from", "szl", "--cpu", "S7-300", "--obs", "1,10,80", "-o", str(tmp_path / "file")]
+    assert cli.main(["import", str(tmp_path / "raw"), *options]) == 0
+    assert (tmp_path / "file").read_bytes() == (tmp_path / "log").read_bytes()
+
+
+def test_more_entries_than_fit(cpu: Cpu, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What python-snap7 has no room for is said; what it has is whole entries, the newest."""
+    (only,) = [records("3502 1A50 C358 0000 1136 0C23")]
+    cpu.szl[0x00A0, 0] = listed(only * 900)
+    lines = imported(cpu, tmp_path / "log", "--mode", "RUN")
+    err = capsys.readouterr().err
+    assert f"{len(lines) - 1} entries read, 0 skipped" in err
+    assert f"note: of the CPU's 900 entries only the {len(lines) - 1} newest could be read" in err
+    assert 800 < len(lines) < 900
+
+
+def test_ring(cpu: Cpu, tmp_path: Path) -> None:
+    """The ring is read over several PDUs, without what a longer DB holds behind it."""
+    cpu.db[101] = dump(*(entry(30, second, ob=10 + second) for second in range(8))) + bytes(1000)
+    header, *events = imported(cpu, tmp_path / "log", "--from", "ring", "--db", "101", "--records", "call")
+    assert header["records"] == ["call"]
+    assert [event["ob"] for event in events] == list(range(10, 18))
+
+
+def test_what_a_cpu_does_not_have(cpu: Cpu, capfd: pytest.CaptureFixture[str]) -> None:
+    """One message names the CPU and what went wrong."""
+    address = "snap7://127.0.0.1:0:2"
+    at = ["--port", str(cpu.port), address]
+    assert refused(capfd, *at).startswith(f"{address}: expected an answer of the CPU; found ")
+    assert refused(capfd, *at, "--from", "ring", "--db", "7").startswith(f"{address}: expected an answer of the CPU;")
+    cpu.db[7] = bytes(1000)
+    expected = f"{address}: expected a ring that begins with 16#5337; found 16#0000"
+    assert refused(capfd, *at, "--from", "ring", "--db", "7") == expected
+
+
+def test_nobody_answers(capfd: pytest.CaptureFixture[str]) -> None:
+    """An address where nothing listens."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+    message = refused(capfd, "snap7://127.0.0.1:0:2", "--port", str(port))
+    assert message.startswith("snap7://127.0.0.1:0:2: expected an answer of the CPU; found ")
+
+
+@pytest.mark.parametrize("address", ["snap7://", "snap7://plc", "snap7://plc:0", "snap7://plc:a:2", "snap7://plc/0/2"])
+def test_wrong_address(address: str, capfd: pytest.CaptureFixture[str]) -> None:
+    """An address is HOST:RACK:SLOT."""
+    assert refused(capfd, address) == f'{address}: expected an address snap7://HOST:RACK:SLOT; found "{address}"'
+
+
+def test_wrong_use(capfd: pytest.CaptureFixture[str]) -> None:
+    """A CPU gives its diagnostic buffer or a ring, whose data block has to be named."""
+    assert refused(capfd, "snap7://plc:0:2", "--from", "ring") == "--db: which data block is the ring?"
+    assert refused(capfd, "snap7://plc:0:2", "--from", "csv") == "--from csv: a CPU gives szl or ring"
+
+
+def test_without_snap7(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """python-snap7 is needed for this only, and the message says how to get it."""
+    monkeypatch.setitem(sys.modules, "snap7", None)
+    message = refused(capfd, "snap7://plc:0:2")
+    assert message.endswith('expected python-snap7 to read a CPU: pip install "s7-interrupts[snap7]"; found none')
+
+
+def test_address() -> None:
+    """Host, rack, slot; the port comes apart."""
+    assert live.parse("snap7://192.168.0.1:0:3", 102) == live.Address("192.168.0.1", 0, 3, 102)
