@@ -366,7 +366,7 @@ void random_config(struct random_program *r, struct config *c, const enum family
     for (unsigned i = 0; i < sizeof often / sizeof often[0]; i++)
         c->loaded[often[i]] = percent(r, 75);
     c->clock = draw_instant(r);
-    c->mode = percent(r, 50) ? MODE_RUN : MODE_STOP;
+    c->mode = percent(r, 50) ? MODE_RUN : percent(r, 70) ? MODE_STOP : MODE_STARTUP;
     c->buffer = percent(r, 50) ? 64 : between(r, 1, 3);
     if (percent(r, 70))
         draw_priorities(r, c);

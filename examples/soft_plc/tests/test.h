@@ -31,6 +31,7 @@ void test_calls(void);
 void test_dint(void);
 void test_irt(void);
 void test_diag(void);
+void test_faults(void);
 void test_scheduling(void);
 void test_clock(void);
 void test_modes(void);

@@ -138,6 +138,7 @@ int main(void)
     test_dint();
     test_irt();
     test_diag();
+    test_faults();
     test_scheduling();
     test_clock();
     test_modes();

@@ -40,6 +40,14 @@ void test_scenario(void)
     wrong("step7 20 minute 2026-01-29T00:00\n", "an OB from 10 to 17");
     wrong("ob 10 {\nSET_TINT 10 2026-01-01T00:00\n}\n", "t.scn:7: SET_TINT: expected PERIOD");
     wrong("ob 10 {\nSET_TINT 10 yesterday 16#0201\n}\n", "SDT, a date and time");
+    wrong("ob 10 {\nSRT_DINT 20 soon 16#0\n}\n", "SRT_DINT: expected DTIME");
+    wrong("ob 10 {\nSRT_DINT 20 30d 16#0\n}\n", "SRT_DINT: expected DTIME");
+    wrong("ob 10 {\nSRT_DINT 20 5ms\n}\n", "SRT_DINT: expected SIGN");
+    wrong("ob 10 {\nSRT_DINT 20 5ms 16#12345\n}\n", "SRT_DINT: expected SIGN");
+    wrong("ob 10 {\nDIS_IRT 16#100 0\n}\n", "DIS_IRT: expected MODE, a byte");
+    wrong("ob 10 {\nEN_IRT 16#02\n}\n", "EN_IRT: expected OB_NR");
+    wrong("ob 10 {\nDIS_IRT 0 10 5\n}\n", "DIS_IRT: expected two arguments");
+    wrong("log_diag yes\n", "log_diag: expected on or off");
     wrong("ob 10 {\nbusy 5\n}\n", "busy: expected a duration");
     wrong("ob 10 {\nbusy 99999999999999999999s\n}\n", "busy: expected a duration");
     wrong("ob 10 {\nJUMP\n}\n", "t.scn:7: JUMP: expected an instruction or }");

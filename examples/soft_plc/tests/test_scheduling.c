@@ -87,6 +87,42 @@ static void overflow(void)
     free(log);
 }
 
+/* [OBS-02, OBS-05]: OBs of one class, in the order of their events; then above another. */
+static void shared_class(void)
+{
+    char *log = test_run("priority 10 20\npriority 35 20\npriority 40 20\n"
+                         "step7 10 minute 2026-11-21T00:00 active\nob 40 {\nbusy 2s\n}\n"
+                         "at +29s interrupt 40\nat +29500ms interrupt 35\n",
+                         0);
+    CHECK(test_in_order(log, "\"priority\":{\"10\":20,\"35\":20,\"40\":20}", "\"ob\":40,\"info\"",
+                        "\"end\"", "06:00:01.000\",\"ob\":35,\"info\":{\"priority\":20", "\"end\"",
+                        "06:00:01.000\",\"ob\":10,\"info\":{\"priority\":20", NULL));
+    free(log);
+    log = test_run("priority 35 17\nat +1s interrupt 40\nat +2s interrupt 35\n"
+                   "ob 40 {\nbusy 5s\n}\n",
+                   0);
+    CHECK(test_in_order(log, "\"ob\":40,\"info\"", "05:59:32.000\",\"ob\":35,\"info\"", "\"end\"",
+                        "05:59:36.000\",\"ob\":40}", NULL));
+    free(log);
+}
+
+/* AMB-67: kept until RUN, the reaction to a missing OB as well. AMB-75: nothing for OB 70, 84. */
+static void in_hold(void)
+{
+    char *log = test_run("at +1s hold\nat +2s interrupt 35\nat +3s interrupt 83\n"
+                         "at +3s interrupt 70\nat +3s interrupt 84\nat +4s release\n",
+                         0);
+    CHECK(test_in_order(log, "\"interrupt\"", "\"interrupt\"", "\"release\"",
+                        "\"stop\",\"at\":\"2026-11-21T05:59:34.000\"}", NULL));
+    CHECK(test_count(log, "\"stop\"") == 1);
+    free(log);
+    log = test_run("at +1s interrupt 70\nat +2s interrupt 84\nat +3s interrupt 57\n", 0);
+    CHECK(test_count(log, ":\"start\"") == 1 && test_count(log, "\"stop\"") == 0);
+    CHECK(test_in_order(log, "\"ob\":57}", "\"ob\":85,\"info\":{\"priority\":25,\"flt_id\":\"16#A1\"",
+                        NULL));
+    free(log);
+}
+
 static void cycles(void)
 {
     char *log = test_run("log_cycle on\ncycle_time 1min\n", 0);
@@ -102,5 +138,7 @@ void test_scheduling(void)
     overlap();
     missing();
     overflow();
+    shared_class();
+    in_hold();
     cycles();
 }
