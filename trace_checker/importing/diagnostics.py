@@ -28,7 +28,7 @@ def convert(buffer: Buffer, chosen: range | None = None) -> Recording:
     tells when and from which reading.
     """
     recording = Recording()
-    kept = select(buffer.entries, chosen, recording)[::-1]
+    kept = sorted(select(buffer.entries, chosen, recording), key=lambda entry: entry.number, reverse=True)
     recording.read += buffer.empty
     recording.skip("never written", buffer.empty)
     _check_order(kept)

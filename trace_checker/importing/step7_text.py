@@ -10,12 +10,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 
-from trace_checker.importing.entry import CODED, Buffer, Entry
+from trace_checker.importing.entry import Buffer, Entry
 from trace_checker.importing.errors import SourceError, shown
 
 _BEGIN = re.compile(r"\s*(?:Event|Ereignis)(?: ?details)?:?\s+(\d+)\s+(?:of|von)\s+\d+\b(.*)", re.IGNORECASE)
 _EVENT_ID = re.compile(r"\s*:?\s*(?:Event|Ereignis)[ -]ID:?\s*16#\s*([0-9A-F]{4})\s*", re.IGNORECASE)
-_CODING = re.compile(r"\s*\([CK]odi(?:ng|erung):\s*16#\s*((?:[0-9A-F]{4}\s*){6})\)\s*", re.IGNORECASE)
+_CODING_BEGINS = re.compile(r"\s*\([CK]odi(?:ng|erung):", re.IGNORECASE)
+_CODING = re.compile(_CODING_BEGINS.pattern + r"\s*16#\s*((?:[0-9A-F]{4}\s*){6})\)\s*", re.IGNORECASE)
 _BYTE = {
     "OB": re.compile(r"\s*OB:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
     "PK": re.compile(r"\s*P[KC]:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
@@ -89,7 +90,10 @@ def _begin(begin: re.Match[str], line_number: int) -> _Block:
 
 
 def _add(block: _Block, line: str) -> None:
-    if match := _CODING.fullmatch(line):
+    if _CODING_BEGINS.match(line):
+        match = _CODING.fullmatch(line)
+        if not match:
+            raise SourceError(block.place, "a coding of six words", shown(line.strip()))
         block.coding = bytes.fromhex(match[1])
     elif match := _TIME.fullmatch(line):
         block.time = match
@@ -106,7 +110,7 @@ def _coding(block: _Block) -> bytes | None:
         coding = block.id.to_bytes(2) + parts["PK"] + parts["OB"] + parts["DatID"] + parts["info"]
     if coding is None:
         return None
-    if len(coding) != CODED or int.from_bytes(coding[:2]) != block.id:
+    if int.from_bytes(coding[:2]) != block.id:
         expected = f"a coding that begins with the event ID 16# {block.id:04X}"
         raise SourceError(block.place, expected, f"16# {coding[:2].hex().upper()}")
     return coding
@@ -119,9 +123,11 @@ def _at(block: _Block, order: str) -> str:
     hour, minute, second, milliseconds = (int(time[group]) for group in range(1, 5))
     half = (time[5] or "").upper()
     try:
-        if half:
+        if half and hour <= 12:
             # 12 AM is midnight, 12 PM is noon.
-            hour = datetime.strptime(f"{hour:02} {half}", "%I %p").hour
+            hour = hour % 12 + (12 if half == "PM" else 0)
+        elif half:
+            raise ValueError(hour)
         year, month, day = _date(time, order)
         exact = datetime(year, month, day, hour, minute, second, milliseconds * 1000)
     except ValueError as error:

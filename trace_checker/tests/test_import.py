@@ -126,6 +126,25 @@ def test_dates(run: Run, tmp_path: Path, times: list[str], first: str) -> None:
     assert events[1] == {"event": "diag", "at": first, "id": "W#16#4302"}, "nothing is known but the event ID"
 
 
+def test_event_details(run: Run, tmp_path: Path) -> None:
+    """STEP 7's form for an event that it has no text for; the time may follow a description."""
+    lines = [
+        "Event details: 1 of 10  Event ID: 16# B046",
+        "  No entry in text database. Hex values are displayed.",
+        "  Event ID:  16# B046",
+        "  OB:  16# 01",
+        "  PK:  16# 01",
+        "  DatID 1/ 2:  16# 59 C9",
+        "  Supplementary info1 / 2 / 3:  16# 0200 0000 0020",
+        "  Outgoing event:  12:36:02.459 08.04.03",
+    ]
+    (tmp_path / "a").write_text("\n".join(lines))
+    _, events, _ = run("--from", "step7", tmp_path / "a", *CPU, "--mode", "RUN")
+    assert [(event["at"], event["x_coding"]) for event in events] == [
+        ("2003-04-08T12:36:02.459", "B046 0101 59C9 0200 0000 0020")
+    ]
+
+
 def test_dates_that_do_not_tell(run: Run, refused: Callable[..., str], tmp_path: Path) -> None:
     """Day and month are not guessed; the user names their order."""
     (tmp_path / "a").write_bytes(text((1, "4302", "08:00:00.000 02/03/2012")))
@@ -172,6 +191,10 @@ def test_clock_set_back(run: Run, refused: Callable[..., str], tmp_path: Path) -
         (
             text((3, "4302", "08:02:45.900 01.02.2003")) + b"(Coding: 16# 4303 FF84 C700 0000 0000 0000)\n",
             "entry 3 (line 1): expected a coding that begins with the event ID 16# 4302; found 16# 4303",
+        ),
+        (
+            text((3, "4302", "08:02:45.900 01.02.2003")) + b"(Coding: 16# 4302 FF68)\n",
+            'entry 3 (line 1): expected a coding of six words; found "(Coding: 16# 4302 FF68)"',
         ),
     ],
 )

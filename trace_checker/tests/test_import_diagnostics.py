@@ -219,6 +219,13 @@ def test_szl_that_cannot_be_read(content: bytes, message: str) -> None:
     assert str(error.value).startswith(message)
 
 
+def test_oldest_first() -> None:
+    """The numbers tell which entry is the newest, whatever the order in the source."""
+    buffer = szl.read(RAW)
+    turned = diagnostics.convert(Buffer(buffer.entries[::-1]))
+    assert turned == diagnostics.convert(buffer)
+
+
 def test_no_entry() -> None:
     """A buffer of empty slots gives no log."""
     with pytest.raises(SourceError, match="expected an entry to import; found no entry"):
