@@ -99,6 +99,13 @@ At(m) == [min |-> m, ms |-> 0]
 \* @type: ($moment, $moment) => Bool;
 Before(a, b) == a.min < b.min \/ (a.min = b.min /\ a.ms < b.ms)
 
+(* t + (b - a) *)
+\* @type: ($moment, $moment, $moment) => $moment;
+Shifted(t, a, b) ==
+    LET ms == t.ms + b.ms - a.ms + 60000
+    IN  [ min |-> t.min + b.min - a.min + (ms \div 60000) - 1,
+          ms  |-> ms % 60000 ]
+
 Aeon == 1000000000
 
 (* ms from a to b, at most an aeon (11 days): TLC's integers have 32 bits. *)

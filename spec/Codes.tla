@@ -54,6 +54,8 @@ SkippedInHold   == \h06
 Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
+(* Which one, no source says. *)
+UnknownFault    == -1
 
 (* Entries of the diagnostic buffer (table 8.3): \h3500 + fault id for time  *)
 (* errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09].       *)

@@ -8,7 +8,7 @@
 (*                                                                         *)
 (* Left out: the first false conjunct of every action.                     *)
 (***************************************************************************)
-EXTENDS Trace
+EXTENDS Unrecorded
 
 (* What may be observed: an event with its OB, and one field of it. *)
 \* @type: (Str, Int, Str, Int) => $allowed;
@@ -18,19 +18,12 @@ Allowed(event, ob, field, value) ==
 -----------------------------------------------------------------------------
 (* Headers that this specification cannot judge *)
 
-AllRecords == {"call", "ob", "clock", "mode", "interrupt", "load"}
-
 \* @type: $header => Set(Str);
 NotCovered(h) ==
     { r[1] : r \in { q \in h.readings : q[2] \notin Letters(q[1]) } }
-      \cup (IF AllRecords \subseteq h.records THEN {} ELSE {"records"})
 
 -----------------------------------------------------------------------------
 (* Calls *)
-
-Queries == {"QRY_TINT", "QRY_DINT"}
-Calls == Queries \cup {"SET_TINT", "CAN_TINT", "ACT_TINT", "SRT_DINT", "CAN_DINT",
-                      "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
 
 \* @type: $event => Set(Int);
 RightAnswers(e) ==
@@ -141,7 +134,7 @@ Possible ==
 
 \* @type: $event => Set($allowed);
 Expected(e) ==
-    IF e.event \in Calls /\ Called
+    IF e.event \in CallEvents /\ Called
     THEN IF AnswerRight(e)
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
          ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
@@ -222,12 +215,12 @@ StartRequirements(r, e) ==
 
 \* @type: $event => Set(Str);
 Deciding(e) ==
-    CASE e.event \in Calls /\ ~Called ->
+    CASE e.event \in CallEvents /\ ~Called ->
            IF mode = "STOP" THEN {"OBS-41"} ELSE {"OBS-42"}
-      [] e.event \in Calls /\ Called /\ ~AnswerRight(e) ->
+      [] e.event \in CallEvents /\ Called /\ ~AnswerRight(e) ->
            AnswerRequirements(e, e.ret)
              \cup UNION { AnswerRequirements(e, r) : r \in RightAnswers(e) }
-      [] e.event \in Calls /\ Called /\ AnswerRight(e) ->
+      [] e.event \in CallEvents /\ Called /\ AnswerRight(e) ->
            UNION { StatusRequirements(e.event, e.status, s)
                    : s \in RightStatuses(e) }
       [] e.event = "start" ->

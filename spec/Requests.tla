@@ -100,11 +100,14 @@ TodRequest(o, since, follows) ==
     [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = since,
                        !.word = tod[o].period, !.follows = follows ]
 
-(* [DINT-03] DTIME and SIGN come again in the start information. *)
+(* [DINT-03] DTIME and SIGN come again in the start information; under       *)
+(* AMB-31 (a) the delay that has elapsed.                                  *)
 \* @type: Int => $request;
 DintRequest(o) ==
-    [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = clock,
-                       !.word = dint[o].sign, !.dtime = dint[o].dtime ]
+    [ NoRequest EXCEPT
+        !.ob = o, !.class = ClassOf(o), !.since = clock, !.word = dint[o].sign,
+        !.dtime = dint[o].dtime
+                    - (IF Reading("AMB-31") = "a" THEN dint[o].left ELSE 0) ]
 
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;

@@ -91,9 +91,11 @@ Start(r) ==
 
 (* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
 Excused ==
-    IF Reading("AMB-45") = "b" THEN requests
-    ELSE { [ r EXCEPT !.open = @ \/ (r.ob \notin loaded \cup AsyncErrorObs) ]
-           : r \in requests }
+    LET missing == { r \in requests : r.ob \notin loaded \cup AsyncErrorObs }
+    IN  CASE Reading("AMB-45") = "a" -> Close(requests \ missing)
+          [] Reading("AMB-45") = "b" -> requests
+          [] OTHER -> (requests \ missing)
+                        \cup { [r EXCEPT !.open = TRUE] : r \in missing }
 
 (* [AIRT-04] The delay count falls to 0 when the OB has been processed       *)
 (* [AMB-25].                                                               *)
@@ -113,12 +115,15 @@ End(o) ==
 
 (* [TINT-16] [DINT-09] [OBS-20] [AMB-06] The OB is missing when it would     *)
 (* start: OB 85.  Where that was noticed when it was activated or its      *)
-(* delay started, it may be nothing.                                       *)
+(* delay started, it may be nothing; under AMB-06 (c) it is OB 80.          *)
 \* @type: $request => Bool;
 ObMissing(r) ==
     LET known == \/ r.ob \in TodObs /\ Reading("AMB-06") = "b"
-                 \/ r.ob \in DintObs /\ Reading("AMB-06") # "a"
-    IN  \/ ProgramErrorOccurs(Remove(requests, r), r)
+                 \/ r.ob \in DintObs /\ Reading("AMB-06") \in {"b", "delay"}
+    IN  \/ IF Reading("AMB-06") = "c" /\ r.ob \in TodObs \cup DintObs
+           THEN TimeErrorOccurs(Remove(requests, r), Remove(requests, r),
+                                TimeError(UnknownFault, {}, r.ob, r.word))
+           ELSE ProgramErrorOccurs(Remove(requests, r), r)
         \/ /\ known
            /\ requests' = Remove(requests, r)
            /\ UNCHANGED stopCause /\ NothingEntered

@@ -66,13 +66,18 @@ FitsError(r, i) ==
     /\ FitsCause(r, i)
     /\ r.fault \in Skips /\ r.late # {} => Fits(i.error_info, LateMask(r.late))
 
-(* [DINT-03] [AMB-31] *)
+(* [AMB-31] Under (a) the OB may have waited since the delay was over. *)
+\* @type: (Int, Int) => Bool;
+FitsDtime(given, dtime) ==
+    Fits(given, dtime) \/ (Reading("AMB-31") = "a" /\ given > dtime)
+
+(* [DINT-03] *)
 \* @type: ($request, $info) => Bool;
 FitsInterrupt(r, i) ==
     /\ Fits(i.priority, r.class)
     /\ EventOf(r.ob) = -1 \/ Fits(i.strt_info, EventOf(r.ob) % 256)
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
-    /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ Fits(i.dtime, r.dtime)
+    /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)
 
 \* @type: ($request, $info) => Bool;
 FitsRequest(r, i) ==

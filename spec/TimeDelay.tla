@@ -13,6 +13,12 @@ NoJob == [started |-> FALSE, left |-> 0, dtime |-> 0, sign |-> 0]
 (* [AMB-12] (b) Elapsed and lost, and yet still started. *)
 Gone == -1
 
+(* [AMB-70] (b) In its last millisecond a job counts as elapsed: calls come *)
+(* after that.                                                             *)
+\* @type: Int => Bool;
+Ended(o) == Reading("AMB-70") = "b" /\ o \in DintObs
+              => ~(dint[o].started /\ dint[o].left \in 0..1)
+
 \* @type: Int => Set(Int);
 DintErrors(o) == IF o \notin DintObs THEN {BadOb} ELSE {}
 
@@ -38,11 +44,11 @@ DintWithdrawn(o) == IF Reading("AMB-11") = "b" THEN Withdraw(requests, o)
 (* [DINT-03] [DINT-08]; a missing OB is noticed later, but under AMB-06 (b).  *)
 \* @type: (Int, Int, Int, Int) => Bool;
 SrtDint(o, dtime, sign, ret) ==
-    /\ Called
+    /\ Called /\ Ended(o)
     /\ ret \in Answers(o, SrtErrors(o, dtime))
     /\ IF ret = OK
        THEN /\ dint' = [dint EXCEPT ![o] = StartedWith(@, dtime, sign)]
-            /\ IF o \notin loaded /\ Reading("AMB-06") # "a"
+            /\ IF o \notin loaded /\ Reading("AMB-06") \in {"b", "delay"}
                THEN ProgramErrorOccurs(DintWithdrawn(o),
                       [ NoRequest EXCEPT !.ob = o, !.word = dint'[o].sign ])
                ELSE /\ requests' = DintWithdrawn(o)
@@ -63,7 +69,7 @@ CanDintErrors(o) ==
 
 \* @type: (Int, Int) => Bool;
 CanDint(o, ret) ==
-    /\ Called
+    /\ Called /\ Ended(o)
     /\ ret \in Answers(o, CanDintErrors(o))
     /\ IF ret = OK THEN /\ dint' = [dint EXCEPT ![o] = NoJob]
                         /\ requests' = DintWithdrawn(o)
@@ -81,7 +87,7 @@ DintStatuses(o) == StatusWithBit2(o, IF dint[o].started THEN {4} ELSE {0})
 
 \* @type: (Int, Int, Int) => Bool;
 QryDint(o, ret, status) ==
-    /\ Called
+    /\ Called /\ Ended(o)
     /\ ret \in Answers(o, DintErrors(o))
     /\ ret = OK => status = -1 \/ status \in DintStatuses(o)
     /\ NothingEntered

@@ -4,16 +4,14 @@
 (*                                                                         *)
 (* A line is an event record, Begin takes the header.  Before a line is    *)
 (* observed time elapses to it, start points and ends of delays on the way *)
-(* are reached, and silent steps may happen: what a log does not show.  The trace checker's *)
-(* engine evaluates Begin, Elapse, Silent and Observe on the set of states *)
-(* that explain the log so far; a log is accepted while that set is not    *)
-(* empty.                                                                  *)
+(* are reached, and hidden steps may happen: what a log never shows.  This *)
+(* module takes a log that shows everything else; module Unrecorded adds   *)
+(* the kinds of event that a log may leave out, and gives the trace        *)
+(* checker's engine its operators.                                         *)
 (*                                                                         *)
 (* Other than in System an OB that may start need not start at once, but   *)
 (* within the latency that the header states (AMB-69), and inside it a     *)
 (* lower class may start first.                                            *)
-(*                                                                         *)
-(* Left out: kinds of event that are not recorded, in module Unrecorded.   *)
 (***************************************************************************)
 EXTENDS StartInfo
 
@@ -164,24 +162,31 @@ RewaitMissing(r) ==
 (* not beyond the moment `last'.                                           *)
 \* @type: ($moment, $moment, $moment) => $moment;
 UpAt(a, b, last) ==
-    LET ms == up.ms + b.ms - a.ms + 60000
-        t  == [ min |-> up.min + b.min - a.min + (ms \div 60000) - 1,
-                ms  |-> ms % 60000 ]
-    IN  IF Before(t, last) THEN t ELSE last
+    LET t == Shifted(up, a, b) IN IF Before(t, last) THEN t ELSE last
 
 (* Start points that equal the clock. *)
 PointsNow ==
     IF ~Watching \/ (clock.ms # 0 /\ Reading("AMB-14") # "c") THEN {}
     ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
 
-(* Delays that may be over now, and those that are. *)
-EndingNow == { o \in Jobs : dint[o].left <= 1 }
+(* Delays that are over now, and those that may be over before the line e.  *)
+(* Under AMB-70 (a) calls in the last millisecond still see the job.       *)
 OverNow == { o \in Jobs : dint[o].left = 0 }
+\* @type: $event => Set(Int);
+OverBefore(e) == IF Reading("AMB-70") = "a" /\ e.event # "start" THEN OverNow
+                 ELSE { o \in Jobs : dint[o].left <= 1 }
+
+(* Where calls or changes of mode are not recorded, or neither OBs nor what  *)
+(* starts them, nothing has to come within the latency: an OB may be held  *)
+(* back by something unseen.                                               *)
+Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
+           \/ {"ob", "interrupt"} \cap terms.records = {}
 
 \* @type: Int => Bool;
 InTime(d) ==
-    /\ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
-    /\ \/ reports = {} \/ ~DiagRecorded
+    /\ \/ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
+       \/ Unbound
+    /\ \/ reports = {} \/ ~({"call", "diag"} \subseteq terms.records)
        \/ { r \in reports : /\ ~r.entry.open
                             /\ r.entry.id \in DemandedEntries
                             /\ r.age + d > terms.latency } = {}
@@ -269,7 +274,7 @@ Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 (* One step towards the line e.  An OB that is found missing on the way may *)
 (* leave nothing to wait for.                                              *)
 \* @type: $event => Bool;
-Elapse(e) ==
+Towards(e) ==
     /\ UNCHANGED terms
     /\ IF PointsNow # {} /\ clock # e.at
        THEN PointReached(Least(PointsNow)) /\ Rewait /\ UNCHANGED up
@@ -279,7 +284,7 @@ Elapse(e) ==
             \/ Advance(e)
 
 -----------------------------------------------------------------------------
-(* Silent steps: what may happen just before a line, unseen *)
+(* Hidden steps: what may happen just before a line and is never seen *)
 
 (* The boundaries of the cycle and of the startup OB; the end of a cycle    *)
 (* matters only where it ends a delay.                                     *)
@@ -288,20 +293,22 @@ HiddenBoundary ==
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
 
-Silent ==
+\* @type: $event => Bool;
+HiddenBefore(e) ==
     /\ UNCHANGED <<terms, up>>
     /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
-       \/ \E o \in EndingNow : DelayElapses(o) /\ Rewait
+       \/ \E o \in OverBefore(e) : DelayElapses(o) /\ Rewait
        \/ FindMissing
        \/ HiddenBoundary /\ Rewait
 
-(* Cheap to evaluate: may a silent step be possible? *)
-Stirs == \/ stack = <<>>
-         \/ delay > 0
-         \/ requests # {}
-         \/ mode = "STARTUP"
-         \/ PointsNow # {}
-         \/ EndingNow # {}
+(* Cheap to evaluate: may a hidden step be possible? *)
+\* @type: $event => Bool;
+HidesBefore(e) == \/ stack = <<>>
+                  \/ delay > 0
+                  \/ requests # {}
+                  \/ mode = "STARTUP"
+                  \/ PointsNow # {}
+                  \/ OverBefore(e) # {}
 
 -----------------------------------------------------------------------------
 (* Lines *)
@@ -353,7 +360,7 @@ IsEntry(e) ==
                                ELSE {[r EXCEPT !.times = @ - 1]}
 
 \* @type: $event => Bool;
-Observe(e) ==
+Shows(e) ==
     /\ CASE e.event = "DIS_AIRT" ->
               \E ret \in Given(e.ret, {delay + 1}) : DisAirt(ret)
          [] e.event = "EN_AIRT" ->
@@ -400,8 +407,6 @@ Observe(e) ==
          [] e.event = "diag" -> IsEntry(e)
     /\ IF e.event = "diag" THEN UNCHANGED waiting ELSE Rewait
     /\ UNCHANGED <<terms, up>>
-
-Next == Silent
 
 (* What tells two explanations of a log apart. *)
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,

@@ -68,7 +68,7 @@ final class Explanation {
     if (arrived.isEmpty()) {
       return refusal("TooLate", "LateRequirements", states, event);
     }
-    List<TLCState> ready = closure(arrived);
+    List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
     for (TLCState state : ready) {
       addAll(after, spec.successors("Observe", state, event));
@@ -106,15 +106,15 @@ final class Explanation {
     return distinct(arrived);
   }
 
-  private List<TLCState> closure(List<TLCState> from) {
+  private List<TLCState> closure(List<TLCState> from, Value event) {
     List<TLCState> closed = from;
     Set<Long> seen = null;
     for (int i = 0; i < closed.size(); i++) {
       TLCState state = closed.get(i);
-      if (!spec.holds("Stirs", state, null)) {
+      if (!spec.holds("Stirs", state, event)) {
         continue;
       }
-      StateVec next = spec.successors("Silent", state, null);
+      StateVec next = spec.successors("Silent", state, event);
       if (next.size() > 0 && seen == null) {
         closed = new ArrayList<>(closed);
         seen = new HashSet<>();
