@@ -44,8 +44,6 @@ void errors_skipped(struct cpu *cpu, int flt_id, unsigned late, dt_ms before)
 
 void errors_overflow(struct cpu *cpu, int ob)
 {
-    if (cpu_fault(cpu, FAULT_OVERFLOW_SILENT))
-        return;
     struct request r = events_request(cpu, 80, cpu_now(cpu));
     if (!cpu_fault(cpu, FAULT_OVERFLOW_CLASS))
         r.rank = r.info.priority = 28; /* AMB-13, reading d */

@@ -130,8 +130,6 @@ static const struct {
                               "OB 80 with fault 07 has its ordinary class [OBS-31, AMB-13]"},
     [FAULT_ASYNC_RUNS_ON] = {"async-runs-on",
                              "a missing OB 82, 83 or 86 does not stop the CPU [OBS-23]"},
-    [FAULT_OVERFLOW_SILENT] = {"overflow-silent",
-                               "a request that no buffer holds is lost without OB 80 [OBS-08]"},
 };
 
 bool fault_by_name(const char *name, enum fault *f)
