@@ -1,0 +1,193 @@
+"""``s7check mutants``: change the specification in many small ways and see whether its checks notice.
+
+Exit codes: 0 every survivor has a reason, 1 some have none or a reason is stale, 2 wrong arguments or files, 3 a tool
+is missing or failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import hashlib
+import json
+import signal
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+
+import click
+from rich.console import Console
+
+from trace_checker.engine_command import EngineError
+from trace_checker.models import tlc
+from trace_checker.models.command import WIDTH_OF_LOG, find_manifest
+from trace_checker.models.manifest import LANES, Manifest, ManifestError, load
+from trace_checker.models.runner import Harness
+from trace_checker.mutants import logs, reasons, report
+from trace_checker.mutants.bench import Bench, UnsoundBaselineError
+from trace_checker.mutants.checks import Check, CheckFailedError, LogsCheck, ModelCheck, Processes
+from trace_checker.mutants.findings import Findings
+from trace_checker.mutants.listing import Mutant, mutants, read_modules
+from trace_checker.mutants.syntax import Module, SyntaxTreeError
+
+UNEXPLAINED, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+
+NOT_MUTATED = ("Properties*", "Typedefs", "Explain")
+"""What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """The command's arguments."""
+
+    against: str
+    lane: str
+    manifest: Path
+    jar: Path | None
+    sample: int | None
+    seed: int
+    jobs: int
+    thorough: bool
+    listing: bool
+    difference: bool
+    json: Path | None
+    names: tuple[str, ...]
+
+
+@click.command(name="mutants", short_help="Mutate the specification: do its checks notice?")
+@click.option("--against", type=click.Choice(["models", "logs", "all"]), default="models", show_default=True)
+@click.option(
+    "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models, with --against models."
+)
+@click.option(
+    "--manifest",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Default: models/manifest.json here or in a directory above.",
+)
+@click.option(
+    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
+)
+@click.option("--sample", type=click.IntRange(1), help="Only so many mutants, drawn by --seed.")
+@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
+@click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for one by a property.")
+@click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
+@click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
+@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@click.argument("names", nargs=-1, metavar="[ID]...")
+def mutants_command(
+    against: str,
+    lane: str,
+    manifest: Path | None,
+    jar: Path | None,
+    sample: int | None,
+    seed: int,
+    jobs: int,
+    thorough: bool,
+    listing: bool,
+    difference: bool,
+    json_path: Path | None,
+    names: tuple[str, ...],
+) -> None:
+    """Make mutants of the specification and run the checks on each until one notices.
+
+    ID picks mutants (globs work). What a check came to is kept in build/mutants, so that a run goes on where the last
+    one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, 1 some have none or
+    a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
+    """
+    request = Request(
+        *(against, lane, manifest or find_manifest(Path.cwd()), jar, sample, seed, jobs),
+        *(thorough, listing, difference, json_path, names),
+    )
+    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
+    processes = Processes()
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=WIDTH_OF_LOG)
+    try:
+        code = run_request(request, processes, console)
+    except (ManifestError, SyntaxTreeError, reasons.ReasonsError) as error:
+        click.echo(f"error: {error}", err=True)
+        code = USAGE
+    except (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError) as error:
+        click.echo(f"error: {error}", err=True)
+        code = NO_TOOLS
+    except (KeyboardInterrupt, tlc.InterruptedRunError):
+        click.echo("interrupted; the same command goes on from here", err=True)
+        code = INTERRUPTED
+    finally:
+        processes.close()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    sys.exit(code)
+
+
+def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+    """Do what was asked for and return the exit code."""
+    manifest = load(request.manifest)
+    modules = read_modules(manifest.spec)
+    checks = _checks(request, manifest, modules, processes)
+    everything = _mutants(modules, checks)
+    chosen = _choose(everything, request)
+    if request.listing:
+        report.show_list(console, chosen)
+        return 0
+    if request.difference:
+        for mutant in chosen:
+            report.show_difference(console, mutant, modules[mutant.module])
+        return 0
+    why = reasons.read(manifest.directory / "survivors.json")
+    began = time.monotonic()
+    findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson")
+    bench = Bench(manifest.spec, modules, checks, findings, request.thorough)
+    bench.calibrate(everything, lambda line: report.plain(console, line))
+    verdicts = bench.judge_all(chosen, request.jobs, report.Progress(console, len(chosen)))
+    explained = reasons.explain(verdicts, why, (m.id for m in everything))
+    report.show(console, explained)
+    if request.json is not None:
+        request.json.parent.mkdir(parents=True, exist_ok=True)
+        document = report.as_json(explained, time.monotonic() - began)
+        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return UNEXPLAINED if explained.unexplained or explained.stale else 0
+
+
+def _checks(request: Request, manifest: Manifest, spec: dict[str, Module], processes: tlc.Processes) -> list[Check]:
+    checks: list[Check] = []
+    if request.against != "logs":
+        harness = Harness(manifest, tlc.find_toolchain(request.jar), processes, workers=1)
+        models = read_modules(manifest.directory)
+        passing = [m for m in manifest.select(request.lane, ()) if m.expect.exit == 0]
+        checks += [ModelCheck(harness, model, spec, models) for model in passing]
+    if request.against != "models":
+        traces = manifest.directory.parent / "traces"
+        checks.append(LogsCheck(traces, logs.fingerprint(traces), spec, processes))
+    return checks
+
+
+def _mutants(modules: dict[str, Module], checks: list[Check]) -> list[Mutant]:
+    """The mutants of what the checks are built on, but for definitions that all of them replace by their own."""
+    scope = {name for check in checks for name in check.modules}
+    named = sorted(name for name in scope if not any(fnmatch.fnmatchcase(name, p) for p in NOT_MUTATED))
+    found = []
+    for mutant in mutants(modules, named):
+        concerned = [check for check in checks if mutant.module in check.modules]
+        if any(mutant.definition not in check.parameters for check in concerned):
+            found.append(mutant)
+    return found
+
+
+def _choose(everything: list[Mutant], request: Request) -> list[Mutant]:
+    """The mutants of the names, and of them a sample, which other mutants that come and go leave as it is."""
+    named = everything
+    if request.names:
+        named = [m for m in everything if any(fnmatch.fnmatchcase(m.id, name) for name in request.names)]
+    if request.sample is None:
+        return named
+    drawn = sorted(named, key=lambda m: hashlib.sha256(f"{request.seed} {m.id}".encode()).digest())
+    sample = {m.id for m in drawn[: request.sample]}
+    return [m for m in named if m.id in sample]
+
+
+def _interrupt(_signal: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt

@@ -1,0 +1,61 @@
+"""The shipped logs judged by a mutated specification: ``python -m trace_checker.mutants.logs SPEC TRACES``.
+
+A process of its own, so that an engine that no longer ends can be killed with it. It prints one `Judged`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from pathlib import Path
+
+import msgspec
+
+from trace_checker.check import check_log
+from trace_checker.engine_client import Engine
+from trace_checker.engine_command import engine_command
+from trace_checker.mutants.findings import How
+from trace_checker.shipped import difference, shipped_logs
+
+UNREADABLE = "arsing or semantic analysis failed"
+"""What TLC says of a specification that does not parse or has no meaning."""
+
+
+class Judged(msgspec.Struct, frozen=True):
+    """What the logs came to; `detail` says which one was judged otherwise than its index says."""
+
+    how: How
+    detail: str = ""
+
+
+def judge(spec: Path, traces: Path) -> Judged:
+    """Judge the logs of the index in its order, up to the first difference."""
+
+    def command() -> list[str]:
+        java, *arguments = engine_command()
+        return [java, "-XX:TieredStopAtLevel=1", *arguments[:-1], str(spec)]
+
+    with Engine(command) as engine:
+        for expected in shipped_logs(traces):
+            report = check_log(str(traces / expected.file), engine, lambda _source, _events: None)
+            if (differs := difference(expected, report)) is None:
+                continue
+            if report.verdict != "no verdict":
+                return Judged("log", differs)
+            return Judged("invalid" if UNREADABLE in report.message else "error", differs)
+    return Judged("survived")
+
+
+def fingerprint(traces: Path) -> str:
+    """A hash of the engine and the shipped logs. Raises `EngineError` if there is no engine."""
+    command = engine_command()
+    classpath = command[command.index("-cp") + 1].split(":")
+    files = [Path(jar) for jar in classpath] + sorted(traces.rglob("*.ndjson")) + [traces / "index.json"]
+    digest = hashlib.sha256()
+    for file in files:
+        digest.update(hashlib.sha256(file.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+if __name__ == "__main__":
+    print(msgspec.json.encode(judge(Path(sys.argv[1]), Path(sys.argv[2]))).decode())  # noqa: T201
