@@ -13,6 +13,10 @@ for scenario in "$here"/../scenarios/*.scn; do
     [ "$lines" -gt 3 ] || { echo "$name: only $lines lines"; exit 1; }
     echo "$name: $lines lines"
 done
+for family in S7-300 S7-400 318; do
+    "$plc" --random 5 --cpu $family --diag --events 2000 | grep -q '"diag",.*"id":"16#5380"' ||
+        { echo "--random --cpu $family --diag logs no entry 5380"; exit 1; }
+done
 status=0
 echo 'cpu none' | "$plc" - 2>/dev/null || status=$?
 [ "$status" -eq 2 ] || { echo "a wrong scenario gives exit $status, not 2"; exit 1; }
