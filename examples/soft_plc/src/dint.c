@@ -97,9 +97,8 @@ static void elapsed(struct cpu *cpu, int k)
         return;
     }
     d->started = false;
-    if (cpu_is_running(cpu, ob) && !cpu_fault(cpu, FAULT_DINT_OVERLAP_SILENT))
-        errors_overlap(cpu, ob,
-                       cpu_fault(cpu, FAULT_DINT_OVERLAP_DTIME) ? d->dtime : d->sign); /* [DINT-10] */
+    if (cpu_is_running(cpu, ob) && !cpu_fault(cpu, FAULT_DINT_OVERLAP_SILENT)) /* [DINT-10] */
+        errors_overlap(cpu, ob, cpu_fault(cpu, FAULT_DINT_OVERLAP_DTIME) ? d->dtime : d->sign);
     if (cpu->mode != MODE_STOP && !queue_has(&cpu->queue, ob))
         put_request(cpu, k);
 }

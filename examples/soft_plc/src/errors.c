@@ -6,9 +6,9 @@
 #include "modes.h"
 #include "tod.h"
 
-/* Under SFC 39 there is neither OB 80 nor STOP, what was late still runs (AMB-23, reading a;
- * AMB-48, either: reading a). AMB-49, either: a time error without OB 80 stops the CPU at once, delayed or not
- * (reading a) [CLK-05, OBS-22, AIRT-11]. */
+/* Under SFC 39 there is neither OB 80 nor STOP, and what was late still runs (AMB-23, reading a;
+ * AMB-48, either: reading a). AMB-49, either: a time error without OB 80 stops the CPU at once,
+ * delayed or not (reading a) [CLK-05, OBS-22, AIRT-11]. */
 static void time_error(struct cpu *cpu, const struct request *r)
 {
     diag_error(cpu, r);

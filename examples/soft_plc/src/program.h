@@ -36,7 +36,7 @@ struct step {
     int sign;
     int mode; /* of SFC 39 and 40 */
     struct civil sdt;
-    int64_t ms; /* DTIME of SFC 32; busy: duration; set clock: the new reading; move clock: by how much */
+    int64_t ms; /* DTIME; busy: duration; set clock: the new reading; move clock: by how much */
 };
 
 enum action_kind {

@@ -88,6 +88,7 @@ int sfc_qry_tint(struct cpu *cpu, int ob, int *status)
     const struct tod *t = find(cpu, ob);
     if (t == NULL)
         return RET_BAD_OB;
-    *status = status_word(cpu, ob, t->active); /* a once is active until its OB starts (AMB-34, 71) */
+    /* A once is active until its OB starts (AMB-34, AMB-71). */
+    *status = status_word(cpu, ob, t->active);
     return RET_OK;
 }
