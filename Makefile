@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test models models-smoke models-full typecheck apalache lint bench clean
+.PHONY: help setup engine verify test models models-smoke models-full mutants mutants-sample typecheck apalache lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -32,6 +32,12 @@ models-smoke: setup  ## model-check the smoke lane
 
 models-full: setup  ## model-check everything
 	$(BIN)/s7check models --lane full
+
+mutants: setup  ## mutate the specification: every mutant before the shipped logs and the models of the CI lane
+	$(BIN)/s7check mutants --against all --lane ci --json build/mutants/report.json
+
+mutants-sample: setup  ## the same for 60 mutants
+	$(BIN)/s7check mutants --against all --lane ci --sample 60
 
 typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck

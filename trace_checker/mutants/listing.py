@@ -57,19 +57,19 @@ def mutants(modules: Mapping[str, Module], names: Iterable[str]) -> list[Mutant]
 
 
 def _of_module(module: Module, actions: frozenset[str]) -> Iterator[Mutant]:
-    seen = {module.code}
+    seen = {_words(module.text)}
     ids: Counter[str] = Counter()
-    words = literals(module)
+    known = literals(module)
     for definition, unit in module.definitions.items():
         body = operand(unit, "definition")
         if any(node.type in TEMPORAL for node in walk(body)):
             continue
-        context = Context(actions, words, initial=definition == INITIAL)
+        context = Context(actions, known, initial=definition == INITIAL)
         for edit in edits(body, context):
             text = module.replaced(edit.node, edit.pieces)
-            if (changed := Module(module.name, text).code) in seen:
+            if (words := _words(text)) in seen:
                 continue  # another kind of change has come to the same
-            seen.add(changed)
+            seen.add(words)
             was = code(edit.node)
             digest = hashlib.sha256(f"{_before(body, edit.node)}\0{was}\0{edit.by}".encode()).hexdigest()[:8]
             name = f"{module.name}/{definition}/{edit.kind}/{digest}"
@@ -87,6 +87,10 @@ def _of_module(module: Module, actions: frozenset[str]) -> Iterator[Mutant]:
                 span(_expression(edit.node)),
                 text,
             )
+
+
+def _words(text: bytes) -> bytes:
+    return b" ".join(text.split())
 
 
 def _before(body: Node, node: Node) -> str:
