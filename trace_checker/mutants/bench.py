@@ -73,7 +73,6 @@ class Bench:
         """
         for kept in self.findings.all():
             self._learn(kept.check, kept.mutant, kept.finding)
-        marks = mark(self.modules, mutants)
         for check in self.checks:
             finding = self._find(check, UNCHANGED, None)
             if finding.how != "survived":
@@ -81,11 +80,14 @@ class Bench:
                     f"the unchanged specification does not pass {check.name}: {finding.how}: {finding.detail}"
                 )
             self._seconds[check.name] = finding.seconds
+            concerned = [m for m in mutants if m.module in check.modules]
+            marks = mark(self.modules, concerned)
             told = self._told(check, marks)
-            reached = {i for i, number in marks.numbers.items() if told is None or number in told}
-            self._evaluated[check.name] = {m.id for m in mutants if m.module in check.modules and m.id in reached}
-            number = len(self._evaluated[check.name])
-            tell(f"{check.name}: {finding.seconds:.1f} s, evaluates what {number} of {len(mutants)} mutants change")
+            evaluated = {m.id for m in concerned if told is None or marks.numbers[m.id] in told}
+            self._evaluated[check.name] = evaluated
+            tell(
+                f"{check.name}: {finding.seconds:.1f} s, evaluates what {len(evaluated)} of {len(mutants)} mutants change"
+            )
 
     def judge_all(self, mutants: Sequence[Mutant], jobs: int, tell: Callable[[Verdict], None]) -> list[Verdict]:
         """Judge mutants, `jobs` at a time, and return the verdicts in their order. `tell` is called from threads.

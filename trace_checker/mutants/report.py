@@ -28,13 +28,16 @@ def show_list(console: Console, mutants: Sequence[Mutant]) -> None:
         plain(console, f"{mutant.id}  {change(mutant)}")
     modules = sorted({m.module for m in mutants})
     count = Counter((m.kind, m.module) for m in mutants)
-    table = Table("kind", *modules, "sum", box=None, pad_edge=False)
+    rows = [("", *modules, "all")]
     for kind in sorted({m.kind for m in mutants}):
         row = [count[kind, module] for module in modules]
-        table.add_row(kind, *map(str, row), str(sum(row)))
-    row = [sum(m.module == module for m in mutants) for module in modules]
-    table.add_row("sum", *map(str, row), str(len(mutants)))
-    console.print(table)
+        rows.append((kind, *map(str, row), str(sum(row))))
+    sums = [sum(m.module == module for m in mutants) for module in modules]
+    rows.append(("all", *map(str, sums), str(len(mutants))))
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for first, *others in rows:
+        cells = [cell.rjust(width) for cell, width in zip(others, widths[1:], strict=True)]
+        plain(console, "  ".join([first.ljust(widths[0]), *cells]))
 
 
 def show_difference(console: Console, mutant: Mutant, module: Module) -> None:
