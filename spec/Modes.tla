@@ -99,7 +99,9 @@ Release ==
     LET skipped == SkippedBy(clock)
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
-        /\ tod'  = Rearmed(clock, Reading("AMB-56"))
+        /\ tod'  = [ o \in DOMAIN tod |->
+                      IF o \in skipped THEN Rearmed(clock, Reading("AMB-56"))[o]
+                                       ELSE tod[o] ]
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
         /\ UNCHANGED <<cpu, loaded, startup, clock, dint, irt, stack, delay>>
 

@@ -118,27 +118,40 @@ WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
 
+(* Kinds of event that a log shows unless its header says otherwise. *)
+Kinds == {"call", "ob", "clock", "mode", "interrupt", "load"}
+Partial == ~(Kinds \subseteq terms.records)
 DiagRecorded == "diag" \in terms.records
+
+(* Where calls or changes of mode are not recorded, or neither OBs nor what  *)
+(* starts them, nothing has to come within the latency: an OB may be held  *)
+(* back by something unseen.                                               *)
+Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
+           \/ {"ob", "interrupt"} \cap terms.records = {}
+
+(* What enters something in the diagnostic buffer may be unseen. *)
+CausesUnseen == ~((Kinds \ {"load"}) \subseteq terms.records)
 
 (* Only what a line of the log could tell is kept. *)
 \* @type: $entry => $entry;
 AsReported(entry) == [entry EXCEPT !.of.since = At(0), !.of.rank = 0]
 
-(* What this step enters is to be seen; its cause was `age' ms ago. *)
+(* What this step enters is to be seen; its cause was `age' ms ago.  Where   *)
+(* causes may be unseen, entries are not matched one by one.               *)
 \* @type: Int => Bool;
 Report(age) ==
     LET new == { AsReported(n) : n \in { m \in entered' : m.id \in JudgedEntries } }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in reports : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1 ELSE (CHOOSE r \in same(n) : TRUE).times + 1
-    IN  reports' = IF entered' = {} THEN reports
+    IN  reports' = IF entered' = {} \/ CausesUnseen THEN reports
                    ELSE (reports \ UNION { same(n) : n \in new })
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
                                  : n \in new }
 
 (* Waiting goes on for what still may start, and begins for what now may.   *)
 Rewait ==
-    /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
+    /\ waiting' = IF Unbound \/ (requests' = {} /\ stopCause' = NoCause)
                   THEN [c \in {} |-> 0]
                   ELSE [ c \in Awaited' |->
                            IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
@@ -176,17 +189,10 @@ OverNow == { o \in Jobs : dint[o].left = 0 }
 OverBefore(e) == IF Reading("AMB-70") = "a" /\ e.event # "start" THEN OverNow
                  ELSE { o \in Jobs : dint[o].left <= 1 }
 
-(* Where calls or changes of mode are not recorded, or neither OBs nor what  *)
-(* starts them, nothing has to come within the latency: an OB may be held  *)
-(* back by something unseen.                                               *)
-Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
-           \/ {"ob", "interrupt"} \cap terms.records = {}
-
 \* @type: Int => Bool;
 InTime(d) ==
-    /\ \/ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
-       \/ Unbound
-    /\ \/ reports = {} \/ ~({"call", "diag"} \subseteq terms.records)
+    /\ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
+    /\ \/ reports = {} \/ ~DiagRecorded
        \/ { r \in reports : /\ ~r.entry.open
                             /\ r.entry.id \in DemandedEntries
                             /\ r.age + d > terms.latency } = {}

@@ -4,14 +4,15 @@
 (* not recorded may happen unseen at any point.                            *)
 (*                                                                         *)
 (* OBs and modes that change unseen are the actions of the specification,  *)
-(* tried at every point.  Start events from outside and blocks that are    *)
-(* loaded or deleted are tried just before a line that they may explain:   *)
-(* earlier would not explain more.  Where calls are not recorded, what the *)
-(* program has set is unknown, and what holds whatever it was is judged:   *)
-(* modes, classes, loaded OBs, fault ids and their causes.                 *)
+(* tried at every point; blocks that are loaded or deleted are tried just  *)
+(* before a line that they may explain.  Where calls are not recorded,     *)
+(* what the program has set is unknown, as start events are where those    *)
+(* from outside are not; then what holds whatever it was is judged: modes, *)
+(* classes, loaded OBs, fault ids and their causes.                        *)
 (*                                                                         *)
 (* Left out: several changes of the clock between two lines; a block that  *)
-(* is loaded or deleted and has no effect on the next line.                *)
+(* is loaded or deleted without effect on the next line; a start event     *)
+(* from outside that came unseen before its OB was blocked.                *)
 (***************************************************************************)
 EXTENDS Trace
 
@@ -19,56 +20,15 @@ EXTENDS Trace
 \* @type: Str => Bool;
 Unseen(kind) == kind \notin terms.records
 
-Kinds == {"call", "ob", "clock", "mode", "interrupt", "load"}
-Partial == ~(Kinds \subseteq terms.records)
-
 -----------------------------------------------------------------------------
 (* OBs and modes *)
 
 UnseenOb == \/ \E r \in requests : Start(r)
-            \/ End(Running.ob)
+            \/ stack # <<>> /\ End(Running.ob)
 
 UnseenMode == \/ \E type \in {"warm", "cold"} : Restart(type)
               \/ Run /\ stopCause = NoCause
               \/ Stop \/ Hold \/ Release
-
------------------------------------------------------------------------------
-(* Start events from outside *)
-
-(* The fault ids that a line about OB 80 or OB 85 tells, or the unknown one. *)
-\* @type: $event => Int;
-ToldFault(e) == IF e.event = "diag" THEN e.id - ErrorEntry
-                ELSE IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
-
-(* Of OBs that would explain the line alike one is enough. *)
-\* @type: ($event, Set(Int)) => Set(Int);
-OneOf(e, obs) == IF e.info.ev # -1 THEN { o \in obs : EventOf(o) = e.info.ev }
-                 ELSE IF obs = {} THEN {} ELSE {Least(obs)}
-
-(* The start events that may have led to the line: that of its own OB, and  *)
-(* those whose OB is missing, runs or waits, which lead to an error.       *)
-\* @type: $event => Set(<<Int, Int>>);
-MayHaveCome(e) ==
-    LET faulty  == {TimeErrorOb, ProgramErrorOb}
-        others  == ExternalObs \ faulty
-        telling == \/ e.event \in {"stop", "diag"}
-                   \/ e.event = "start" /\ e.ob \in faulty
-    IN  (IF e.event \in {"start", "diag"} /\ e.ob \in others THEN {e.ob} \X {0} ELSE {})
-          \cup (IF ~telling THEN {}
-                ELSE (faulty \X {ToldFault(e)})
-                       \cup (OneOf(e, IF Unseen("load") THEN others
-                                      ELSE others \ loaded) \X {0})
-                       \cup (OneOf(e, { o \in others :
-                                          OnStack(o) \/ PendingIn(requests, o) })
-                              \X {0}))
-
-\* @type: $event => Bool;
-UnseenInterrupt(e) ==
-    \E i \in { j \in MayHaveCome(e) :
-                 /\ { r \in requests : r.ob = j[1] \/ r.cause = j[1] } = {}
-                 /\ { r \in reports : FitsEntry(r.entry, e) } = {}
-                 /\ stopCause = NoCause } :
-      Interrupt(i[1], i[2])
 
 -----------------------------------------------------------------------------
 (* Blocks that are loaded or deleted *)
@@ -109,34 +69,6 @@ UnseenCall(e) ==
 (* whose OB is missing.                                                    *)
 SetByCalls == { o \in TodObs \cup DintObs : ~Deselected(o) }
 SetAndAbsent == IF Unseen("load") THEN SetByCalls ELSE SetByCalls \ loaded
-
-(* A start event that a call may have led to, or an error that follows it;  *)
-(* what is not known of it fits whatever the line says.                    *)
-\* @type: $event => Set($request);
-MayHaveBeenSet(e) ==
-    LET f == ToldFault(e)
-        known == [ NoRequest EXCEPT !.ob = e.ob, !.fault = f, !.word = -1,
-                                    !.dtime = -1, !.during = -1 ]
-        error == [known EXCEPT !.class = ErrorClass(e.ob, f)]
-    IN  IF e.ob \in SetByCalls
-        THEN { [known EXCEPT !.class = ClassOf(e.ob), !.fault = 0] }
-        ELSE IF e.ob = TimeErrorOb
-                  /\ f \in {UnknownFault, StillRunning, BufferOverflow}
-        THEN { [error EXCEPT !.cause = o] : o \in SetByCalls }
-        ELSE IF e.ob = ProgramErrorOb /\ f \in {UnknownFault} \cup ObNotLoaded
-        THEN { [error EXCEPT !.cause = o] : o \in SetAndAbsent }
-        ELSE {}
-
-\* @type: $event => Bool;
-StartsByCall(e) ==
-    \E r \in { q \in MayHaveBeenSet(e) : FitsRequest(q, e.info) } :
-      /\ e.event = "start"
-      /\ ModeAllows(r) /\ Preempts(r)
-      /\ r.ob \in loaded
-      /\ stack' = Append(stack, Frame(r.ob, r.class))
-      /\ NothingEntered
-      /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                     delay, stopCause>>
 
 (* A clock set forward, or a HOLD, may have passed points that a call set.   *)
 \* @type: $event => Bool;
@@ -193,35 +125,81 @@ SomeCall(e) ==
     /\ NothingEntered
     /\ UNCHANGED cpuVars
 
-\* @type: $event => Bool;
-EntersByCall(e) ==
-    /\ e.event = "diag"
-    /\ \/ e.id \in {EntriesDisabled, ErrorEntry + StillRunning,
-                    ErrorEntry + BufferOverflow}
-       \/ e.id - ErrorEntry \in ObNotLoaded /\ SetAndAbsent # {}
-       \/ e.id = NoTimeErrorOb /\ TimeErrorOb \notin loaded
-       \/ e.id = NoProgramErrorOb /\ ProgramErrorOb \notin loaded
-    /\ NothingEntered
-    /\ UNCHANGED cpuVars
-
 (* A STOP for a missing OB does not come where the OB is loaded. *)
 \* @type: $event => Bool;
 CauseIsPossible(e) ==
-    e.event = "stop" =>
+    e.event = "stop" /\ Unseen("call") =>
       /\ e.cause = NoTimeErrorOb => TimeErrorOb \notin loaded
       /\ e.cause = NoProgramErrorOb => ProgramErrorOb \notin loaded
 
+-----------------------------------------------------------------------------
+(* Start events that no line shows *)
+
+(* The fault that a start of OB 80 or OB 85 tells, or the unknown one. *)
+\* @type: $event => Int;
+ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
+
+(* What may have led to the start of an OB: a call, a start event from       *)
+(* outside, or an error that follows one.  What is not known of it fits    *)
+(* whatever the line says.                                                 *)
+\* @type: $event => Set($request);
+MayHaveOccurred(e) ==
+    LET f == ToldFault(e)
+        known == [ NoRequest EXCEPT !.ob = e.ob, !.word = -1, !.dtime = -1,
+                                    !.during = -1, !.class = ClassOf(e.ob) ]
+        error == [known EXCEPT !.fault = f, !.class = ErrorClass(e.ob, f)]
+        overlap == f \in {UnknownFault, StillRunning, BufferOverflow}
+        missing == f \in {UnknownFault} \cup ObNotLoaded
+    IN  CASE e.ob \in {TimeErrorOb, ProgramErrorOb} ->
+               (IF Unseen("interrupt") THEN {error} ELSE {})
+                 \cup (IF ~Unseen("call") THEN {}
+                       ELSE { [error EXCEPT !.cause = o]
+                              : o \in IF e.ob = TimeErrorOb
+                                      THEN IF overlap THEN SetByCalls ELSE {}
+                                      ELSE IF missing THEN SetAndAbsent ELSE {} })
+          [] e.ob \in AsyncErrorObs ->
+               IF Unseen("interrupt") THEN {[known EXCEPT !.class = error.class]} ELSE {}
+          [] e.ob \in ExternalObs -> IF Unseen("interrupt") THEN {known} ELSE {}
+          [] e.ob \in SetByCalls  -> IF Unseen("call") THEN {known} ELSE {}
+          [] OTHER                -> {}
+
 \* @type: $event => Bool;
-ShowsByCall(e) ==
-    \/ /\ \/ e.event \in CallEvents /\ SomeCall(e)
-          \/ StartsByCall(e)
-          \/ SkipsByCall(e)
-          \/ EntersByCall(e)
+StartsUnseen(e) ==
+    \E r \in { q \in MayHaveOccurred(e) : FitsRequest(q, e.info) } :
+      /\ ModeAllows(r) /\ Undelayed /\ Preempts(r)
+      /\ r.ob \in loaded /\ ~Idle(r.ob)
+      /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
+      /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup (1..60000)
+      /\ stack' = Append(stack, Frame(r.ob, r.class))
+      /\ NothingEntered
+      /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+                     delay, stopCause>>
+
+(* An entry whose cause may be unseen. *)
+\* @type: $event => Bool;
+EntersUnseen(e) ==
+    /\ e.id - ErrorEntry \in ObNotLoaded =>
+         Unseen("interrupt") \/ SetAndAbsent # {}
+    /\ e.id = NoTimeErrorOb => TimeErrorOb \notin loaded \/ Unseen("load")
+    /\ e.id = NoProgramErrorOb => ProgramErrorOb \notin loaded \/ Unseen("load")
+    /\ NothingEntered
+    /\ UNCHANGED <<cpuVars, waiting, reports>>
+
+\* @type: $event => Bool;
+ShowsPartly(e) ==
+    \/ IF Unseen("call") /\ e.event \in CallEvents THEN FALSE
+       ELSE CauseIsPossible(e) /\ Shows(e)
+    \/ /\ Unseen("call")
+       /\ IF e.event \in CallEvents THEN SomeCall(e) ELSE SkipsByCall(e)
        /\ Rewait
        /\ UNCHANGED <<terms, up>>
-    \/ /\ e.event \notin CallEvents
-       /\ CauseIsPossible(e)
-       /\ Shows(e)
+    \/ /\ e.event = "start"
+       /\ StartsUnseen(e)
+       /\ Rewait
+       /\ UNCHANGED <<terms, up>>
+    \/ /\ e.event = "diag" /\ CausesUnseen
+       /\ EntersUnseen(e)
+       /\ UNCHANGED <<terms, up>>
 
 -----------------------------------------------------------------------------
 (* The clock *)
@@ -259,7 +237,6 @@ Silent(e) ==
     \/ /\ Partial
        /\ \/ Unseen("ob") /\ UnseenOb
           \/ Unseen("mode") /\ UnseenMode
-          \/ Unseen("interrupt") /\ UnseenInterrupt(e)
           \/ Unseen("load") /\ UnseenLoad(e)
           \/ Unseen("call") /\ UnseenCall(e)
        /\ Rewait
@@ -270,7 +247,7 @@ Silent(e) ==
 Stirs(e) == HidesBefore(e) \/ Partial
 
 \* @type: $event => Bool;
-Observe(e) == IF Unseen("call") THEN ShowsByCall(e) ELSE Shows(e)
+Observe(e) == IF Partial THEN ShowsPartly(e) ELSE Shows(e)
 
 Next == Silent(NoEvent)
 =============================================================================

@@ -87,6 +87,7 @@ final class Explanation {
     List<TLCState> arrived = new ArrayList<>();
     var open = new ArrayDeque<TLCState>(states);
     var seen = new HashSet<Long>();
+    int lonely = 0;
     while (!open.isEmpty()) {
       TLCState state = open.poll();
       if (spec.holds("Arrived", state, event)) {
@@ -94,8 +95,10 @@ final class Explanation {
         continue;
       }
       StateVec next = spec.successors("Elapse", state, event);
-      // A single state that goes on alone, the usual case, needs no fingerprint.
-      boolean alone = open.isEmpty() && next.size() == 1 && arrived.isEmpty();
+      // A single state that goes on alone, the usual case, needs no fingerprint, unless it goes
+      // round in circles.
+      boolean alone =
+          open.isEmpty() && next.size() == 1 && arrived.isEmpty() && ++lonely < MOST_STATES;
       for (int i = 0; i < next.size(); i++) {
         if (alone || seen.add(next.elementAt(i).fingerPrint())) {
           open.add(next.elementAt(i));
