@@ -120,6 +120,29 @@ def test_a_weak_kill_is_enough_unless_thorough(spec: Path) -> None:
     assert (thorough["1 -> 2"].how, thorough["1 -> 2"].by) == ("count", "weak")
 
 
+@dataclass
+class SlowCheck(FakeCheck):
+    """Times out on mutants below `needs` seconds; the unchanged specification takes `later` after the first run."""
+
+    needs: float = 50.0
+    later: float = 10.0
+
+    def run(self, spec: Path, timeout: float) -> Finding:
+        """Time out or survive."""
+        changed = "x + 1" not in (spec / "M.tla").read_text()
+        seconds = self.later if self.ran else self.seconds
+        self.ran.append("mutant" if changed else "unchanged")
+        return Finding("timeout" if changed and timeout < self.needs else "survived", "", seconds)
+
+
+@pytest.mark.parametrize(("later", "how"), [(10.0, "survived"), (1.0, "timeout")])
+def test_a_slow_machine_kills_nothing(spec: Path, later: float, how: str) -> None:
+    """After a timeout the unchanged specification is timed anew."""
+    check = SlowCheck("c", {}, later=later)
+    assert judged(spec, check)["x + 1 -> x - 1"].how == how
+    assert "mutant unchanged" in " ".join(check.ran)
+
+
 def test_a_check_that_always_fails_shows_nothing(spec: Path) -> None:
     """Without a passing baseline there are no verdicts."""
     with pytest.raises(UnsoundBaselineError, match="does not pass c: deadlock"):
