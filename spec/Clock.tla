@@ -80,10 +80,10 @@ Precedes(r, s) == CASE Reading("AMB-54") = "a" -> Before(r.since, s.since)
                     [] Reading("AMB-54") = "b" -> r.ob < s.ob
                     [] OTHER                   -> FALSE
 
-\* @type: Set($request) => Set($request);
-WithCatchUps(runs) ==
-    requests \cup
-      { [ r EXCEPT !.rank = PlaceIn(requests, r)
+\* @type: (Set($request), Set($request)) => Set($request);
+WithCatchUps(q, runs) ==
+    q \cup
+      { [ r EXCEPT !.rank = PlaceIn(q, r)
             + Cardinality({ s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
         : r \in runs }
 
@@ -96,13 +96,16 @@ TimeOfSkip(skipped, now) ==
 
 (* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that is    *)
 (* late, then one catch-up each, in any order.  Whether an OB that waits   *)
-(* or runs gets one of its own is open [AMB-52], whether a blocked one is  *)
+(* or runs gets one of its own is open [AMB-52] (if not, one that is left  *)
+(* open and waits comes for sure), whether a blocked one is                *)
 (* reported [AMB-50], and what follows HOLD [AMB-55]; a missing one is     *)
 (* [AMB-51].                                                               *)
 \* @type: (Int, $moment, Set(Int)) => Bool;
 Skip(fault, now, skipped) ==
     LET silent == { o \in skipped : Blocked(o) }
-        waits  == { o \in skipped \ silent : OnStack(o) \/ PendingIn(requests, o) }
+        waits  == { o \in skipped \ silent : \/ OnStack(o)
+                                             \/ PendingIn(requests, o)
+                                             \/ OpenIn(requests, o) }
         absent == IF Reading("AMB-51") = "b" THEN skipped \ loaded ELSE {}
         after  == IF fault = SkippedInHold THEN Reading("AMB-55") ELSE "a"
     IN  \E merged \in PartBy(Reading("AMB-52"), waits),
@@ -113,7 +116,11 @@ Skip(fault, now, skipped) ==
                           EXCEPT !.open = after = "c" ]
                         : o \in IF after = "b" THEN {}
                                 ELSE skipped \ (silent \cup merged) }
-              kept == WithCatchUps(runs)
+              sure == { IF r.ob \in merged /\ ~PendingIn(requests, r.ob)
+                             /\ { s \in requests : /\ s.ob = r.ob
+                                                   /\ s.rank < r.rank } = {}
+                        THEN [r EXCEPT !.open = FALSE] ELSE r : r \in requests }
+              kept == WithCatchUps(sure, runs)
           IN  IF late = {}
               THEN requests' = kept /\ UNCHANGED stopCause /\ NothingEntered
               ELSE TimeErrorOccurs(kept, requests,
@@ -123,7 +130,7 @@ Skip(fault, now, skipped) ==
 (* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
 \* @type: Set(Int) => Bool;
 Defer(skipped) ==
-    /\ requests' = WithCatchUps(
+    /\ requests' = WithCatchUps(requests,
                      { TodRequest(o, NextMoment(tod[o]), 0)
                        : o \in { s \in skipped : ~PendingIn(requests, s)
                                                  /\ ~Blocked(s) } })

@@ -22,14 +22,13 @@ Interrupt(o, fault) ==
            THEN /\ UNCHANGED <<requests, stopCause>>
                 /\ entered' = IF fault = 0 THEN EntriesOfLost(o) ELSE EntriesOf(new)
            ELSE IF mode = "HOLD" \/ (mode = "STARTUP" /\ o \notin AsyncErrorObs)
-           THEN /\ requests' = IF reading = "b" THEN requests
-                               ELSE Enter(requests, [new EXCEPT !.open = reading = "c"])
-                /\ UNCHANGED stopCause
-                /\ entered' = OpenEntries({new})
-           ELSE IF o \in AsyncErrorObs
-           THEN /\ requests' = Enter(requests, new)
-                /\ UNCHANGED stopCause
-                /\ entered' = IF fault = 0 THEN {} ELSE {EntryOf(new)}
+           THEN IF reading = "b" THEN Nothing
+                ELSE IF PendingIn(requests, o) \/ OpenIn(requests, o)
+                THEN AnyEffect(new)
+                ELSE /\ requests' = Enter(requests, [new EXCEPT !.open = reading = "c"])
+                     /\ UNCHANGED stopCause
+                     /\ entered' = IF fault = 0 THEN {} ELSE OpenEntries({new})
+           ELSE IF o \in AsyncErrorObs THEN ErrorOccurs(new)
            ELSE Occurs(new)
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
                        delay>>

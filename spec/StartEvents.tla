@@ -19,10 +19,6 @@ Entry(id) == [id |-> id, of |-> NoRequest, open |-> FALSE]
 \* @type: $request => $entry;
 EntryOf(error) == [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE]
 
-\* @type: Set($request) => Set($entry);
-OpenEntries(errors) ==
-    { [EntryOf(e) EXCEPT !.open = TRUE] : e \in { r \in errors : r.fault # 0 } }
-
 (* [AMB-41] (b) Under MODE 8x every blocked event shows as 5380. *)
 \* @type: Int => Set($entry);
 EntriesOfLost(o) ==
@@ -32,6 +28,10 @@ EntriesOfLost(o) ==
 \* @type: $request => Set($entry);
 EntriesOf(error) == IF Silenced(error.ob) THEN EntriesOfLost(error.ob)
                                           ELSE {EntryOf(error)}
+
+\* @type: Set($request) => Set($entry);
+OpenEntries(errors) ==
+    { [n EXCEPT !.open = TRUE] : n \in UNION { EntriesOf(e) : e \in errors } }
 
 -----------------------------------------------------------------------------
 (* STOP by rule *)
@@ -127,14 +127,19 @@ Lost(o) == UNCHANGED <<requests, stopCause>> /\ entered' = EntriesOfLost(o)
 -----------------------------------------------------------------------------
 (* Start events of an OB that waits or runs already *)
 
-(* [AMB-18] [AMB-77] The OB may run again, there may be a time error, still *)
-(* running or buffer overflow, or nothing.                                 *)
+(* [AMB-18] [AMB-77] There may be a time error, still running or buffer      *)
+(* overflow ...                                                            *)
+\* @type: $request => Set($request);
+ErrorsOf(again) ==
+    { [TimeError(f, {}, again.ob, again.word) EXCEPT !.open = TRUE]
+      : f \in {StillRunning, BufferOverflow} }
+
+(* ... the OB may run again, or nothing happens. *)
 \* @type: $request => Set($request);
 LeftOpen(again) ==
     { [again EXCEPT !.open = TRUE] }
       \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
-            ELSE { [TimeError(f, {}, again.ob, again.word) EXCEPT !.open = TRUE]
-                   : f \in {StillRunning, BufferOverflow} })
+            ELSE ErrorsOf(again))
 
 (* Where the OB waits, if at all, by what is open, it waits for sure after  *)
 (* another start event: by the first of the open ones, or by the new one if *)
@@ -157,13 +162,13 @@ EnterAmongOpen(new) ==
 AnyEffect(new) ==
     /\ requests' = EnterAll(requests, LeftOpen(new))
     /\ UNCHANGED stopCause
-    /\ entered' = OpenEntries(LeftOpen(new))
+    /\ entered' = OpenEntries(ErrorsOf(new))
 
 \* @type: $request => Bool;
 AgainWhileOpen(new) ==
     /\ requests' \in EnterAmongOpen(new)
     /\ UNCHANGED stopCause
-    /\ entered' = OpenEntries(LeftOpen(new))
+    /\ entered' = OpenEntries(ErrorsOf(new))
 
 (* [AMB-18] The OB waits already.  The size of the buffer is not known, so  *)
 (* under (b) the run is kept or the buffer overflows [OBS-08].             *)
@@ -200,6 +205,23 @@ ExternalWhileRunning(new) ==
       [] Reading("AMB-77") = "b" -> Ordinary(new)
       [] Reading("AMB-77") = "c" -> Nothing
       [] OTHER                   -> AnyEffect(new)
+
+-----------------------------------------------------------------------------
+(* Asynchronous errors *)
+
+(* [OBS-07] [OBS-11] An error whose OB is not OB 80: its OB runs, or the     *)
+(* buffer of its class overflows [OBS-08].                                 *)
+\* @type: $request => Bool;
+ErrorOccurs(new) ==
+    LET shared == \/ \E r \in requests : r.class = new.class
+                  \/ \E i \in DOMAIN stack : stack[i].class = new.class
+        entry == IF new.fault = 0 THEN {} ELSE {EntryOf(new)}
+    IN  \/ /\ requests' = Enter(requests, new)
+           /\ UNCHANGED stopCause
+           /\ entered' = entry
+        \/ /\ shared /\ Reading("AMB-18") \in {"b", "d"}
+           /\ TimeErrorOccurs(requests, requests,
+                              TimeError(BufferOverflow, {}, new.ob, new.word))
 
 -----------------------------------------------------------------------------
 
