@@ -8,7 +8,7 @@
 (* of each.  Time is absolute here: no view makes it relative, since       *)
 (* start points are.                                                       *)
 (***************************************************************************)
-EXTENDS PropertiesClock
+EXTENDS PropertiesIrt
 
 (* 2026-11-21 06:00 *)
 Six == DayNumber(2026, 11, 21) * MinutesADay + 360
@@ -39,8 +39,12 @@ TwoFamilies == {"S7-300", "S7-400"}
 
 (* Codes that calls may answer, right or wrong. *)
 CallRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed, 1}
+DintRetVals == {OK, BadOb, BadDtime, NotStarted}
+IrtRetVals == {OK, BadOb, BadMode}
 AirtRetVals == {0, 1, 2, 3, 4, NotDelayed}
 TodStatusWords == {-1, 0, 1, 2, 4, 5, 16, 17, 20, 21, 32, 64}
+DintStatusWords == {-1, 0, 2, 4, 5, 16, 20, 21, 32}
+IrtStatusWords == {-1, 0, 16, 18, 20, 22}
 
 (* Where a model leaves something out. *)
 \* @type: Set(Int);

@@ -19,7 +19,7 @@ VARIABLE
     \* @type: Set($moment);
     served
 
-New == { r.since : r \in { q \in requests' \ requests : q.ob = 10 } }
+New == { r.since : r \in NewOf(10) }
 
 HistoryInit == Init /\ served = {}
 HistoryNext ==

@@ -6,8 +6,8 @@
 (*                                                                         *)
 (* Each has its requirement; models/ checks them, and for each guard of an *)
 (* action and for each rule there is a negative control that violates one. *)
-(* Left out: liveness; properties of single functions are in PropertiesTod *)
-(* and PropertiesClock.                                                    *)
+(* Left out: liveness; properties of single functions are in PropertiesTod, *)
+(* PropertiesClock, PropertiesDint and PropertiesIrt.                      *)
 (***************************************************************************)
 EXTENDS System
 
@@ -74,6 +74,7 @@ ClassInv ==
           c == stack[i].class
       IN  /\ o = CycleOb => c = 1
           /\ o \in TodObs => c = 2
+          /\ o \in DintObs => c = o - 17
           /\ o = 40 => c = 16
           /\ o = TimeErrorOb => c \in {26, 28}
           /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
@@ -190,13 +191,13 @@ AirtCountProp ==
 (* Missing OBs and STOP *)
 
 (* [TINT-16] [OBS-20] [OBS-21] [OBS-23] A missing OB leads to OB 85, or to  *)
-(* STOP; the source goes on [AMB-46].                                      *)
+(* STOP; the source goes on [AMB-46].  Blocked, OB 85 is lost [IRT-01].     *)
 MissingProp ==
     [][ Did("missing") =>
           /\ step'.ob \notin loaded
           /\ delay = 0 /\ step'.value > Top(stack).class
           /\ IF step'.ob \notin AsyncErrorObs
-             THEN PendingIn(requests', 85) \/ OnStack(85)
+             THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D
              ELSE step'.ob \in {82, 83, 86} => stopCause' # NoCause
           /\ \A o \in TodObs : tod[o].period # Once

@@ -21,7 +21,7 @@ SkippedNow == { o \in TodObs : Skipped(o) }
 (* [CLK-02] [CLK-05] [CLK-06] [OBS-32] A skip in RUN is one time error with  *)
 (* fault 05, which names the skipped interrupts; without OB 80 it is STOP. *)
 SkipProp ==
-    [][ Did("clock") /\ mode = "RUN" /\ SkippedNow # {} =>
+    [][ Did("clock") /\ mode = "RUN" /\ SkippedNow # {} /\ irt.blocked = {} =>
           IF 80 \in loaded
           THEN /\ Cardinality({ r \in requests' : r.ob = 80 })
                     = Cardinality({ r \in requests : r.ob = 80 }) + 1
@@ -30,15 +30,22 @@ SkipProp ==
                     /\ r.since = clock'
           ELSE stopCause' # NoCause ]_vars
 
+(* What was open before may be sure now; it is not new. *)
+\* @type: Int => Set($request);
+NewOf(o) == { r \in requests' \ requests :
+                r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }
+
 (* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first skipped *)
 (* point, after the OB 80; one that waits or runs may do without.          *)
 CatchUpProp ==
-    [][ Did("clock") /\ mode = "RUN" =>
+    [][ Did("clock") /\ mode = "RUN" /\ irt.blocked = {} =>
           \A o \in TodObs :
-            LET new == { r \in requests' \ requests : r.ob = o }
+            LET new == NewOf(o)
             IN  /\ o \notin SkippedNow => new = {}
-                /\ o \in SkippedNow /\ ~OnStack(o) /\ ~PendingIn(requests, o)
+                /\ /\ o \in SkippedNow /\ ~OnStack(o)
+                   /\ ~\E r \in requests : r.ob = o
                      => Cardinality(new) = 1
+                /\ o \in SkippedNow /\ ~OnStack(o) => PendingIn(requests', o)
                 /\ Cardinality(new) <= 1
                 /\ \A r \in new : /\ r.since = At(tod[o].next)
                                   /\ r.follows = 5 ]_vars
@@ -63,7 +70,7 @@ RearmProp ==
 (* [OBS-46] [AMB-55] On release one time error with fault 06 reports the     *)
 (* points that passed in HOLD; what follows it is open.                    *)
 HoldSkipProp ==
-    [][ Did("release") /\ SkippedNow # {} =>
+    [][ Did("release") /\ SkippedNow # {} /\ irt.blocked = {} =>
           IF 80 \in loaded
           THEN \E r \in requests' \ requests :
                  r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open

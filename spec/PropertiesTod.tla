@@ -128,7 +128,8 @@ StatusProp ==
               status == step'.operand
               bit(n) == (status \div n) % 2 = 1
           IN  /\ o \in TodObs
-              /\ status < 32 /\ ~bit(2) /\ ~bit(8)
+              /\ status < 32 /\ ~bit(8)
+              /\ bit(2) <=> o \in irt.blocked  \* [TINT-73] [IRT-17]
               /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
               /\ bit(4) => tod[o].active
               /\ tod[o].active /\ tod[o].next # Never => bit(4)
@@ -151,7 +152,7 @@ PointProp ==
 (* fault 02 or STOP, and the run follows.                                  *)
 OverlapProp ==
     [][ /\ Did("reached") /\ mode = "RUN" /\ OnStack(step'.ob)
-        /\ stopCause = NoCause
+        /\ stopCause = NoCause /\ ~Blocked(step'.ob) /\ ~Blocked(80)
         => /\ PendingIn(requests', step'.ob)
            /\ IF 80 \in loaded
               THEN \E r \in requests' \ requests :
@@ -160,7 +161,7 @@ OverlapProp ==
 
 (* [TINT-23] Otherwise a point leads to its OB. *)
 OrdinaryProp ==
-    [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Deselected(step'.ob)
+    [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Idle(step'.ob)
         => PendingIn(requests', step'.ob) ]_vars
 
 (* [TINT-15] The run that follows comes after its OB 80. *)

@@ -1,0 +1,30 @@
+-------------------------------- MODULE MCDint --------------------------------
+(***************************************************************************)
+(* SRT, CAN and QRY_DINT with right and wrong operands, delays that elapse *)
+(* while the OB waits, runs, is missing, in STARTUP and around HOLD, with  *)
+(* a clock that is set meanwhile (section 2).                              *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCDintObs == {20}
+MCFamilies == {"S7-300"}
+MCLoads == {{20, 40, 80, 85, 100}, {20, 40}}
+MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
+MCObNumbers == {20, 99}
+MCDtimes == {0, 30000, 60001}
+MCSigns == {1, 2}
+MCMoments == {Moment(0, 0), Moment(0, 29999), Moment(0, 30000), Moment(1, 0)}
+MCPowerOnMoments == {Moment(0, 0)}
+MCClockTargets == {Moment(1, 0)}
+MCInterrupts == {<<40, 0>>}
+MCRestartTypes == {"warm"}
+
+\* @type: Bool;
+Holding == TRUE
+
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ delay = 0
+           /\ Waiting(1)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================

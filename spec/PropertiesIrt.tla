@@ -1,0 +1,117 @@
+---------------------------- MODULE PropertiesIrt ---------------------------
+(***************************************************************************)
+(* What must hold of SFC 39/40 (catalogue section 3) and of the entries of *)
+(* the diagnostic buffer (table 8.3), said of states and of steps.         *)
+(*                                                                         *)
+(* Left out: entries that are open because their error is.                 *)
+(***************************************************************************)
+EXTENDS PropertiesDint
+
+IrtCalls == {"DIS_IRT", "EN_IRT"}
+
+(* [IRT-11] The OBs of a class number, as a table. *)
+\* @type: Int => Set(Int);
+ObsOfClass(n) ==
+    CASE n = 10 -> 10..17 [] n = 20 -> 20..23 [] n = 30 -> 30..38
+      [] n = 40 -> 40..47 [] n = 50 -> 55..57 [] n = 60 -> {60}
+      [] n = 70 -> {70, 72} [] n = 80 -> 80..87 [] OTHER -> {}
+AllOfClasses == UNION { ObsOfClass(n) : n \in {10, 20, 30, 40, 50, 60, 70, 80} }
+
+(* The OBs that a call names, for which the model cares. *)
+\* @type: (Int, Int) => Set(Int);
+NamedBy(m, o) ==
+    Blockable \cap CASE m \in {0, 128} -> AllOfClasses
+                     [] m \in {1, 129} -> ObsOfClass(o)
+                     [] OTHER          -> {o}
+
+(* [IRT-12] [IRT-13] [AMB-22] [AMB-63] [AMB-73] [AMB-76] *)
+IrtAnswerProp ==
+    [][ step'.event \in IrtCalls =>
+          LET m == step'.operand
+              o == step'.ob
+              v == step'.value
+              known == m \in {0, 1, 2} \/ (Did("DIS_IRT") /\ m \in {128, 129, 130})
+              named == CASE m \in {0, 128} -> TRUE
+                         [] m \in {1, 129} -> ObsOfClass(o) # {}
+                         [] OTHER          -> o \in AllOfClasses
+          IN  /\ v \in {\h0000, \h8090, \h8091}
+              /\ v = 0 => known /\ named
+              /\ v = \h8091 => ~known
+              /\ v = \h8090 => IF known THEN ~named ELSE o \notin AllOfClasses \cup {1} ]_vars
+
+(* [IRT-06] .. [IRT-09] [IRT-13] .. [IRT-16] [AMB-21] [AMB-42] What a call    *)
+(* blocks and enables.                                                     *)
+IrtFlagProp ==
+    [][ step'.event \in IrtCalls /\ step'.value = 0 =>
+          LET named == NamedBy(step'.operand, step'.ob)
+          IN  \A o \in Blockable :
+                o \in irt'.blocked <=>
+                  \/ o \in irt.blocked /\ o \notin named
+                  \/ o \in named /\ Did("DIS_IRT") ]_vars
+
+(* [IRT-20] Only what is blocked is silent, and only by MODE 8x. *)
+SilentInv == irt.silent \subseteq irt.blocked
+SilentProp ==
+    [][ step'.event \in IrtCalls /\ step'.value = 0 =>
+          \A o \in NamedBy(step'.operand, step'.ob) :
+            o \in irt'.silent <=> Did("DIS_IRT") /\ step'.operand >= 128 ]_vars
+
+(* [IRT-02] [IRT-03] [OBS-53] Blocked it stays, until EN_IRT or a restart. *)
+IrtStaysProp ==
+    [][ /\ irt' # irt => step'.event \in IrtCalls \cup {"restart"}
+        /\ Did("restart") => irt'.blocked = {} /\ irt'.silent = {} ]_vars
+
+(* A call moves no request [AMB-72]; an error changes nothing. *)
+IrtCallProp ==
+    [][ step'.event \in IrtCalls =>
+          /\ UNCHANGED <<requests, stack, mode, clock, tod, dint, delay, stopCause>>
+          /\ step'.value # 0 => UNCHANGED irt ]_vars
+
+(* [IRT-01] [IRT-04] A start event that is blocked leads to nothing: no OB,  *)
+(* no OB 80 or OB 85, no STOP.                                             *)
+LostProp ==
+    [][ step'.event \in {"reached", "elapsed", "interrupt"} /\ step'.ob \in irt.blocked
+          => UNCHANGED <<requests, stopCause>> ]_vars
+
+(* [IRT-01] [OBS-33] Nothing new waits for an OB that is blocked. *)
+NothingNewProp ==
+    [][ \A o \in irt.blocked :
+          ~Did("restart") =>
+            Cardinality({ r \in requests' : r.ob = o })
+              <= Cardinality({ r \in requests : r.ob = o }) ]_vars
+
+(* [IRT-18] [AMB-12] A point that is lost is used up. *)
+LostPointProp ==
+    [][ Did("reached") /\ step'.ob \in irt.blocked =>
+          /\ tod[step'.ob].period = Once => ~tod'[step'.ob].active
+          /\ ~Before(At(tod'[step'.ob].next - 1), clock) ]_vars
+
+-----------------------------------------------------------------------------
+(* Entries *)
+
+EnteredNow == { n.id : n \in { e \in entered' : ~e.open } }
+
+(* [IRT-09] [IRT-19] [AMB-41] *)
+DisabledEntryProp ==
+    [][ \h5380 \in EnteredNow <=>
+          Did("DIS_IRT") /\ step'.value = 0 /\ step'.operand >= 128 ]_vars
+
+(* [OBS-30] [OBS-22] [IRT-06] [IRT-09] A time error is entered with its       *)
+(* fault, also if it is blocked, but not if it is silent.                  *)
+TimeErrorEntryProp ==
+    [][ /\ step'.event \in {"reached", "elapsed", "interrupt", "clock", "release"} =>
+             \A r \in requests' \ requests :
+               r.ob = 80 /\ ~r.open => \h3500 + r.fault \in EnteredNow
+        /\ \A n \in entered' : 80 \in irt.silent => n.of.ob # 80
+        /\ \A n \in entered' : 85 \in irt.silent => n.of.ob # 85 ]_vars
+
+(* [OBS-21] [OBS-22] A STOP by rule is entered with its cause. *)
+StopEntryProp ==
+    [][ stopCause = NoCause /\ stopCause' \notin {NoCause, 0}
+          => stopCause' \in EnteredNow ]_vars
+
+(* What is entered has a cause in this step. *)
+EntrySourceProp ==
+    [][ entered' # {} => step'.event \in {"reached", "elapsed", "interrupt", "clock",
+                                          "release", "missing", "restart", "DIS_IRT"} ]_vars
+=============================================================================
