@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test models models-smoke models-full mutants mutants-sample typecheck apalache lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -23,6 +23,9 @@ test: setup  ## all tests: Python, models harness, engine, soft PLC
 	$(BIN)/python -m pytest -q trace_checker/tests
 	cd trace_checker/engine && mvn -q -B test
 	$(MAKE) -s -C examples/soft_plc test
+
+requirements: $(BIN)/s7check  ## every requirement has its formula, property, model and logs, or a written reason
+	$(BIN)/s7check requirements
 
 models: setup  ## model-check the CI lane
 	$(BIN)/s7check models --lane ci

@@ -17,6 +17,7 @@ COMMANDS = {
     "import": "trace_checker.importing.command:import_command",
     "models": "trace_checker.models.command:models_command",
     "mutants": "trace_checker.mutants.command:mutants_command",
+    "requirements": "trace_checker.traceability.command:requirements_command",
     "verify": "trace_checker.verify_command:verify_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.

@@ -1,0 +1,119 @@
+"""What models/manifest.json says of requirements: properties that are checked, and negative controls.
+
+A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails,
+for those of the formula that it changes, and for those that its entry names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import msgspec
+
+from trace_checker.models.cfg import CfgError, parse
+from trace_checker.models.manifest import Entry, ManifestFile
+from trace_checker.traceability.entries import Entries, entries
+from trace_checker.traceability.errors import UnreadableError
+from trace_checker.traceability.modules import Definition, Module
+
+
+@dataclass(frozen=True)
+class Controls:
+    """What the manifest says, by requirement."""
+
+    properties: tuple[Definition, ...]
+    """The properties that some model checks, and the definitions that they are made of."""
+    controls: dict[str, Entries]
+    """Direct are those where the property that fails, or the entry, names the requirement."""
+    models: dict[str, tuple[str, ...]]
+    """The models that name it."""
+    unchecked: tuple[Definition, ...]
+    """Definitions of property modules that have requirements and that no model checks."""
+
+
+def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
+    """Read the manifest and its configurations. Raises `UnreadableError`."""
+    try:
+        listed = msgspec.json.decode(manifest.read_bytes(), type=ManifestFile).models
+    except (OSError, msgspec.MsgspecError) as error:
+        raise UnreadableError(f"{manifest}: {error}") from error
+    negative = [e for e in listed if _is_negative(e)]
+    positive = [e for e in listed if not _is_negative(e)]
+    if not negative or not positive:
+        raise UnreadableError(f"{manifest}: no {'models' if negative else 'negative controls'}")
+    checked = {name for entry in positive for name in _checked(manifest, entry, listed)}
+    stated = {d.name: d for module in spec if module.states_properties for d in module.definitions}
+    stated |= {d.name: d for module in models for d in _own_properties(module, checked)}
+    parts = {name: _parts(name, stated) for name in checked}
+    used = {part for names in parts.values() for part in names}
+    tags = {name: tuple(tag for part in names for tag in stated[part].tags) for name, names in parts.items()}
+    controls = _controls(manifest, negative, tags, {f"{m.name}.tla": m for m in (*spec, *models)})
+    named: dict[str, tuple[str, ...]] = {}
+    for entry in positive:
+        for requirement in entry.requirements:
+            named[requirement] = (*named.get(requirement, ()), entry.name)
+    properties = tuple(d for name, d in stated.items() if name in used)
+    unchecked = tuple(d for name, d in stated.items() if d.tags and name not in used)
+    return Controls(properties, controls, named, unchecked)
+
+
+def _controls(
+    manifest: Path, negative: Sequence[Entry], tags: dict[str, tuple[str, ...]], modules: dict[str, Module]
+) -> dict[str, Entries]:
+    """The negative controls of each requirement; `tags` are the requirements of the properties."""
+    direct: dict[str, list[str]] = {}
+    indirect: dict[str, list[str]] = {}
+    for entry in negative:
+        for requirement in [*entry.requirements, *tags.get(str(entry.expect.property), ())]:
+            direct.setdefault(requirement, []).append(entry.name)
+        for requirement in [tag for d in _changed(manifest, entry, modules) for tag in d.tags]:
+            indirect.setdefault(requirement, []).append(entry.name)
+    return {name: entries(direct.get(name, []), indirect.get(name, [])) for name in {**direct, **indirect}}
+
+
+def _is_negative(entry: Entry) -> bool:
+    """As for ``s7check models``: an entry with a base is a negative control, unless it says otherwise."""
+    derived = not isinstance(entry.base, msgspec.UnsetType)
+    return derived if isinstance(entry.kind, msgspec.UnsetType) else entry.kind == "negative"
+
+
+def _checked(manifest: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
+    base = next((e for e in listed if e.name == entry.base), entry)
+    path = manifest.parent / str(base.config)
+    try:
+        cfg = parse(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, CfgError) as error:
+        raise UnreadableError(f"{path}: {error}") from error
+    invariants = cfg.names("INVARIANT") if isinstance(entry.invariants, msgspec.UnsetType) else entry.invariants
+    properties = cfg.names("PROPERTY") if isinstance(entry.properties, msgspec.UnsetType) else entry.properties
+    return [*invariants, *properties]
+
+
+def _own_properties(module: Module, checked: set[str]) -> list[Definition]:
+    """The properties that a model defines itself; its box says what they are for, too."""
+    return [replace(d, tags=(*d.tags, *module.tags)) for d in module.definitions if d.name in checked]
+
+
+def _parts(name: str, stated: dict[str, Definition]) -> tuple[str, ...]:
+    """A property and the other definitions of property modules that it uses."""
+    found: dict[str, None] = {}
+    todo = [name]
+    while todo:
+        part = todo.pop()
+        if part in stated and part not in found:
+            found[part] = None
+            todo += sorted(stated[part].words)
+    return tuple(found)
+
+
+def _changed(manifest: Path, entry: Entry, modules: dict[str, Module]) -> list[Definition]:
+    mutations = entry.mutate if isinstance(entry.mutate, list) else [entry.mutate]
+    changed = []
+    for mutation in mutations:
+        module = modules.get(mutation.module)
+        if module is None or mutation.replace not in module.text:
+            raise UnreadableError(f"{manifest}: {entry.name}: its text is not in {mutation.module}")
+        changed += module.at(mutation.replace)
+    return changed
