@@ -145,7 +145,7 @@ def test_specified_in(project: Path, run: Run) -> None:
     table = (project / "docs" / "requirements.md").read_text(encoding="utf-8")
     assert "| TINT-01 | Something. | S | H | Rules; property: Properties |\n" in table
     assert "| TINT-02 | Something else (see TINT-01). | S | H | Rules; property: MCRules, Properties |\n" in table
-    assert "| OBS-09 | The rest. | S | H | left out: module |\n" in table
+    assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
 
 
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
@@ -265,6 +265,18 @@ def test_void_reason(
     (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
     assert run("--write") == 1
     assert f"\ndocs/left_out.json: {problem}\n" in capsys.readouterr().out
+
+
+def test_reason_that_points_nowhere(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """The properties, negative controls and logs that a reason names have to be there."""
+    reason = "see RuleInv, neg-rule, accept/a, OtherProp, neg-other, reject/other and Part"
+    (project / "docs/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
+    assert run("--write") == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[7:] == [
+        f"docs/left_out.json: AMB-02: {name} does not exist, or no model checks it"
+        for name in ("OtherProp", "neg-other", "reject/other")
+    ] + ["problems: 3"]
 
 
 def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:

@@ -27,6 +27,8 @@ class Controls:
     """The properties that some model checks, and the definitions that they are made of."""
     controls: dict[str, Entries]
     """Direct are those where the property that fails, or the entry, names the requirement."""
+    names: frozenset[str]
+    """All negative controls."""
     models: dict[str, tuple[str, ...]]
     """The models that name it."""
     unchecked: tuple[Definition, ...]
@@ -56,7 +58,7 @@ def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Modul
             named[requirement] = (*named.get(requirement, ()), entry.name)
     properties = tuple(d for name, d in stated.items() if name in used)
     unchecked = tuple(d for name, d in stated.items() if d.tags and name not in used)
-    return Controls(properties, controls, named, unchecked)
+    return Controls(properties, controls, frozenset(e.name for e in negative), named, unchecked)
 
 
 def _controls(

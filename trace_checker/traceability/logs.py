@@ -18,6 +18,8 @@ class Logs:
 
     accepted: dict[str, Entries]
     rejected: dict[str, Entries]
+    files: frozenset[str]
+    """All logs, without what follows the first dot of the name."""
 
 
 def read_logs(traces: Path) -> Logs:
@@ -30,7 +32,7 @@ def read_logs(traces: Path) -> Logs:
     for verdict, by_requirement in found.items():
         if not by_requirement:
             raise UnreadableError(f"{traces / 'index.json'}: no {verdict} log names a requirement")
-    return Logs(found["accepted"], found["rejected"])
+    return Logs(found["accepted"], found["rejected"], frozenset(log.file.partition(".")[0] for log in logs))
 
 
 def _by_requirement(logs: list[Shipped]) -> dict[str, Entries]:

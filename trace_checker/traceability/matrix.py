@@ -9,7 +9,7 @@ from itertools import pairwise
 from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.modules import Definition, Module
 from trace_checker.traceability.project import READINGS, REASONS, Project
-from trace_checker.traceability.reasons import Column, Reason
+from trace_checker.traceability.reasons import Column, Reason, named
 
 COLUMNS: dict[Column, str] = {
     "formula": "formula",
@@ -106,7 +106,8 @@ def build(project: Project) -> Matrix:
         *_unknown(project),
         *_gaps_in_numbers(list(project.ambiguities)),
         *_unchecked(project.controls.unchecked),
-        *_stale_reasons(project, rows, readings),
+        *_void_reasons(project, rows, readings),
+        *_pointing_nowhere(project),
     ]
     return Matrix(rows, readings, tuple(problems))
 
@@ -158,7 +159,7 @@ def _unchecked(definitions: Sequence[Definition]) -> list[str]:
     return [f"{d.module}.{d.name}: names {', '.join(d.tags)}, and no model checks it" for d in definitions]
 
 
-def _stale_reasons(project: Project, rows: Sequence[Row], readings: Mapping[str, Cell]) -> list[str]:
+def _void_reasons(project: Project, rows: Sequence[Row], readings: Mapping[str, Cell]) -> list[str]:
     cells = {(row.id, column): cell for row in rows for column, cell in row.cells.items()}
     cells |= {(name, READING): cell for name, cell in readings.items()}
     return [
@@ -167,4 +168,16 @@ def _stale_reasons(project: Project, rows: Sequence[Row], readings: Mapping[str,
         else f"{REASONS}: {name} has no column {column}"
         for name, column in project.reasons
         if (name, column) not in cells or cells[name, column].entries.names
+    ]
+
+
+def _pointing_nowhere(project: Project) -> list[str]:
+    """A reason that points to another formula, control or log is worth no more than what it points to."""
+    known = {d.name for d in project.controls.properties} | project.controls.names | project.logs.files
+    reasons = dict.fromkeys(project.reasons.values())
+    return [
+        f"{REASONS}: {reason.ids[0]}: {name} does not exist, or no model checks it"
+        for reason in reasons
+        for name in named(reason.reason)
+        if name not in known
     ]

@@ -64,7 +64,7 @@ def place(row: Row) -> str:
     properties = ", ".join(_modules(row.properties))
     if modules and properties:
         return f"{modules}; property: {properties}"
-    return modules or (f"property: {properties}" if properties else f"left out: {row.cells['formula'].kind}")
+    return modules or (f"property: {properties}" if properties else f"no formula: {row.cells['formula'].kind}")
 
 
 def _counts(matrix: Matrix) -> str:

@@ -5,6 +5,7 @@ The file is a list of ``{"ids": [...], "columns": [...], "kind": ..., "reason": 
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -33,6 +34,14 @@ class Reason(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     columns: Annotated[tuple[Column, ...], msgspec.Meta(min_length=1)]
     kind: Kind
     reason: Annotated[str, msgspec.Meta(min_length=20)]
+
+
+_NAME = re.compile(r"\bneg-[\w-]+|\b(?:accept|reject)/[\w-]+|\b[A-Z]\w*(?:Prop|Inv)\b")
+
+
+def named(reason: str) -> list[str]:
+    """The negative controls, logs and properties that a reason points to."""
+    return _NAME.findall(reason)
 
 
 Reasons = dict[tuple[str, Column], Reason]
