@@ -175,7 +175,7 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     [
         ("spec/Rules.tla", "[TINT-01] ..", "", ["TINT-01: no formula", "TINT-01: no model that would fail without it"]),
         ("spec/Properties.tla", "[TINT-01]", "", ["TINT-01: no property that a model checks"]),
-        ("spec/Rules.tla", 'Reading("AMB-01")', "One", ["AMB-01: no formula looks its letter up"]),
+        ("spec/Rules.tla", 'Reading("AMB-01")', "One", ["AMB-01: no formula that looks its letter up"]),
         (
             "spec/Rules.tla",
             "[OBS-09]",
@@ -202,7 +202,7 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
                 "OBS-08: no rejected log",
             ],
         ),
-        ("docs/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula looks its letter up"]),
+        ("docs/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula that looks its letter up"]),
         ("docs/readings.md", "| 01 | Which? | (a), (b) | a |\n", "", ["docs/readings.md: no AMB-01"]),
     ],
 )

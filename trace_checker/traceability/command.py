@@ -11,6 +11,7 @@ from trace_checker.traceability.detail import detail
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.matrix import Matrix, build, counts
 from trace_checker.traceability.page import page, place
+from trace_checker.traceability.problems import problems
 from trace_checker.traceability.project import PAGE, REQUIREMENTS, Project, find_project, read_project
 
 GAPS, UNREADABLE = 1, 2
@@ -42,12 +43,12 @@ def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ..
     except UnreadableError as error:
         click.echo(f"error: {error}", err=True)
         return UNREADABLE
-    problems = [*matrix.problems, *(f"{path}: not up to date: s7check requirements --write" for path in stale)]
+    found = [*problems(project, matrix), *(f"{path}: not up to date: s7check requirements --write" for path in stale)]
     click.echo(_summary(matrix))
-    for problem in problems:
+    for problem in found:
         click.echo(problem)
-    click.echo(f"problems: {len(problems)}" if problems else "nothing is missing")
-    return GAPS if problems else 0
+    click.echo(f"problems: {len(found)}" if found else "nothing is missing")
+    return GAPS if found else 0
 
 
 def _pages(root: Path, project: Project, matrix: Matrix, *, write: bool) -> list[Path]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from trace_checker.traceability.errors import UnreadableError
-from trace_checker.traceability.matrix import READING, Cell, Matrix
+from trace_checker.traceability.matrix import Cell, Matrix
 from trace_checker.traceability.modules import Definition
 from trace_checker.traceability.project import MANIFEST, TRACES, Project
 from trace_checker.traceability.reasons import Column
@@ -14,7 +14,7 @@ from trace_checker.traceability.reasons import Column
 
 def detail(root: Path, project: Project, matrix: Matrix, ids: Sequence[str]) -> str:
     """What `matrix` has of these, a line for each entry. Raises `UnreadableError` for one that does not exist."""
-    rows = {row.id: row.cells for row in matrix.rows} | {n: {READING: cell} for n, cell in matrix.readings.items()}
+    rows = matrix.cells()
     unknown = [name for name in ids if name not in rows]
     if unknown:
         raise UnreadableError(f"{unknown[0]}: no such requirement or ambiguity")

@@ -1,15 +1,14 @@
-"""Each requirement beside what it has, and what is missing."""
+"""Each requirement beside what it has, or the reason why it has nothing."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.modules import Definition, Module
-from trace_checker.traceability.project import READINGS, REASONS, Project
-from trace_checker.traceability.reasons import Column, Reason, named
+from trace_checker.traceability.project import Project
+from trace_checker.traceability.reasons import Column, Reason
 
 COLUMNS: dict[Column, str] = {
     "formula": "formula",
@@ -22,7 +21,6 @@ READING: Column = "reading"
 NOT_DONE = "not done"
 MODULE = "module"
 """The kind of a reason that the box of a module gives."""
-
 
 NOTHING = Entries()
 
@@ -54,11 +52,14 @@ class Row:
 
 @dataclass(frozen=True)
 class Matrix:
-    """All requirements, the formulas that look up each ambiguity, and everything that is wrong."""
+    """All requirements, and the formulas that look up each ambiguity."""
 
     rows: tuple[Row, ...]
     readings: Mapping[str, Cell]
-    problems: tuple[str, ...]
+
+    def cells(self) -> dict[str, Mapping[Column, Cell]]:
+        """The cells of all requirements and ambiguities."""
+        return {row.id: row.cells for row in self.rows} | {n: {READING: cell} for n, cell in self.readings.items()}
 
 
 @dataclass(frozen=True)
@@ -101,15 +102,7 @@ def build(project: Project) -> Matrix:
         for name in project.ambiguities
     }
     readings = {name: _cell(found, project.reasons.get((name, READING))) for name, found in lookups.items()}
-    problems = [
-        *_gaps(rows, readings),
-        *_unknown(project),
-        *_gaps_in_numbers(list(project.ambiguities)),
-        *_unchecked(project.controls.unchecked),
-        *_void_reasons(project, rows, readings),
-        *_pointing_nowhere(project),
-    ]
-    return Matrix(rows, readings, tuple(problems))
+    return Matrix(rows, readings)
 
 
 def _row(name: str, project: Project, rules: Sequence[Module]) -> Row:
@@ -135,49 +128,3 @@ def _definitions(definitions: Sequence[Definition]) -> Entries:
 
 def _cell(found: Entries, reason: Reason | None) -> Cell:
     return Cell(found) if found.names or reason is None else Cell(NOTHING, reason.kind, reason.reason)
-
-
-def _gaps(rows: Sequence[Row], readings: Mapping[str, Cell]) -> list[str]:
-    gaps = [f"{row.id}: no {COLUMNS[column]}" for row in rows for column, cell in row.cells.items() if cell.missing]
-    return gaps + [f"{name}: no formula looks its letter up" for name, cell in readings.items() if cell.missing]
-
-
-def _unknown(project: Project) -> list[str]:
-    known = {*project.requirements, *project.ambiguities}
-    return [
-        f"{path}: {name} does not exist" for path, names in project.cited.items() for name in names if name not in known
-    ]
-
-
-def _gaps_in_numbers(ambiguities: Sequence[str]) -> list[str]:
-    """Ambiguities are numbered through, so that a row that is lost can be seen."""
-    numbers = [0, *sorted(int(name.split("-")[1]) for name in ambiguities)]
-    return [f"{READINGS}: no AMB-{n:02}" for low, high in pairwise(numbers) for n in range(low + 1, high)]
-
-
-def _unchecked(definitions: Sequence[Definition]) -> list[str]:
-    return [f"{d.module}.{d.name}: names {', '.join(d.tags)}, and no model checks it" for d in definitions]
-
-
-def _void_reasons(project: Project, rows: Sequence[Row], readings: Mapping[str, Cell]) -> list[str]:
-    cells = {(row.id, column): cell for row in rows for column, cell in row.cells.items()}
-    cells |= {(name, READING): cell for name, cell in readings.items()}
-    return [
-        f"{REASONS}: {name}: the reason for no {column} is void, there is {cells[name, column].entries.names[0]}"
-        if (name, column) in cells
-        else f"{REASONS}: {name} has no column {column}"
-        for name, column in project.reasons
-        if (name, column) not in cells or cells[name, column].entries.names
-    ]
-
-
-def _pointing_nowhere(project: Project) -> list[str]:
-    """A reason that points to another formula, control or log is worth no more than what it points to."""
-    known = {d.name for d in project.controls.properties} | project.controls.names | project.logs.files
-    reasons = dict.fromkeys(project.reasons.values())
-    return [
-        f"{REASONS}: {reason.ids[0]}: {name} does not exist, or no model checks it"
-        for reason in reasons
-        for name in named(reason.reason)
-        if name not in known
-    ]

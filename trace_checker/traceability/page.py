@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from itertools import groupby
 
 from trace_checker.traceability.entries import Entries
-from trace_checker.traceability.matrix import COLUMNS, MODULE, READING, Cell, Matrix, Row, counts
+from trace_checker.traceability.matrix import COLUMNS, MODULE, Cell, Matrix, Row, counts
 from trace_checker.traceability.modules import Definition
 from trace_checker.traceability.project import Project
 from trace_checker.traceability.reasons import KINDS
@@ -124,8 +124,7 @@ def _modules(definitions: Iterable[Definition]) -> list[str]:
 def _reasons(matrix: Matrix) -> list[str]:
     """One line for the requirements that lack the same columns for the same reason."""
     lines: dict[tuple[str, str, str], list[str]] = {}
-    requirements = [(row.id, row.cells) for row in matrix.rows]
-    for name, cells in [*requirements, *((name, {READING: cell}) for name, cell in matrix.readings.items())]:
+    for name, cells in matrix.cells().items():
         for kind, reason in dict.fromkeys((cell.kind, cell.reason) for cell in cells.values() if cell.reason):
             without = [column for column, cell in cells.items() if cell.reason == reason]
             lines.setdefault((", ".join(without), kind, reason), []).append(name)
