@@ -73,6 +73,11 @@ LostProp ==
     [][ step'.event \in {"reached", "elapsed", "interrupt"} /\ step'.ob \in irt.blocked
           => UNCHANGED <<requests, stopCause>> ]_vars
 
+(* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU. *)
+NoStopProp ==
+    [][ stopCause' # stopCause => /\ stopCause' = \h4568 => 80 \notin irt.blocked
+                                  /\ stopCause' = \h456D => 85 \notin irt.blocked ]_vars
+
 (* [IRT-01] [OBS-33] Nothing new waits for an OB that is blocked. *)
 NothingNewProp ==
     [][ \A o \in irt.blocked :

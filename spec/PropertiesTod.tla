@@ -11,7 +11,8 @@ TodCalls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT"}
 
 (* The running OB calls. *)
 CallerProp ==
-    [][ step'.event \in TodCalls \cup {"DIS_AIRT", "EN_AIRT"}
+    [][ step'.event \in TodCalls \cup {"SRT_DINT", "CAN_DINT", "QRY_DINT", "DIS_IRT",
+                                     "EN_IRT", "DIS_AIRT", "EN_AIRT"}
           => stack # <<>> ]_vars
 
 (* [TINT-05] [TINT-31] [TINT-50] Only what is set is active, and only what  *)
