@@ -33,7 +33,7 @@ from trace_checker.mutants.syntax import Module, SyntaxTreeError
 
 UNEXPLAINED, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
 
-NOT_MUTATED = ("Properties*", "Typedefs", "Explain")
+NOT_MUTATED = ("Properties*", "Typedefs", "Explain", "Reasons")
 """What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
 
 

@@ -42,6 +42,14 @@ def test_verdict(entry: dict[str, Any], reports: dict[str, dict[str, Any]]) -> N
     assert bool(report["requirements"]) == (entry["verdict"] == "rejected")
 
 
+def test_requirements_decide(reports: dict[str, dict[str, Any]]) -> None:
+    """The requirements of a rejection are those that the index names, at least one of them, and few others."""
+    rejected = {entry["file"]: set(entry["requirements"]) for entry in INDEX if entry["verdict"] == "rejected"}
+    others = [file for file, ids in rejected.items() if not ids & set(reports[file]["requirements"])]
+    assert len(others) <= len(rejected) // 100, others
+    assert max(len(reports[file]["requirements"]) for file in rejected) <= 8
+
+
 def test_index_is_complete() -> None:
     """Every log is in the index once, in the folder of its verdict."""
     folders = {"accepted": "accept", "rejected": "reject", "unusable": "unusable"}

@@ -4,7 +4,7 @@
 (* set, and set to any number up to a limit.  Before it is read it may     *)
 (* double unseen while it is under 8.  At Full no time elapses.            *)
 (***************************************************************************)
-EXTENDS Integers
+EXTENDS Integers, Sequences
 
 VARIABLES count, time
 
@@ -37,9 +37,10 @@ Observe(e) ==
     /\ time' = time
 
 Expected(e) == {[event |-> "read", value |-> count]}
-Deciding(e) == {"TINY-01"}
+Deciding(e, past) == {"TINY-01"} \cup {"TINY-" \o p.event : p \in {past[i] : i \in DOMAIN past}}
+Distance(e) == IF count < e.value THEN e.value - count ELSE count - e.value
 TooLate(e) == {[event |-> "set", value |-> 0]}
-LateRequirements(e) == {"TINY-02"}
+LateRequirements(e, past) == {"TINY-02"}
 
 Next == Silent
 =============================================================================

@@ -12,6 +12,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import tlc2.tool.StateVec;
 import tlc2.tool.TLCState;
+import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -31,6 +32,7 @@ final class Explanation {
 
   private final Specification spec;
   private final RecordValue noEvent;
+  private final Past past = new Past();
   private List<TLCState> states;
 
   /**
@@ -41,9 +43,19 @@ final class Explanation {
    */
   Explanation(Specification spec, JsonObject header) {
     this.spec = spec;
+    try {
+      noEvent = (RecordValue) spec.value("NoEvent", spec.initialState());
+      begin(header);
+    } catch (NotCovered e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw NotCovered.because("at the header", e);
+    }
+  }
+
+  private void begin(JsonObject header) {
     TLCState blank = spec.initialState();
-    Value h = Values.like(spec.value("NoHeader", blank, null), header);
-    noEvent = (RecordValue) spec.value("NoEvent", blank, null);
+    Value h = Values.like(spec.value("NoHeader", blank), header);
     JsonElement open = Values.toJson(spec.value("NotCovered", blank, h));
     if (!open.getAsJsonArray().isEmpty()) {
       throw new NotCovered("the header asks for what the specification does not cover: " + open);
@@ -60,13 +72,25 @@ final class Explanation {
    * Observes one event.
    *
    * @return null if it is explained, else why not; the states are then those before the event
-   * @throws NotCovered if more states explain the log than can be followed
+   * @throws NotCovered if more states explain the log than can be followed, or if the
+   *     specification cannot be evaluated for this event
    */
   Refusal observe(JsonObject json) {
+    try {
+      return observed(json);
+    } catch (NotCovered e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw NotCovered.because("at the event " + json.get("event"), e);
+    }
+  }
+
+  private Refusal observed(JsonObject json) {
     Value event = Values.like(noEvent, json);
-    List<TLCState> arrived = elapse(event);
+    List<TLCState> stuck = new ArrayList<>();
+    List<TLCState> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
-      return refusal("TooLate", "LateRequirements", states, event);
+      return refusal("TooLate", "LateRequirements", stuck, stuck, event);
     }
     List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
@@ -74,13 +98,15 @@ final class Explanation {
       addAll(after, spec.successors("Observe", state, event));
     }
     if (after.isEmpty()) {
-      return refusal("Expected", "Deciding", ready, event);
+      return refusal("Expected", "Deciding", ready, nearest(ready, event), event);
     }
     states = distinct(after);
+    past.add(json, event);
     return null;
   }
 
-  private List<TLCState> elapse(Value event) {
+  /** The states when time has elapsed to the event; those that cannot get there go to {@code stuck}. */
+  private List<TLCState> elapse(Value event, List<TLCState> stuck) {
     if (states.size() == 1 && spec.holds("Arrived", states.get(0), event)) {
       return states;
     }
@@ -95,6 +121,9 @@ final class Explanation {
         continue;
       }
       StateVec next = spec.successors("Elapse", state, event);
+      if (next.size() == 0) {
+        stuck.add(state);
+      }
       // A single state that goes on alone, the usual case, needs no fingerprint, unless it goes
       // round in circles.
       boolean alone =
@@ -135,14 +164,36 @@ final class Explanation {
     return closed;
   }
 
-  private Refusal refusal(String expected, String deciding, List<TLCState> from, Value event) {
+  /** The states that come nearest to the event, by the specification's own measure. */
+  private List<TLCState> nearest(List<TLCState> from, Value event) {
+    List<TLCState> nearest = new ArrayList<>();
+    int least = Integer.MAX_VALUE;
+    for (TLCState state : from) {
+      int distance = ((IntValue) spec.value("Distance", state, event)).val;
+      if (distance < least) {
+        least = distance;
+        nearest.clear();
+      }
+      if (distance == least) {
+        nearest.add(state);
+      }
+    }
+    return nearest;
+  }
+
+  private Refusal refusal(
+      String expected, String deciding, List<TLCState> from, List<TLCState> near, Value event) {
+    Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
-    var requirements = new TreeSet<String>();
     for (TLCState state : from) {
       for (JsonElement e : Values.toJson(spec.value(expected, state, event)).getAsJsonArray()) {
         allowed.put(e.toString(), e);
       }
-      for (JsonElement r : Values.toJson(spec.value(deciding, state, event)).getAsJsonArray()) {
+    }
+    var requirements = new TreeSet<String>();
+    for (TLCState state : near) {
+      Value ids = spec.value(deciding, state, event, lines);
+      for (JsonElement r : Values.toJson(ids).getAsJsonArray()) {
         requirements.add(r.getAsString());
       }
     }

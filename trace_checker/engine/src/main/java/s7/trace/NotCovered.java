@@ -7,4 +7,16 @@ final class NotCovered extends RuntimeException {
   NotCovered(String message) {
     super(message);
   }
+
+  private NotCovered(String message, Throwable cause) {
+    super(message, cause);
+  }
+
+  /** TLC or the engine could not evaluate the specification {@code where}. */
+  static NotCovered because(String where, RuntimeException cause) {
+    String said = cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    return new NotCovered(
+        "the specification cannot be evaluated " + where + ": " + said.strip().replaceAll("\\s+", " "),
+        cause);
+  }
 }

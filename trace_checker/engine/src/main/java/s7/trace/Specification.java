@@ -50,27 +50,27 @@ final class Specification {
   }
 
   /** The successors of {@code state} under the action {@code name}, applied to {@code argument}. */
-  StateVec successors(String name, TLCState state, Value argument) {
+  StateVec successors(String name, TLCState state, Value... arguments) {
     OpDefNode operator = operator(name);
     return tool.getNextStates(
-        new Action(operator.getBody(), bind(operator, argument), operator), state);
+        new Action(operator.getBody(), bind(operator, arguments), operator), state);
   }
 
   /** The value of a state function or state predicate. */
-  Value value(String name, TLCState state, Value argument) {
+  Value value(String name, TLCState state, Value... arguments) {
     OpDefNode operator = operator(name);
     IValue value =
         tool.eval(
             operator.getBody(),
-            bind(operator, argument),
+            bind(operator, arguments),
             state,
             state.createEmpty(),
             EvalControl.Clear);
     return (Value) value;
   }
 
-  boolean holds(String name, TLCState state, Value argument) {
-    return ((BoolValue) value(name, state, argument)).val;
+  boolean holds(String name, TLCState state, Value... arguments) {
+    return ((BoolValue) value(name, state, arguments)).val;
   }
 
   private OpDefNode operator(String name) {
@@ -85,9 +85,13 @@ final class Specification {
         });
   }
 
-  /** Binds the operator's only parameter, if it has one. */
-  private static Context bind(OpDefNode operator, Value argument) {
+  /** Binds the operator's parameters; arguments that it does not take are left over. */
+  private static Context bind(OpDefNode operator, Value... arguments) {
+    Context context = Context.Empty;
     FormalParamNode[] parameters = operator.getParams();
-    return parameters.length == 0 ? Context.Empty : Context.Empty.cons(parameters[0], argument);
+    for (int i = 0; i < parameters.length; i++) {
+      context = context.cons(parameters[i], arguments[i]);
+    }
+    return context;
   }
 }

@@ -65,7 +65,7 @@ class EngineTest {
     var rejected =
         Tiny.json(
             "{'line': 3, 'expected': [{'event': 'read', 'value': 10}],"
-                + " 'requirements': ['TINY-01'], 'verdict': 'rejected', 'events': 1}");
+                + " 'requirements': ['TINY-01', 'TINY-read'], 'verdict': 'rejected', 'events': 1}");
     assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
     assertEquals(
         List.of(rejected),

@@ -86,6 +86,27 @@ class ExplanationTest {
   }
 
   @Test
+  @DisplayName("what decides depends on the lines before, the refused one not among them")
+  void past() {
+    var explanation = begin("{'first': 10}");
+    assertNull(observe(explanation, "{'event': 'set', 'value': 3}"));
+    var refusal = observe(explanation, "{'event': 'read', 'value': 4}");
+    assertEquals(Set.of("TINY-01", "TINY-set"), refusal.requirements());
+  }
+
+  @Test
+  @DisplayName("of the lines before, the latest are kept and of older ones the last of a kind")
+  void longPast() {
+    var explanation = begin("{'first': 10}");
+    assertNull(observe(explanation, "{'event': 'any', 'value': 1}"));
+    for (int i = 0; i <= 2 * Past.LATEST; i++) {
+      assertNull(observe(explanation, "{'event': 'set', 'value': 30}"));
+    }
+    var refusal = observe(explanation, "{'event': 'read', 'value': 4}");
+    assertEquals(Set.of("TINY-01", "TINY-any", "TINY-set"), refusal.requirements());
+  }
+
+  @Test
   @DisplayName("an event that no time can elapse to comes too late")
   void tooLate() {
     var refusal = observe(begin("{'first': 99}"), "{'event': 'read', 'at': 1, 'value': 99}");

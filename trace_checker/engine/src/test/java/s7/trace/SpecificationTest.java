@@ -24,7 +24,7 @@ class SpecificationTest {
   }
 
   private static Value header(String json) {
-    return Values.like(spec.value("NoHeader", spec.initialState(), null), Tiny.json(json));
+    return Values.like(spec.value("NoHeader", spec.initialState()), Tiny.json(json));
   }
 
   private static StateVec begin(String header) {
@@ -46,22 +46,22 @@ class SpecificationTest {
   @DisplayName("equal states have equal fingerprints, however they were reached")
   void equalStates() {
     TLCState two = begin("{'first': 2}").elementAt(0);
-    TLCState doubled = spec.successors("Silent", two, null).elementAt(0);
+    TLCState doubled = spec.successors("Silent", two).elementAt(0);
     assertEquals(begin("{'first': 4}").elementAt(0).fingerPrint(), doubled.fingerPrint());
   }
 
   @Test
   @DisplayName("an action that is not enabled has no successors")
   void notEnabled() {
-    assertEquals(0, spec.successors("Silent", begin("{'first': 8}").elementAt(0), null).size());
+    assertEquals(0, spec.successors("Silent", begin("{'first': 8}").elementAt(0)).size());
   }
 
   @Test
   @DisplayName("a state predicate depends on the state and on its argument")
   void predicates() {
-    assertFalse(spec.holds("Stirs", spec.initialState(), null));
-    assertTrue(spec.holds("Stirs", begin("{'first': 1}").elementAt(0), null));
-    Value blank = spec.value("NoEvent", spec.initialState(), null);
+    assertFalse(spec.holds("Stirs", spec.initialState()));
+    assertTrue(spec.holds("Stirs", begin("{'first': 1}").elementAt(0)));
+    Value blank = spec.value("NoEvent", spec.initialState());
     assertTrue(spec.holds("Arrived", spec.initialState(), blank));
     Value later = Values.like(blank, Tiny.json("{'at': 1}"));
     assertFalse(spec.holds("Arrived", spec.initialState(), later));
@@ -70,14 +70,14 @@ class SpecificationTest {
   @Test
   @DisplayName("a constant is evaluated")
   void constants() {
-    assertEquals(IntValue.gen(99), spec.value("Full", spec.initialState(), null));
+    assertEquals(IntValue.gen(99), spec.value("Full", spec.initialState()));
   }
 
   @Test
   @DisplayName("an operator that is missing is named")
   void missingOperator() {
     var error = assertThrows(
-        IllegalStateException.class, () -> spec.value("Missing", spec.initialState(), null));
+        IllegalStateException.class, () -> spec.value("Missing", spec.initialState()));
     assertTrue(error.getMessage().contains("Missing"));
   }
 }
