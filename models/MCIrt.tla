@@ -16,7 +16,7 @@ MCObNumbers == {10, 80}
 MCIrtModes == {1, 3, 130}
 MCMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 30000)}
 MCPowerOnMoments == {Moment(0, 30000)}
-MCInterrupts == {<<40, 0>>}
+MCInterrupts == {<<40, 0>>, <<80, 1>>}
 MCRestartTypes == {"warm"}
 
 Bounded == /\ delay = 0

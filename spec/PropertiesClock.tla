@@ -43,8 +43,8 @@ CatchUpProp ==
             LET new == NewOf(o)
             IN  /\ o \notin SkippedNow => new = {}
                 /\ /\ o \in SkippedNow /\ ~OnStack(o)
-                   /\ ~\E r \in requests : r.ob = o
-                     => Cardinality(new) = 1
+                   /\ { r \in requests : r.ob = o } = {}
+                   => Cardinality(new) = 1
                 /\ o \in SkippedNow /\ ~OnStack(o) => PendingIn(requests', o)
                 /\ Cardinality(new) <= 1
                 /\ \A r \in new : /\ r.since = At(tod[o].next)

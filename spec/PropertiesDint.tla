@@ -77,7 +77,7 @@ ElapsedProp ==
               /\ mode \in {"RUN", "STARTUP"}
               /\ o \in irt.blocked => UNCHANGED <<requests, stopCause>>
               /\ /\ o \notin irt.blocked /\ ~Deselected(o) /\ ~OnStack(o)
-                 /\ ~\E q \in requests : q.ob = o
+                 /\ { q \in requests : q.ob = o } = {}
                  => \E r \in new : r.word = dint[o].sign /\ r.dtime = dint[o].dtime ]_vars
 
 (* [DINT-10] [AMB-47] While its OB runs: a time error, and at most one run   *)
