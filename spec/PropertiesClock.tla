@@ -76,11 +76,12 @@ HoldSkipProp ==
                  r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
           ELSE stopCause' # NoCause ]_vars
 
-(* Setting the clock changes no setting, and no OB starts or ends by it. *)
+(* Setting the clock changes no setting, but of a blocked once that is      *)
+(* skipped [AMB-12], and no OB starts or ends by it.                       *)
 ClockOnlyProp ==
     [][ Did("clock") => /\ clock' # clock
                         /\ UNCHANGED <<mode, stack, delay, startup>>
-                        /\ \A o \in TodObs :
+                        /\ \A o \in TodObs \ irt.blocked :
                              /\ tod'[o].set = tod[o].set
                              /\ tod'[o].active = tod[o].active
                              /\ tod'[o].start = tod[o].start

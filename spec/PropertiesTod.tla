@@ -187,5 +187,7 @@ SettingStaysProp ==
           tod'[o].set # tod[o].set \/ tod'[o].active # tod[o].active
             \/ tod'[o].start # tod[o].start
           => \/ step'.ob = o /\ step'.event \in TodCalls \cup {"start", "missing"}
-             \/ Did("restart") ]_vars
+             \/ Did("restart")
+             \/ /\ o \in irt.blocked  \* a once that is lost is used up [AMB-12]
+                /\ step'.event \in {"reached", "clock", "release"} ]_vars
 =============================================================================

@@ -120,11 +120,11 @@ ObMissing(r) ==
     LET known == \/ r.ob \in TodObs /\ Reading("AMB-06") = "b"
                  \/ r.ob \in DintObs /\ Reading("AMB-06") \in {"b", "delay"}
     IN  \/ IF Reading("AMB-06") = "c" /\ r.ob \in TodObs \cup DintObs
-           THEN TimeErrorOccurs(Remove(requests, r), Remove(requests, r),
+           THEN TimeErrorOccurs(RequestsAfterCall(r), RequestsAfterCall(r),
                                 TimeError(UnknownFault, {}, r.ob, r.word))
-           ELSE ProgramErrorOccurs(Remove(requests, r), r)
+           ELSE ProgramErrorOccurs(RequestsAfterCall(r), r)
         \/ /\ known
-           /\ requests' = Remove(requests, r)
+           /\ requests' = RequestsAfterCall(r)
            /\ UNCHANGED stopCause /\ NothingEntered
 
 (* [OBS-23] [AMB-75] Asynchronous errors without their OB. *)

@@ -35,12 +35,12 @@ Unserved(t, p) ==
     ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p ELSE @,
                                !.gapTo   = p ]
 
-(* [AMB-12] A once that is lost is used up.  [AMB-71] (b) Any once is, when *)
-(* its point is reached.                                                   *)
+(* [AMB-12] A once that is lost is used up, unless an earlier run of it      *)
+(* waits still.  [AMB-71] (b) Any once is, when its point is reached.      *)
 \* @type: (Int, $tod) => $tod;
 AfterPoint(o, t) ==
     IF /\ t.period = Once
-       /\ \/ Blocked(o) /\ Reading("AMB-12") = "a"
+       /\ \/ Blocked(o) /\ Reading("AMB-12") = "a" /\ ~PendingIn(requests, o)
           \/ Reading("AMB-71") = "b"
     THEN UsedUp(t) ELSE t
 
