@@ -148,6 +148,16 @@ def test_specified_in(project: Path, run: Run) -> None:
     assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
 
 
+@pytest.mark.parametrize("name", ["Explain", "Reasons"])
+def test_modules_that_word_rejections(name: str, project: Path, run: Run) -> None:
+    """What they name and look up stands for no rule."""
+    assert run("--write") == 0
+    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    (project / "spec" / f"{name}.tla").write_text(SPEC.replace("Rules", name), encoding="utf-8")
+    assert run("--write") == 0
+    assert (project / "docs" / "traceability.md").read_text(encoding="utf-8") == page
+
+
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """One requirement is shown with files and lines."""
     assert run("TINT-02", "OBS-09", "AMB-01") == 0

@@ -16,6 +16,9 @@ from pathlib import Path
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.ids import RangeError, tagged
 
+WORDING = ("Explain", "Reasons")
+"""The modules that only say why a log is rejected."""
+
 _DEFINITION = re.compile(r"^(?:LOCAL\s+)?(\w+)[ \t]*(?:\([^=]*?\)|\[[^=]*?\])?\s*==(?!=)", re.MULTILINE)
 _DECLARATION = re.compile(r"^(?:VARIABLES?|CONSTANTS?)\b((?:.*\n)(?:[ \t].*\n|\n)*)", re.MULTILINE)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
@@ -58,8 +61,8 @@ class Module:
 
     @property
     def states_rules(self) -> bool:
-        """Whether the module says what the CPU does; Explain only words a rejection."""
-        return not self.states_properties and self.name != "Explain"
+        """Whether the module says what the CPU does."""
+        return not self.states_properties and self.name not in WORDING
 
     def at(self, text: str) -> list[Definition]:
         """The definitions in which the first occurrence of a piece of text stands."""

@@ -21,7 +21,7 @@ requirement with files and lines.
 
 | column | comes from |
 |---|---|
-| formula | the definitions of `spec/` whose comment names the requirement (not `Explain`, which words rejections) |
+| formula | the definitions of `spec/` whose comment names the requirement, but not of `Explain` and `Reasons` |
 | property | the definitions of `spec/Properties*.tla` and `models/` whose comment names it, if some model checks them |
 | model | before the semicolon the models that name it in `models/manifest.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: only the changed formula names the requirement, not the property that fails |
