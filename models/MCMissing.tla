@@ -6,8 +6,8 @@
 EXTENDS MCBase
 
 MCTodObs == {10}
-MCFamilies == TwoFamilies
-MCLoads == { {80} \cup l : l \in SUBSET {10, 85} }
+MCFamilies == {"S7-400"}
+MCLoads == {{80}, {10, 80}, {80, 85}}
 MCChangingObs == {80}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)],
                     [o \in TodObs |-> Activated("once", 1)]}
@@ -16,5 +16,8 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
 MCRestartTypes == {"warm"}
 
-Bounded == delay <= 1 /\ Waiting(1)
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ delay <= 1
+           /\ Waiting(1)
+           /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================
