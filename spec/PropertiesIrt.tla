@@ -85,10 +85,12 @@ NothingNewProp ==
             Cardinality({ r \in requests' : r.ob = o })
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
-(* [IRT-18] [AMB-12] A point that is lost is used up. *)
+(* [IRT-18] [AMB-12] A point that is lost is used up, and so is a once that  *)
+(* does not wait for an earlier run.                                       *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
-          /\ tod[step'.ob].period = Once => ~tod'[step'.ob].active
+          /\ tod[step'.ob].period = Once =>
+               tod'[step'.ob].active => PendingIn(requests, step'.ob)
           /\ ~Before(At(tod'[step'.ob].next - 1), clock) ]_vars
 
 -----------------------------------------------------------------------------
