@@ -1,0 +1,49 @@
+----------------------------- MODULE Inductive ------------------------------
+(***************************************************************************)
+(* An inductive invariant: whatever state it holds in, reachable or not,   *)
+(* it holds after every step of System.  It is what the rules of priority  *)
+(* classes, delays, queues, settings and modes rest on.                    *)
+(*                                                                         *)
+(* models/MCInductive checks the step for all states of small domains.     *)
+(* Left out: what is said of times, of points served, and of the classes   *)
+(* of settable priorities.                                                 *)
+(***************************************************************************)
+EXTENDS PropertiesIrt
+
+(* [OBS-41] Nothing runs, waits, is delayed or calls for a STOP in STOP. *)
+StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0
+                               /\ stopCause = NoCause /\ startup = "none"
+
+(* [OBS-42] [OBS-43] STARTUP and its OB belong together. *)
+StartingInv ==
+    /\ (mode = "STARTUP") = (startup # "none")
+    /\ \A i \in DOMAIN stack :
+         IF mode = "STARTUP" THEN stack[i].ob \in StartupObs \cup AsyncErrorObs
+                             ELSE stack[i].ob \notin StartupObs
+
+(* [TINT-05] [TINT-31] [TINT-50] What is active is set; what is not active  *)
+(* is not watched and does not wait.                                       *)
+ActiveInv ==
+    \A o \in TodObs :
+      /\ tod[o].active => tod[o].set
+      /\ ~tod[o].active => /\ tod[o].next = Never
+                           /\ { r \in requests : r.ob = o } = {}
+
+(* [TINT-02] (c) [OBS-06] A deselected OB does not wait. *)
+DeselectedWaitsInv == \A r \in requests : ~Deselected(r.ob)
+
+(* [OBS-07] A request has its place in the queue of its class. *)
+PlaceInv == \A r \in requests : r.rank >= 1 /\ r.class >= 1
+
+(* [OBS-01] [AIRT-12] [OBS-02] [IRT-20] and all of the above. *)
+IndInv == /\ StackInv
+          /\ AirtInv
+          /\ delay >= 0
+          /\ StoppedInv
+          /\ StartingInv
+          /\ QueueInv
+          /\ PlaceInv
+          /\ ActiveInv
+          /\ DeselectedWaitsInv
+          /\ SilentInv
+=============================================================================

@@ -1,0 +1,71 @@
+------------------------------ MODULE Liveness ------------------------------
+(***************************************************************************)
+(* What must happen in the end, and what has to be assumed for it.         *)
+(*                                                                         *)
+(* Fairness is weak throughout: what can go on without a break happens.    *)
+(* Nothing is assumed of the surroundings: no interrupt, no call, no STOP, *)
+(* restart or setting of the clock has to come.  They must not come        *)
+(* without end either, since a CPU that is flooded with interrupts of high *)
+(* classes serves no low one; models allow a finite number of them         *)
+(* (models/MCLive).                                                        *)
+(* Left out: HOLD, which only the operator ends; what the sources leave    *)
+(* open whether it has an effect ("open" requests).                        *)
+(***************************************************************************)
+EXTENDS System
+
+-----------------------------------------------------------------------------
+(* Assumptions *)
+
+(* [AIRT-08] [OBS-03] The CPU dispatches: it cannot wait for ever with an OB *)
+(* that may start or a STOP that is due.                                   *)
+DispatchFairness == WF_cpuVars(Respond)
+
+(* Programs end: a running OB that is not interrupted for ever comes to its *)
+(* end, however many calls it makes; STARTUP ends and OB 1 starts again.   *)
+(* Cycle monitoring [OBS-26] enforces it on a real CPU.                    *)
+ProgramFairness == WF_cpuVars(~Pressing /\ Proceed)
+
+(* Time passes, and what it brings about happens, unless the CPU is busy    *)
+(* with what it has to do at once.                                         *)
+TimeFairness == WF_cpuVars(~Pressing /\ Time)
+
+CpuFairness == DispatchFairness /\ ProgramFairness
+Fairness    == CpuFairness /\ TimeFairness
+
+-----------------------------------------------------------------------------
+(* Properties *)
+
+WatchedObs == TodObs \cup DintObs \cup { i[1] : i \in Interrupts }
+                \cup {TimeErrorOb}
+
+(* [OBS-07] [OBS-02] No OB waits for ever: it starts, a call withdraws its   *)
+(* start event or a STOP clears it.                                        *)
+ServedLive == \A o \in WatchedObs : PendingIn(requests, o)
+                                       ~> ~PendingIn(requests, o)
+
+(* [OBS-01] [AIRT-01] What could hold it back: a higher class that runs, a   *)
+(* delay, or the mode.                                                     *)
+\* @type: Int => Bool;
+Free(o) == mode = "RUN" /\ delay = 0 /\ Running.class < ClassOf(o)
+
+(* The same where nothing is assumed but that the CPU dispatches: if the    *)
+(* class of the OB is free again and again.                                *)
+ServedWhenFreeLive ==
+    \A o \in WatchedObs : []<>Free(o) => ( PendingIn(requests, o)
+                                             ~> ~PendingIn(requests, o) )
+
+(* [AIRT-02] [AIRT-03] [AIRT-04] A delay comes to its end, and then all that *)
+(* it held back is released.                                               *)
+ReleasedLive == delay > 0 ~> delay = 0 /\ ~Pressing
+
+(* The CPU always comes back to its cycle with nothing left to do: it never *)
+(* goes round for ever between OB 80 and an interrupt.                     *)
+BackToCycleLive == []<>(Running.class <= 1 /\ requests = {})
+
+(* [TINT-09] The point that is watched for comes, or the interrupt is       *)
+(* cancelled, set anew or stopped.                                         *)
+\* @type: (Int, $moment) => Bool;
+Watched(o, t) == Watching /\ tod[o].active /\ NextMoment(tod[o]) = t
+PointLive == \A o \in TodObs : \A t \in Moments :
+               Watched(o, t) ~> ~Watched(o, t)
+=============================================================================
