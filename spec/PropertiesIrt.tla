@@ -89,8 +89,8 @@ NothingNewProp ==
 (* does not wait for an earlier run.                                       *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
-          /\ tod[step'.ob].period = Once =>
-               tod'[step'.ob].active => PendingIn(requests, step'.ob)
+          /\ tod[step'.ob].period = Once /\ tod'[step'.ob].active
+               => PendingIn(requests, step'.ob)
           /\ ~Before(At(tod'[step'.ob].next - 1), clock) ]_vars
 
 -----------------------------------------------------------------------------
