@@ -56,7 +56,7 @@ PlaceIn(q, new) ==
         last  == Cardinality({ r.rank : r \in class })
         same  == { r \in class : /\ r.rank = last
                                  /\ OfOnePoint(r, new) }
-    IN  IF same = {} THEN last + 1 ELSE last
+    IN  IF same = {} \/ [new EXCEPT !.rank = last] \in q THEN last + 1 ELSE last
 
 (* Start events that occur together share a place. *)
 \* @type: (Set($request), Set($request)) => Set($request);
