@@ -24,6 +24,17 @@ NotCovered(h) ==
     { r[1] : r \in { q \in h.readings : q[2] \notin Letters(q[1]) } }
       \cup (IF h.profile \in {""} \cup ProfileNames THEN {} ELSE {h.profile})
 
+\* @type: Str => <<Str, Str>>;
+DefaultOf(a) == <<a, Defaults[a]>>
+
+(* What a header may ask for: CPUs, profiles, and the letters of each        *)
+(* ambiguity.                                                              *)
+Alternatives ==
+    [ families |-> {"S7-300", "S7-400", "CPU 318"},
+      profiles |-> ProfileNames,
+      letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
+      defaults |-> { DefaultOf(a) : a \in Ambiguities } ]
+
 -----------------------------------------------------------------------------
 (* What may be observed in this state *)
 
@@ -62,4 +73,42 @@ TooLate(e) ==
       \cup { Allowed("diag", 0, "id", r.entry.id) : r \in ReportsLate(e) }
       \cup (IF StopDuty \notin DOMAIN waiting THEN {}
             ELSE {Allowed("stop", 0, "cause", stopCause)})
+
+-----------------------------------------------------------------------------
+(* The situation, for people to read *)
+
+(* @typeAlias: waiting = { ob: Int, class: Int, rank: Int, fault: Int,     *)
+(*                         since: $moment, cause: Int, late: Set(Int),     *)
+(*                         follows: Int, open: Bool, ready: Bool,          *)
+(*                         missing: Bool };                                *)
+\* @type: $request => $waiting;
+WaitingAs(r) ==
+    [ ob |-> r.ob, class |-> r.class, rank |-> r.rank, fault |-> r.fault,
+      since |-> r.since, cause |-> r.cause, late |-> r.late,
+      follows |-> r.follows, open |-> r.open, ready |-> MayStart(r),
+      missing |-> r.ob \notin loaded ]
+
+\* @type: Int => <<Int, Int>>;
+WaitedFor(c) == <<c, waiting[c]>>
+
+(* What is set, armed, started, blocked, pending; what runs.                *)
+Situation ==
+    [ mode     |-> mode,
+      clock    |-> clock,
+      running  |-> stack,
+      delay    |-> delay,
+      loaded   |-> loaded,
+      blocked  |-> { o \in Blockable : Blocked(o) },
+      silenced |-> { o \in Blockable : Silenced(o) },
+      stop     |-> stopCause,
+      latency  |-> terms.latency,
+      waited   |-> { WaitedFor(c) : c \in DOMAIN waiting },
+      pending  |-> { WaitingAs(r) : r \in requests },
+      tod      |-> { [ ob |-> o, active |-> tod[o].active, period |-> tod[o].period,
+                       start |-> FirstMoment(tod[o]), next |-> NextMoment(tod[o]),
+                       armed |-> tod[o].active /\ tod[o].next # Never ]
+                     : o \in { p \in DOMAIN tod : tod[p].set } },
+      dint     |-> { [ ob |-> o, left |-> dint[o].left, dtime |-> dint[o].dtime,
+                       sign |-> dint[o].sign ]
+                     : o \in { p \in DOMAIN dint : dint[p].started } } ]
 =============================================================================

@@ -2,10 +2,12 @@
 
 from collections import deque
 from collections.abc import Callable
+from itertools import islice
 
 import click
 
-from trace_checker.engine_client import Answer, Engine
+from trace_checker.engine_answer import NOTHING_TO_CHOOSE, Answer, Candidate
+from trace_checker.engine_client import Engine
 from trace_checker.engine_command import EngineError
 from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.lines import Lines
@@ -21,8 +23,11 @@ Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of events read from it."""
 
 
-def check_log(name: str, engine: Engine, progress: Progress) -> Report:
-    """The verdict about the log ``name`` (``-`` for standard input); never raises for a log."""
+def check_log(name: str, engine: Engine, progress: Progress, profile: str | None = None) -> Report:
+    """The verdict about the log ``name`` (``-`` for standard input); never raises for a log.
+
+    ``profile`` takes the place of that of the header.
+    """
     log = click.format_filename(name)
     recent = _RecentLines()
     unusable: UnusableLogError | None = None
@@ -35,7 +40,7 @@ def check_log(name: str, engine: Engine, progress: Progress) -> Report:
                 for batch in read_log(source.chunks(engine.wait)):
                     recent.add(batch.lines)
                     if batch.header is not None:
-                        engine.begin(batch.header)
+                        engine.begin(batch.header if profile is None else batch.header | {"profile": profile})
                         begun = True
                     engine.send(batch.events)
                     events += len(batch.events)
@@ -70,7 +75,17 @@ def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
         event=recent.get(answer.line or 0),
         expected=expected,
         requirements=answer.requirements,
+        states=answer.states,
+        situations=answer.situations,
+        # Steps that had nothing to act on say least.
+        candidates=sorted(_of_this_event(answer.candidates), key=lambda one: one.values == NOTHING_TO_CHOOSE),
+        lines=recent.up_to(answer.line or 0),
     )
+
+
+def _of_this_event(candidates: list[Candidate]) -> list[Candidate]:
+    """Without the actions that are about another kind of event altogether."""
+    return [one for one in candidates if not one.conjunct.startswith("e.event ")] or candidates
 
 
 class _RecentLines:
@@ -85,6 +100,13 @@ class _RecentLines:
         self._bytes += sum(map(len, lines.texts))
         while self._bytes > _KEPT and len(self._batches) > 1:
             self._bytes -= sum(map(len, self._batches.popleft().texts))
+
+    def up_to(self, number: int) -> list[bytes]:
+        """All lines from the first one to this one; none if the first is no longer at hand."""
+        if not self._batches or self._batches[0].first != 1:
+            return []
+        texts = (text for lines in self._batches for text in lines.texts)
+        return list(islice(texts, number))
 
     def get(self, number: int) -> bytes | None:
         for lines in self._batches:

@@ -7,6 +7,7 @@ from typing import Any, Literal, Self, TypeVar
 
 import msgspec
 
+from trace_checker.engine_answer import Alternatives, Answer
 from trace_checker.engine_command import EngineError, engine_command
 from trace_checker.engine_process import EngineProcess
 from trace_checker.log.errors import printable
@@ -16,31 +17,12 @@ _SHOWN = 300
 _Shape = TypeVar("_Shape")
 
 
-class Allowed(msgspec.Struct, frozen=True):
-    """Something that the specification allows instead of the rejected line.
-
-    ``ob`` is 0 where none belongs to it, ``field`` the field that must have ``value`` or empty.
-    """
-
-    event: str
-    ob: int = 0
-    field: str = ""
-    value: int | str | dict[str, int] = 0
-
-
-class Answer(msgspec.Struct, frozen=True):
-    """The engine's answer to one log; ``events`` were explained before it was decided."""
-
-    verdict: Literal["accepted", "rejected", "error"]
-    line: int | None = None
-    events: int = 0
-    expected: list[Allowed] = []
-    requirements: list[str] = []
-    message: str = ""
-
-
 class _Ready(msgspec.Struct, frozen=True):
     engine: Literal["ready"]
+
+
+class _Alternatives(msgspec.Struct, frozen=True):
+    alternatives: Alternatives = msgspec.field(name="Alternatives")
 
 
 class Engine:
@@ -51,7 +33,8 @@ class Engine:
     process.
 
     A single thread serves both directions. That cannot deadlock: the engine takes every line it is
-    sent, decided or not, and its one line of answer always fits into the pipe.
+    sent, decided or not, and its one line of answer fits into the pipe. With ``follow`` it may not:
+    such a log must end with the line that decides it.
     """
 
     def __init__(self, command: Callable[[], list[str]] = engine_command) -> None:
@@ -59,6 +42,7 @@ class Engine:
         self._idle: EngineProcess | None = None
         self._at_work: EngineProcess | None = None
         self._answer: Answer | None = None
+        self._alternatives: Alternatives | None = None
         self._encoder = msgspec.json.Encoder()
 
     def __enter__(self) -> Self:
@@ -70,17 +54,36 @@ class Engine:
                 process.end(at_once=kind is not None or process is self._at_work)
         self._idle = self._at_work = None
 
-    def begin(self, header: dict[str, Any]) -> None:
-        """Begins a log with its normalised header."""
+    def begin(self, header: dict[str, Any], follow: int = 0) -> None:
+        """Begins a log with its normalised header; the answer will have the last ``follow`` steps."""
         if self._at_work is not None:
             # The log before was given up after an error; nobody knows what is still under way.
             self._at_work.end(at_once=True)
         self._at_work, self._idle = self._idle, None
         if self._at_work is None:
-            self._at_work = EngineProcess(self._command())
-            _decode(self._at_work.line(), _Ready)
+            self._at_work = self._started()
         self._answer = None
-        self._at_work.write(self._encoder.encode({"begin": header}) + b"\n")
+        message: dict[str, Any] = {"begin": header}
+        if follow:
+            message["follow"] = follow
+        self._at_work.write(self._encoder.encode(message) + b"\n")
+
+    def alternatives(self) -> Alternatives:
+        """What a header may ask for; not while a log is at work."""
+        if self._alternatives is None:
+            process = self._idle = self._idle or self._started()
+            process.write(self._encoder.encode({"ask": "Alternatives"}) + b"\n")
+            self._alternatives = _decode(process.line(), _Alternatives).alternatives
+        return self._alternatives
+
+    def _started(self) -> EngineProcess:
+        process = EngineProcess(self._command())
+        try:
+            _decode(process.line(), _Ready)
+        except EngineError:
+            process.end(at_once=True)
+            raise
+        return process
 
     def send(self, events: list[dict[str, Any]]) -> None:
         """Sends normalised events; once the log is decided they are dropped."""

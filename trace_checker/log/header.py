@@ -15,6 +15,9 @@ NO_START = -1
 KINDS = ("call", "ob", "clock", "mode", "interrupt", "load", "diag")
 _DEFAULT_KINDS = tuple(kind for kind in KINDS if kind != "diag")
 
+PROFILES = ("1997", "2006", "2010")
+"""Editions of the manual whose readings a header may ask for together."""
+
 _EXECUTIONS = (
     *("none", "once", "minute", "hourly", "daily"),
     *("weekly", "monthly", "yearly", "end_of_month"),
@@ -80,6 +83,7 @@ _HEADER = Fields(
         "priority": _priorities,
         "step7": mapping("the field tod", {"tod": _tod}),
         "readings": _readings,
+        "profile": choice(*PROFILES),
     },
 )
 
@@ -106,5 +110,6 @@ def read_header(raw: dict[str, object]) -> dict[str, Any]:
         "priority": [[int(ob), level] for ob, level in given.get("priority", {}).items()],
         "step7": [{"ob": int(ob), **parameters} for ob, parameters in time_of_day.items()],
         "readings": [[ambiguity, letter] for ambiguity, letter in given.get("readings", {}).items()],
+        "profile": given.get("profile", ""),
         "records": given.get("records", list(_DEFAULT_KINDS)),
     }

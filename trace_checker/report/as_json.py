@@ -1,7 +1,11 @@
 """One JSON object a log."""
 
+from typing import Any
+
 import msgspec
 
+from trace_checker.report import words
+from trace_checker.report.clauses import clause
 from trace_checker.verdict import Report
 
 
@@ -17,5 +21,21 @@ def to_json(report: Report) -> bytes:
             "expected": report.expected,
             "requirements": report.requirements,
             "message": report.message,
+            **(_explanation(report) if report.verdict == "rejected" else {}),
+            **({} if report.readings is None else {"readings": _readings(report)}),
         }
     )
+
+
+def _explanation(report: Report) -> dict[str, Any]:
+    return {
+        "prefix": {"first": 1, "last": report.line},
+        "clauses": [clause(name) for name in report.requirements],
+        "candidates": report.candidates,
+        "states": report.states,
+        "situations": [[list(said) for said in words.situation(state)] for state in report.situations],
+    }
+
+
+def _readings(report: Report) -> list[dict[str, Any]]:
+    return [{"change": one.change, "verdict": one.verdict, "line": one.line} for one in report.readings or []]

@@ -1,6 +1,6 @@
 """What the specification allows, in the words of the log format."""
 
-from trace_checker.engine_client import Allowed
+from trace_checker.engine_answer import Allowed
 from trace_checker.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})

@@ -38,6 +38,30 @@ def _die() -> None:
 FAILURES: dict[int, Callable[[], None]] = {0xDEAD: _crash, 0x0003: _exhaust, 0xBABE: _babble, 0x0009: _die}
 
 
+MOMENT = {"min": 19_401_479, "ms": 31_000}
+SITUATION = {
+    "mode": "RUN",
+    "clock": MOMENT,
+    "running": [{"ob": 1, "class": 1}, {"ob": 40, "class": 16}],
+    "delay": 1,
+    "pending": [{"ob": 81, "class": 25, "since": MOMENT}],
+    "loaded": [1, 40, 80, 81],
+}
+CANDIDATE = {
+    "action": "EnAirt(1)",
+    "conjunct": "ret = delay - 1",
+    "values": "delay - 1 = 0",
+    "place": "Airt:30",
+    "requirements": ["AIRT-07"],
+}
+ALTERNATIVES = {
+    "families": ["S7-300", "S7-400"],
+    "profiles": ["2006"],
+    "letters": [["AMB-01", ["a", "c"]], ["AMB-12", ["a", "b"]]],
+    "defaults": [["AMB-01", "c"], ["AMB-12", "a"]],
+}
+
+
 def judge(event: dict[str, Any], explained: int) -> Answer | None:
     """The answer that ``event`` decides, or None if the log goes on."""
     if event["event"] == "EN_AIRT" and event["ret"] > 0:
@@ -47,6 +71,9 @@ def judge(event: dict[str, Any], explained: int) -> Answer | None:
             "events": explained,
             "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0}],
             "requirements": ["AIRT-07"],
+            "states": 2,
+            "situations": [SITUATION],
+            "candidates": [CANDIDATE],
         }
     if event["event"] == "hold":
         message = "hold is not covered by the specification"
@@ -58,19 +85,27 @@ def judge(event: dict[str, Any], explained: int) -> Answer | None:
 def main() -> None:
     """Serves logs until the end of the input."""
     print(json.dumps({"engine": "ready", "tlc": "none"}), flush=True)
-    explained, answer = 0, None
+    explained, answer, lenient = 0, None, False
+    steps: list[Answer] | None = None
     for line in sys.stdin:
         for transcript in sys.argv[1:]:
             with Path(transcript).open("a") as file:
                 file.write(line)
         entry = json.loads(line)
-        if "begin" in entry:
+        if "ask" in entry:
+            print(json.dumps({"Alternatives": ALTERNATIVES}), flush=True)
+        elif "begin" in entry:
             explained, answer = 0, None
+            lenient = ["AMB-12", "b"] in entry["begin"]["readings"]
+            steps = [] if "follow" in entry else None
         elif answer is None:
             accepted = {"verdict": "accepted", "events": explained}
-            answer = accepted if "finish" in entry else judge(entry, explained)
+            answer = accepted if "finish" in entry else None if lenient else judge(entry, explained)
             explained += 1
+            if steps is not None and "line" in entry and not answer:
+                steps.append({"line": entry["line"], "situation": SITUATION})
             if answer:
+                answer |= {"steps": steps} if steps else {}
                 print(json.dumps(answer), flush=True)
 
 

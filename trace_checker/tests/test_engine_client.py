@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from trace_checker.engine_client import Allowed, Answer, Engine
+from trace_checker.engine_answer import Allowed, Answer, Frame
+from trace_checker.engine_client import Engine
 from trace_checker.engine_command import EngineError
 from trace_checker.log.reader import Batch, read_log
 from trace_checker.tests.logs import BEGIN, event, log_text
@@ -61,8 +62,11 @@ def test_what_is_sent(fake_command: list[str], tmp_path: Path) -> None:
 def test_answers(engine: Engine) -> None:
     """Any number of logs pass through one process, whatever comes of them."""
     assert feed(engine, event("run"), event("stop")) == Answer("accepted", events=2)
-    rejected = Answer("rejected", 3, 1, [Allowed("EN_AIRT", 0, "ret", 0)], ["AIRT-07"])
-    assert feed(engine, event("run"), event("EN_AIRT", ret=1), event("stop")) == rejected
+    rejected = feed(engine, event("run"), event("EN_AIRT", ret=1), event("stop"))
+    assert (rejected.verdict, rejected.line, rejected.events) == ("rejected", 3, 1)
+    assert (rejected.expected, rejected.requirements) == ([Allowed("EN_AIRT", 0, "ret", 0)], ["AIRT-07"])
+    assert (rejected.states, rejected.candidates[0].place) == (2, "Airt:30")
+    assert rejected.situations[0].running[-1] == Frame(40, 16)
     assert feed(engine, event("hold")).verdict == "error"
     assert feed(engine) == Answer("accepted")
 

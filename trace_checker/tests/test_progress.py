@@ -18,9 +18,10 @@ class Terminal(io.StringIO):
         return True
 
 
-def show(log: Path) -> str:
+def show(log: Path, logs: int = 1) -> str:
     """What reaches standard error when half a log has been read."""
-    with open_log(str(log)) as source, progress.ProgressLine(log.name) as line:
+    with open_log(str(log)) as source, progress.ProgressBar(logs) as line:
+        line.begin(log.name)
         source.taken = 50
         line.update(source, 1234)
         line.update(source, 1235)
@@ -43,6 +44,16 @@ def test_long_log_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(progress, "_DELAY", 0)
     monkeypatch.setenv("TERM", "xterm")
     assert "log: 1,235 events, 50%" in show(log)
+
+
+def test_many_logs_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """How many of the logs are done."""
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    monkeypatch.setattr(progress, "_DELAY", 0)
+    monkeypatch.setenv("TERM", "xterm")
+    shown = show(log, 12)
+    assert "0/12" in shown
+    assert "log: 1,235 events, 50%" in shown
 
 
 def test_short_log(log: Path, monkeypatch: pytest.MonkeyPatch) -> None:

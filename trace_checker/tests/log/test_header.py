@@ -22,6 +22,7 @@ def test_defaults() -> None:
         "priority": [],
         "step7": [],
         "readings": [],
+        "profile": "",
         "records": ["call", "ob", "clock", "mode", "interrupt", "load"],
     }
 
@@ -106,6 +107,8 @@ def test_required(field: str) -> None:
         ("step7", {"tod": {"10": {"deselected": None}}}, "step7.tod.10.deselected"),
         ("step7", {"tod": {"10": []}}, "step7.tod.10"),
         ("readings", {"AMB-79": "a"}, "readings.AMB-79"),
+        ("profile", "1998", "profile"),
+        ("profile", 2006, "profile"),
         ("readings", {"AMB-00": "a"}, "readings.AMB-00"),
         ("readings", {"amb-02": "a"}, "readings.amb-02"),
         ("readings", {"AMB-02": "c"}, "readings.AMB-02"),

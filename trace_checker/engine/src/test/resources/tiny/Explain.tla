@@ -30,6 +30,7 @@ Silent == /\ count < 8
           /\ count' = 2 * count
           /\ time' = time
 
+(* [TINY-03] *)
 Observe(e) ==
     /\ CASE e.event = "read" -> count = e.value /\ count' = count
          [] e.event = "set"  -> count' = e.value
@@ -41,6 +42,18 @@ Deciding(e, past) == {"TINY-01"} \cup {"TINY-" \o p.event : p \in {past[i] : i \
 Distance(e) == IF count < e.value THEN e.value - count ELSE count - e.value
 TooLate(e) == {[event |-> "set", value |-> 0]}
 LateRequirements(e, past) == {"TINY-02"}
+
+(* [TINY-04] *)
+Small(n) == count + n < 3
+Guarded(n) == n >= 0 /\ Small(n) /\ count' = n /\ time' = time
+Either(n) == \/ Guarded(n)
+             \/ \E m \in {} : Guarded(m)
+             \/ LET double == 2 * n
+                IN  IF double > 1 THEN count > n /\ UNCHANGED <<count, time>>
+                                  ELSE Silent
+
+Situation == [count |-> count]
+Alternatives == {1, 2}
 
 Next == Silent
 =============================================================================

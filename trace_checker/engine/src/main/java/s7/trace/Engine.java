@@ -10,8 +10,11 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import tlc2.TLCGlobals;
@@ -23,7 +26,9 @@ import util.ToolIO;
  *
  * <p>Input: {@code {"begin": HEADER}}, then an event a line, then {@code {"finish": true}}; any
  * number of logs. Output: {@code {"engine":"ready",...}} once, then for each log an object with
- * {@code verdict} "accepted", "rejected" or "error".
+ * {@code verdict} "accepted", "rejected" or "error". A log that begins with {@code "follow": N} is
+ * answered with the situations after its last N events. {@code {"ask": OPERATOR}} between two logs is
+ * answered with the operator's value.
  */
 public final class Engine {
   private final Specification spec;
@@ -32,6 +37,8 @@ public final class Engine {
   private Explanation explanation;
   private int events;
   private boolean decided;
+  private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
+  private int follow;
 
   Engine(Specification spec, PrintStream out) {
     this.spec = spec;
@@ -86,13 +93,15 @@ public final class Engine {
   void serve(BufferedReader in) throws IOException {
     for (String line = in.readLine(); line != null; line = in.readLine()) {
       // Once a log is decided its other lines only need to be passed over.
-      if (decided && !line.startsWith("{\"begin\"")) {
+      if (decided && !line.startsWith("{\"begin\"") && !line.startsWith("{\"ask\"")) {
         continue;
       }
       JsonObject json = JsonParser.parseString(line).getAsJsonObject();
       try {
         if (json.has("begin")) {
-          begin(json.getAsJsonObject("begin"));
+          begin(json);
+        } else if (json.has("ask")) {
+          print(explained(json.get("ask").getAsString()));
         } else if (json.has("finish")) {
           answer("accepted", null);
         } else {
@@ -109,16 +118,38 @@ public final class Engine {
     }
   }
 
-  private void begin(JsonObject header) {
+  private void begin(JsonObject json) {
     decided = false;
     events = 0;
-    explanation = new Explanation(spec, header);
+    followed.clear();
+    follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
+    explanation = new Explanation(spec, json.getAsJsonObject("begin"));
+  }
+
+  /** What an operator of the specification says that depends on no log. */
+  private JsonObject explained(String operator) {
+    var answer = new JsonObject();
+    answer.add(operator, Values.toJson(spec.value(operator, spec.initialState())));
+    return answer;
+  }
+
+  private void remember(JsonElement line) {
+    var step = new JsonObject();
+    step.add("line", line);
+    step.add("situation", explanation.situation());
+    followed.addLast(step);
+    if (followed.size() > follow) {
+      followed.removeFirst();
+    }
   }
 
   private void observe(JsonObject event) {
     Explanation.Refusal refusal = explanation.observe(event);
     if (refusal == null) {
       events++;
+      if (follow > 0) {
+        remember(event.get("line"));
+      }
       return;
     }
     var rejected = new JsonObject();
@@ -129,6 +160,11 @@ public final class Engine {
     var requirements = new JsonArray();
     refusal.requirements().forEach(requirements::add);
     rejected.add("requirements", requirements);
+    rejected.addProperty("states", refusal.states());
+    var situations = new JsonArray();
+    refusal.situations().forEach(situations::add);
+    rejected.add("situations", situations);
+    rejected.add("candidates", new Gson().toJsonTree(refusal.candidates()));
     answer("rejected", rejected);
   }
 
@@ -136,6 +172,11 @@ public final class Engine {
     JsonObject answer = details == null ? new JsonObject() : details;
     answer.addProperty("verdict", verdict);
     answer.addProperty("events", events);
+    if (!followed.isEmpty()) {
+      var steps = new JsonArray();
+      followed.forEach(steps::add);
+      answer.add("steps", steps);
+    }
     decided = true;
     explanation = null;
     print(answer);

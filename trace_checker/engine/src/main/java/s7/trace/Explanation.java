@@ -3,6 +3,8 @@ package s7.trace;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeMap;
@@ -27,8 +29,27 @@ final class Explanation {
   /** More states than any log needs whose open questions a person could still follow. */
   static final int MOST_STATES = 20_000;
 
-  /** Why no state is left: what could have been observed instead, and what decides it. */
-  record Refusal(List<JsonElement> expected, Set<String> requirements) {}
+  /** Situations and candidates that a report can show. */
+  private static final int MOST_SHOWN = 3;
+
+  private static final int MOST_CANDIDATES = 16;
+  private static final int MOST_NEAR = 8;
+
+  /**
+   * Why no state is left.
+   *
+   * @param expected what could have been observed instead
+   * @param requirements what decides it
+   * @param states how many states were left before the event
+   * @param situations the states that come nearest to it
+   * @param candidates why the actions by which it might have been explained are not enabled
+   */
+  record Refusal(
+      List<JsonElement> expected,
+      Set<String> requirements,
+      int states,
+      List<JsonElement> situations,
+      Set<Guards.Failure> candidates) {}
 
   private final Specification spec;
   private final RecordValue noEvent;
@@ -68,6 +89,11 @@ final class Explanation {
     return states.size();
   }
 
+  /** One of the situations in which the CPU may be after the log so far. */
+  JsonElement situation() {
+    return Values.toJson(spec.value("Situation", states.get(0)));
+  }
+
   /**
    * Observes one event.
    *
@@ -90,7 +116,7 @@ final class Explanation {
     List<TLCState> stuck = new ArrayList<>();
     List<TLCState> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
-      return refusal("TooLate", "LateRequirements", stuck, stuck, event);
+      return refusal("TooLate", "LateRequirements", "Elapse", stuck, stuck, event);
     }
     List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
@@ -98,7 +124,8 @@ final class Explanation {
       addAll(after, spec.successors("Observe", state, event));
     }
     if (after.isEmpty()) {
-      return refusal("Expected", "Deciding", ready, nearest(ready, event), event);
+      return refusal(
+          "Expected", "Deciding", "Observe", ready, nearest(ready, event), event);
     }
     states = distinct(after);
     past.add(json, event);
@@ -182,7 +209,12 @@ final class Explanation {
   }
 
   private Refusal refusal(
-      String expected, String deciding, List<TLCState> from, List<TLCState> near, Value event) {
+      String expected,
+      String deciding,
+      String action,
+      List<TLCState> from,
+      List<TLCState> near,
+      Value event) {
     Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
     for (TLCState state : from) {
@@ -197,7 +229,34 @@ final class Explanation {
         requirements.add(r.getAsString());
       }
     }
-    return new Refusal(new ArrayList<>(allowed.values()), requirements);
+    var situations = new LinkedHashMap<String, JsonElement>();
+    var candidates = new LinkedHashSet<Guards.Failure>();
+    for (TLCState state : near.subList(0, Math.min(near.size(), MOST_NEAR))) {
+      JsonElement situation = Values.toJson(spec.value("Situation", state));
+      if (situations.size() < MOST_SHOWN) {
+        situations.put(situation.toString(), situation);
+      }
+      for (Guards.Failure failure : failures(action, state, event)) {
+        if (candidates.size() < MOST_CANDIDATES) {
+          candidates.add(failure);
+        }
+      }
+    }
+    return new Refusal(
+        new ArrayList<>(allowed.values()),
+        requirements,
+        from.size(),
+        new ArrayList<>(situations.values()),
+        candidates);
+  }
+
+  /** A report is better without its candidates than not at all. */
+  private Set<Guards.Failure> failures(String action, TLCState state, Value event) {
+    try {
+      return spec.failures(action, state, event);
+    } catch (RuntimeException | StackOverflowError e) {
+      return Set.of();
+    }
   }
 
   private static List<TLCState> distinct(List<TLCState> from) {

@@ -3,6 +3,7 @@ package s7.trace;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 
 import tla2sany.semantic.FormalParamNode;
 import tla2sany.semantic.ModuleNode;
@@ -29,6 +30,7 @@ final class Specification {
 
   private final FastTool tool;
   private final ModuleNode root;
+  private final Source source;
   private final Map<String, OpDefNode> operators = new HashMap<>();
 
   /**
@@ -42,6 +44,7 @@ final class Specification {
     var resolver = new SimpleFilenameToStream(folder.toAbsolutePath().toString());
     tool = new FastTool(folder.toAbsolutePath().toString(), module, module, resolver);
     root = tool.getSpecProcessor().getRootModule();
+    source = new Source(folder.toAbsolutePath());
   }
 
   /** The only state that satisfies the module's initial predicate. */
@@ -71,6 +74,12 @@ final class Specification {
 
   boolean holds(String name, TLCState state, Value... arguments) {
     return ((BoolValue) value(name, state, arguments)).val;
+  }
+
+  /** Why the action {@code name} is not enabled, as far as its definition shows it. */
+  Set<Guards.Failure> failures(String name, TLCState state, Value... arguments) {
+    OpDefNode operator = operator(name);
+    return new Guards(tool, source, state).of(operator, bind(operator, arguments));
   }
 
   private OpDefNode operator(String name) {

@@ -65,7 +65,11 @@ class EngineTest {
     var rejected =
         Tiny.json(
             "{'line': 3, 'expected': [{'event': 'read', 'value': 10}],"
-                + " 'requirements': ['TINY-01', 'TINY-read'], 'verdict': 'rejected', 'events': 1}");
+                + " 'requirements': ['TINY-01', 'TINY-read'], 'states': 1,"
+                + " 'situations': [{'count': 10}],"
+                + " 'candidates': [{'action': 'Observe', 'conjunct': 'count = e.value',"
+                + " 'values': 'count = 10, e.value = 11', 'place': 'Explain:35', 'requirements': ['TINY-03']}],"
+                + " 'verdict': 'rejected', 'events': 1}");
     assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
     assertEquals(
         List.of(rejected),
@@ -92,6 +96,25 @@ class EngineTest {
     assertEquals(1, answers.get(0).get("events").getAsInt());
     assertTrue(answers.get(0).get("message").getAsString().contains("hold"));
     assertEquals(ACCEPTED_ONE, answers.get(1));
+  }
+
+  @Test
+  @DisplayName("an operator can be asked for between logs, also after a rejected one")
+  void question() throws IOException {
+    var answers = serve("{'ask':'Alternatives'}", begin(10), read(2, 11), "{'ask':'Alternatives'}");
+    assertEquals(Tiny.json("{'Alternatives': [1, 2]}"), answers.get(0));
+    assertEquals(answers.get(0), answers.get(2));
+  }
+
+  @Test
+  @DisplayName("a log that is followed is answered with its last situations")
+  void followed() throws IOException {
+    var answers = serve("{'begin': {'first': 5}, 'follow': 2}", read(2, 5), read(3, 10), read(4, 10), FINISH);
+    assertEquals(
+        Tiny.json(
+            "{'verdict': 'accepted', 'events': 3, 'steps': ["
+                + "{'line': 3, 'situation': {'count': 10}}, {'line': 4, 'situation': {'count': 10}}]}"),
+        answers.get(0));
   }
 
   @Test

@@ -1,0 +1,146 @@
+"""What the engine answers, as it comes over the wire."""
+
+from typing import Literal
+
+import msgspec
+
+NOTHING_TO_CHOOSE = "the set is empty"
+"""The ``values`` of a candidate that found nothing to act on."""
+
+
+class Allowed(msgspec.Struct, frozen=True):
+    """Something that the specification allows instead of the rejected line.
+
+    ``ob`` is 0 where none belongs to it, ``field`` the field that must have ``value`` or empty.
+    """
+
+    event: str
+    ob: int = 0
+    field: str = ""
+    value: int | str | dict[str, int] = 0
+
+
+class Candidate(msgspec.Struct, frozen=True):
+    """An action that might have explained the line, and its first false conjunct.
+
+    ``values`` are the operands of the conjunct, ``place`` is its module and line, ``requirements``
+    are the IDs that the specification names there.
+    """
+
+    action: str
+    conjunct: str
+    values: str = ""
+    place: str = ""
+    requirements: list[str] = []
+
+
+class Moment(msgspec.Struct, frozen=True):
+    """A point in time: minutes since 1990-01-01T00:00 and the milliseconds in the minute."""
+
+    min: int = 0
+    ms: int = 0
+
+
+class Frame(msgspec.Struct, frozen=True):
+    """An OB that runs or was interrupted."""
+
+    ob: int
+    class_: int = msgspec.field(name="class", default=0)
+
+
+class Pending(msgspec.Struct, frozen=True):
+    """A start event whose OB has not started.
+
+    ``open``: the sources leave open whether it has an effect; ``ready``: its OB may start now;
+    ``missing``: its OB is not loaded; ``follows``: the fault of the OB 80 that comes first, or 0.
+    """
+
+    ob: int
+    class_: int = msgspec.field(name="class", default=0)
+    rank: int = 1
+    fault: int = 0
+    since: Moment = Moment()
+    cause: int = 0
+    late: list[int] = []
+    follows: int = 0
+    open: bool = False
+    ready: bool = False
+    missing: bool = False
+
+
+class TimeOfDay(msgspec.Struct, frozen=True):
+    """A time-of-day interrupt that is set; ``next`` is watched for where ``armed``."""
+
+    ob: int
+    active: bool = False
+    period: int = 0
+    start: Moment = Moment()
+    next: Moment = Moment()
+    armed: bool = False
+
+
+class Delay(msgspec.Struct, frozen=True):
+    """A time-delay interrupt that is started, with the milliseconds that are left."""
+
+    ob: int
+    left: int = 0
+    dtime: int = 0
+    sign: int = 0
+
+
+class Situation(msgspec.Struct, frozen=True):
+    """The CPU before a line, ``Situation`` of the specification.
+
+    ``running`` has the running OB last; ``stop`` is the cause of a STOP that must come, or -1;
+    ``waited`` the milliseconds for which each priority class could have started an OB.
+    """
+
+    mode: str = "STOP"
+    clock: Moment = Moment()
+    running: list[Frame] = []
+    delay: int = 0
+    loaded: list[int] = []
+    blocked: list[int] = []
+    silenced: list[int] = []
+    stop: int = -1
+    latency: int = 0
+    waited: list[tuple[int, int]] = []
+    pending: list[Pending] = []
+    tod: list[TimeOfDay] = []
+    dint: list[Delay] = []
+
+
+class Step(msgspec.Struct, frozen=True):
+    """The situation after a line that was explained."""
+
+    line: int
+    situation: Situation
+
+
+class Answer(msgspec.Struct, frozen=True):
+    """The engine's answer to one log; ``events`` were explained before it was decided.
+
+    Of a rejected one: what was ``expected`` and the ``requirements`` that decide; how many
+    ``states`` explained the lines before, the ``situations`` that come nearest to the line, and the
+    ``candidates``. ``steps`` are there if the log was begun with ``follow``.
+    """
+
+    verdict: Literal["accepted", "rejected", "error"]
+    line: int | None = None
+    events: int = 0
+    expected: list[Allowed] = []
+    requirements: list[str] = []
+    message: str = ""
+    states: int = 0
+    situations: list[Situation] = []
+    candidates: list[Candidate] = []
+    steps: list[Step] = []
+
+
+class Alternatives(msgspec.Struct, frozen=True):
+    """What a header may ask for, ``Alternatives`` of the specification."""
+
+    families: list[str] = []
+    profiles: list[str] = []
+    letters: list[tuple[str, list[str]]] = []
+    defaults: list[tuple[str, str]] = []

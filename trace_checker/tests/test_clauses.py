@@ -1,0 +1,27 @@
+"""The text of the requirements that reports show."""
+
+from pathlib import Path
+
+import pytest
+
+from trace_checker import cli
+from trace_checker.report import clauses
+
+DOCS = Path(cli.__file__).parents[1] / "docs"
+
+
+@pytest.mark.skipif(not DOCS.is_dir(), reason="no checkout: docs/ is not there")
+def test_agrees_with_the_documents() -> None:
+    """The shipped file is what the documents say now; `python -m trace_checker.report.clauses` makes it."""
+    texts = [(DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
+    stated = clauses.read_catalogue(*texts)
+    assert [clauses.clause(one.id) for one in stated] == stated
+    assert len(stated) > 200
+    assert all(one.text for one in stated)
+
+
+def test_one() -> None:
+    """A requirement has its text, its sources and their confidence, an ambiguity its letters."""
+    assert clauses.clause("AIRT-07").confidence == "H"
+    assert set(clauses.clause("AMB-13").letters) == {"a", "b", "c", "d"}
+    assert clauses.clause("AIRT-99").text == ""

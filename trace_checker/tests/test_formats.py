@@ -1,0 +1,178 @@
+"""The forms of a report, with the fake engine."""
+
+import json
+import shutil
+import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as Xml
+
+import pytest
+
+from trace_checker import cli
+from trace_checker.tests.logs import event, log_text
+
+pytestmark = pytest.mark.usefixtures("_fake_engine", "_logs")
+
+HOSTILE = "</title></script><script>alert(1)</script>&]]>\x1b[31m\x00"
+FORMATS = ["text", "json", "junit", "sarif", "html"]
+CHROMIUM = next(
+    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), ""
+)
+
+
+@pytest.fixture
+def _logs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    started = event("start", ob=40)
+    calls = [event("EN_AIRT", ret=0), event("clock", to="2026-11-21T05:59:33"), event("interrupt", 33, ob=42)]
+    Path("good.ndjson").write_bytes(log_text(started, *calls))
+    Path("bad <b>.ndjson").write_bytes(
+        log_text(started, *calls, event("EN_AIRT", 34, ret=1, x_note=HOSTILE), event("stop", 35))
+    )
+    Path("ugly.ndjson").write_bytes(log_text(started, event("EN_AIRT", ret=HOSTILE)))
+    Path("none.ndjson").write_bytes(log_text(event("hold")))
+
+
+def written(form: str, *arguments: str) -> bytes:
+    """What the command writes to a file about the logs of the folder."""
+    assert cli.main(["trace", "--format", form, "--output", "report", *arguments, "."]) == 3
+    return Path("report").read_bytes()
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_file_and_standard_output_agree(form: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A report is the same in a file; then nothing is printed."""
+    data = written(form)
+    assert capsys.readouterr().out == ""
+    assert cli.main(["trace", "--format", form, "."]) == 3
+    assert capsys.readouterr().out.encode() == data
+    assert b"\x1b" not in data
+    assert b"\x00" not in data
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_nothing_or_all_is_written(
+    form: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A file that cannot be written stays as it was, and nothing is left beside it."""
+    Path("report").write_text("before", encoding="utf-8")
+
+    def fail(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "chmod", fail)
+    assert cli.main(["trace", "--format", form, "--output", "report", "good.ndjson"]) == 2
+    assert "No space left" in capsys.readouterr().err
+    assert Path("report").read_text(encoding="utf-8") == "before"
+    assert not list(Path().glob(".report*"))
+
+
+def test_folder_that_does_not_exist(capsys: pytest.CaptureFixture[str]) -> None:
+    """Where no file can be made, one line says so."""
+    assert cli.main(["trace", "--output", "no/report", "good.ndjson"]) == 2
+    assert "no/report" in capsys.readouterr().err
+
+
+def test_junit() -> None:
+    """A test case a log, with counts that fit."""
+    root = Xml.fromstring(written("junit"))  # noqa: S314
+    cases = {str(case.get("name")): case for case in root.iter("testcase")}
+    assert [(root.get("tests"), root.get("failures"), root.get("errors"))] == [("4", "1", "2")]
+    failure = cases["bad <b>.ndjson"].find("failure")
+    assert failure is not None
+    assert str(failure.get("message")).startswith("bad <b>.ndjson:6: ")
+    assert "requirements: AIRT-07" in str(failure.text)
+    assert cases["ugly.ndjson"].find("error") is not None
+    assert len(cases["good.ndjson"]) == 0
+
+
+def test_sarif() -> None:
+    """A result for each log that is not accepted, at its line, with a rule that is there."""
+    (run,) = json.loads(written("sarif"))["runs"]
+    rules = [rule["id"] for rule in run["tool"]["driver"]["rules"]]
+    results: list[dict[str, Any]] = run["results"]
+    assert sorted(result["ruleId"] for result in results) == ["AIRT-07", "no-verdict", "unusable-log"]
+    assert all(rules[result["ruleIndex"]] == result["ruleId"] for result in results)
+    (place,) = next(result["locations"] for result in results if result["ruleId"] == "AIRT-07")
+    assert place["physicalLocation"]["artifactLocation"]["uri"] == "bad%20%3Cb%3E.ndjson"
+    assert place["physicalLocation"]["region"]["startLine"] == 6
+
+
+class Page(HTMLParser):
+    """What a page is made of."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[str] = []
+        self.links: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Notes the tag and where its attributes lead."""
+        self.tags.append(tag)
+        self.links += [str(value) for name, value in attrs if name in ("href", "src", "data", "action")]
+
+
+def test_html() -> None:
+    """One page that loads nothing, with a timeline of the logs that were judged."""
+    text = written("html").decode()
+    page = Page(text)
+    assert page.tags.count("script") == 1
+    assert page.tags.count("svg") == 2
+    assert all(link.startswith("#log") for link in page.links)
+    assert "url(http" not in text
+    assert "@import" not in text
+    assert "bad &lt;b&gt;.ndjson:6" in text
+    assert text.index("bad &lt;b&gt;") < text.index("good.ndjson")
+    assert "OB 42: no effect" in text
+    assert "clock set" in text
+
+
+@pytest.mark.skipif(not CHROMIUM, reason="no chromium on the PATH")
+def test_html_in_a_browser() -> None:
+    """A headless Chromium lays the page out as it is meant, without errors and without the network."""
+    written("html")
+    check = (
+        "<script>const red = document.querySelector('.band').getBoundingClientRect();"
+        "const what = [...document.querySelectorAll('svg')].every(s => s.getBoundingClientRect().height > 100);"
+        "document.title = `${performance.getEntriesByType('resource').length} loaded, '${what && red.width > 50}'`"
+        "</script></html>"
+    )
+    page = Path("page.html")
+    page.write_text(Path("report").read_text(encoding="utf-8").replace("</html>", check), encoding="utf-8")
+    run = subprocess.run(
+        [
+            CHROMIUM,
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--user-data-dir=profile",
+            "--dump-dom",
+            page.resolve().as_uri(),
+        ],
+        capture_output=True,
+        timeout=120,
+        check=True,
+        text=True,
+    )
+    assert "<title>0 loaded, 'true'</title>" in run.stdout
+    assert "alert(1)</script>" not in run.stdout.replace("&lt;", "<").split("<svg")[0].split("</style>")[0]
+
+
+def test_readings(capsys: pytest.CaptureFixture[str]) -> None:
+    """Each log is judged by the other readings, or none is."""
+    cli.main(["trace", "--format", "json", "--readings", "all", "good.ndjson", "bad <b>.ndjson"])
+    good, bad = (json.loads(line) for line in capsys.readouterr().out.splitlines())
+    assert [one["change"] for one in good["readings"]] == ["cpu S7-300", "profile 2006", "AMB-01 a", "AMB-12 b"]
+    assert [one["change"] for one in bad["readings"] if one["verdict"] == "accepted"] == ["AMB-12 b"]
+    cli.main(["trace", "--format", "json", "--readings", "none", "bad <b>.ndjson"])
+    assert "readings" not in json.loads(capsys.readouterr().out)
+
+
+def test_readings_unasked(capsys: pytest.CaptureFixture[str]) -> None:
+    """Unasked they are tried for the first rejected logs of a call only."""
+    cli.main(["trace", "--format", "json", *["good.ndjson", "bad <b>.ndjson"] * 5])
+    tried = ["readings" in json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert tried == [False, True] * 3 + [False, False] * 2
