@@ -36,6 +36,11 @@ models-smoke: setup  ## model-check the smoke lane
 models-full: setup  ## model-check everything
 	$(BIN)/s7check models --lane full
 
+WORKERS ?= 2
+MODELS  ?= airt queue hold
+models-distributed: setup  ## TLC's distributed mode: MODELS="airt queue" on WORKERS=2 workers here (docs/distributed.md)
+	$(BIN)/s7check models --distributed $(WORKERS) $(MODELS)
+
 mutants: setup  ## mutate the specification: every mutant before the shipped logs and the models of the CI lane
 	$(BIN)/s7check mutants --against all --lane ci --json build/mutants/report.json
 

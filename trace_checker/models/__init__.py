@@ -9,6 +9,7 @@ The modules, each with one concern:
 - ``tlc``: finding and running TLC
 - ``judge``: what came against what is pinned
 - ``runner``: which models run when, and the second run that names a violated property
+- ``distributed``: TLC's distributed mode
 - ``canaries``: the known defects of the TLC at hand
 - ``update``: rewriting pinned counts
 - ``report``: what the user sees

@@ -9,6 +9,7 @@ import json
 import signal
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
@@ -16,10 +17,10 @@ from types import FrameType
 import click
 from rich.console import Console
 
-from trace_checker.models import canaries, report, tlc
+from trace_checker.models import canaries, distributed, report, tlc
 from trace_checker.models.judge import Result, judge
 from trace_checker.models.manifest import LANES, Manifest, ManifestError, Model, load
-from trace_checker.models.runner import Harness, run_all
+from trace_checker.models.runner import Event, Harness, run_all
 from trace_checker.models.update import update
 
 DRIFT, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
@@ -41,6 +42,7 @@ class Request:
     json: Path | None
     verbose: bool
     names: tuple[str, ...]
+    cluster: distributed.Cluster | None = None
 
 
 @click.command(name="models", short_help="Model-check the specification.")
@@ -58,6 +60,14 @@ class Request:
 @click.option("--update", is_flag=True, help="Pin the counts that came (nothing else), and say what changed.")
 @click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
 @click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
+@click.option(
+    "--distributed",
+    "spread",
+    type=click.IntRange(0),
+    metavar="N",
+    help="TLC's distributed mode with N workers here: models that must pass, without liveness.",
+)
+@click.option("--host", help="With --distributed: this machine's name for workers on other machines.")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def models_command(
     lane: str,
@@ -68,6 +78,8 @@ def models_command(
     update: bool,
     json_path: Path | None,
     verbose: bool,
+    spread: int | None,
+    host: str | None,
     names: tuple[str, ...],
 ) -> None:
     """Run TLC on the models of the manifest and compare each result with what is pinned.
@@ -75,8 +87,15 @@ def models_command(
     NAME picks models (globs work) whatever their lane. Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong
     arguments or manifest, 3 Java or TLC missing.
     """
+    if spread is None and host is not None:
+        raise click.UsageError("--host goes with --distributed")
+    if spread == 0 and host is None:
+        raise click.UsageError("--distributed 0 needs workers elsewhere: say --host")
+    if spread is not None and update:
+        raise click.UsageError("--distributed pins nothing: its counts but the distinct states differ")
+    cluster = None if spread is None else distributed.Cluster(spread, host)
     path = manifest or find_manifest(Path.cwd())
-    request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names)
+    request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
     before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
     processes = tlc.Processes()
     console = Console(highlight=False)
@@ -107,6 +126,9 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     except tlc.ToolMissingError as error:
         click.echo(f"error: {error}", err=True)
         return NO_TOOLS
+    if request.cluster is not None and not distributed.works(tools):
+        click.echo(f"error: the distributed mode of {tools.jar} does not work: see docs/distributed.md", err=True)
+        return NO_TOOLS
     began = time.monotonic()
     answers = canaries.run_canaries(tools, manifest.directory.parent / "build", processes)
     report.show_canaries(console, tools, answers)
@@ -114,8 +136,17 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     if not selected:
         drift.append(f"{manifest.path}: no model is in lane {request.lane}: nothing was checked")
     harness = Harness(manifest, tools, processes, request.workers)
+    if request.cluster is not None:
+        possible = _distributable(selected, console)
+        drift += [f"{m.name} was named and not run" for m in selected if m not in possible and m.name in request.names]
+        selected = possible
+        if not selected:
+            drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
     with report.Progress(console, len(selected)) as progress:
-        results = run_all(harness, selected, request.jobs, progress)
+        if request.cluster is None:
+            results = run_all(harness, selected, request.jobs, progress)
+        else:
+            results = _run_distributed(harness, selected, request.cluster, progress)
     if request.update:
         results = _update(manifest, results, request, console)
     seconds = time.monotonic() - began
@@ -127,6 +158,27 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         request.json.parent.mkdir(parents=True, exist_ok=True)
         request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return DRIFT if drift or not all(r.ok for r in results) else 0
+
+
+def _distributable(selected: list[Model], console: Console) -> list[Model]:
+    for model in selected:
+        if against := distributed.reason_against(model):
+            console.print(f"not run: {model.name}: {against}", markup=False, soft_wrap=True)
+    return [m for m in selected if distributed.reason_against(m) is None]
+
+
+def _run_distributed(
+    harness: Harness, models: list[Model], cluster: distributed.Cluster, tell: Callable[[Event], None]
+) -> list[Result]:
+    """Run one model after the other: each takes all workers."""
+    return [_distribute(harness, model, cluster, tell) for model in models]
+
+
+def _distribute(harness: Harness, model: Model, cluster: distributed.Cluster, tell: Callable[[Event], None]) -> Result:
+    tell(Event(model))
+    result = distributed.check(harness, model, cluster, lambda text: tell(Event(model, text)))
+    tell(Event(model, result=result))
+    return result
 
 
 def find_manifest(start: Path) -> Path:
