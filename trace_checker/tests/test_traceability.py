@@ -28,7 +28,7 @@ READINGS = """# Readings
 |---|---|
 | 01 | anything |
 """
-SPEC = r"""---- MODULE Rules ----
+SPEC = r"""---- MODULE System ----
 (* Rules.  Left out: sizes of buffers [OBS-09]. *)
 EXTENDS Integers
 
@@ -37,7 +37,7 @@ Rule == Reading("AMB-01") = "a"
 ====
 """
 PROPERTIES = """---- MODULE Properties ----
-EXTENDS Rules
+EXTENDS System
 
 (* [TINT-02] *)
 Part == TRUE
@@ -61,7 +61,7 @@ MANIFEST: dict[str, Any] = {
         },
         {
             "name": "neg-rule", "base": "rules",
-            "mutate": {"module": "Rules.tla", "replace": "= \"a\"", "by": "= \"b\""},
+            "mutate": {"module": "System.tla", "replace": "= \"a\"", "by": "= \"b\""},
             "expect": {"exit": 12, "property": "OwnInv"},
         },
     ],
@@ -77,7 +77,7 @@ FILES = {
     "docs/requirements.md": REQUIREMENTS,
     "docs/readings.md": READINGS,
     "docs/left_out.json": json.dumps(REASONS),
-    "spec/Rules.tla": SPEC,
+    "spec/System.tla": SPEC,
     "spec/Properties.tla": PROPERTIES,
     "models/MCRules.tla": MODEL,
     "models/MCRules.cfg": "SPECIFICATION Spec\nINVARIANTS RuleInv OwnInv\n",
@@ -126,15 +126,15 @@ def test_page(project: Path, run: Run) -> None:
     assert run("--write") == 0
     page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
     assert (
-        "| TINT-01 | Rules: Rule | Properties: RuleInv | rules; *neg-rule* |"
+        "| TINT-01 | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
         " [a](../traces/accept/a.ndjson) | [c](../traces/reject/c.ndjson) |\n"
     ) in page
     assert (
-        "| TINT-02 | Rules: Rule | Properties: Part; MCRules: OwnInv | neg-rule |"
+        "| TINT-02 | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
         " *[a](../traces/accept/a.ndjson)* | [b](../traces/reject/b.ndjson) |\n"
     ) in page
     assert "| OBS-09 | [module] | [module] | [module] | [module] | [module] |\n" in page
-    assert "| 01 | Which? | Rules: Rule |\n| 02 | When? | [unseen] |\n" in page
+    assert "| 01 | Which? | System: Rule |\n| 02 | When? | [unseen] |\n" in page
     assert "| AMB-02 | reading | unseen | no line of a log can show it |\n" in page
     assert "| model that would fail without it | 2 | 1 | 1 | 0 | 0 |\n" in page
 
@@ -143,19 +143,41 @@ def test_specified_in(project: Path, run: Run) -> None:
     """The last column of the requirements is generated, the others stay."""
     assert run("--write") == 0
     table = (project / "docs" / "requirements.md").read_text(encoding="utf-8")
-    assert "| TINT-01 | Something. | S | H | Rules; property: Properties |\n" in table
-    assert "| TINT-02 | Something else (see TINT-01). | S | H | Rules; property: MCRules, Properties |\n" in table
+    assert "| TINT-01 | Something. | S | H | System; property: Properties |\n" in table
+    assert "| TINT-02 | Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
     assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
 
 
-@pytest.mark.parametrize("name", ["Explain", "Reasons"])
-def test_modules_that_word_rejections(name: str, project: Path, run: Run) -> None:
-    """What they name and look up stands for no rule."""
+def test_modules_that_word_rejections(project: Path, run: Run) -> None:
+    """What builds on the explanation of a log names and looks up no rule, and states no property."""
     assert run("--write") == 0
     page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
-    (project / "spec" / f"{name}.tla").write_text(SPEC.replace("Rules", name), encoding="utf-8")
+    (project / "spec" / "Unrecorded.tla").write_text(
+        "---- MODULE Unrecorded ----\nEXTENDS System\nA == 1\n====\n", encoding="utf-8"
+    )
+    explain = SPEC.replace("MODULE System", "MODULE Explain").replace("EXTENDS Integers", "EXTENDS Unrecorded")
+    (project / "spec" / "Explain.tla").write_text(explain, encoding="utf-8")
     assert run("--write") == 0
     assert (project / "docs" / "traceability.md").read_text(encoding="utf-8") == page
+
+
+def test_specification_that_the_rules_implement(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """Where a model checks an instance of it, its formulas are properties."""
+    abstract = r"""---- MODULE Abstract ----
+
+(* [TINT-01] *)
+Step == TRUE
+Next == Step
+(* [TINT-02] *)
+Unused == FALSE
+====
+"""
+    (project / "spec" / "Abstract.tla").write_text(abstract, encoding="utf-8")
+    replace(project / "models/MCRules.tla", "OwnInv == TRUE", "A == INSTANCE Abstract\nOwnInv == A!Next")
+    assert run("--write") == 0
+    assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
+    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; neg-rule |" in page
 
 
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
@@ -163,9 +185,9 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("TINT-02", "OBS-09", "AMB-01") == 0
     assert capsys.readouterr().out.splitlines() == [
         "TINT-02",
-        "  formula   spec/Rules.tla:6: Rule",
-        "  property  spec/Properties.tla:5: Part",
+        "  formula   spec/System.tla:6: Rule",
         "  property  models/MCRules.tla:5: OwnInv",
+        "  property  spec/Properties.tla:5: Part",
         "  model     models/manifest.json: neg-rule",
         "  accepted  traces/accept/a.ndjson",
         "  rejected  traces/reject/b.ndjson",
@@ -175,7 +197,7 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
             for column in ("formula", "property", "model", "accepted", "rejected")
         ),
         "AMB-01",
-        "  reading   spec/Rules.tla:6: Rule",
+        "  reading   spec/System.tla:6: Rule",
     ]
     assert run("TINT-77") == 2
 
@@ -183,11 +205,16 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     ("name", "old", "new", "problems"),
     [
-        ("spec/Rules.tla", "[TINT-01] ..", "", ["TINT-01: no formula", "TINT-01: no model that would fail without it"]),
-        ("spec/Properties.tla", "[TINT-01]", "", ["TINT-01: no property that a model checks"]),
-        ("spec/Rules.tla", 'Reading("AMB-01")', "One", ["AMB-01: no formula that looks its letter up"]),
         (
-            "spec/Rules.tla",
+            "spec/System.tla",
+            "[TINT-01] ..",
+            "",
+            ["TINT-01: no formula", "TINT-01: no model that would fail without it"],
+        ),
+        ("spec/Properties.tla", "[TINT-01]", "", ["TINT-01: no property that a model checks"]),
+        ("spec/System.tla", 'Reading("AMB-01")', "One", ["AMB-01: no formula that looks its letter up"]),
+        (
+            "spec/System.tla",
             "[OBS-09]",
             "",
             [
@@ -231,8 +258,8 @@ def test_gap(
 @pytest.mark.parametrize(
     ("name", "old", "new", "unknown"),
     [
-        ("spec/Rules.tla", "[TINT-01] ..", "[TINT-17] [TINT-01] ..", "TINT-17"),
-        ("spec/Rules.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
+        ("spec/System.tla", "[TINT-01] ..", "[TINT-17] [TINT-01] ..", "TINT-17"),
+        ("spec/System.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
         ("traces/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
@@ -254,17 +281,16 @@ def test_property_that_no_model_checks(project: Path, run: Run, capsys: pytest.C
     assert run("--write") == 1
     out = capsys.readouterr().out
     assert "\nTINT-01: no property that a model checks\n" in out
-    assert "\nProperties.RuleInv: names TINT-01, and no model checks it\n" in out
-    assert "\nProperties.Part: names TINT-02, and no model checks it\n" in out
+    assert "\nnote: Properties: no model checks Part, RuleInv\n" in out
 
 
 @pytest.mark.parametrize(
     ("ids", "columns", "problem"),
     [
-        (["TINT-01"], ["formula"], "TINT-01: the reason for no formula is void, there is Rules.Rule"),
+        (["TINT-01"], ["formula"], "TINT-01: the reason for no formula is void, there is System.Rule"),
         (["TINT-03"], ["formula"], "TINT-03 has no column formula"),
         (["TINT-01"], ["reading"], "TINT-01 has no column reading"),
-        (["AMB-01"], ["reading"], "AMB-01: the reason for no reading is void, there is Rules.Rule"),
+        (["AMB-01"], ["reading"], "AMB-01: the reason for no reading is void, there is System.Rule"),
     ],
 )
 def test_void_reason(
@@ -320,16 +346,16 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
         ("docs/left_out.json", '[{"ids": ["TINT-01"], "columns": ["formulas"]}]', "Invalid enum value 'formulas'"),
         ("docs/left_out.json", json.dumps([*REASONS, *REASONS]), "AMB-02, reading: two reasons"),
         ("docs/left_out.json", None, "left_out.json"),
-        ("spec/Rules.tla", SPEC.replace("[TINT-01] .. [TINT-02]", ""), "spec: no comment of a formula names"),
-        ("spec/Rules.tla", SPEC.replace("[TINT-01] ..", "[TINT-03] .."), "is no range"),
+        ("spec/System.tla", SPEC.replace("[TINT-01] .. [TINT-02]", ""), "spec: no comment of a formula names"),
+        ("spec/System.tla", SPEC.replace("[TINT-01] ..", "[TINT-03] .."), "is no range"),
         ("spec/Properties.tla", PROPERTIES.replace("[", ""), "spec: no comment of a property names"),
-        ("spec/Rules.tla", "nothing", "Rules.tla: no module"),
+        ("spec/System.tla", "nothing", "System.tla: no module"),
         ("models/MCRules.tla", None, "models: no module"),
         ("models/MCRules.cfg", None, "MCRules.cfg"),
         ("models/manifest.json", "[]", "manifest.json: Expected `object`"),
         ("models/manifest.json", '{"version": 1, "models": []}', "manifest.json: no negative controls"),
         ("models/manifest.json", json.dumps(MANIFEST | {"models": MANIFEST["models"][1:]}), "manifest.json: no models"),
-        ("models/manifest.json", json.dumps(MANIFEST).replace("Rules.tla", "Rule.tla"), "its text is not in Rule.tla"),
+        ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
         ("traces/index.json", "[]", "index.json: no accepted log names a requirement"),
         ("traces/index.json", json.dumps(LOGS[:1]), "index.json: no rejected log names a requirement"),
         ("traces/index.json", "{", "index.json"),

@@ -11,7 +11,7 @@ from trace_checker.traceability.detail import detail
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.matrix import Matrix, build, counts
 from trace_checker.traceability.page import page, place
-from trace_checker.traceability.problems import problems
+from trace_checker.traceability.problems import notes, problems
 from trace_checker.traceability.project import PAGE, REQUIREMENTS, Project, find_project, read_project
 
 GAPS, UNREADABLE = 1, 2
@@ -45,6 +45,8 @@ def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ..
         return UNREADABLE
     found = [*problems(project, matrix), *(f"{path}: not up to date: s7check requirements --write" for path in stale)]
     click.echo(_summary(matrix))
+    for note in notes(project):
+        click.echo(f"note: {note}")
     for problem in found:
         click.echo(problem)
     click.echo(f"problems: {len(found)}" if found else "nothing is missing")

@@ -7,7 +7,7 @@ for those of the formula that it changes, and for those that its entry names.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
@@ -17,6 +17,8 @@ from trace_checker.models.manifest import Entry, ManifestFile
 from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.modules import Definition, Module
+from trace_checker.traceability.properties import Properties
+from trace_checker.traceability.roles import statements
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,7 @@ class Controls:
     models: dict[str, tuple[str, ...]]
     """The models that name it."""
     unchecked: tuple[Definition, ...]
-    """Definitions of property modules that have requirements and that no model checks."""
+    """Definitions that say what must hold, that have requirements, and that no model checks."""
 
 
 def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
@@ -45,30 +47,35 @@ def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Modul
     positive = [e for e in listed if not _is_negative(e)]
     if not negative or not positive:
         raise UnreadableError(f"{manifest}: no {'models' if negative else 'negative controls'}")
-    checked = {name for entry in positive for name in _checked(manifest, entry, listed)}
-    stated = {d.name: d for module in spec if module.states_properties for d in module.definitions}
-    stated |= {d.name: d for module in models for d in _own_properties(module, checked)}
-    parts = {name: _parts(name, stated) for name in checked}
-    used = {part for names in parts.values() for part in names}
-    tags = {name: tuple(tag for part in names for tag in stated[part].tags) for name, names in parts.items()}
-    controls = _controls(manifest, negative, tags, {f"{m.name}.tla": m for m in (*spec, *models)})
+    known = Properties(spec, models)
+    used: dict[tuple[str, str], Definition] = {}
+    for entry in positive:
+        for name in _checked(manifest, entry, listed):
+            used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name)}
+    controls = _controls(manifest, negative, listed, known, {f"{m.name}.tla": m for m in (*spec, *models)})
     named: dict[str, tuple[str, ...]] = {}
     for entry in positive:
         for requirement in entry.requirements:
             named[requirement] = (*named.get(requirement, ()), entry.name)
-    properties = tuple(d for name, d in stated.items() if name in used)
-    unchecked = tuple(d for name, d in stated.items() if d.tags and name not in used)
-    return Controls(properties, controls, frozenset(e.name for e in negative), named, unchecked)
+    unchecked = [d for m in statements(spec) for d in m.definitions if d.tags and (d.module, d.name) not in used]
+    names = frozenset(entry.name for entry in negative)
+    properties = tuple(sorted(used.values(), key=lambda d: (d.module, d.line)))
+    return Controls(properties, controls, names, named, tuple(unchecked))
 
 
 def _controls(
-    manifest: Path, negative: Sequence[Entry], tags: dict[str, tuple[str, ...]], modules: dict[str, Module]
+    manifest: Path,
+    negative: Sequence[Entry],
+    listed: Sequence[Entry],
+    known: Properties,
+    modules: dict[str, Module],
 ) -> dict[str, Entries]:
-    """The negative controls of each requirement; `tags` are the requirements of the properties."""
+    """The negative controls of each requirement."""
     direct: dict[str, list[str]] = {}
     indirect: dict[str, list[str]] = {}
     for entry in negative:
-        for requirement in [*entry.requirements, *tags.get(str(entry.expect.property), ())]:
+        failing = known.parts(_model(entry, listed), str(entry.expect.property))
+        for requirement in [*entry.requirements, *(tag for d in failing for tag in d.tags)]:
             direct.setdefault(requirement, []).append(entry.name)
         for requirement in [tag for d in _changed(manifest, entry, modules) for tag in d.tags]:
             indirect.setdefault(requirement, []).append(entry.name)
@@ -81,9 +88,16 @@ def _is_negative(entry: Entry) -> bool:
     return derived if isinstance(entry.kind, msgspec.UnsetType) else entry.kind == "negative"
 
 
+def _base(entry: Entry, listed: Sequence[Entry]) -> Entry:
+    return next((e for e in listed if e.name == entry.base), entry)
+
+
+def _model(entry: Entry, listed: Sequence[Entry]) -> str:
+    return str(_base(entry, listed).module).removesuffix(".tla")
+
+
 def _checked(manifest: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
-    base = next((e for e in listed if e.name == entry.base), entry)
-    path = manifest.parent / str(base.config)
+    path = manifest.parent / str(_base(entry, listed).config)
     try:
         cfg = parse(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, CfgError) as error:
@@ -91,23 +105,6 @@ def _checked(manifest: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]
     invariants = cfg.names("INVARIANT") if isinstance(entry.invariants, msgspec.UnsetType) else entry.invariants
     properties = cfg.names("PROPERTY") if isinstance(entry.properties, msgspec.UnsetType) else entry.properties
     return [*invariants, *properties]
-
-
-def _own_properties(module: Module, checked: set[str]) -> list[Definition]:
-    """The properties that a model defines itself; its box says what they are for, too."""
-    return [replace(d, tags=(*d.tags, *module.tags)) for d in module.definitions if d.name in checked]
-
-
-def _parts(name: str, stated: dict[str, Definition]) -> tuple[str, ...]:
-    """A property and the other definitions of property modules that it uses."""
-    found: dict[str, None] = {}
-    todo = [name]
-    while todo:
-        part = todo.pop()
-        if part in stated and part not in found:
-            found[part] = None
-            todo += sorted(stated[part].words)
-    return tuple(found)
 
 
 def _changed(manifest: Path, entry: Entry, modules: dict[str, Module]) -> list[Definition]:

@@ -9,6 +9,7 @@ from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.modules import Definition, Module
 from trace_checker.traceability.project import Project
 from trace_checker.traceability.reasons import Column, Reason
+from trace_checker.traceability.roles import rules
 
 COLUMNS: dict[Column, str] = {
     "formula": "formula",
@@ -95,18 +96,18 @@ def counts(matrix: Matrix) -> list[Count]:
 
 def build(project: Project) -> Matrix:
     """Put side by side what was read."""
-    rules = [m for m in project.spec if m.states_rules]
-    rows = tuple(_row(name, project, rules) for name in project.requirements)
+    ruling = rules(project.spec)
+    rows = tuple(_row(name, project, ruling) for name in project.requirements)
     lookups = {
-        name: _definitions([d for m in rules for d in m.definitions if name in d.readings])
+        name: _definitions([d for m in ruling for d in m.definitions if name in d.readings])
         for name in project.ambiguities
     }
     readings = {name: _cell(found, project.reasons.get((name, READING))) for name, found in lookups.items()}
     return Matrix(rows, readings)
 
 
-def _row(name: str, project: Project, rules: Sequence[Module]) -> Row:
-    formulas = tuple(d for m in rules for d in m.definitions if name in d.tags)
+def _row(name: str, project: Project, ruling: Sequence[Module]) -> Row:
+    formulas = tuple(d for m in ruling for d in m.definitions if name in d.tags)
     properties = tuple(d for d in project.controls.properties if name in d.tags)
     found = {
         "formula": _definitions(formulas),
@@ -116,7 +117,7 @@ def _row(name: str, project: Project, rules: Sequence[Module]) -> Row:
         "rejected": project.logs.rejected.get(name, NOTHING),
     }
     cells = {column: _cell(found[column], project.reasons.get((name, column))) for column in COLUMNS}
-    texts = [m.left_out[name] for m in rules if name in m.left_out]
+    texts = [m.left_out[name] for m in ruling if name in m.left_out]
     if texts and not formulas:  # a part that a module leaves out of what another one specifies excuses nothing
         cells = {column: Cell(NOTHING, MODULE, texts[0]) if cell.missing else cell for column, cell in cells.items()}
     return Row(name, cells, formulas, properties, project.controls.models.get(name, ()))

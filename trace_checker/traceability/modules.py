@@ -16,13 +16,13 @@ from pathlib import Path
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.ids import RangeError, tagged
 
-WORDING = ("Explain", "Reasons")
-"""The modules that only say why a log is rejected."""
-
 _DEFINITION = re.compile(r"^(?:LOCAL\s+)?(\w+)[ \t]*(?:\([^=]*?\)|\[[^=]*?\])?\s*==(?!=)", re.MULTILINE)
 _DECLARATION = re.compile(r"^(?:VARIABLES?|CONSTANTS?)\b((?:.*\n)(?:[ \t].*\n|\n)*)", re.MULTILINE)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
 _MARK = re.compile(r'"(?:\\.|[^"\\\n])*"|\(\*|\*\)|\\\*.*')
+_EXTENDS = re.compile(r"^EXTENDS\s+(\w+(?:\s*,\s*\w+)*)", re.MULTILINE)
+_INSTANCE = re.compile(r"\bINSTANCE\s+(\w+)")
+_WORD = re.compile(r"\w+(?:!\w+)?")
 _LEFT_OUT = re.compile(r"Left out:(.*)", re.DOTALL)
 
 
@@ -30,8 +30,9 @@ _LEFT_OUT = re.compile(r"Left out:(.*)", re.DOTALL)
 class Definition:
     """A definition or a variable.
 
-    `start` and `end` are where its text stands in the module, `words` are the words of its code. `tags` are the
-    IDs in its comments, `readings` the ambiguities whose letter it looks up.
+    `start` and `end` are where its text stands in the module. `tags` are the IDs in its comments, `readings` the
+    ambiguities whose letter it looks up. `words` are the words of its code, among them ``Instance!Word`` for what
+    belongs to an instance of a module; `instance_of` is that module where the definition is an instance.
     """
 
     module: str
@@ -42,6 +43,7 @@ class Definition:
     tags: tuple[str, ...] = ()
     readings: tuple[str, ...] = ()
     words: frozenset[str] = frozenset()
+    instance_of: str = ""
 
 
 @dataclass(frozen=True)
@@ -50,19 +52,10 @@ class Module:
 
     name: str
     text: str
+    extends: tuple[str, ...]
     definitions: tuple[Definition, ...]
     tags: tuple[str, ...]
     left_out: dict[str, str]
-
-    @property
-    def states_properties(self) -> bool:
-        """Whether the module says what must hold."""
-        return self.name.startswith("Properties")
-
-    @property
-    def states_rules(self) -> bool:
-        """Whether the module says what the CPU does."""
-        return not self.states_properties and self.name not in WORDING
 
     def at(self, text: str) -> list[Definition]:
         """The definitions in which the first occurrence of a piece of text stands."""
@@ -121,6 +114,7 @@ def read_module(path: Path) -> Module:
     return Module(
         path.stem,
         text,
+        tuple(re.findall(r"\w+", "".join(_EXTENDS.findall(code)))),
         tuple(replace(d, tags=tuple(dict.fromkeys(tags.get(d, [])))) for d in definitions),
         tuple(own),
         left_out,
@@ -139,7 +133,8 @@ def _definitions(module: str, code: str) -> list[Definition]:
             start,
             end,
             readings=tuple(dict.fromkeys(_READING.findall(code, start, end))),
-            words=frozenset(re.findall(r"\w+", code[start:end])),
+            words=frozenset(_WORD.findall(code, start, end)),
+            instance_of="".join(_INSTANCE.findall(code, start, end)[:1]),
         )
         for start, end in pairwise([*sorted(starts), len(code)])
     ]

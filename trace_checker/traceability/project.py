@@ -12,6 +12,7 @@ from trace_checker.traceability.ids import mentioned
 from trace_checker.traceability.logs import Logs, read_logs
 from trace_checker.traceability.modules import Module, read_modules
 from trace_checker.traceability.reasons import Reasons, read_reasons
+from trace_checker.traceability.roles import rules, statements
 
 REQUIREMENTS = Path("docs/requirements.md")
 READINGS = Path("docs/readings.md")
@@ -53,10 +54,7 @@ def read_project(root: Path) -> Project:
     """Read everything. Raises `UnreadableError` for what is missing, cannot be read or holds nothing."""
     spec = read_modules(root / "spec")
     models = read_modules(root / "models")
-    for kind, stating in (
-        ("formula", [module for module in spec if module.states_rules]),
-        ("property", [module for module in spec if module.states_properties]),
-    ):
+    for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):
         if not any(definition.tags for module in stating for definition in module.definitions):
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
     paths = sorted({path for pattern in CITING for path in root.glob(pattern)} - {root / PAGE})
