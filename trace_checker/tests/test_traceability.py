@@ -177,7 +177,7 @@ Unused == FALSE
     assert run("--write") == 0
     assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
     page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
-    assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; neg-rule |" in page
+    assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
 
 
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:

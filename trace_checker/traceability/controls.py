@@ -1,7 +1,8 @@
 """What models/manifest.json says of requirements: properties that are checked, and negative controls.
 
-A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails,
-for those of the formula that it changes, and for those that its entry names.
+A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
+and those that its entry names. It touches those of the formula that it changes, and those of a whole specification
+where the property is that the rules implement it.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Modul
     used: dict[tuple[str, str], Definition] = {}
     for entry in positive:
         for name in _checked(manifest, entry, listed):
-            used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name)}
+            used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name, instances=True)}
     controls = _controls(manifest, negative, listed, known, {f"{m.name}.tla": m for m in (*spec, *models)})
     named: dict[str, tuple[str, ...]] = {}
     for entry in positive:
@@ -70,14 +71,16 @@ def _controls(
     known: Properties,
     modules: dict[str, Module],
 ) -> dict[str, Entries]:
-    """The negative controls of each requirement."""
+    """The negative controls of each requirement, those first that speak for it."""
     direct: dict[str, list[str]] = {}
     indirect: dict[str, list[str]] = {}
     for entry in negative:
-        failing = known.parts(_model(entry, listed), str(entry.expect.property))
-        for requirement in [*entry.requirements, *(tag for d in failing for tag in d.tags)]:
+        model, failing = _model(entry, listed), str(entry.expect.property)
+        named = known.parts(model, failing, instances=False)
+        for requirement in [*entry.requirements, *(tag for d in named for tag in d.tags)]:
             direct.setdefault(requirement, []).append(entry.name)
-        for requirement in [tag for d in _changed(manifest, entry, modules) for tag in d.tags]:
+        touched = [*known.parts(model, failing, instances=True), *_changed(manifest, entry, modules)]
+        for requirement in [tag for d in touched for tag in d.tags]:
             indirect.setdefault(requirement, []).append(entry.name)
     return {name: entries(direct.get(name, []), indirect.get(name, [])) for name in {**direct, **indirect}}
 

@@ -26,8 +26,8 @@ class Properties:
             for module in everything
         }
 
-    def parts(self, model: str, name: str) -> tuple[Definition, ...]:
-        """The definitions that a property of a model consists of.
+    def parts(self, model: str, name: str, *, instances: bool) -> tuple[Definition, ...]:
+        """The definitions that a property of a model consists of, with or without those of instances of modules.
 
         The box of a model says what the properties are for that the model itself defines.
         """
@@ -40,7 +40,7 @@ class Properties:
             own = part.name == name and part.module in self._models
             box = self._models[part.module].tags if own else ()
             found[part.module, part.name] = replace(part, tags=tuple(dict.fromkeys((*part.tags, *box))))
-            todo += [self._find(part.module, word) for word in sorted(part.words)]
+            todo += [self._find(part.module, word) for word in sorted(part.words) if instances or "!" not in word]
         return tuple(found.values())
 
     def _find(self, module: str, word: str) -> Definition | None:
