@@ -26,7 +26,7 @@ from trace_checker.verdict import Report
 _WHOLE: dict[str, Callable[[Sequence[Report]], bytes]] = {"junit": to_junit, "sarif": to_sarif, "html": to_html}
 """Formats that are one document for all logs."""
 
-_TRIED = 3
+_TRIED = 10
 """Rejected logs of a call for which other readings are tried unasked."""
 
 _DRAWN = 50

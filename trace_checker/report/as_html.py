@@ -11,7 +11,10 @@ from trace_checker.report.markup import Node, document, node
 from trace_checker.report.timeline import timeline
 from trace_checker.verdict import Report, Verdict
 
-_SCRIPT = 'for (const box of document.querySelectorAll(".scroll")) box.scrollLeft = box.scrollWidth;'
+_SCRIPT = (
+    'for (const box of document.querySelectorAll(".scroll")) '
+    "if (box.scrollWidth > 1.4 * box.clientWidth) box.scrollLeft = box.scrollWidth;"
+)
 _CLASSES: dict[Verdict, str] = {
     "accepted": "accepted",
     "rejected": "rejected",

@@ -14,7 +14,7 @@ from trace_checker.verdict import Report
 
 _MOST = 80
 _AFTER = 2
-_COLUMN = 106.0
+_COLUMN = 96.0
 _LEFT = 118.0
 _HEAD = 66.0
 _LANE = 44.0
@@ -192,28 +192,24 @@ def _bars(columns: list[_Column], rows: _Rows) -> Iterator[Node]:
                 text_class = "on" if style == "runs" else "in"
                 yield node("text", f"OB {ob}", x=first + 6, y=y + 14, class_=text_class)
             named = True
-    for request in _requests(columns):
+    for number in rows.classes:
 
-        def waits(state: Situation, key: tuple[int, ...] = _key(request)) -> str:
-            return "waits" if any(_key(one) == key for one in state.pending) else ""
+        def waits(state: Situation, number: int = number) -> str:
+            ordered = sorted((one for one in state.pending if one.class_ == number), key=lambda one: one.rank)
+            return ", ".join(dict.fromkeys(_pending(one) for one in ordered))
 
         for text, first, end in _runs(columns, waits):
             if text:
-                y = rows.lane(request.class_) + 29
-                fault = f" fault 16#{request.fault:02X}" if request.fault > 0 else ""
-                title = node("title", f"OB {request.ob}{fault} pending since {words.moment(request.since)}")
-                yield node("rect", title, x=first, y=y, width=end - first, height=11, rx=3, class_="waiting")
-                name = f"OB {request.ob} {'may be pending' if request.open else 'pending'}{fault}"
-                yield node("text", name, x=first + 5, y=y + 9, class_="small")
+                y = rows.lane(number) + 29
+                yield node(
+                    "rect", node("title", text), x=first, y=y, width=end - first, height=11, rx=3, class_="waiting"
+                )
+                yield node("text", _fitting(text, (end - first) * 1.3), x=first + 5, y=y + 9, class_="small")
 
 
-def _key(one: Pending) -> tuple[int, ...]:
-    return (one.ob, one.class_, one.fault, one.since.min, one.since.ms)
-
-
-def _requests(columns: list[_Column]) -> list[Pending]:
-    found = {_key(one): one for column in columns if column.state for one in column.state.pending}
-    return [found[key] for key in sorted(found)]
+def _pending(one: Pending) -> str:
+    fault = f" fault 16#{one.fault:02X}" if one.fault > 0 else ""
+    return f"OB {one.ob} {'may be pending' if one.open else 'pending'}{fault}"
 
 
 def _line(column: _Column, before: _Column | None, rows: _Rows, report: Report) -> Iterator[Node]:

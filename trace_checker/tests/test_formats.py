@@ -10,7 +10,7 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 
-from trace_checker import cli
+from trace_checker import cli, trace_command
 from trace_checker.tests.logs import event, log_text
 
 pytestmark = pytest.mark.usefixtures("_fake_engine", "_logs")
@@ -171,8 +171,9 @@ def test_readings(capsys: pytest.CaptureFixture[str]) -> None:
     assert "readings" not in json.loads(capsys.readouterr().out)
 
 
-def test_readings_unasked(capsys: pytest.CaptureFixture[str]) -> None:
+def test_readings_unasked(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Unasked they are tried for the first rejected logs of a call only."""
+    monkeypatch.setattr(trace_command, "_TRIED", 3)
     cli.main(["trace", "--format", "json", *["good.ndjson", "bad <b>.ndjson"] * 5])
     tried = ["readings" in json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert tried == [False, True] * 3 + [False, False] * 2
