@@ -12,7 +12,7 @@ MCFamilies == {"S7-400"}
 MCLoads == {{10, 80}, {85}}
 MCStep7Settings == {[o \in TodObs |-> Activated("once", 1)],
                     [o \in TodObs |-> Activated("minute", 1)]}
-MCObNumbers == {10, 80}
+MCObNumbers == {1, 10, 80}
 MCIrtModes == {1, 3, 130}
 MCMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 30000)}
 MCPowerOnMoments == {Moment(0, 30000)}
