@@ -156,7 +156,7 @@ final class Explanation {
       boolean alone =
           open.isEmpty() && next.size() == 1 && arrived.isEmpty() && ++lonely < MOST_STATES;
       for (int i = 0; i < next.size(); i++) {
-        if (alone || seen.add(next.elementAt(i).fingerPrint())) {
+        if (alone || seen.add(spec.key(next.elementAt(i)))) {
           open.add(next.elementAt(i));
         }
       }
@@ -178,11 +178,11 @@ final class Explanation {
         closed = new ArrayList<>(closed);
         seen = new HashSet<>();
         for (TLCState known : closed) {
-          seen.add(known.fingerPrint());
+          seen.add(spec.key(known));
         }
       }
       for (int k = 0; k < next.size(); k++) {
-        if (seen.add(next.elementAt(k).fingerPrint())) {
+        if (seen.add(spec.key(next.elementAt(k)))) {
           closed.add(next.elementAt(k));
         }
       }
@@ -259,21 +259,21 @@ final class Explanation {
     }
   }
 
-  private static List<TLCState> distinct(List<TLCState> from) {
+  private List<TLCState> distinct(List<TLCState> from) {
     if (from.size() < 2) {
       return from;
     }
     var seen = new HashSet<Long>();
     var distinct = new ArrayList<TLCState>(from.size());
     for (TLCState state : from) {
-      if (seen.add(state.fingerPrint())) {
+      if (seen.add(spec.key(state))) {
         distinct.add(state);
       }
     }
     return distinct;
   }
 
-  private static List<TLCState> list(StateVec vector) {
+  private List<TLCState> list(StateVec vector) {
     var list = new ArrayList<TLCState>(vector.size());
     addAll(list, vector);
     return distinct(list);
