@@ -145,6 +145,15 @@ def _shipped_logs() -> list[Row]:
     return [Row("shipped logs, as their index says", "trace checker", size, time.monotonic() - begun, failures)]
 
 
+def _requirements() -> list[Row]:
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "trace_checker", "requirements"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    failures = [f"s7check requirements: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
+    size = run.stdout.partition("  ")[0]
+    return [Row("every requirement traced, or a reason", "s7check", size, time.monotonic() - begun, failures)]
+
+
 def _apalache() -> list[Row]:
     begun = time.monotonic()
     run = subprocess.run(
@@ -172,6 +181,7 @@ STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,
     "the soft PLC, run and checked": _soft_plc,
     "the shipped logs": _shipped_logs,
+    "the requirements, traced": _requirements,
     "types, where Apalache is there": _apalache,
     "not run here": _not_in_this_lane,
 }
