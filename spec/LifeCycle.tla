@@ -76,10 +76,11 @@ Due == /\ on /\ setting = "active" /\ ~blocked
           \/ waiting' = waiting /\ (waiting > 0 \/ running)
        /\ UNCHANGED <<on, setting, once, blocked, running, past>>
 
-(* [IRT-01] [IRT-04] [IRT-18] *)
+(* [IRT-01] [IRT-04] [IRT-18] A once interrupt is used up by it, unless one  *)
+(* of its start events waits still.                                        *)
 Lost == /\ on /\ setting = "active" /\ blocked
-        /\ setting' = IF once THEN "unset" ELSE "active"
-        /\ once' = FALSE
+        /\ IF once /\ waiting = 0 THEN setting' = "unset" /\ once' = FALSE
+                                  ELSE UNCHANGED <<setting, once>>
         /\ past' = "lost"
         /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
 

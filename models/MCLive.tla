@@ -1,0 +1,50 @@
+------------------------------- MODULE MCLive -------------------------------
+(***************************************************************************)
+(* Liveness on an S7-300 and an S7-400: points of every minute, a hardware *)
+(* OB, delays, the clock set forward and back, STOP and restart.           *)
+(*                                                                         *)
+(* There is no constraint: it would cut off behaviours after which nothing *)
+(* has to happen any more.  The world is finite by itself: the clock ends  *)
+(* at the last moment, programs nest two delays, and `budget' limits what  *)
+(* the surroundings do.  There is no view either, though no property       *)
+(* depends on `step'.                                                      *)
+(***************************************************************************)
+EXTENDS MCBase, Liveness
+
+MCTodObs == {10}
+MCFamilies == TwoFamilies
+MCLoads == {{10, 40, 80, 85}}
+MCStep7Settings == {[o \in TodObs |-> Activated("minute", 1)]}
+MCMoments == {Moment(1, 0), Moment(2, 0)}
+MCPowerOnMoments == {Moment(0, 30000)}
+MCClockTargets == {Moment(2, 30000)}
+MCInterrupts == {<<40, 0>>}
+MCRestartTypes == {"warm"}
+(* DIS_AIRT answers at most 2. *)
+MCRetVals == {0, 1, 2}
+
+MCBudget == 2
+(* Enough for the negative controls. *)
+OneEvent == 1
+
+VARIABLE
+    (* How many more interrupts, settings of the clock and STOPs there may  *)
+    (* be.                                                                  *)
+    \* @type: Int;
+    budget
+
+liveVars == <<vars, budget>>
+
+Taken == IF Did("interrupt") \/ Did("clock") \/ Did("switch") THEN 1 ELSE 0
+
+LiveInit == Init /\ budget = MCBudget
+LiveNext == /\ Next
+            /\ budget' = budget - Taken
+            /\ budget' >= 0
+
+(* For properties that need all of Fairness, what the CPU and its programs  *)
+(* do, or dispatch alone.                                                  *)
+LiveSpec     == LiveInit /\ [][LiveNext]_liveVars /\ Fairness
+CpuSpec      == LiveInit /\ [][LiveNext]_liveVars /\ CpuFairness
+DispatchSpec == LiveInit /\ [][LiveNext]_liveVars /\ DispatchFairness
+=============================================================================

@@ -1,0 +1,43 @@
+---------------------------- MODULE MCRefineLock ----------------------------
+(***************************************************************************)
+(* System implements CounterLock: delays nested two deep in OB 1, a time-  *)
+(* of-day OB, a hardware OB and OB 80, on an S7-300 and an S7-400, with    *)
+(* start events of every class meanwhile (catalogue section 4).            *)
+(*                                                                         *)
+(* Start events count from when the mode lets their OB run: those that are *)
+(* deferred in STARTUP arrive in RUN.  "Perhaps" are those that the        *)
+(* sources leave open.                                                     *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCFamilies == TwoFamilies
+MCLoads == {{10, 40, 80, 85, 100}}
+MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
+MCMoments == HalfMinutes(0, 2)
+MCPowerOnMoments == {Moment(0, 30000)}
+MCInterrupts == {<<40, 0>>}
+MCRestartTypes == {"warm"}
+(* DIS_AIRT answers at most 2: no program nests deeper. *)
+MCRetVals == {0, 1, 2, NotDelayed}
+
+MCClasses == 1..28
+
+\* @type: Int => Set($request);
+InClass(c) == { r \in requests : r.class = c /\ ModeAllows(r) }
+
+Lock == INSTANCE CounterLock WITH
+            Classes <- MCClasses,
+            on      <- mode # "STOP",
+            count   <- delay,
+            running <- [i \in DOMAIN stack |-> stack[i].class],
+            waiting <- [c \in MCClasses |->
+                          Cardinality({ r \in InClass(c) : ~r.open })],
+            perhaps <- { c \in MCClasses : \E r \in InClass(c) : r.open }
+
+LockSpec == Lock!Spec
+
+(* What follows a STOP is left to MCRestart. *)
+Bounded == /\ Waiting(2)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================
