@@ -180,6 +180,14 @@ Unused == FALSE
     assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
 
 
+def test_several_manifests(project: Path, run: Run) -> None:
+    """Entries may stand in several manifests, with a base in another one."""
+    model, control = MANIFEST["models"]
+    (project / "models/manifest.json").write_text(json.dumps(MANIFEST | {"models": [model]}), encoding="utf-8")
+    (project / "models/manifest-more.json").write_text(json.dumps(MANIFEST | {"models": [control]}), encoding="utf-8")
+    assert run("--write") == 0
+
+
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """One requirement is shown with files and lines."""
     assert run("TINT-02", "OBS-09", "AMB-01") == 0
@@ -188,7 +196,7 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
         "  formula   spec/System.tla:6: Rule",
         "  property  models/MCRules.tla:5: OwnInv",
         "  property  spec/Properties.tla:5: Part",
-        "  model     models/manifest.json: neg-rule",
+        "  model     models: neg-rule",
         "  accepted  traces/accept/a.ndjson",
         "  rejected  traces/reject/b.ndjson",
         "OBS-09",
@@ -353,8 +361,12 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
         ("models/MCRules.tla", None, "models: no module"),
         ("models/MCRules.cfg", None, "MCRules.cfg"),
         ("models/manifest.json", "[]", "manifest.json: Expected `object`"),
-        ("models/manifest.json", '{"version": 1, "models": []}', "manifest.json: no negative controls"),
-        ("models/manifest.json", json.dumps(MANIFEST | {"models": MANIFEST["models"][1:]}), "manifest.json: no models"),
+        ("models/manifest.json", '{"version": 1, "models": []}', "manifest*.json: no negative controls"),
+        (
+            "models/manifest.json",
+            json.dumps(MANIFEST | {"models": MANIFEST["models"][1:]}),
+            "manifest*.json: no models",
+        ),
         ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
         ("traces/index.json", "[]", "index.json: no accepted log names a requirement"),
         ("traces/index.json", json.dumps(LOGS[:1]), "index.json: no rejected log names a requirement"),

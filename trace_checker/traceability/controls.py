@@ -1,4 +1,4 @@
-"""What models/manifest.json says of requirements: properties that are checked, and negative controls.
+"""What the manifests in models/ say of requirements: properties that are checked, and negative controls.
 
 A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
 and those that its entry names. It touches those of the formula that it changes, and those of a whole specification
@@ -21,10 +21,12 @@ from trace_checker.traceability.modules import Definition, Module
 from trace_checker.traceability.properties import Properties
 from trace_checker.traceability.roles import statements
 
+MANIFESTS = "manifest*.json"
+
 
 @dataclass(frozen=True)
 class Controls:
-    """What the manifest says, by requirement."""
+    """What the manifests say, by requirement."""
 
     properties: tuple[Definition, ...]
     """The properties that some model checks, and the definitions that they are made of."""
@@ -38,22 +40,20 @@ class Controls:
     """Definitions that say what must hold, that have requirements, and that no model checks."""
 
 
-def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
-    """Read the manifest and its configurations. Raises `UnreadableError`."""
-    try:
-        listed = msgspec.json.decode(manifest.read_bytes(), type=ManifestFile).models
-    except (OSError, msgspec.MsgspecError) as error:
-        raise UnreadableError(f"{manifest}: {error}") from error
+def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
+    """Read the manifests in a folder and their configurations. Raises `UnreadableError`."""
+    listed = [entry for path in sorted(folder.glob(MANIFESTS)) for entry in _entries(path)]
+    listed.sort(key=lambda entry: entry.name)  # nothing is to depend on the manifest in which an entry stands
     negative = [e for e in listed if _is_negative(e)]
     positive = [e for e in listed if not _is_negative(e)]
     if not negative or not positive:
-        raise UnreadableError(f"{manifest}: no {'models' if negative else 'negative controls'}")
+        raise UnreadableError(f"{folder / MANIFESTS}: no {'models' if negative else 'negative controls'}")
     known = Properties(spec, models)
     used: dict[tuple[str, str], Definition] = {}
     for entry in positive:
-        for name in _checked(manifest, entry, listed):
+        for name in _checked(folder, entry, listed):
             used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name, instances=True)}
-    controls = _controls(manifest, negative, listed, known, {f"{m.name}.tla": m for m in (*spec, *models)})
+    controls = _controls(folder, negative, listed, known, {f"{m.name}.tla": m for m in (*spec, *models)})
     named: dict[str, tuple[str, ...]] = {}
     for entry in positive:
         for requirement in entry.requirements:
@@ -64,8 +64,15 @@ def read_controls(manifest: Path, spec: Sequence[Module], models: Sequence[Modul
     return Controls(properties, controls, names, named, tuple(unchecked))
 
 
+def _entries(manifest: Path) -> list[Entry]:
+    try:
+        return msgspec.json.decode(manifest.read_bytes(), type=ManifestFile).models
+    except (OSError, msgspec.MsgspecError) as error:
+        raise UnreadableError(f"{manifest}: {error}") from error
+
+
 def _controls(
-    manifest: Path,
+    folder: Path,
     negative: Sequence[Entry],
     listed: Sequence[Entry],
     known: Properties,
@@ -79,7 +86,7 @@ def _controls(
         named = known.parts(model, failing, instances=False)
         for requirement in [*entry.requirements, *(tag for d in named for tag in d.tags)]:
             direct.setdefault(requirement, []).append(entry.name)
-        touched = [*known.parts(model, failing, instances=True), *_changed(manifest, entry, modules)]
+        touched = [*known.parts(model, failing, instances=True), *_changed(folder, entry, modules)]
         for requirement in [tag for d in touched for tag in d.tags]:
             indirect.setdefault(requirement, []).append(entry.name)
     return {name: entries(direct.get(name, []), indirect.get(name, [])) for name in {**direct, **indirect}}
@@ -99,8 +106,8 @@ def _model(entry: Entry, listed: Sequence[Entry]) -> str:
     return str(_base(entry, listed).module).removesuffix(".tla")
 
 
-def _checked(manifest: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
-    path = manifest.parent / str(_base(entry, listed).config)
+def _checked(folder: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
+    path = folder / str(_base(entry, listed).config)
     try:
         cfg = parse(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, CfgError) as error:
@@ -110,12 +117,12 @@ def _checked(manifest: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]
     return [*invariants, *properties]
 
 
-def _changed(manifest: Path, entry: Entry, modules: dict[str, Module]) -> list[Definition]:
+def _changed(folder: Path, entry: Entry, modules: dict[str, Module]) -> list[Definition]:
     mutations = entry.mutate if isinstance(entry.mutate, list) else [entry.mutate]
     changed = []
     for mutation in mutations:
         module = modules.get(mutation.module)
         if module is None or mutation.replace not in module.text:
-            raise UnreadableError(f"{manifest}: {entry.name}: its text is not in {mutation.module}")
+            raise UnreadableError(f"{folder}: {entry.name}: its text is not in {mutation.module}")
         changed += module.at(mutation.replace)
     return changed

@@ -8,7 +8,7 @@ from pathlib import Path
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.matrix import Cell, Matrix
 from trace_checker.traceability.modules import Definition
-from trace_checker.traceability.project import MANIFEST, TRACES, Project
+from trace_checker.traceability.project import MODELS, TRACES, Project
 from trace_checker.traceability.reasons import Column
 
 
@@ -32,7 +32,7 @@ def _places(root: Path, project: Project) -> dict[str, str]:
     definitions += project.controls.properties
     found = {}
     for d in definitions:
-        folder = "spec" if (root / "spec" / f"{d.module}.tla").is_file() else "models"
+        folder = "spec" if (root / "spec" / f"{d.module}.tla").is_file() else MODELS
         found[f"{d.module}.{d.name}"] = f"{folder}/{d.module}.tla:{d.line}: {d.name}"
     return found
 
@@ -41,7 +41,7 @@ def _lines(column: Column, cell: Cell, places: dict[str, str]) -> list[str]:
     if not cell.entries.names:
         return [f"  {column:9} {f'[{cell.kind}] {cell.reason}' if cell.reason else 'missing'}"]
     if column == "model":
-        return [f"  {column:9} {MANIFEST}: {entry}" for entry in cell.entries.names]
+        return [f"  {column:9} {MODELS}: {entry}" for entry in cell.entries.names]
     if column in ("accepted", "rejected"):
         return [f"  {column:9} {TRACES / entry}" for entry in cell.entries.names]
     return [f"  {column:9} {places[entry]}" for entry in cell.entries.names]

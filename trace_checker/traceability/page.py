@@ -23,7 +23,7 @@ requirement with files and lines.
 |---|---|
 | formula | the definitions whose comment names the requirement, of the modules that `System` and `Unrecorded` extend |
 | property | those of the other modules of `spec/` (not `Explain`, `Reasons`) and of `models/`, if a model checks them |
-| model | before the semicolon the models that name it in `models/manifest.json`, then the negative controls: changes \
+| model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \
 specification of which the whole fails |
 | accepted, rejected | a log of `traces/index.json`, and how many more there are. In *italics*: it plays a part, and \

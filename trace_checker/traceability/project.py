@@ -18,11 +18,11 @@ REQUIREMENTS = Path("docs/requirements.md")
 READINGS = Path("docs/readings.md")
 REASONS = Path("docs/left_out.json")
 PAGE = Path("docs/traceability.md")
-MANIFEST = Path("models/manifest.json")
+MODELS = Path("models")
 TRACES = Path("traces")
 
 CITING = (
-    "README.md", "docs/*.md", "docs/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest.json",
+    "README.md", "docs/*.md", "docs/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
     "traces/README.md", "traces/index.json", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
     "examples/soft_plc/scenarios/*.scn",
 )  # fmt: skip
@@ -53,7 +53,7 @@ def find_project(start: Path) -> Path:
 def read_project(root: Path) -> Project:
     """Read everything. Raises `UnreadableError` for what is missing, cannot be read or holds nothing."""
     spec = read_modules(root / "spec")
-    models = read_modules(root / "models")
+    models = read_modules(root / MODELS)
     for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):
         if not any(definition.tags for module in stating for definition in module.definitions):
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
@@ -62,7 +62,7 @@ def read_project(root: Path) -> Project:
         documents.requirements(root / REQUIREMENTS),
         documents.ambiguities(root / READINGS),
         tuple(spec),
-        read_controls(root / MANIFEST, spec, models),
+        read_controls(root / MODELS, spec, models),
         read_logs(root / TRACES),
         read_reasons(root / REASONS),
         {path.relative_to(root): tuple(dict.fromkeys(mentioned(documents.read(path)))) for path in paths},
