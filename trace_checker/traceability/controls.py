@@ -1,7 +1,7 @@
 """What the manifests in models/ say of requirements: properties that are checked, and negative controls.
 
 A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
-and those that its entry names. It touches those of the formula that it changes, and those of a whole specification
+and those that its entry names. It touches those of the rule that it changes, and those of a whole specification
 where the property is that the rules implement it.
 """
 
@@ -19,7 +19,7 @@ from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.errors import UnreadableError
 from trace_checker.traceability.modules import Definition, Module
 from trace_checker.traceability.properties import Properties
-from trace_checker.traceability.roles import statements
+from trace_checker.traceability.roles import rules, statements
 
 MANIFESTS = "manifest*.json"
 
@@ -53,7 +53,7 @@ def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]
     for entry in positive:
         for name in _checked(folder, entry, listed):
             used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name, instances=True)}
-    controls = _controls(folder, negative, listed, known, {f"{m.name}.tla": m for m in (*spec, *models)})
+    controls = _controls(folder, negative, listed, known, (*spec, *models))
     named: dict[str, tuple[str, ...]] = {}
     for entry in positive:
         for requirement in entry.requirements:
@@ -76,9 +76,10 @@ def _controls(
     negative: Sequence[Entry],
     listed: Sequence[Entry],
     known: Properties,
-    modules: dict[str, Module],
+    modules: Sequence[Module],
 ) -> dict[str, Entries]:
     """The negative controls of each requirement, those first that speak for it."""
+    ruling = {module.name for module in rules(modules)}
     direct: dict[str, list[str]] = {}
     indirect: dict[str, list[str]] = {}
     for entry in negative:
@@ -86,7 +87,8 @@ def _controls(
         named = known.parts(model, failing, instances=False)
         for requirement in [*entry.requirements, *(tag for d in named for tag in d.tags)]:
             direct.setdefault(requirement, []).append(entry.name)
-        touched = [*known.parts(model, failing, instances=True), *_changed(folder, entry, modules)]
+        changed = [d for d in _changed(folder, entry, modules) if d.module in ruling]
+        touched = [*known.parts(model, failing, instances=True), *changed]
         for requirement in [tag for d in touched for tag in d.tags]:
             indirect.setdefault(requirement, []).append(entry.name)
     return {name: entries(direct.get(name, []), indirect.get(name, [])) for name in {**direct, **indirect}}
@@ -117,11 +119,11 @@ def _checked(folder: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
     return [*invariants, *properties]
 
 
-def _changed(folder: Path, entry: Entry, modules: dict[str, Module]) -> list[Definition]:
+def _changed(folder: Path, entry: Entry, modules: Sequence[Module]) -> list[Definition]:
     mutations = entry.mutate if isinstance(entry.mutate, list) else [entry.mutate]
     changed = []
     for mutation in mutations:
-        module = modules.get(mutation.module)
+        module = next((m for m in modules if f"{m.name}.tla" == mutation.module), None)
         if module is None or mutation.replace not in module.text:
             raise UnreadableError(f"{folder}: {entry.name}: its text is not in {mutation.module}")
         changed += module.at(mutation.replace)
