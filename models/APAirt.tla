@@ -10,6 +10,8 @@
 EXTENDS MCBase
 
 APTodObs == {10}
+APDintObs == {20}
+APBlockable == {10, 40}
 
 APInit ==
     /\ cpu = [ family |-> "S7-300", priority |-> [o \in {} |-> 0],
@@ -23,10 +25,13 @@ APInit ==
                  [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,
                                     !.start = Six, !.period = Minutely,
                                     !.next = Six + 1 ] ]
+    /\ dint = NoJobs
+    /\ irt = NoneBlocked
     /\ requests = {}
     /\ stack = <<Frame(CycleOb, 1)>>
     /\ delay = 0
     /\ stopCause = NoCause
+    /\ entered = {}
     /\ step = Step("run", 0, 0)
 
 (* Without the urgency of System: what holds of this holds of System too. *)
@@ -38,7 +43,7 @@ APNext ==
     \/ \E o \in {1, 10, 40} : End(o) /\ Seen("end", o, 0)
     \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
     \/ PointReached(10) /\ Seen("reached", 10, clock.min)
-    \/ \E t \in HalfMinutes(1, 2) : TimePasses(t) /\ Seen("time", 0, 0)
+    \/ \E t \in HalfMinutes(1, 2) : TimePasses(t, Span(clock, t)) /\ Seen("time", 0, 0)
 
 StackAndAirtInv == StackInv /\ AirtInv
 =============================================================================

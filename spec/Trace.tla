@@ -132,9 +132,21 @@ Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
 (* What enters something in the diagnostic buffer may be unseen. *)
 CausesUnseen == ~((Kinds \ {"load"}) \subseteq terms.records)
 
-(* Only what a line of the log could tell is kept. *)
+(* Only what a line of the log could tell is kept.  Where no line need      *)
+(* tell, neither what was active nor how sure the entry is, and more than  *)
+(* two of a kind are many.                                                 *)
 \* @type: $entry => $entry;
-AsReported(entry) == [entry EXCEPT !.of.since = At(0), !.of.rank = 0]
+AsReported(entry) ==
+    LET told == [entry EXCEPT !.of.since = At(0), !.of.rank = 0, !.of.open = FALSE]
+    IN  IF DiagRecorded THEN told
+        ELSE [told EXCEPT !.open = FALSE, !.of.during = -1]
+
+Many == 3
+
+\* @type: Int => Int;
+OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
+\* @type: Int => Int;
+OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
 
 (* What this step enters is to be seen; its cause was `age' ms ago.  Where   *)
 (* causes may be unseen, entries are not matched one by one.               *)
@@ -143,7 +155,7 @@ Report(age) ==
     LET new == { AsReported(n) : n \in { m \in entered' : m.id \in JudgedEntries } }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in reports : r.entry = n /\ r.age = a }
-        times(n) == IF same(n) = {} THEN 1 ELSE (CHOOSE r \in same(n) : TRUE).times + 1
+        times(n) == IF same(n) = {} THEN 1 ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
     IN  reports' = IF entered' = {} \/ CausesUnseen THEN reports
                    ELSE (reports \ UNION { same(n) : n \in new })
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
@@ -362,8 +374,8 @@ IsEntry(e) ==
         /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
            ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
                   reports' = (reports \ {r}) \cup
-                               IF r.times = 1 THEN {}
-                               ELSE {[r EXCEPT !.times = @ - 1]}
+                               IF OneLess(r.times) = 0 THEN {}
+                               ELSE {[r EXCEPT !.times = OneLess(@)]}
 
 \* @type: $event => Bool;
 Shows(e) ==
