@@ -100,8 +100,8 @@ Release ==
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
         /\ tod'  = [ o \in DOMAIN tod |->
-                      IF o \in skipped THEN Rearmed(clock, Reading("AMB-56"))[o]
-                                       ELSE tod[o] ]
+                      IF tod[o].active /\ IsPast(NextMoment(tod[o]), clock)
+                      THEN Rearmed(clock, Reading("AMB-56"))[o] ELSE tod[o] ]
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
         /\ UNCHANGED <<cpu, loaded, startup, clock, dint, irt, stack, delay>>
 

@@ -40,7 +40,8 @@ Unserved(t, p) ==
 \* @type: (Int, $tod) => $tod;
 AfterPoint(o, t) ==
     IF /\ t.period = Once
-       /\ \/ Blocked(o) /\ Reading("AMB-12") = "a" /\ ~PendingIn(requests, o)
+       /\ \/ /\ Blocked(o) /\ Reading("AMB-12") = "a"
+             /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
           \/ Reading("AMB-71") = "b"
     THEN UsedUp(t) ELSE t
 
