@@ -107,16 +107,7 @@ IndInit ==
     /\ IndInv
     /\ taken = FALSE
 
-(* Left out: the point of a once interrupt is lost under DIS_IRT while its   *)
-(* OB waits by no more than what is open.  StartPoints then takes the       *)
-(* interrupt as used up (AMB-12), and what is open belongs to an interrupt  *)
-(* that is not set.                                                        *)
-LostWhileOpen ==
-    /\ step'.event \in {"reached", "clock", "release"}
-    /\ Blocked(10) /\ OpenIn(requests, 10) /\ ~PendingIn(requests, 10)
-    /\ tod[10].set /\ ~tod'[10].set
-
-IndNext == ~taken /\ Next /\ ~LostWhileOpen /\ taken' = TRUE
+IndNext == ~taken /\ Next /\ taken' = TRUE
 
 IndSpec == IndInit /\ [][IndNext]_<<vars, taken>>
 
