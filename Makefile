@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -53,8 +53,11 @@ typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or 
 apalache:  ## bounded checks with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh check
 
+wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Python
+	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
+
 lint: setup  ## ruff and mypy
-	$(BIN)/ruff check trace_checker bench
+	$(BIN)/ruff check setup.py trace_checker bench
 	$(BIN)/mypy trace_checker
 
 bench: setup  ## speed of the trace checker beside TLC on the same log

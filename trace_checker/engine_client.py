@@ -12,6 +12,7 @@ from trace_checker.engine_command import EngineError, engine_command
 from trace_checker.engine_process import EngineProcess
 from trace_checker.log.errors import printable
 from trace_checker.log.source import wait_for_input
+from trace_checker.resources import REMEDY
 
 _SHOWN = 300
 _Shape = TypeVar("_Shape")
@@ -117,4 +118,4 @@ def _decode(line: bytes, shape: type[_Shape]) -> _Shape:
         return msgspec.json.decode(line, type=shape)
     except (msgspec.MsgspecError, UnicodeDecodeError) as error:
         said = printable(line.decode(errors="replace"), _SHOWN)
-        raise EngineError(f"the engine answered {said}, which does not fit: run `make engine`") from error
+        raise EngineError(f"the engine answered {said}, which does not fit: {REMEDY}") from error

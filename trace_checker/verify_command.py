@@ -16,6 +16,7 @@ from rich.table import Table
 
 from trace_checker.check import check_log
 from trace_checker.engine_client import Engine
+from trace_checker.resources import INSTALLED
 from trace_checker.shipped import difference, shipped_logs
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -49,6 +50,8 @@ def verify_command() -> int:
 
     Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed, 3 a tool is missing.
     """
+    if INSTALLED:
+        raise click.ClickException("this is for a checkout of the project: run `make verify` there")
     BUILD.mkdir(parents=True, exist_ok=True)
     rows: list[Row] = []
     for title, step in STEPS.items():

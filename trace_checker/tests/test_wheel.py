@@ -1,0 +1,115 @@
+"""The wheel, installed where there is no make, no Maven and no checkout."""
+
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+
+import pytest
+
+from trace_checker import resources
+from trace_checker.tests.test_shipped_logs import PROJECT, TRACES
+
+PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check", "--no-cache-dir"]
+OFFLINE = ["--no-index", "--no-deps"]
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of the checkout."""
+    folder = tmp_path_factory.mktemp("wheel")
+    settings = folder / "settings.cfg"
+    settings.write_text(f"[build]\nbuild_base = {folder / 'build'}\n", encoding="utf-8")
+    subprocess.run(
+        [*PIP, "wheel", *OFFLINE, "--no-build-isolation", "--wheel-dir", str(folder), str(PROJECT)],
+        env=os.environ | {"DIST_EXTRA_CONFIG": str(settings)},
+        check=True,
+    )
+    return next(folder.glob("*.whl"))
+
+
+@pytest.fixture(scope="module")
+def s7check(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The command in a new environment; what the package depends on is that of the tests."""
+    folder = tmp_path_factory.mktemp("venv with a space")
+    venv.create(folder, with_pip=False, symlinks=os.name != "nt")
+    where = {"base": str(folder), "platbase": str(folder)}
+    packages = Path(sysconfig.get_path("purelib", scheme="venv", vars=where))
+    (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    python = Path(sysconfig.get_path("scripts", scheme="venv", vars=where)) / "python"
+    subprocess.run([*PIP, "--python", str(python), "install", *OFFLINE, str(wheel)], check=True)
+    return python.with_name("s7check")
+
+
+@pytest.fixture
+def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder to work in, and a PATH on which there is nothing but Java."""
+    java = shutil.which("java")
+    assert java is not None
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "java").symlink_to(java)
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    for name in ("PYTHONPATH", "TLA2TOOLS_JAR", "JAVA_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    work = tmp_path / "work"
+    work.mkdir()
+    monkeypatch.chdir(work)
+    return work
+
+
+@pytest.mark.usefixtures("bare")
+def test_logs_are_judged(s7check: Path) -> None:
+    """An accepted and a rejected log, by the specification and the engine of the wheel."""
+    accepted = TRACES / "accept" / "TINT-33-once-0000.ndjson"
+    rejected = TRACES / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson"
+    run = subprocess.run([s7check, "trace", accepted, rejected], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stderr) == (1, "")
+    first, second, *_ = run.stdout.splitlines()
+    assert first.startswith(f"{accepted}: accepted: ")
+    assert second.startswith(f"{rejected}:3: rejected: ")
+
+
+def test_import(s7check: Path, bare: Path) -> None:
+    """What a CPU recorded becomes a log."""
+    (bare / "rows.csv").write_text("when,what\n2026-11-21T06:00:00,run\n", encoding="utf-8")
+    (bare / "map.json").write_text('{"columns": {"at": "when", "event": "what"}}', encoding="utf-8")
+    command = [str(s7check), "import", "--from", "csv", "rows.csv", "--map", "map.json", "-o", "log.ndjson"]
+    subprocess.run([*command, "--cpu", "S7-400", "--obs", "1,10", "--mode", "STARTUP"], check=True, capture_output=True)
+    assert (bare / "log.ndjson").read_text(encoding="utf-8").count("\n") == 2
+
+
+@pytest.mark.usefixtures("bare")
+def test_what_needs_a_checkout_says_so(s7check: Path) -> None:
+    """Where the project is named, its requirements are traced; the rest ends with one sentence."""
+    run = subprocess.run([s7check, "requirements", "--project", PROJECT, "AIRT-03"], capture_output=True, check=False)
+    assert (run.returncode, run.stderr) == (0, b"")
+    for command in ("requirements", "models", "verify"):
+        run = subprocess.run([s7check, command], capture_output=True, check=False)
+        assert (run.returncode, run.stdout, len(run.stderr.splitlines())) == (2, b"", 1), run
+
+
+def test_no_second_specification(wheel: Path) -> None:
+    """The wheel has the very files of spec/; the checkout has no copy of them."""
+    shutil.unpack_archive(wheel, wheel.parent / "unpacked", "zip")
+    packed = wheel.parent / "unpacked" / "trace_checker" / "spec"
+    assert {file.name: file.read_bytes() for file in packed.iterdir()} == {
+        file.name: file.read_bytes() for file in resources.SPECIFICATION.iterdir()
+    }
+    assert resources.SPECIFICATION == PROJECT / "spec"
+    assert not (PROJECT / "trace_checker" / "spec").exists()
+
+
+def test_nothing_to_build_the_engine_with(tmp_path: Path) -> None:
+    """Without the engine and without Maven there is one sentence, not a wheel that does not work."""
+    for name in ("setup.py", "pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(PROJECT / name, tmp_path)
+    shutil.copytree(PROJECT / "spec", tmp_path / "spec")
+    shutil.copytree(PROJECT / "trace_checker", tmp_path / "trace_checker", ignore=shutil.ignore_patterns("target"))
+    build = [sys.executable, "-c", "from setuptools import build_meta; build_meta.build_wheel('out')"]
+    run = subprocess.run(build, cwd=tmp_path, env={"PATH": str(tmp_path)}, capture_output=True, text=True, check=False)
+    assert run.returncode != 0
+    assert "there is no Maven (mvn) on the PATH: install Maven" in run.stderr
+    assert not list(tmp_path.glob("out/*"))
