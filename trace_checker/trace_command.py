@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from trace_checker.check import check_log
+from trace_checker.completion import complete_files
 from trace_checker.engine_client import Engine
 from trace_checker.engine_command import EngineError
 from trace_checker.log.header import PROFILES
@@ -76,7 +77,7 @@ Over several logs the exit code is the highest of theirs.
     f"all logs; auto, the first {_TRIED} rejected ones; none.",
 )
 @click.option("--profile", type=click.Choice(PROFILES), help="Read every log by this edition of the manual.")
-@click.argument("logs", nargs=-1, required=True, metavar="LOG...")
+@click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(output: str, file: Path | None, readings: str, profile: str | None, logs: tuple[str, ...]) -> int:
     """Judge the logs and report."""
     names = logs_of(logs)

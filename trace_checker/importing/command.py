@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from trace_checker.completion import complete_files
 from trace_checker.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
 from trace_checker.importing.errors import SourceError
 from trace_checker.importing.options import JsonFile, Letters, Numbers, Span, Words
@@ -74,7 +75,7 @@ Exit codes:
 @click.option("--map", "columns", type=click.Path(exists=True, dir_okay=False), metavar="FILE", help="For csv, JSON.")
 @click.option("--db", type=click.IntRange(1, 65535), help="Number of the ring's data block in the CPU.")
 @click.option("--port", type=click.IntRange(1, 65535), default=live.ISO_ON_TCP, show_default=True, help="Of the CPU.")
-@click.argument("source", metavar="SOURCE")
+@click.argument("source", metavar="SOURCE", shell_complete=complete_files)
 def import_command(kind: str | None, output: Path | None, source: str, **options: Any) -> int:
     """Imports ``source``; the help says how."""
     name = "standard input" if source == "-" else printable(source, 200)

@@ -1,0 +1,12 @@
+"""What the shell completes beside the names that click knows."""
+
+import click
+from click.shell_completion import CompletionItem
+
+
+def complete_files(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Has the shell complete names of files.
+
+    For arguments that are no ``click.Path``: that type would refuse some, of which a verdict must be given.
+    """
+    return [CompletionItem(incomplete, type="file")]
