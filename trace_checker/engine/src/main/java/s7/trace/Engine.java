@@ -96,21 +96,20 @@ public final class Engine {
       if (decided && !line.startsWith("{\"begin\"") && !line.startsWith("{\"ask\"")) {
         continue;
       }
-      JsonObject json = JsonParser.parseString(line).getAsJsonObject();
       try {
-        if (json.has("begin")) {
-          begin(json);
-        } else if (json.has("ask")) {
-          print(explained(json.get("ask").getAsString()));
-        } else if (json.has("finish")) {
+        if (line.startsWith("{\"begin\"")) {
+          begin(object(line));
+        } else if (line.startsWith("{\"ask\"")) {
+          print(explained(object(line).get("ask").getAsString()));
+        } else if (line.startsWith("{\"finish\"")) {
           answer("accepted", null);
         } else {
-          observe(json);
+          observe(line);
         }
       } catch (NotCovered | StackOverflowError e) {
         var error = new JsonObject();
-        if (json.has("line")) {
-          error.add("line", json.get("line"));
+        if (object(line).has("line")) {
+          error.add("line", number(line));
         }
         error.addProperty("message", String.valueOf(e.getMessage()));
         answer("error", error);
@@ -118,12 +117,21 @@ public final class Engine {
     }
   }
 
+  private static JsonObject object(String json) {
+    return JsonParser.parseString(json).getAsJsonObject();
+  }
+
+  /** The number of an event's line in the log. */
+  private static JsonElement number(String event) {
+    return object(event).get("line");
+  }
+
   private void begin(JsonObject json) {
     decided = false;
     events = 0;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
-    explanation = new Explanation(spec, json.getAsJsonObject("begin"));
+    explanation = new Explanation(spec, json.get("begin").toString());
   }
 
   /** What an operator of the specification says that depends on no log. */
@@ -143,17 +151,17 @@ public final class Engine {
     }
   }
 
-  private void observe(JsonObject event) {
+  private void observe(String event) {
     Explanation.Refusal refusal = explanation.observe(event);
     if (refusal == null) {
       events++;
       if (follow > 0) {
-        remember(event.get("line"));
+        remember(number(event));
       }
       return;
     }
     var rejected = new JsonObject();
-    rejected.add("line", event.get("line"));
+    rejected.add("line", number(event));
     var expected = new JsonArray();
     refusal.expected().forEach(expected::add);
     rejected.add("expected", expected);

@@ -11,7 +11,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import tlc2.tool.StateVec;
 import tlc2.tool.TLCState;
 import tlc2.value.impl.IntValue;
@@ -59,10 +59,10 @@ final class Explanation {
   /**
    * Starts a log.
    *
-   * @param header the normalised header
+   * @param header the normalised header, an object as JSON
    * @throws NotCovered if the header asks for what the specification does not have
    */
-  Explanation(Specification spec, JsonObject header) {
+  Explanation(Specification spec, String header) {
     this.spec = spec;
     try {
       noEvent = (RecordValue) spec.value("NoEvent", spec.initialState());
@@ -74,7 +74,7 @@ final class Explanation {
     }
   }
 
-  private void begin(JsonObject header) {
+  private void begin(String header) {
     TLCState blank = spec.initialState();
     Value h = Values.like(spec.value("NoHeader", blank), header);
     JsonElement open = Values.toJson(spec.value("NotCovered", blank, h));
@@ -97,22 +97,23 @@ final class Explanation {
   /**
    * Observes one event.
    *
+   * @param event the normalised event, an object as JSON
    * @return null if it is explained, else why not; the states are then those before the event
    * @throws NotCovered if more states explain the log than can be followed, or if the
    *     specification cannot be evaluated for this event
    */
-  Refusal observe(JsonObject json) {
+  Refusal observe(String event) {
     try {
-      return observed(json);
+      return observed((RecordValue) Values.like(noEvent, event));
     } catch (NotCovered e) {
       throw e;
     } catch (RuntimeException e) {
-      throw NotCovered.because("at the event " + json.get("event"), e);
+      JsonElement name = JsonParser.parseString(event).getAsJsonObject().get("event");
+      throw NotCovered.because("at the event " + name, e);
     }
   }
 
-  private Refusal observed(JsonObject json) {
-    Value event = Values.like(noEvent, json);
+  private Refusal observed(RecordValue event) {
     List<TLCState> stuck = new ArrayList<>();
     List<TLCState> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
@@ -128,7 +129,7 @@ final class Explanation {
           "Expected", "Deciding", "Observe", ready, nearest(ready, event), event);
     }
     states = distinct(after);
-    past.add(json, event);
+    past.add(event);
     return null;
   }
 

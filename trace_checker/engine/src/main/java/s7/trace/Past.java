@@ -2,10 +2,10 @@ package s7.trace;
 
 import java.util.ArrayDeque;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.TupleValue;
 import tlc2.value.impl.Value;
 
@@ -17,19 +17,15 @@ final class Past {
   /** Lines kept whatever they are. */
   static final int LATEST = 40;
 
-  private static final String[] KIND = {"event", "ob", "mode"};
+  private final ArrayDeque<RecordValue> latest = new ArrayDeque<>();
+  /** By kind, the one that was put in last at the end. */
+  private final Map<List<Object>, Value> older = new LinkedHashMap<>(16, 0.75f, true);
 
-  private record Line(String kind, Value event) {}
-
-  private final ArrayDeque<Line> latest = new ArrayDeque<>();
-  private final Map<String, Value> older = new LinkedHashMap<>();
-
-  void add(JsonObject json, Value event) {
-    latest.addLast(new Line(kind(json), event));
+  void add(RecordValue event) {
+    latest.addLast(event);
     if (latest.size() > LATEST) {
-      Line oldest = latest.removeFirst();
-      older.remove(oldest.kind);
-      older.put(oldest.kind, oldest.event);
+      RecordValue oldest = latest.removeFirst();
+      older.put(kind(oldest), oldest);
     }
   }
 
@@ -40,18 +36,14 @@ final class Past {
     for (Value event : older.values()) {
       lines[i++] = event;
     }
-    for (Line line : latest) {
-      lines[i++] = line.event;
+    for (Value event : latest) {
+      lines[i++] = event;
     }
     return new TupleValue(lines);
   }
 
-  private static String kind(JsonObject json) {
-    var kind = new StringBuilder();
-    for (String field : KIND) {
-      JsonElement value = json.get(field);
-      kind.append(value == null ? "" : value.getAsString()).append('/');
-    }
-    return kind.toString();
+  private static List<Object> kind(RecordValue event) {
+    return List.of(
+        Values.field(event, "event"), Values.field(event, "ob"), Values.field(event, "mode"));
   }
 }

@@ -1,5 +1,7 @@
 package s7.trace;
 
+import java.util.ArrayList;
+
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -19,68 +21,89 @@ final class Values {
   private Values() {}
 
   /**
-   * A value shaped like {@code template}: a record takes its fields from the JSON object and, where
-   * the object has none, from the template; a set takes the elements of an array.
+   * The value of a JSON text, shaped like {@code template}: a record takes its fields from the JSON
+   * object and, where the object has none, from the template; a set takes the elements of an array.
    *
    * @throws IllegalArgumentException if the JSON has another shape
    */
-  static Value like(Value template, JsonElement json) {
-    if (template instanceof RecordValue record && json.isJsonObject()) {
-      return overlay(record, json.getAsJsonObject());
+  static Value like(Value template, String json) {
+    try {
+      return like(template, new Json(json));
+    } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
+      throw new IllegalArgumentException("expected a value like " + template + ", not " + json, e);
     }
-    if (template instanceof SetEnumValue && json.isJsonArray()) {
-      return new SetEnumValue(elements(json.getAsJsonArray()), false);
+  }
+
+  private static Value like(Value template, Json json) {
+    if (template instanceof RecordValue record) {
+      return overlay(record, json);
+    }
+    if (template instanceof SetEnumValue) {
+      return new SetEnumValue(elements(json), false);
     }
     Value value = of(json);
     if (value.getClass() != template.getClass()) {
-      throw new IllegalArgumentException("expected a value like " + template + ", not " + json);
+      throw new IllegalArgumentException();
     }
     return value;
   }
 
-  private static RecordValue overlay(RecordValue template, JsonObject json) {
+  private static RecordValue overlay(RecordValue template, Json json) {
     Value[] values = template.values.clone();
-    for (int i = 0; i < values.length; i++) {
-      JsonElement given = json.get(template.names[i].toString());
-      if (given != null) {
-        values[i] = like(values[i], given);
+    json.pass('{');
+    while (json.more('}')) {
+      int place = json.name(template.names);
+      if (place < 0) {
+        json.skip();
+      } else {
+        values[place] = like(values[place], json);
       }
     }
     return new RecordValue(template.names, values, true);
   }
 
   /** Objects become records, arrays tuples. */
-  private static Value of(JsonElement json) {
-    if (json.isJsonObject()) {
-      var fields = json.getAsJsonObject().entrySet();
-      var names = new UniqueString[fields.size()];
-      var values = new Value[fields.size()];
-      int i = 0;
-      for (var field : fields) {
-        names[i] = UniqueString.uniqueStringOf(field.getKey());
-        values[i++] = of(field.getValue());
-      }
-      return new RecordValue(names, values, false);
-    }
-    if (json.isJsonArray()) {
-      return new TupleValue(elements(json.getAsJsonArray()));
-    }
-    JsonPrimitive primitive = json.getAsJsonPrimitive();
-    if (primitive.isBoolean()) {
-      return primitive.getAsBoolean() ? BoolValue.ValTrue : BoolValue.ValFalse;
-    }
-    if (primitive.isNumber()) {
-      return IntValue.gen(primitive.getAsInt());
-    }
-    return new StringValue(primitive.getAsString());
+  private static Value of(Json json) {
+    return switch (json.peek()) {
+      case '{' -> record(json);
+      case '[' -> new TupleValue(elements(json));
+      case '"' -> new StringValue(json.string());
+      case 't', 'f' -> json.truth() ? BoolValue.ValTrue : BoolValue.ValFalse;
+      default -> IntValue.gen(json.number());
+    };
   }
 
-  private static Value[] elements(JsonArray json) {
-    var values = new Value[json.size()];
-    for (int i = 0; i < values.length; i++) {
-      values[i] = of(json.get(i));
+  private static Value record(Json json) {
+    var names = new ArrayList<UniqueString>();
+    var values = new ArrayList<Value>();
+    json.pass('{');
+    while (json.more('}')) {
+      names.add(UniqueString.uniqueStringOf(json.name()));
+      values.add(of(json));
     }
-    return values;
+    return new RecordValue(
+        names.toArray(UniqueString[]::new), values.toArray(Value[]::new), false);
+  }
+
+  private static Value[] elements(Json json) {
+    var values = new ArrayList<Value>();
+    json.pass('[');
+    while (json.more(']')) {
+      values.add(of(json));
+    }
+    return values.toArray(Value[]::new);
+  }
+
+  /** The string or number of a record's field; empty if the record has no field {@code name}. */
+  static Object field(RecordValue record, String name) {
+    for (int i = 0; i < record.names.length; i++) {
+      if (record.names[i].equals(name)) {
+        return record.values[i] instanceof StringValue string
+            ? string.val.toString()
+            : ((IntValue) record.values[i]).val;
+      }
+    }
+    return "";
   }
 
   /** Records become objects, sets and tuples arrays; a set's elements come in TLC's order. */

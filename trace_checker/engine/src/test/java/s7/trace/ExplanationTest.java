@@ -22,11 +22,11 @@ class ExplanationTest {
   }
 
   private static Explanation begin(String header) {
-    return new Explanation(spec, Tiny.json(header));
+    return new Explanation(spec, header.replace('\'', '"'));
   }
 
   private static Explanation.Refusal observe(Explanation explanation, String event) {
-    return explanation.observe(Tiny.json(event));
+    return explanation.observe(event.replace('\'', '"'));
   }
 
   @Test
