@@ -4,6 +4,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -14,13 +15,13 @@ from trace_checker.engine_client import Engine
 from trace_checker.engine_command import EngineError
 from trace_checker.log.header import PROFILES
 from trace_checker.names import logs_of
+from trace_checker.output import write_whole
 from trace_checker.replay import Replay, TooLongError, with_readings, with_steps
 from trace_checker.report.as_html import to_html
 from trace_checker.report.as_json import to_json
 from trace_checker.report.as_junit import to_junit
 from trace_checker.report.as_sarif import to_sarif
 from trace_checker.report.as_text import to_text
-from trace_checker.report.output import write_whole
 from trace_checker.report.progress import ProgressBar
 from trace_checker.verdict import Report
 
@@ -123,20 +124,21 @@ class _Work:
     def report(self, name: str) -> Report:
         self._progress.begin(click.format_filename(name))
         report = check_log(name, self._engine, self._progress.update, self._profile)
+        lines, report = report.lines, replace(report, lines=[])
         with suppress(TooLongError, EngineError):  # the verdict stands without it
-            report = self._completed(report, name)
+            report = self._completed(report, name, lines)
         self._progress.done()
         return report
 
-    def _completed(self, report: Report, name: str) -> Report:
-        """The report with what needs the log once more."""
+    def _completed(self, report: Report, name: str, lines: list[bytes]) -> Report:
+        """The report with what needs the log once more; ``lines`` are those of a stream that is gone."""
         judged = report.verdict in ("accepted", "rejected")
         auto = self._readings == "auto" and report.verdict == "rejected" and self._tried < _TRIED
         tries = judged and (self._readings == "all" or auto)
         draws = judged and self._to_draw > 0
         if not tries and not draws:
             return report
-        replay = Replay(name, report.lines, self._profile)
+        replay = Replay(name, lines, self._profile)
         if tries:
             self._tried += 1
             self._progress.trying()

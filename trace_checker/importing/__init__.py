@@ -14,6 +14,6 @@ from; what a source does not tell stays unrecorded.
 - ``csv_rows``: CSV with a column map
 - ``ring_layout``, ``elapsed``, ``ring``: the ring that the SCL instrumentation writes
 - ``live``: the CPU itself, through python-snap7
-- ``header``, ``log_text``, ``output``: header, the whole log checked, the file
+- ``header``, ``log_text``: header, the whole log checked
 - ``options``, ``command``: the command line
 """

@@ -10,11 +10,14 @@ from trace_checker.completion import complete_files
 from trace_checker.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
 from trace_checker.importing.errors import SourceError
 from trace_checker.importing.options import JsonFile, Letters, Numbers, Span, Words
-from trace_checker.importing.output import write_whole
 from trace_checker.importing.recording import Recording
 from trace_checker.log.errors import printable
+from trace_checker.output import write_whole
 
 _KINDS = ("step7", "szl", "csv", "ring")
+
+LARGEST = 16 * 1024 * 1024
+"""Bytes of the largest source; the whole of it is in memory."""
 
 
 _HELP = """Turn what a CPU has recorded into a log for s7check trace.
@@ -119,10 +122,14 @@ def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording
 
 def _content(name: str) -> bytes:
     try:
-        return sys.stdin.buffer.read() if name == "-" else Path(name).read_bytes()
-    except (OSError, ValueError) as error:
+        with click.open_file(name, "rb") as file:
+            content: bytes = file.read(LARGEST + 1)
+    except (OSError, ValueError, RuntimeError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
         raise SourceError("", "a file that can be read", str(reason)) from error
+    if len(content) > LARGEST:
+        raise SourceError("", f"a file of at most {LARGEST} bytes", "a larger one")
+    return content
 
 
 def _record_live(kind: str | None, address: live.Address, db: int | None, chosen: range | None) -> Recording:

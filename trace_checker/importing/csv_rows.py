@@ -16,7 +16,7 @@ from trace_checker.importing.recording import Placed, Recording, select
 _TIMES = frozenset({"at", "to", "sdt", "info.time"})
 """Fields that hold a date and time."""
 
-_INTEGER = re.compile(r"-?[0-9]+")
+_INTEGER = re.compile(r"-?[0-9]{1,20}")
 
 
 class ColumnMap(msgspec.Struct, forbid_unknown_fields=True):
@@ -49,7 +49,7 @@ def read_map(content: bytes) -> ColumnMap:
     """The column map of a JSON file."""
     try:
         columns = msgspec.json.decode(content, type=ColumnMap)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise SourceError("column map", "a JSON object with columns, see docs/import.md", str(error)) from error
     for field in ("at", "event"):
         if field not in columns.columns:
@@ -80,7 +80,7 @@ def convert(content: bytes, columns: ColumnMap, chosen: range | None = None) -> 
 def _rows(content: bytes, columns: ColumnMap, recording: Recording) -> Iterator[_Row]:
     try:
         text = content.decode(columns.encoding)
-    except (UnicodeDecodeError, LookupError) as error:
+    except (ValueError, LookupError) as error:
         raise SourceError("", f"text in {columns.encoding}", str(error)) from error
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=columns.delimiter, strict=True)
     try:

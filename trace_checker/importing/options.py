@@ -1,11 +1,13 @@
 """Types of the command line's options."""
 
-import json
 import re
 from pathlib import Path
 from typing import Any
 
 import click
+
+from trace_checker.log.errors import UnusableLogError
+from trace_checker.log.jsonline import decode_object
 
 
 class Numbers(click.ParamType[list[int]]):
@@ -15,7 +17,7 @@ class Numbers(click.ParamType[list[int]]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> list[int]:
         """The list."""
-        if not re.fullmatch(r"[0-9]+(,[0-9]+)*", value):
+        if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", value):
             self.fail(f"expected numbers such as 1,10,80; found {value!r}", param, ctx)
         return [int(number) for number in value.split(",")]
 
@@ -50,7 +52,7 @@ class Span(click.ParamType[range]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> range:
         """The numbers, the last one included."""
-        match = re.fullmatch(r"([0-9]*)-([0-9]*)", value)
+        match = re.fullmatch(r"([0-9]{0,9})-([0-9]{0,9})", value)
         if not match or value == "-":
             self.fail(f"expected numbers of entries such as 5-20, 5- or -20; found {value!r}", param, ctx)
         return range(int(match[1] or 0), int(match[2]) + 1 if match[2] else 1 << 31)
@@ -67,11 +69,7 @@ class JsonFile(click.Path):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The object."""
         super().convert(value, param, ctx)
-        path = Path(value)
         try:
-            content = json.loads(path.read_bytes())
-        except (ValueError, OSError) as error:
-            self.fail(f"{path}: expected JSON; found {error}", param, ctx)
-        if not isinstance(content, dict):
-            self.fail(f"{path}: expected a JSON object", param, ctx)
-        return content
+            return decode_object(Path(value).read_bytes())
+        except (UnusableLogError, OSError) as error:
+            self.fail(f"{value}: {error}", param, ctx)

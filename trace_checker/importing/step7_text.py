@@ -13,7 +13,7 @@ from datetime import datetime
 from trace_checker.importing.entry import Buffer, Entry
 from trace_checker.importing.errors import SourceError, shown
 
-_BEGIN = re.compile(r"\s*(?:Event|Ereignis)(?: ?details)?:?\s+(\d+)\s+(?:of|von)\s+\d+\b(.*)", re.IGNORECASE)
+_BEGIN = re.compile(r"\s*(?:Event|Ereignis)(?: ?details)?:?\s+(\d{1,9})\s+(?:of|von)\s+\d+\b(.*)", re.IGNORECASE)
 _EVENT_ID = re.compile(r"\s*:?\s*(?:Event|Ereignis)[ -]ID:?\s*16#\s*([0-9A-F]{4})\s*", re.IGNORECASE)
 _CODING_BEGINS = re.compile(r"\s*\([CK]odi(?:ng|erung):", re.IGNORECASE)
 _CODING = re.compile(_CODING_BEGINS.pattern + r"\s*16#\s*((?:[0-9A-F]{4}\s*){6})\)\s*", re.IGNORECASE)
