@@ -19,6 +19,9 @@ from trace_checker.verdict import Report
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
 
+_OVERHEAD = 48
+"""Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
+
 Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of events read from it."""
 
@@ -97,9 +100,9 @@ class _RecentLines:
 
     def add(self, lines: Lines) -> None:
         self._batches.append(lines)
-        self._bytes += sum(map(len, lines.texts))
+        self._bytes += _size(lines)
         while self._bytes > _KEPT and len(self._batches) > 1:
-            self._bytes -= sum(map(len, self._batches.popleft().texts))
+            self._bytes -= _size(self._batches.popleft())
 
     def up_to(self, number: int) -> list[bytes]:
         """All lines from the first one to this one; none if the first is no longer at hand."""
@@ -113,3 +116,7 @@ class _RecentLines:
             if 0 <= number - lines.first < len(lines.texts):
                 return lines.texts[number - lines.first]
         return None
+
+
+def _size(lines: Lines) -> int:
+    return sum(map(len, lines.texts)) + _OVERHEAD * len(lines.texts)

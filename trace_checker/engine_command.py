@@ -57,6 +57,8 @@ def engine_command() -> list[str]:
         *([] if "-X" in os.environ.get("JDK_JAVA_OPTIONS", "") else _TUNING),
         # Without it a JVM that is out of memory goes on with a thread less and never answers.
         "-XX:+ExitOnOutOfMemoryError",
+        # What the JVM itself has to say, that for instance: standard output belongs to the protocol.
+        "-XX:+DisplayVMOutputToStderr",
         "-cp",
         classpath,
         _MAIN_CLASS,

@@ -6,10 +6,13 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from trace_checker.log.errors import printable
+
 LEAST_JAVA = 17
 """The oldest version that runs TLC and the engine."""
 
 _PATIENCE = 60
+_SHOWN = 300
 _VERSION = re.compile(r'version "(?:1\.)?([0-9]+)')
 
 
@@ -36,8 +39,12 @@ def find_java() -> str:
             text=True,
             errors="replace",
         )
-    except (OSError, subprocess.SubprocessError) as error:
+    except (OSError, subprocess.TimeoutExpired) as error:
         raise JavaMissingError(f"{java} -version failed ({error}): {advice}") from error
+    except subprocess.CalledProcessError as error:
+        # Such as a wrong option in JDK_JAVA_OPTIONS.
+        words = printable(" ".join(f"{error.stdout} {error.stderr}".split()), _SHOWN) or f"exit code {error.returncode}"
+        raise JavaMissingError(f"{java} -version failed ({words}): {advice}") from error
     match = _VERSION.search(said.stderr)
     if match is None or int(match[1]) < LEAST_JAVA:
         version = match[1] if match else "of an unknown version"

@@ -8,7 +8,6 @@ from typing import Any
 from trace_checker.engine_answer import Alternatives, Answer
 from trace_checker.engine_client import Engine
 from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.lines import split_lines
 from trace_checker.log.reader import read_log
 from trace_checker.log.source import open_log
 from trace_checker.verdict import Reading, Report, Verdict
@@ -29,12 +28,13 @@ class Replay:
 
     def __init__(self, name: str, lines: Sequence[bytes], profile: str | None = None) -> None:
         data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
-        self.lines = [text for part in split_lines([data]) for text in part.texts]
+        self.lines: list[bytes] = []
         self.header: dict[str, Any] = {}
         self._events: list[dict[str, Any]] = []
         self._unusable: int | None = None
         try:
             for batch in read_log([data]):
+                self.lines += batch.lines.texts
                 self.header = batch.header or self.header
                 self._events += batch.events
         except UnusableLogError as error:

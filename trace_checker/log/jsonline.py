@@ -38,7 +38,7 @@ def _shown(line: bytes, error: msgspec.MsgspecError) -> str:
         return f"a line cut off after {_excerpt(line[-_EXCERPT:])}"
     match = _position(reason)
     if match is None:
-        return printable(reason)
+        return printable(reason[:1].lower() + reason[1:])
     position = int(match[1])
     return f"{_excerpt(line[position : position + _EXCERPT])} at byte {position + 1} ({reason[: match.start()]})"
 

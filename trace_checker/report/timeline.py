@@ -4,11 +4,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import msgspec
-
 from trace_checker.engine_answer import Pending, Situation
-from trace_checker.log.errors import printable
+from trace_checker.log.errors import UnusableLogError, printable
+from trace_checker.log.events import read_event
+from trace_checker.log.jsonline import decode_object
 from trace_checker.report import words
+from trace_checker.report.lines import source
 from trace_checker.report.markup import Node, add, node
 from trace_checker.verdict import Report
 
@@ -28,6 +29,7 @@ class _Column:
     """A line of the log; ``state`` is the situation after it, before it for the rejected one, None later."""
 
     number: int
+    text: bytes
     event: dict[str, Any]
     state: Situation | None
     x: float
@@ -88,25 +90,26 @@ def _columns(report: Report) -> list[_Column]:
     last = report.line if report.verdict == "rejected" else None
     if last is not None and report.situations:
         after[last] = report.situations[0]
-    found: list[tuple[int, dict[str, Any]]] = []
+    shown: list[tuple[int, bytes, dict[str, Any]]] = []
     for number, text in enumerate(report.lines, 1):
-        if number > 1 and text.strip() and (last is None or number <= last + _AFTER):
+        if number in after or (last is not None and last <= number <= last + _AFTER):
             event = _event(text)
             if event is not None:
-                found.append((number, event))
-    shown = [pair for pair in found if pair[0] in after or (last is not None and pair[0] >= last)]
+                shown.append((number, text, event))
     return [
-        _Column(number, event, after.get(number), _LEFT + i * _COLUMN)
-        for i, (number, event) in enumerate(shown[-_MOST:])
+        _Column(number, text, event, after.get(number), _LEFT + i * _COLUMN)
+        for i, (number, text, event) in enumerate(shown[-_MOST:])
     ]
 
 
 def _event(text: bytes) -> dict[str, Any] | None:
+    """The event as the log spells it; None for what is none, which may follow the line that decides."""
     try:
-        value = msgspec.json.decode(text)
-    except (msgspec.MsgspecError, UnicodeDecodeError):
+        event = decode_object(text)
+        read_event(event)
+    except UnusableLogError:
         return None
-    return value if isinstance(value, dict) and isinstance(value.get("event"), str) else None
+    return event
 
 
 # ---------------------------------------------------------------------------- the parts of the picture
@@ -223,7 +226,7 @@ def _line(column: _Column, before: _Column | None, rows: _Rows, report: Report) 
     elif column.event["event"] == "clock":
         add(group, node("rect", x=x, y=0, width=_COLUMN, height=rows.height, class_="jump"))
     add(group, node("path", d=f"M{x:g} 4V{rows.height:g}", class_="tick"))
-    add(group, node("title", printable(msgspec.json.encode(column.event).decode(), 400)))
+    add(group, node("title", source(column.text)))
     head = [f"{column.number}", _clock(column, before), *_words(column.event)]
     for i, text in enumerate(head):
         class_ = ("number", "time", "what", _class_of_answer(column.event))[min(i, 3)]
