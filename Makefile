@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -52,6 +52,10 @@ typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or 
 
 apalache:  ## bounded checks with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh check
+
+FUZZ ?= 24000
+fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
+	$(BIN)/python -m trace_checker.tests.fuzz --inputs $(FUZZ)
 
 wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .

@@ -1,0 +1,155 @@
+"""Hostile logs, streams without an end, little memory, failing engines, disks that are full."""
+
+import gzip
+import resource
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from trace_checker import check, cli
+from trace_checker.log.lines import Lines
+from trace_checker.tests import fuzz
+from trace_checker.tests.logs import event, log_text
+from trace_checker.tests.test_cli import ENVIRONMENT, RUNNER
+
+MEMORY = 300 * 1024 * 1024
+"""Bytes of address space that s7check itself must do with, as docs/commands.md says."""
+
+REJECTED = log_text(event("run"), event("EN_AIRT", ret=1))
+UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))
+
+
+def limited(what: int, size: int) -> Callable[[], None]:
+    """What makes a new process live with a limit."""
+    return lambda: resource.setrlimit(what, (size, size))
+
+
+MEGABYTE = 1024 * 1024
+HOSTILE = {
+    "long line": (b"a" * MEGABYTE, 100, "a line of at most 1048576 bytes; found a longer one"),
+    "zeros": (b"\0" * MEGABYTE, 100, "a line of at most 1048576 bytes; found a longer one"),
+    "nesting": (b'{"event":' + b"[" * 10**6 + b"\n", 1, "a JSON object; found too many levels of nesting"),
+    "objects": (b'{"x_":' * 150_000 + b"\n", 1, "a JSON object; found too many levels of nesting"),
+    "long number": (b'{"event": "run", "up": ' + b"9" * 10**6 + b"}\n", 1, "found integer value out of range"),
+    "large number": (b'{"event": "run", "up": 1e999999}\n', 1, "found number out of range"),
+}
+"""What follows the first event of a log, how often, and how the message ends."""
+
+
+def test_little_memory(tmp_path: Path) -> None:
+    """What would fill the memory is refused in one line; the logs are packed, 200 MB in 1 MB."""
+    for name, (piece, count, _) in HOSTILE.items():
+        with gzip.open(tmp_path / f"{name}.gz", "wb", compresslevel=1) as file:
+            file.write(log_text(event("run")))
+            for _ in range(count):
+                file.write(piece)
+    run = subprocess.run(
+        [*RUNNER, "trace", *(f"{name}.gz" for name in HOSTILE)],
+        cwd=tmp_path,
+        env=ENVIRONMENT,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        preexec_fn=limited(resource.RLIMIT_AS, MEMORY),
+        check=False,
+    )
+    assert (run.returncode, run.stderr) == (2, "")
+    for line, (name, (_, _, found)) in zip(run.stdout.splitlines(), HOSTILE.items(), strict=True):
+        assert line.startswith(f"{name}.gz:3: unusable: expected ")
+        assert line.endswith(found)
+
+
+def test_empty_lines_without_end() -> None:
+    """Of lines that have hardly any bytes no more are kept than of others."""
+    recent = check._RecentLines()
+    for number in range(1, 10_000_000, 500_000):
+        recent.add(Lines(number, [b""] * 500_000))
+    assert sum(len(batch.texts) for batch in recent._batches) < 1_000_000
+
+
+@pytest.mark.parametrize(("log", "code", "verdict"), [(REJECTED, 1, b"rejected"), (UNUSABLE, 2, b"unusable")])
+def test_stream_that_never_ends(log: bytes, code: int, verdict: bytes) -> None:
+    """The verdict comes with the line that decides it, though more and more lines follow."""
+    endless = "import sys\nwhile True: sys.stdout.buffer.write(sys.argv[1].encode() + b'\\n' * 65536)"
+    with subprocess.Popen(
+        [sys.executable, "-c", endless, log.decode()], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as writer:
+        run = subprocess.run(
+            [*RUNNER, "trace", "-"], stdin=writer.stdout, env=ENVIRONMENT, capture_output=True, timeout=60, check=False
+        )
+        writer.kill()
+    assert (run.returncode, run.stderr) == (code, b"")
+    assert run.stdout.startswith(b"-:3: " + verdict)
+
+
+@pytest.mark.usefixtures("_fake_engine")
+def test_markup_and_control_characters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a log says is never markup of the page, wherever it stands, nor an order to a terminal."""
+    monkeypatch.chdir(tmp_path)
+    evil = "</title><script>alert(1)</script>\x1b[31m\0"
+    names = {evil: evil, f"x_{evil}": {evil: evil}}
+    for number, entry in enumerate([event("EN_AIRT", ret=1, x_=names), event("EN_AIRT", ret=evil), event(evil)]):
+        # After the line that decides anything may follow.
+        rest = [event("interrupt", ob=[evil], info=evil), event("clock", to={evil: 1})]
+        (tmp_path / f"<script>{number}").write_bytes(log_text(entry, *rest, "[" * 5000))
+    cli.main(["trace", "--format", "html", "--output", "page", *(str(path.name) for path in tmp_path.iterdir())])
+    page = (tmp_path / "page").read_text(encoding="utf-8")
+    assert page.count("<script>") == page.count("</script>") == 1
+    assert page.replace("\n", "").isprintable()
+
+
+def test_out_of_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """The engine itself, with a heap in which nothing has room."""
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", "-Xmx8m")
+    (tmp_path / "log").write_bytes(log_text(event("restart", type="warm")))
+    assert cli.main(["trace", str(tmp_path / "log")]) == 3
+    (line,) = capsys.readouterr().out.splitlines()
+    assert line.endswith(
+        ": no verdict: the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance"
+    )
+
+
+@pytest.mark.parametrize("old", [None, "old"])
+def test_full_disk(tmp_path: Path, old: str | None) -> None:
+    """A report that does not fit leaves what was there, and nothing beside it."""
+    (tmp_path / "log").write_bytes(REJECTED)
+    folder = tmp_path / "reports"
+    folder.mkdir()
+    if old is not None:
+        (folder / "report").write_text(old)
+    run = subprocess.run(
+        [*RUNNER, "trace", "--output", folder / "report", tmp_path / "log"],
+        env=ENVIRONMENT | {"PYTHONDONTWRITEBYTECODE": "1"},
+        capture_output=True,
+        text=True,
+        preexec_fn=limited(resource.RLIMIT_FSIZE, 100),
+        check=False,
+    )
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "report" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert [path.read_text() for path in folder.iterdir()] == ([] if old is None else [old])
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_output_that_takes_nothing(tmp_path: Path) -> None:
+    """Where standard output is full there is no verdict, and a sentence."""
+    (tmp_path / "log").write_bytes(REJECTED)
+    with Path("/dev/full").open("wb") as full:
+        run = subprocess.run(
+            [*RUNNER, "trace", tmp_path / "log"], stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT, check=False
+        )
+    assert run.returncode == 3
+    assert run.stderr.splitlines() == [b"s7check: OSError: [Errno 28] No space left on device"]
+
+
+def test_damaged_logs_and_sources(tmp_path: Path) -> None:
+    """A sample of what `make fuzz` does."""
+    tally = fuzz.Tally()
+    fuzz.run_sources(range(50), 7, tmp_path, tally)
+    fuzz.run_logs(range(50, 300), 7, tmp_path, tally)
+    assert tally.faults == []
+    assert sum(sum(counts.values()) for counts in tally.counts.values()) == 300
