@@ -31,6 +31,9 @@ import util.ToolIO;
  * answered with the operator's value.
  */
 public final class Engine {
+  /** Exit code of an engine whose parent has ended. */
+  private static final int NOBODY_LEFT = 3;
+
   private final Specification spec;
   private final PrintStream out;
 
@@ -54,6 +57,7 @@ public final class Engine {
       System.exit(2);
     }
     useOwnTemporaryFolder();
+    endWithParent();
     // Standard output belongs to the protocol; TLC's own messages go elsewhere.
     var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
     System.setOut(System.err);
@@ -72,6 +76,13 @@ public final class Engine {
     Path own = Files.createTempDirectory("s7-trace-engine");
     System.setProperty("java.io.tmpdir", own.toString());
     Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(own.toFile())));
+  }
+
+  /** An engine that is at work on an event does not see its input end. */
+  private static void endWithParent() {
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(parent -> parent.onExit().thenRun(() -> System.exit(NOBODY_LEFT)));
   }
 
   private static void delete(File file) {
