@@ -7,7 +7,7 @@ EXTENDS MCBase
 
 MCTodObs == {10}
 MCFamilies == {"S7-300"}
-MCLoads == {{10, 40, 80, 85, 100}}
+MCLoads == {{10, 40, 80, 85, 100}, {40, 80, 85}}
 MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
 MCObNumbers == {10, 99}
 MCSdts == {Date(0), Date(1), WrongDate, Monthly29}

@@ -24,8 +24,10 @@ typecheck)
     ;;
 check)
     # A bounded check: no counterexample of up to this many steps, not a proof.
-    python3 models/flatten.py APAirt models spec >"$out/flat/APAirt.tla"
-    "$apalache" check --out-dir="$out" --config=models/APAirt.cfg --length=2 \
+    names=$(sed -n 's/^ *\(.*\) <- \(.*\)/\1,\2/p' models/APAirt.cfg | paste -s -d , -)
+    python3 models/flatten.py --only "APInit,APNext,StackAndAirtInv,$names" APAirt models spec \
+        >"$out/flat/APAirt.tla"
+    "$apalache" check --out-dir="$out" --config=models/APAirt.cfg --length=5 \
         --inv=StackAndAirtInv "$out/flat/APAirt.tla"
     ;;
 *)

@@ -41,8 +41,7 @@ TypeInv ==
 -----------------------------------------------------------------------------
 (* Scheduling *)
 
-(* [OBS-01] [OBS-04] Every running OB is of a higher class than the one it  *)
-(* interrupted.                                                            *)
+(* [OBS-01] Every running OB is of a higher class than the one it interrupted. *)
 StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
 
 (* [OBS-04] Table 8.1 as an order: cycle, time-of-day interrupts, hardware  *)
@@ -67,15 +66,17 @@ PriorityOrderInv ==
     /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
 
 (* [OBS-04] [OBS-31] [OBS-43] The classes of those that run: two real       *)
-(* numbers of table 8.1 for each family, and what STARTUP changes.         *)
+(* numbers of table 8.1 for each family, what STARTUP changes, and [OBS-05] *)
+(* what is set.                                                            *)
 ClassInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
           c == stack[i].class
       IN  /\ o = CycleOb => c = 1
-          /\ o \in TodObs => c = 2
+          /\ o \in DOMAIN cpu.priority => c = cpu.priority[o]
+          /\ o \in TodObs \ DOMAIN cpu.priority => c = 2
           /\ o \in DintObs => c = o - 17
-          /\ o = 40 => c = 16
+          /\ o = 40 /\ o \notin DOMAIN cpu.priority => c = 16
           /\ o = TimeErrorOb => c \in {26, 28}
           /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
           /\ o \in 81..87 /\ c # 28 =>
@@ -97,6 +98,27 @@ StartupInv ==
 QueueInv ==
     \A r \in requests : r.rank > 1 =>
       \E q \in requests : q.class = r.class /\ q.rank = r.rank - 1
+
+(* [OBS-10] What waits stays as it was when its start event occurred; only   *)
+(* its place changes, and what was open may become sure.                   *)
+\* @type: $request => $request;
+Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
+Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
+ContentProp ==
+    [][ step'.event \in {"start", "end", "dropped", "time", "hold", "DIS_AIRT",
+                         "EN_AIRT", "SET_TINT", "CAN_TINT", "ACT_TINT", "run"}
+          => Fresh = {} ]_vars
+
+(* [OBS-08] A buffer overflows only where something of the class waits or    *)
+(* runs already.                                                           *)
+OverflowProp ==
+    [][ \A e \in Fresh :
+          e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
+            \/ PendingIn(requests, e.cause) \/ OpenIn(requests, e.cause)
+            \/ OnStack(e.cause)
+            \/ /\ e.cause \in AsyncErrorObs
+               /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
+                  \/ \E i \in DOMAIN stack : stack[i].ob \in AsyncErrorObs ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
@@ -124,8 +146,8 @@ HighestFirstProp ==
           q.class > step'.value => /\ mode # "RUN"
                                    /\ q.ob \notin AsyncErrorObs ]_vars
 
-(* [TINT-02] (d) [TINT-16] Only loaded OBs start; [OBS-07] only by a start  *)
-(* event.                                                                  *)
+(* [TINT-02] (d) [TINT-16] Only loaded OBs start, and [OBS-07] only by a     *)
+(* start event.                                                            *)
 LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
 RequestedProp ==
     [][Dispatched => \E r \in requests : r.ob = step'.ob]_vars
@@ -134,6 +156,9 @@ RequestedProp ==
 DropProp ==
     [][ Did("dropped") => \A r \in requests : r.open
                             \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
+
+(* [OBS-06] An OB of class 0 never waits, so it never runs. *)
+ClassZeroInv == \A r \in requests : ClassOf(r.ob) # 0
 
 (* [TINT-13] [OBS-42] *)
 RunOnlyProp == [][ Dispatched /\ step'.ob \notin AsyncErrorObs
@@ -250,6 +275,12 @@ StartupProp ==
           /\ o \in loaded /\ stack = <<>>
           /\ startup = (IF o = 100 THEN "warm" ELSE "cold") ]_vars
 
+(* [TINT-25] Execution of STEP 7 and PERIOD of SFC 28 are one parameter. *)
+PeriodTable ==
+    { <<"once", 0>>, <<"minute", \h0201>>, <<"hourly", \h0401>>, <<"daily", \h1001>>,
+      <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
+      <<"end_of_month", \h2001>> }
+
 (* [OBS-50] [OBS-52] [OBS-54] After a restart only what STEP 7 sets is set, *)
 (* and only a once of the past waits [OBS-56].                             *)
 RestartProp ==
@@ -259,7 +290,9 @@ RestartProp ==
                LET s == cpu.step7[o]
                IN  /\ tod'[o].set <=> s.execution # "none"
                    /\ tod'[o].active <=> s.execution # "none" /\ s.active
-                   /\ s.execution # "none" => tod'[o].start = s.start
+                   /\ s.execution # "none" =>
+                        /\ tod'[o].start = s.start
+                        /\ <<s.execution, tod'[o].period>> \in PeriodTable
                    /\ PendingIn(requests', o) <=>
                         /\ s.execution = "once" /\ s.active /\ ~s.deselected
                         /\ Before(At(s.start), clock)

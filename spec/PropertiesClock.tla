@@ -50,6 +50,13 @@ CatchUpProp ==
                 /\ \A r \in new : /\ r.since = At(tod[o].next)
                                   /\ r.follows = 5 ]_vars
 
+(* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a clock that is set, fault 06 *)
+(* by HOLD; a late OB is neither.                                          *)
+SkipFaultProp ==
+    [][ \A r \in Fresh : r.ob = TimeErrorOb =>
+          /\ r.fault = 5 => Did("clock")
+          /\ r.fault = 6 => Did("release") ]_vars
+
 (* [AMB-37] [AMB-58] [CLK-14] Without a skip the clock may be set freely:    *)
 (* nothing is requested and nothing is lost.                               *)
 NoSkipProp ==

@@ -15,8 +15,8 @@ CallerProp ==
                                      "EN_IRT", "DIS_AIRT", "EN_AIRT"}
           => stack # <<>> ]_vars
 
-(* [TINT-05] [TINT-31] [TINT-50] Only what is set is active, and only what  *)
-(* is active is watched or waits.                                          *)
+(* [TINT-05] [TINT-50] Only what is set is active, and only what is active  *)
+(* is watched or waits.                                                    *)
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
@@ -76,11 +76,13 @@ CanProp ==
                                     /\ tod[o].set /\ ~tod'[o].set
                                     /\ ~PendingIn(requests', o) ]_vars
 
-(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT. *)
+(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT.  That the OB is missing *)
+(* is noticed later [TINT-17]: nothing waits and nothing stops by the call. *)
 ActProp ==
     [][ Did("ACT_TINT") =>
           LET o == step'.ob
-          IN  /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
+          IN  /\ UNCHANGED <<requests, stopCause>>
+              /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
               /\ step'.value = \h80A0 => o \in TodObs /\ ~tod[o].set
               /\ step'.value = \h80A1 =>
@@ -122,7 +124,7 @@ QueryProp ==
           /\ step'.value = \h8090 =>
                step'.ob \notin TodObs \/ Deselected(step'.ob) ]_vars
 
-(* [TINT-72] [TINT-74] [TINT-76] [TINT-79] STATUS. *)
+(* [TINT-72] [TINT-74] .. [TINT-79] STATUS. *)
 StatusProp ==
     [][ Did("QRY_TINT") /\ step'.operand # -1 /\ step'.value = 0 =>
           LET o == step'.ob

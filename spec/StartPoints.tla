@@ -45,7 +45,7 @@ AfterPoint(o, t) ==
           \/ Reading("AMB-71") = "b"
     THEN UsedUp(t) ELSE t
 
-(* [TINT-09] [TINT-14] [TINT-19]; in STARTUP one run is deferred [AMB-35]. *)
+(* [TINT-09] [TINT-14]; in STARTUP one run is deferred [AMB-35]. *)
 \* @type: Int => Bool;
 PointReached(o) ==
     LET p == tod[o].next

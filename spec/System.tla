@@ -34,6 +34,10 @@ Step7Settings ==
                   deselected : BOOLEAN ] ]
 Loads == SUBSET (TodObs \cup ExternalObs \cup StartupObs)
 
+(* Priority classes other than the defaults [OBS-05]; none. *)
+\* @type: Set(Int -> Int);
+Priorities == { [o \in {} |-> 0] }
+
 (* Readings other than the defaults; none. *)
 \* @type: Set(Str -> Str);
 ReadingSets == { [a \in {} |-> ""] }
@@ -87,7 +91,7 @@ Step(event, ob, value) ==
 Seen(event, ob, value) == step' = Step(event, ob, value)
 
 Init ==
-    /\ cpu \in [ family : Families, priority : { [o \in {} |-> 0] },
+    /\ cpu \in [ family : Families, priority : Priorities,
                  step7 : Step7Settings, readings : ReadingSets ]
     /\ loaded \in Loads
     /\ mode = "STOP"
