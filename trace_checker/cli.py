@@ -43,7 +43,9 @@ class _Commands(click.Group):
 def cli() -> None:
     """Check the interrupt functions of S7-300/400 CPUs (SFC 28-34 and 39-42).
 
-    The rules come from one TLA+ specification; s7check evaluates it.
+    The rules come from one TLA+ specification; s7check evaluates it. For logs of a CPU or of a soft
+    PLC there are trace and import; models, mutants, requirements and verify work on the project
+    itself, in a checkout of it.
     """
 
 

@@ -1,6 +1,5 @@
 """The engine's protocol: logs go in, verdicts come out, a JSON object a line either way."""
 
-import select
 from collections.abc import Callable
 from types import TracebackType
 from typing import Any, Literal, Self, TypeVar
@@ -12,6 +11,7 @@ from trace_checker.engine_command import EngineError, engine_command
 from trace_checker.engine_process import EngineProcess
 from trace_checker.log.errors import printable
 from trace_checker.log.source import wait_for_input
+from trace_checker.readable import readable
 from trace_checker.resources import REMEDY
 
 _SHOWN = 300
@@ -97,8 +97,7 @@ class Engine:
             return wait_for_input(fd)
         output = self._at_work.output
         while self._answer is None:
-            readable, _, _ = select.select([fd, output], [], [])
-            if output not in readable:
+            if output not in readable(fd, output):
                 return True
             self._answer = _decode(self._at_work.line(), Answer)
         return False

@@ -44,7 +44,7 @@ class EngineProcess:
         try:
             while rest:
                 rest = rest[os.write(self._input, rest) :]
-        except BrokenPipeError as error:
+        except OSError as error:  # a broken pipe, for which Windows has another number
             raise self._ended() from error
 
     def line(self) -> bytes:

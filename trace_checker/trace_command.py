@@ -74,10 +74,14 @@ Over several logs the exit code is the highest of theirs.
     type=click.Choice(["auto", "all", "none"]),
     default="auto",
     show_default=True,
-    help="Judge a log by other readings too, one changed at a time, by each CPU and by each profile: "
-    f"all logs; auto, the first {_TRIED} rejected ones; none.",
+    help="Where the manuals leave something open: judge a log by every other reading, CPU and edition too, one "
+    f"changed at a time, and say which change the verdict. all, every log; auto, the first {_TRIED} rejected ones.",
 )
-@click.option("--profile", type=click.Choice(PROFILES), help="Read every log by this edition of the manual.")
+@click.option(
+    "--profile",
+    type=click.Choice(PROFILES),
+    help="Judge every log by this edition of the manual, whatever its header says.",
+)
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(output: str, file: Path | None, readings: str, profile: str | None, logs: tuple[str, ...]) -> int:
     """Judge the logs and report."""

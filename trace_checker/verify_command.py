@@ -48,7 +48,8 @@ class Row:
 def verify_command() -> int:
     """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs.
 
-    Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed, 3 a tool is missing.
+    Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed or a tool is missing, 2 this
+    is no checkout.
     """
     if INSTALLED:
         raise click.ClickException("this is for a checkout of the project: run `make verify` there")

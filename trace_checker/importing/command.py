@@ -51,6 +51,7 @@ or not at all.
 Exit codes:
   0  the log is written
   2  SOURCE or an option cannot be used: which entry, and what was expected
+  3  something else failed
 """
 
 
@@ -59,7 +60,7 @@ Exit codes:
     "--from",
     "kind",
     type=click.Choice(_KINDS),
-    help="What SOURCE is (below). Needed for a file; a CPU gives szl by default.",
+    help="What SOURCE is (above). Needed for a file; a CPU gives szl by default.",
 )
 @click.option(
     "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), help="The log; standard output by default."
@@ -68,16 +69,34 @@ Exit codes:
 @click.option("--obs", type=Numbers(), metavar="N,N...", help="The OBs that are loaded in it, 1,10,80 for instance.")
 @click.option("--clock", metavar="TIME", help="Its clock when the log begins; that of the first event by default.")
 @click.option("--mode", type=click.Choice(["STOP", "STARTUP", "RUN"]), help="Its mode then, if SOURCE does not tell.")
-@click.option("--latency", type=int, metavar="MS", help="Longest time until a due OB starts; 10 by default.")
-@click.option("--readings", type=Letters(), metavar="AMB-NN=LETTER,...", help="Readings that are not the default.")
+@click.option(
+    "--latency",
+    type=int,
+    metavar="MS",
+    help="Longest time in milliseconds until an OB that is due has started; 10 by default.",
+)
+@click.option(
+    "--readings",
+    type=Letters(),
+    metavar="AMB-NN=LETTER,...",
+    help="How open questions of the manuals are answered, where not by the default (docs/readings.md).",
+)
 @click.option("--step7", type=JsonFile(), metavar="FILE", help="STEP 7 parameters of the OBs, as in the header, JSON.")
 @click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
 @click.option("--header", "fields", type=JsonFile(), metavar="FILE", help="Any fields of the header, JSON.")
 @click.option("--entries", type=Span(), metavar="A-B", help="Only entries A to B, as SOURCE numbers them.")
 @click.option("--dates", type=click.Choice(step7_text.DATE_ORDERS), help="Order of day, month, year in a step7 text.")
-@click.option("--map", "columns", type=click.Path(exists=True, dir_okay=False), metavar="FILE", help="For csv, JSON.")
+@click.option(
+    "--map",
+    "columns",
+    type=click.Path(exists=True, dir_okay=False),
+    metavar="FILE",
+    help="For csv: which column is which field of the log, JSON (docs/import.md).",
+)
 @click.option("--db", type=click.IntRange(1, 65535), help="Number of the ring's data block in the CPU.")
-@click.option("--port", type=click.IntRange(1, 65535), default=live.ISO_ON_TCP, show_default=True, help="Of the CPU.")
+@click.option(
+    "--port", type=click.IntRange(1, 65535), default=live.ISO_ON_TCP, show_default=True, help="TCP port of the CPU."
+)
 @click.argument("source", metavar="SOURCE", shell_complete=complete_files)
 def import_command(kind: str | None, output: Path | None, source: str, **options: Any) -> int:
     """Imports ``source``; the help says how."""

@@ -1,7 +1,6 @@
 """Where a log's bytes come from: a file, a gzip file or standard input."""
 
 import os
-import select
 import stat
 import sys
 import zlib
@@ -9,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from trace_checker.log.errors import UnusableLogError, printable
+from trace_checker.readable import readable
 
 CHUNK = 64 * 1024
 """Bytes asked for at a time; a pipe gives what it has, so lines arrive when they are written."""
@@ -22,7 +22,7 @@ Wait = Callable[[int], bool]
 
 def wait_for_input(fd: int) -> bool:
     """Waits until ``fd`` can be read; the ``Wait`` of a reader with nothing else to wait for."""
-    select.select([fd], [], [])
+    readable(fd)
     return True
 
 
@@ -70,7 +70,8 @@ def open_log(name: str) -> Iterator[Source]:
         yield Source(fd, packed=False)
         return
     try:
-        fd = os.open(name, os.O_RDONLY)
+        # Windows would change the ends of lines.
+        fd = os.open(name, os.O_RDONLY | getattr(os, "O_BINARY", 0))
     except (OSError, ValueError) as error:
         raise UnusableLogError("a log that can be opened", _reason(error)) from error
     try:

@@ -46,7 +46,9 @@ class Request:
 
 
 @click.command(name="models", short_help="Model-check the specification.")
-@click.option("--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="With the lanes below it.")
+@click.option(
+    "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models: smoke, also ci, or all."
+)
 @click.option(
     "--manifest",
     type=click.Path(path_type=Path, dir_okay=False),

@@ -56,7 +56,13 @@ class Request:
 
 
 @click.command(name="mutants", short_help="Mutate the specification: do its checks notice?")
-@click.option("--against", type=click.Choice(["models", "logs", "all"]), default="models", show_default=True)
+@click.option(
+    "--against",
+    type=click.Choice(["models", "logs", "all"]),
+    default="models",
+    show_default=True,
+    help="What has to notice.",
+)
 @click.option(
     "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models, with --against models."
 )
@@ -69,7 +75,7 @@ class Request:
     "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
 )
 @click.option("--sample", type=click.IntRange(1), help="Only so many mutants, drawn by --seed.")
-@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--seed", type=int, default=1, show_default=True, help="Another one draws other mutants.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
 @click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for one by a property.")
 @click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")

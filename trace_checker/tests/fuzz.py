@@ -6,6 +6,7 @@ Whatever it is, there has to be a verdict or a refusal, in one sentence, and eve
 
 import gzip
 import json
+import signal
 import sys
 import tempfile
 import time
@@ -40,6 +41,9 @@ HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
 
 EXPLAINED = 20
 """Of so many logs one is judged again for its timeline and other readings."""
+
+PATIENCE = 30
+"""Seconds for a log."""
 
 MARKUP = "<script>alert(1)</script>"
 HOSTILE_BYTES = (
@@ -181,6 +185,7 @@ class Tally:
 
 def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
     """Judges the damaged logs with these numbers, all by one engine."""
+    signal.signal(signal.SIGALRM, _too_long)
     logs = [log for log in sorted(TRACES.glob("*/*.ndjson")) if log.stat().st_size]
     with Engine() as engine:
         for number in inputs:
@@ -191,6 +196,7 @@ def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
             file.write_bytes(DAMAGES[kind](random, log.read_bytes()))
             begun = time.monotonic()
             outcome, found = "failed", []
+            signal.alarm(PATIENCE)
             try:
                 report = check_log(str(file), engine, lambda _, __: None)
                 outcome = report.verdict
@@ -201,8 +207,14 @@ def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
                 found = list(_faults_of(report))
             except Exception as error:  # whatever it is, it is what is looked for
                 found = [f"{type(error).__name__}: {error}"]
+            finally:
+                signal.alarm(0)
             where = f"input {number} of seed {seed}, {log.name}, {kind}"
             tally.add(kind, outcome, time.monotonic() - begun, (f"{where}: {fault}" for fault in found))
+
+
+def _too_long(_: int, __: object) -> None:
+    raise TimeoutError(f"no verdict after {PATIENCE} s")
 
 
 def _faults_of(report: Report) -> Iterator[str]:

@@ -1,0 +1,57 @@
+"""docs/commands.md describes every option of every command, and no other."""
+
+import re
+from pathlib import Path
+
+import click
+import pytest
+
+from trace_checker import cli
+
+PAGE = (Path(cli.__file__).parents[1] / "docs" / "commands.md").read_text(encoding="utf-8")
+EVERY_COMMAND = {"-h", "--help"}
+
+
+def section(name: str) -> str:
+    """What the page says of a command."""
+    return PAGE.partition(f"\n## `s7check {name}")[2].partition("\n## ")[0]
+
+
+def options(name: str) -> dict[str, str]:
+    """The spellings of a command's options, each with its help."""
+    command = cli.cli.get_command(click.Context(cli.cli), name)
+    assert command is not None
+    found = [one for one in command.params if isinstance(one, click.Option)]
+    return {spelling: one.help or "" for one in found for spelling in (*one.opts, *one.secondary_opts)}
+
+
+@pytest.mark.parametrize("name", cli.COMMANDS)
+def test_every_option_is_described(name: str) -> None:
+    """Those in the command's section are those that it has."""
+    described = set(re.findall(r"`(--?[a-z][a-z0-9-]*)", section(name)))
+    assert described == options(name).keys()
+    assert all(options(name).values()), "an option without a help text"
+
+
+@pytest.mark.parametrize("name", cli.COMMANDS)
+def test_every_command_has_its_exit_codes(name: str) -> None:
+    """The table of exit codes has a column for each command."""
+    heading = next(line for line in PAGE.splitlines() if line.startswith("| exit code"))
+    assert f"`{name}`" in heading
+    assert set(re.findall(r"`(--?[a-z]+)`", PAGE.partition("\n## ")[0])) >= EVERY_COMMAND
+
+
+def test_environment_variables() -> None:
+    """Those that the code reads are described, but for the width of a terminal and the like."""
+    sources = Path(cli.__file__).parent.rglob("*.py")
+    text = "".join(file.read_text(encoding="utf-8") for file in sources if "tests" not in file.parts)
+    used = set(re.findall(r"environ(?:\.get\(|\[)?\s*\"([A-Z0-9_]+)\"|\"([A-Z0-9_]+)\" (?:not )?in os\.environ", text))
+    names = {name for pair in used for name in pair if name}
+    assert names
+    assert all(f"`{name}`" in PAGE for name in names)
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_is_described(shell: str) -> None:
+    """The line for each shell."""
+    assert f"_S7CHECK_COMPLETE={shell}_source s7check" in PAGE
