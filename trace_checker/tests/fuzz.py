@@ -35,6 +35,7 @@ from trace_checker.report.as_text import to_text
 from trace_checker.verdict import Report
 
 TRACES = Path(cli.__file__).parents[1] / "traces"
+KEPT = Path("build") / "fuzz"
 SOURCES = Path(__file__).with_name("data") / "import"
 
 HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
@@ -42,7 +43,7 @@ HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
 EXPLAINED = 20
 """Of so many logs one is judged again for its timeline and other readings."""
 
-PATIENCE = 30
+PATIENCE = 60
 """Seconds for a log."""
 
 MARKUP = "<script>alert(1)</script>"
@@ -176,11 +177,15 @@ class Tally:
     faults: list[str] = field(default_factory=list)
     slowest: float = 0.0
 
-    def add(self, kind: str, outcome: str, seconds: float, faults: Iterator[str]) -> None:
-        """Counts an input."""
+    def add(self, kind: str, outcome: str, seconds: float, faults: list[str], content: bytes) -> None:
+        """Counts an input, and keeps one that was treated wrongly."""
         self.counts.setdefault(kind, Counter())[outcome] += 1
         self.slowest = max(self.slowest, seconds)
-        self.faults += faults
+        if faults:
+            kept = KEPT / str(len(self.faults))
+            KEPT.mkdir(parents=True, exist_ok=True)
+            kept.write_bytes(content)
+            self.faults += [f"{kept}: {kind}: {fault}" for fault in faults]
 
 
 def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
@@ -209,8 +214,7 @@ def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
                 found = [f"{type(error).__name__}: {error}"]
             finally:
                 signal.alarm(0)
-            where = f"input {number} of seed {seed}, {log.name}, {kind}"
-            tally.add(kind, outcome, time.monotonic() - begun, (f"{where}: {fault}" for fault in found))
+            tally.add(kind, outcome, time.monotonic() - begun, found, file.read_bytes())
 
 
 def _too_long(_: int, __: object) -> None:
@@ -264,13 +268,7 @@ def run_sources(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
             found.append(f"exit code {code}: {text}")
         elif code and not (text.count("Error: ") == 1 and text.replace("\n", "").isprintable()):
             found.append(f"a message not for people: {text!r}")
-        where = f"input {number} of seed {seed}, import of {name}"
-        tally.add(
-            f"import of {name}",
-            "written" if code == 0 else "refused",
-            time.monotonic() - begun,
-            (f"{where}: {fault}" for fault in found),
-        )
+        tally.add(f"import of {name}", "refused" if code else "written", time.monotonic() - begun, found, content)
 
 
 @click.command()
@@ -286,7 +284,7 @@ def main(inputs: int, seed: int) -> None:
     outcomes = sorted({outcome for counts in tally.counts.values() for outcome in counts})
     table = Table("damage", *outcomes, "faults")
     for kind, counts in tally.counts.items():
-        faults = sum(f", {kind}: " in fault for fault in tally.faults)
+        faults = sum(f": {kind}: " in fault for fault in tally.faults)
         table.add_row(kind, *(str(counts[outcome] or "") for outcome in outcomes), str(faults))
     total: Counter[str] = sum(tally.counts.values(), Counter())
     table.add_row("all", *(str(total[outcome]) for outcome in outcomes), str(len(tally.faults)))
