@@ -8,13 +8,13 @@
 (***************************************************************************)
 EXTENDS Scheduler
 
-(* The execution of a STEP 7 parameter set as a PERIOD [TINT-25]. *)
+(* The execution of a STEP 7 parameter set as a PERIOD [TINT-25] [AMB-01]. *)
 \* @type: Str => Int;
 PeriodOf(execution) ==
     CASE execution = "minute"  -> Minutely
       [] execution = "hourly"  -> Hourly
       [] execution = "daily"   -> Daily
-      [] execution = "weekly"  -> \h1201
+      [] execution = "weekly"  -> IF Reading("AMB-01") = "b" THEN \h1202 ELSE \h1201
       [] execution = "monthly" -> Monthly
       [] execution = "yearly"  -> Yearly
       [] execution = "end_of_month" -> EndOfMonth

@@ -57,7 +57,8 @@ SetAnswerProp ==
                           /\ step'.operand \in PeriodCodes
                           /\ ~past ]_vars
 
-(* [TINT-30] [TINT-31] SET_TINT sets, and does not activate. *)
+(* [TINT-30] [TINT-31] SET_TINT sets, to the minute [TINT-11], and does not   *)
+(* activate.                                                               *)
 SetProp ==
     [][ Did("SET_TINT") /\ step'.value = 0 =>
           /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active

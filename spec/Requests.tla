@@ -137,10 +137,13 @@ Preempts(r) == r.class > Running.class
 (* [AIRT-01] [AIRT-09] Whatever may interrupt the running OB is delayed. *)
 Undelayed == delay = 0
 
-(* [OBS-02] [TINT-12] *)
+(* [OBS-02] [TINT-12] Under AMB-29 (b) by number within a place. *)
 \* @type: $request => Bool;
 InTurn(r) ==
-    { q \in requests : q.class = r.class /\ q.rank < r.rank /\ ~q.open } = {}
+    { q \in requests :
+        /\ q.class = r.class /\ ~q.open
+        /\ \/ q.rank < r.rank
+           \/ q.rank = r.rank /\ q.ob < r.ob /\ Reading("AMB-29") = "b" } = {}
 
 (* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
 \* @type: $request => Bool;

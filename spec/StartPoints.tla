@@ -51,6 +51,8 @@ PointReached(o) ==
     LET p == tod[o].next
     IN  /\ Watching
         /\ clock = NextMoment(tod[o])  \* no point is watched unless it is active
+        /\ Reading("AMB-29") = "b" =>
+             \A q \in TodObs : q < o => clock # NextMoment(tod[q])
         /\ tod' = [tod EXCEPT ![o] =
                       AfterPoint(o, Armed(IF Blocked(o) THEN Unserved(@, p)
                                                         ELSE Served(@, p),

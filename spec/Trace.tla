@@ -85,7 +85,8 @@ TodAtBegin(h, o, called) ==
         ELSE [t EXCEPT !.next = n]
 
 (* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU   *)
-(* is found after a restart; which one is not known.                       *)
+(* is found after a restart; which one is not known.  What STEP 7 sets is   *)
+(* read by the letters of this header: hence the primes.                   *)
 \* @type: $header => Bool;
 Begin(h) ==
     /\ cpu'    = CpuOf(h)
@@ -95,7 +96,7 @@ Begin(h) ==
     /\ clock'  = h.clock
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
          tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
-                                   ELSE TodAtBegin(h, o, called) ]
+                                   ELSE TodAtBegin(h, o, called)' ]
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
