@@ -64,8 +64,10 @@ lint: setup  ## ruff and mypy
 	$(BIN)/ruff check setup.py trace_checker bench
 	$(BIN)/mypy trace_checker
 
-bench: setup  ## speed of the trace checker beside TLC on the same log
-	$(BIN)/python bench/run.py
+bench: setup  ## speed of the trace checker beside TLC on the same logs: bench/RESULTS.md
+	@mkdir -p build
+	$(BIN)/python bench/run.py > build/bench.md
+	mv build/bench.md bench/RESULTS.md
 
 clean:  ## remove what was built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build
