@@ -43,7 +43,7 @@ HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
 EXPLAINED = 20
 """Of so many logs one is judged again for its timeline and other readings."""
 
-PATIENCE = 60
+PATIENCE = 120
 """Seconds for a log."""
 
 MARKUP = "<script>alert(1)</script>"
