@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample typecheck apalache fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample witnesses typecheck apalache fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -46,6 +46,9 @@ mutants: setup  ## mutate the specification: every mutant before the shipped log
 
 mutants-sample: setup  ## the same for 60 mutants
 	$(BIN)/s7check mutants --against all --lane ci --sample 60
+
+witnesses: setup  ## is anything checked in vain? models of the CI lane and shipped logs on a specification that tells what it meets
+	$(BIN)/s7check witnesses --json build/witnesses/report.json
 
 typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck

@@ -18,6 +18,7 @@ COMMANDS = {
     "models": "trace_checker.models.command:models_command",
     "mutants": "trace_checker.mutants.command:mutants_command",
     "requirements": "trace_checker.traceability.command:requirements_command",
+    "witnesses": "trace_checker.witnesses.command:witnesses_command",
     "verify": "trace_checker.verify_command:verify_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.
@@ -44,7 +45,7 @@ def cli() -> None:
     """Check the interrupt functions of S7-300/400 CPUs (SFC 28-34 and 39-42).
 
     The rules come from one TLA+ specification; s7check evaluates it. For logs of a CPU or of a soft
-    PLC there are trace and import; models, mutants, requirements and verify work on the project
+    PLC there are trace and import; models, mutants, witnesses, requirements and verify work on the project
     itself, in a checkout of it.
     """
 

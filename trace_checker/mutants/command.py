@@ -143,7 +143,7 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         for mutant in chosen:
             report.show_difference(console, mutant, modules[mutant.module])
         return 0
-    why = reasons.read(manifest.directory / "survivors.json")
+    why = reasons.read(manifest.directory / "survivors.json", reasons.Reason)
     began = time.monotonic()
     findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson")
     bench = Bench(manifest.spec, modules, checks, findings, request.thorough)

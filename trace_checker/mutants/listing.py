@@ -45,6 +45,22 @@ class Mutant:
     text: bytes
 
 
+class Names:
+    """Gives ids to places of a module that last while lines move and other definitions change."""
+
+    def __init__(self, module: str) -> None:
+        """Begin with none."""
+        self._module = module
+        self._given: Counter[str] = Counter()
+
+    def give(self, definition: str, kind: str, body: Node, node: Node, *more: str) -> str:
+        """Make an id of a definition, a kind, and a hash of a node of its body, of words before it, and of `more`."""
+        words = "\0".join([_before(body, node), code(node), *more])
+        name = f"{self._module}/{definition}/{kind}/{hashlib.sha256(words.encode()).hexdigest()[:8]}"
+        self._given[name] += 1
+        return f"{name}-{self._given[name]}" if self._given[name] > 1 else name
+
+
 def read_modules(directory: Path) -> dict[str, Module]:
     """The modules of a directory by name."""
     return {path.stem: Module(path.stem, path.read_bytes()) for path in sorted(directory.rglob("*.tla"))}
@@ -58,7 +74,7 @@ def mutants(modules: Mapping[str, Module], names: Iterable[str]) -> list[Mutant]
 
 def _of_module(module: Module, actions: frozenset[str]) -> Iterator[Mutant]:
     seen = {_words(module.text)}
-    ids: Counter[str] = Counter()
+    names = Names(module.name)
     known = literals(module)
     for definition, unit in module.definitions.items():
         body = operand(unit, "definition")
@@ -70,19 +86,13 @@ def _of_module(module: Module, actions: frozenset[str]) -> Iterator[Mutant]:
             if (words := _words(text)) in seen:
                 continue  # another kind of change has come to the same
             seen.add(words)
-            was = code(edit.node)
-            digest = hashlib.sha256(f"{_before(body, edit.node)}\0{was}\0{edit.by}".encode()).hexdigest()[:8]
-            name = f"{module.name}/{definition}/{edit.kind}/{digest}"
-            ids[name] += 1
-            number = f"-{ids[name]}" if ids[name] > 1 else ""
-            line = edit.node.start_point.row + 1
             yield Mutant(
-                name + number,
+                names.give(definition, edit.kind, body, edit.node, edit.by),
                 module.name,
                 definition,
                 edit.kind,
-                line,
-                was,
+                edit.node.start_point.row + 1,
+                code(edit.node),
                 edit.by,
                 span(_expression(edit.node)),
                 text,

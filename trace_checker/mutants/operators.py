@@ -104,22 +104,24 @@ def _sides(node: Node) -> list[Node]:
     return [operand(node, "lhs"), operand(node, "rhs")]
 
 
-def _conjuncts(node: Node) -> list[Node]:
+def conjuncts(node: Node) -> list[Node]:
+    """The parts of a conjunction; none for what is no conjunction, or a part of a longer one."""
     return _members(node, "land", "conj_list")
 
 
-def _disjuncts(node: Node) -> list[Node]:
+def disjuncts(node: Node) -> list[Node]:
+    """The parts of a disjunction; none for what is no disjunction, or a part of a longer one."""
     return _members(node, "lor", "disj_list")
 
 
 def _drop_conjunct(node: Node, context: Context) -> Iterator[Edit]:
-    for part in _conjuncts(node):
+    for part in conjuncts(node):
         if not context.acts(part) and part.type != "boolean":
             yield Edit("drop-conjunct", part, ("TRUE",))
 
 
 def _drop_disjunct(node: Node, _: Context) -> Iterator[Edit]:
-    for part in _disjuncts(node):
+    for part in disjuncts(node):
         if part.type != "boolean":
             yield Edit("drop-disjunct", part, ("FALSE",))
 
@@ -135,7 +137,7 @@ def _negate(kind: str, node: Node, context: Context) -> Iterator[Edit]:
 
 
 def _negate_guard(node: Node, context: Context) -> Iterator[Edit]:
-    guards = _conjuncts(node)
+    guards = conjuncts(node)
     if symbol(node) == "implies":
         guards = [operand(node, "lhs")]
     elif node.type == "set_filter":

@@ -49,7 +49,7 @@ def show_difference(console: Console, mutant: Mutant, module: Module) -> None:
 
 def change(mutant: Mutant) -> str:
     """Say on one line what is changed where."""
-    return f"{mutant.module}.tla:{mutant.line}: {_short(mutant.was)} -> {_short(mutant.by)}"
+    return f"{mutant.module}.tla:{mutant.line}: {short(mutant.was)} -> {short(mutant.by)}"
 
 
 class Progress:
@@ -163,7 +163,8 @@ def _percent(score: float | None) -> str:
     return "-" if score is None else f"{score:.1%}"
 
 
-def _short(text: str) -> str:
+def short(text: str) -> str:
+    """Code that is not too long for a line."""
     return text if len(text) <= LONGEST_CODE else f"{text[: LONGEST_CODE - 4]} ..."
 
 

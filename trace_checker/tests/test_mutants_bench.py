@@ -42,8 +42,8 @@ class FakeCheck:
 
     def marks(self, spec: Path) -> frozenset[int] | None:
         """Look at the marks and tell those that are made up."""
-        assert "EXTENDS MutantMarks, Integers" in (spec / "M.tla").read_text()
-        assert (spec / "MutantMarks.tla").is_file()
+        assert "EXTENDS EvaluationMarks, Integers" in (spec / "M.tla").read_text()
+        assert (spec / "EvaluationMarks.tla").is_file()
         return self.told
 
     def run(self, spec: Path, timeout: float) -> Finding:
@@ -191,9 +191,9 @@ def test_stale_reasons(spec: Path) -> None:
 def test_reasons_file(tmp_path: Path) -> None:
     """No file holds no reasons; an empty reason is none."""
     path = tmp_path / "survivors.json"
-    assert read(path) == []
+    assert read(path, Reason) == []
     path.write_text('[{"id": "M/A/*", "reason": "as it is"}]')
-    assert read(path) == [Reason("M/A/*", "as it is")]
+    assert read(path, Reason) == [Reason("M/A/*", "as it is")]
     path.write_text('[{"id": "M/A/*", "reason": ""}]')
     with pytest.raises(ReasonsError, match=r"survivors\.json.*reason"):
-        read(path)
+        read(path, Reason)

@@ -1,0 +1,144 @@
+"""``s7check witnesses``: is anything in the specification checked in vain?
+
+Exit codes: 0 everything has a witness or a reason, 1 something has neither or a reason is stale, 2 wrong arguments or
+files, 3 a tool is missing or failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+
+import click
+import msgspec
+from rich.console import Console
+
+from trace_checker.models import tlc
+from trace_checker.models.command import WIDTH_OF_LOG, find_manifest
+from trace_checker.models.manifest import LANES, ManifestError, load
+from trace_checker.models.report import Progress
+from trace_checker.models.runner import Harness
+from trace_checker.mutants import reach, reasons
+from trace_checker.mutants.listing import read_modules
+from trace_checker.mutants.syntax import SyntaxTreeError
+from trace_checker.witnesses import logs, report
+from trace_checker.witnesses.collect import CollectingError, collect
+from trace_checker.witnesses.conditions import conditions
+
+UNEXPLAINED, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+
+KINDS = ("model", "refinement", "calendar")
+"""Models that look for witnesses: those of liveness take the same steps, for longer."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """The command's arguments."""
+
+    against: str
+    lane: str
+    manifest: Path
+    jar: Path | None
+    jobs: int
+    json: Path | None
+    names: tuple[str, ...]
+
+
+@click.command(name="witnesses", short_help="Is any rule or property of the specification checked in vain?")
+@click.option(
+    "--against",
+    type=click.Choice(["models", "logs", "all"]),
+    default="all",
+    show_default=True,
+    help="What has to bear witness.",
+)
+@click.option("--lane", type=click.Choice(LANES), default="ci", show_default=True, help="Which models.")
+@click.option(
+    "--manifest",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Default: models/manifest.json here or in a directory above.",
+)
+@click.option(
+    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
+)
+@click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
+@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@click.argument("names", nargs=-1, metavar="[MODEL]...")
+def witnesses_command(
+    against: str,
+    lane: str,
+    manifest: Path | None,
+    jar: Path | None,
+    jobs: int,
+    json_path: Path | None,
+    names: tuple[str, ...],
+) -> None:
+    """Run the models that pass, and the shipped logs, and see which rules and antecedents they never meet.
+
+    MODEL picks models (globs work) whatever their lane. Exit codes: 0 every action, both sides of every guard and
+    every antecedent have a witness, or a reason in witnesses.json beside the manifest, 1 some have neither or a reason
+    is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
+    """
+    request = Request(against, lane, manifest or find_manifest(Path.cwd()), jar, jobs, json_path, names)
+    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
+    processes = tlc.Processes()
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=WIDTH_OF_LOG)
+    try:
+        code = run_request(request, processes, console)
+    except (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError) as error:
+        click.echo(f"error: {error}", err=True)
+        code = USAGE
+    except (tlc.ToolMissingError, CollectingError) as error:
+        click.echo(f"error: {error}", err=True)
+        code = NO_TOOLS
+    except (KeyboardInterrupt, tlc.InterruptedRunError):
+        click.echo("interrupted", err=True)
+        code = INTERRUPTED
+    finally:
+        processes.close()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    sys.exit(code)
+
+
+def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+    """Do what was asked for and return the exit code."""
+    manifest = load(request.manifest)
+    why = reasons.read(manifest.directory / "witnesses.json", reasons.Excuse)
+    harness = Harness(manifest, tlc.find_toolchain(request.jar), processes)
+    spec = read_modules(manifest.spec)
+    found = conditions(spec)
+    models = []
+    roots = []
+    if request.against != "logs":
+        models = [m for m in manifest.select(request.lane, request.names) if m.kind in KINDS]
+        roots += [m.module.stem for m in models]
+    traces = None
+    if request.against != "models":
+        traces = manifest.directory.parent / "traces"
+        roots.append(logs.ROOT)
+    known = read_modules(manifest.directory) | spec
+    scope = {name for root in roots for name in reach.closure(root, known)}
+    began = time.monotonic()
+    with Progress(console, len(roots)) as progress:
+        seen = collect(harness, spec, found, models, traces, request.jobs, progress)
+    judged = [s for s in seen if s.condition.module in scope]
+    explained = report.explain(judged, why, (c.id for c in found))
+    report.show(console, explained)
+    if request.json is not None:
+        request.json.parent.mkdir(parents=True, exist_ok=True)
+        ran = [m.name for m in models] + ([logs.NAME] if traces else [])
+        document = report.as_json(explained, ran, time.monotonic() - began)
+        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return 0 if explained.ok else UNEXPLAINED
+
+
+def _interrupt(_signal: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
