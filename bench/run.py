@@ -102,14 +102,19 @@ def check(logs: Path, java_options: str = "", highest: int = 0) -> Checked:
     command = [sys.executable, "-m", "trace_checker", "trace", "--readings", "none", str(logs)]
     before = cpu_of_children()
     began = time.monotonic()
-    with subprocess.Popen(command, env=environment, cwd=PROJECT, stdout=subprocess.PIPE, text=True) as process:
+    # A file: nobody would empty a pipe while the process runs.
+    with (
+        tempfile.TemporaryFile("w+") as output,
+        subprocess.Popen(command, env=environment, cwd=PROJECT, stdout=output) as process,
+    ):
         python = jvm = 0.0
         while process.poll() is None:
             python = max(python, peak(process.pid))
             jvm = max([jvm, *map(peak, children(process.pid))])
             time.sleep(POLL)
         seconds = time.monotonic() - began
-        said = process.stdout.read() if process.stdout else ""
+        output.seek(0)
+        said = output.read()
     if process.returncode > highest:
         sys.exit(f"a log is not accepted: {said}")
     return Checked(seconds, cpu_of_children() - before, python, jvm, said)
