@@ -49,13 +49,10 @@ Rearmed(to, reading) ==
     [ o \in DOMAIN tod |->
         LET t    == Repeating(tod[o], to)
             next == NextPoint(t, to, reading)
-            last == [NextMoment(t) EXCEPT !.min = PointFrom(t, t.next + 1)]
         IN  IF ~t.active \/ next = t.next THEN t
             ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
-            ELSE AfterPoint(o,
-                   IF IsPast(last, to)
-                   THEN [ServedOnce(t, t.next, next) EXCEPT !.next = next]
-                   ELSE [Served(t, t.next) EXCEPT !.next = next]) ]
+            ELSE AfterPoint(o, [ (IF Blocked(o) THEN t ELSE Served(t, t.next))
+                                 EXCEPT !.next = next ]) ]
 
 (* [AMB-56] [AMB-57] Set back, the clock makes the CPU show how it reads    *)
 (* what no source decides.                                                 *)

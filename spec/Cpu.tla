@@ -33,10 +33,10 @@ VARIABLES
     clock,
     (* The time-of-day interrupts.  next: the minute of the point that is   *)
     (* watched for (Never: none), offset: its ms, 0 but under AMB-14 (c).   *)
-    (* On S7-400 and CPU 318 [CLK-09]: servedFrom .. servedTo, the points   *)
-    (* for which the OB was called, but for gapFrom .. gapTo, 0 .. -1 for   *)
-    (* none; repeatTo, the last minute that the clock had reached before it *)
-    (* was set back, -1 if it was not.                                      *)
+    (* On S7-400 and CPU 318 [CLK-09]: served, the points for which the OB  *)
+    (* was called, as runs of minutes without a point between that was not  *)
+    (* served; repeatTo, the last minute that the clock had reached before  *)
+    (* it was set back, -1 if it was not.                                   *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)

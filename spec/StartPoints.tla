@@ -3,8 +3,6 @@
 (* A start point of a time-of-day interrupt is reached (catalogue section  *)
 (* 1.1), and which points were served, for a clock that is set back        *)
 (* [CLK-09].  What follows for its OB is said in StartEvents.              *)
-(*                                                                         *)
-(* Left out: of several gaps in what was served only their hull is kept.   *)
 (***************************************************************************)
 EXTENDS TimeOfDay
 
@@ -12,28 +10,17 @@ EXTENDS TimeOfDay
 (* was set back; other CPUs remember which were served [AMB-17].           *)
 Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
 
-(* [CLK-09] *)
+(* [CLK-09] The OB is called for point p, which joins the runs of points    *)
+(* beside it.  One that is lost [IRT-18] or skipped without a run of its    *)
+(* own is over and yet was not served.                                      *)
 \* @type: ($tod, Int) => $tod;
 Served(t, p) ==
-    IF ~Remembers \/ p < t.servedFrom THEN t
-    ELSE [ t EXCEPT !.servedFrom = IF t.servedTo < 0 THEN p ELSE @,
-                    !.servedTo   = IF p > @ THEN p ELSE @,
-                    !.gapFrom    = IF @ <= p /\ p <= t.gapTo THEN p + 1 ELSE @ ]
-
-(* Of the points from p until next the OB is called for the first alone.    *)
-(* Of several gaps their hull is kept.                                     *)
-\* @type: ($tod, Int, Int) => $tod;
-ServedOnce(t, p, next) ==
-    IF ~Remembers \/ p < t.servedFrom THEN t
-    ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p + 1 ELSE @,
-                               !.gapTo   = next - 1 ]
-
-(* [IRT-18] A point that is lost is over, and not served. *)
-\* @type: ($tod, Int) => $tod;
-Unserved(t, p) ==
-    IF ~Remembers \/ p < t.servedFrom THEN t
-    ELSE [ Served(t, p) EXCEPT !.gapFrom = IF t.gapTo < 0 THEN p ELSE @,
-                               !.gapTo   = p ]
+    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
+        after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
+        run    == [ from |-> IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from,
+                    to   |-> IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to ]
+    IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
+        ELSE t
 
 (* [AMB-12] A once that is lost is used up, unless an earlier run of it      *)
 (* waits still.  [AMB-71] (b) Any once is, when its point is reached.      *)
@@ -54,8 +41,7 @@ PointReached(o) ==
         /\ Reading("AMB-29") = "b" =>
              \A q \in TodObs : q < o => clock # NextMoment(tod[q])
         /\ tod' = [tod EXCEPT ![o] =
-                      AfterPoint(o, Armed(IF Blocked(o) THEN Unserved(@, p)
-                                                        ELSE Served(@, p),
+                      AfterPoint(o, Armed(IF Blocked(o) THEN @ ELSE Served(@, p),
                                           [clock EXCEPT !.ms = @ + 1]))]
         /\ IF mode = "STARTUP" /\ PendingIn(requests, o) /\ ~Idle(o)
            THEN IF Reading("AMB-35") = "a" THEN Nothing

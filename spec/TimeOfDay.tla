@@ -9,25 +9,18 @@
 EXTENDS Irt
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
-               period |-> Once, next |-> Never, servedFrom |-> 0, servedTo |-> -1,
-               gapFrom |-> 0, gapTo |-> -1, repeatTo |-> -1 ]
+               period |-> Once, next |-> Never, served |-> {}, repeatTo |-> -1 ]
 
 (* [AMB-57] Inside a repeated interval the OB may keep the memory of the    *)
 (* points that were served; elsewhere it has no meaning.                   *)
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
     IF Reading("AMB-57") = "b" /\ clock.min <= old.repeatTo
-    THEN [ new EXCEPT !.servedFrom = old.servedFrom,
-                      !.servedTo   = old.servedTo,
-                      !.gapFrom    = old.gapFrom,
-                      !.gapTo      = old.gapTo,
-                      !.repeatTo   = old.repeatTo ]
+    THEN [new EXCEPT !.served = old.served, !.repeatTo = old.repeatTo]
     ELSE new
 
 \* @type: $tod => $tod;
-Forgotten(t) ==
-    [ t EXCEPT !.servedFrom = 0, !.servedTo = -1, !.gapFrom = 0, !.gapTo = -1,
-               !.repeatTo = -1 ]
+Forgotten(t) == [t EXCEPT !.served = {}, !.repeatTo = -1]
 
 \* @type: $tod => $tod;
 Unset(t) == WithMemory(NoSetting, t)
@@ -74,6 +67,9 @@ PointFrom(t, m) ==
     THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
     ELSE FirstPoint(t.start, SeriesOf(t.period), m)
 
+\* @type: ($tod, Int) => Bool;
+WasServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
+
 (* The first point at or after moment m that is served.  In an interval     *)
 (* that the clock repeats, points that were served are not served again     *)
 (* [CLK-09]; whether the others are is a matter of reading [AMB-56].       *)
@@ -83,11 +79,10 @@ NextPoint(t, m, reading) ==
     IN  IF p > t.repeatTo THEN p
         ELSE IF reading = "b"
         THEN PointFrom(t, t.repeatTo + 1)
-        ELSE IF t.servedFrom > p \/ p > t.servedTo
-                  \/ (t.gapFrom <= p /\ p <= t.gapTo)
-        THEN p
-        ELSE PointFrom(t, IF p < t.gapFrom /\ t.gapFrom <= t.gapTo
-                          THEN t.gapFrom ELSE t.servedTo + 1)
+        ELSE LET points == {p} \cup { PointFrom(t, i.to + 1)
+                                     : i \in { j \in t.served : j.to >= p } }
+                 free   == { q \in points : ~WasServed(t, q) }
+             IN  CHOOSE q \in free : \A r \in free : q <= r
 
 \* @type: ($tod, $moment) => $tod;
 Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
