@@ -11,10 +11,14 @@ from click.testing import CliRunner
 
 from trace_checker.models import tlc
 from trace_checker.mutants.listing import read_modules
+from trace_checker.mutants.reasons import Excuse
 from trace_checker.mutants.syntax import Module
+from trace_checker.shipped import Shipped
 from trace_checker.witnesses import logs
+from trace_checker.witnesses.collect import Seen
 from trace_checker.witnesses.command import witnesses_command
 from trace_checker.witnesses.conditions import Condition, conditions
+from trace_checker.witnesses.report import COLUMNS, explain, numbers
 
 ROOT = Path(__file__).parents[2]
 
@@ -93,7 +97,7 @@ def run(project: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
 
 
 def test_what_has_no_witness(lamp: Path) -> None:
-    """An action never taken, guards never true or never false, vacuous antecedents; reasons, needed and stale."""
+    """An action never taken, guards never true or never false, vacuous antecedents."""
     code, output, document = run(lamp, "--against", "models")
     assert code == 1
     assert "NO REASON" in output
@@ -112,17 +116,18 @@ def test_what_has_no_witness(lamp: Path) -> None:
     assert lacking["PropertiesLamp/WentOutProp/antecedent: left = 1 /\\ left ' = 0"] == []
     assert document["all"]["without"] == 8
 
-    reasons = lamp / "models" / "witnesses.json"
-    excuses = [{"id": glob, "reason": "the lamp is sound"} for glob in ("System/*", "PropertiesLamp/*")]
-    reasons.write_text(json.dumps(excuses))
-    code, output, document = run(lamp, "--against", "models")
-    assert (code, document["all"]["with reason"], document["all"]["without"]) == (0, 8, 0)
 
-    on = next(c["id"] for c in document["conditions"] if "/On/" in c["id"])
-    reasons.write_text(json.dumps([*excuses, {"id": "Gone/*", "reason": "-"}, {"id": on, "reason": "-"}]))
-    code, _, document = run(lamp, "--against", "models")
-    assert code == 1
-    assert document["stale"] == ["Gone/*: there is no such condition", f"{on}: has its witness"]
+def test_reasons_needed_and_stale() -> None:
+    """What has no witness needs a reason; one whose condition is gone, or has its witness, is stale."""
+    met, unmet = found("guard", "/\\ x = 1\n/\\ y = 1\n/\\ x' = 2")
+    seen = [Seen(met, {"TRUE": ("m", "logs"), "FALSE": ("logs",)}), Seen(unmet, {"TRUE": ("m",), "FALSE": ()})]
+    ids = [met.id, unmet.id, "N/D/guard/0"]
+    assert numbers(explain(seen, [], ids)) == dict(zip(COLUMNS, (2, 0, 1, 0, 1), strict=True))
+    assert not explain(seen, [], ids).ok
+    assert explain(seen, [Excuse("M/*", "why"), Excuse("N/*", "of a model that was not run")], ids).ok
+    stale = explain(seen, [Excuse("Gone/*", "-"), Excuse(met.id, "-"), Excuse(unmet.id, "-")], ids)
+    assert stale.stale == ["Gone/*: there is no such condition", f"{met.id}: has its witness"]
+    assert not stale.ok
 
 
 def test_a_model_that_fails(lamp: Path) -> None:
@@ -179,9 +184,11 @@ def test_actions_of_the_system() -> None:
 
 def test_the_shipped_logs_as_a_model() -> None:
     """Each log that can be read is there, with the fields that its lines have."""
-    text = logs.module(ROOT / "traces")
+    some = logs.readable(ROOT / "traces")[:20]
+    text = logs.module(ROOT / "traces", some)
     assert "Log1 == [header |-> [NoHeader EXCEPT " in text
-    assert '!.event = "DIS_AIRT"' in text
+    assert "Log20 ==" in text
+    assert '!.event = "' in text
     assert "!.line" not in text
 
 
@@ -192,10 +199,11 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     except tlc.ToolMissingError as missing:
         pytest.skip(str(missing))
     file = "accept/AIRT-03-nested-delay.ndjson"
-    (tmp_path / "traces").mkdir()
-    (tmp_path / "traces" / "accept").symlink_to(ROOT / "traces" / "accept")
+    traces = tmp_path / "traces"
+    traces.mkdir()
+    (traces / "accept").symlink_to(ROOT / "traces" / "accept")
     shipped = [log for log in json.loads((ROOT / "traces" / "index.json").read_bytes()) if log["file"] == file]
-    (tmp_path / "traces" / "index.json").write_text(json.dumps(shipped))
+    (traces / "index.json").write_text(json.dumps(shipped))
     (tmp_path / "models").mkdir()
     manifest = {"version": 1, "models": [], "spec": str(ROOT / "spec")}
     (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))
@@ -204,3 +212,10 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     seen = {c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Trace/Shows/"))}
     assert seen['e . event = "EN_AIRT"'] == {"TRUE": ["logs"]}
     assert seen["ret = delay + 1"]["TRUE"] == ["logs"]
+
+
+def test_logs_that_tlc_judges_otherwise() -> None:
+    """Those that it consumes though they are rejected, and those that it does not consume though they are accepted."""
+    shipped = [Shipped(name, verdict, [], "") for name, verdict in (("a", "accepted"), ("b", "rejected"))]
+    assert logs.differences('<<"consumed", 1>>\n', shipped) == []
+    assert logs.differences('<<"consumed", 2>>\n', shipped) == ["a", "b"]

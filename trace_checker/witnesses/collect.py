@@ -52,6 +52,7 @@ def collect(
     tell: Callable[[Event], None],
 ) -> list[Seen]:
     """Run the models, and the logs of `traces`, and return what they met. Raises `CollectingError`."""
+    shipped = [] if traces is None else logs.readable(traces)
 
     def hear(event: Event) -> None:
         if event.result is None:
@@ -59,6 +60,8 @@ def collect(
             return
         if event.result.problems:
             raise CollectingError(f"{event.model.name}: {event.result.problems[0]}: {event.result.outcome.detail}")
+        if event.model.name == logs.NAME and (wrong := logs.differences(event.result.output, shipped)):
+            raise CollectingError(f"TLC and {traces}/index.json differ in {len(wrong)} logs, {wrong[0]} among them")
         # Of a disjunction between marks TLC takes one side only: its counts are not those that are pinned.
         tell(replace(event, result=replace(event.result, count_problems=())))
 
@@ -71,7 +74,7 @@ def collect(
         for name, text in ({name: module.text for name, module in spec.items()} | _marked(spec, found)).items():
             (root / "spec" / f"{name}.tla").write_bytes(text)
         if traces is not None:
-            (directory / f"{logs.MODULE}.tla").write_text(logs.module(traces), encoding="utf-8")
+            (directory / f"{logs.MODULE}.tla").write_text(logs.module(traces, shipped), encoding="utf-8")
             running.append(logs.model(LONGEST))
         manifest = replace(harness.manifest, path=directory / harness.manifest.path.name, spec=root / "spec")
         results = run_all(replace(harness, manifest=manifest), running, jobs, hear)

@@ -1,18 +1,20 @@
 """The shipped logs as a model for TLC: each log is an initial state, and its lines are observed one by one.
 
-The trace checker's engine takes the same steps, but has none of TLC's registers, which hold the marks.
+The trace checker's engine takes the same steps, but has none of TLC's registers, which hold the marks. Every log that
+it accepts, and no other, has to be consumed to its end.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 from trace_checker.log.reader import read_log
 from trace_checker.log.source import open_log
 from trace_checker.models.manifest import HEAP_MB, Expect, Model
-from trace_checker.shipped import shipped_logs
+from trace_checker.shipped import Shipped, shipped_logs
 
 NAME = "logs"
 MODULE = "ShippedLogs"
@@ -31,11 +33,16 @@ LogsNext ==
              ELSE \/ Silent(Event) /\ UNCHANGED index
                   \/ Observe(Event) /\ index' = index + 1
 LogsView == <<log, index, Distinct>>
+Out == INSTANCE TLC
+Consumed == index > Len(Logs[log].events) => Out!PrintT(<<"consumed", log>>)
 """
+
+_CONSUMED = re.compile(r'<<"consumed", (\d+)>>')
 
 _CONFIGURATION = """INIT LogsInit
 NEXT LogsNext
 VIEW LogsView
+INVARIANT Consumed
 CHECK_DEADLOCK FALSE
 """
 
@@ -60,11 +67,21 @@ def model(timeout: float) -> Model:
     )
 
 
-def module(traces: Path) -> str:
-    """A module with the logs of the index that can be read. Raises OSError or `msgspec.MsgspecError`."""
-    files = [traces / log.file for log in shipped_logs(traces) if log.verdict != "unusable"]
-    named = [f"Log{number} == {_log(file)}" for number, file in enumerate(files, 1)]
-    names = ", ".join(f"Log{number}" for number in range(1, len(files) + 1))
+def readable(traces: Path) -> list[Shipped]:
+    """The logs of the index that can be read. Raises OSError or `msgspec.MsgspecError`."""
+    return [log for log in shipped_logs(traces) if log.verdict != "unusable"]
+
+
+def differences(output: str, logs: Sequence[Shipped]) -> list[str]:
+    """The logs that TLC consumes though the index says that they are rejected, or the other way round."""
+    consumed = {int(number) for number in _CONSUMED.findall(output)}
+    return [log.file for number, log in enumerate(logs, 1) if (number in consumed) != (log.verdict == "accepted")]
+
+
+def module(traces: Path, logs: Sequence[Shipped]) -> str:
+    """A module with these logs."""
+    named = [f"Log{number} == {_log(traces / log.file)}" for number, log in enumerate(logs, 1)]
+    names = ", ".join(f"Log{number}" for number in range(1, len(logs) + 1))
     return "\n".join([f"---- MODULE {MODULE} ----\nEXTENDS {ROOT}", *named, f"Logs == <<{names}>>", _STEPS, "===="])
 
 
