@@ -1,13 +1,12 @@
 package s7.trace;
 
-import java.io.BufferedReader;
 import java.io.File;
 import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -68,7 +67,7 @@ public final class Engine {
     ready.addProperty("engine", "ready");
     ready.addProperty("tlc", jarOfTlc());
     engine.print(ready);
-    engine.serve(new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)));
+    engine.serve(new FileInputStream(FileDescriptor.in));
   }
 
   /** TLC unpacks its modules into the temporary folder, where engines would disturb each other. */
@@ -101,17 +100,17 @@ public final class Engine {
     return Path.of(source.getLocation().getPath()).getFileName().toString();
   }
 
-  void serve(BufferedReader in) throws IOException {
-    for (String line = in.readLine(); line != null; line = in.readLine()) {
-      // Once a log is decided its other lines only need to be passed over.
-      if (decided && !line.startsWith("{\"begin\"") && !line.startsWith("{\"ask\"")) {
-        continue;
-      }
+  void serve(InputStream in) throws IOException {
+    var lines = new JsonLines(in);
+    for (Json line = lines.next(); line != null; line = lines.next()) {
       try {
         if (line.startsWith("{\"begin\"")) {
           begin(object(line));
         } else if (line.startsWith("{\"ask\"")) {
           print(explained(object(line).get("ask").getAsString()));
+        } else if (decided) {
+          // The other lines of a log that is decided only need to be passed over.
+          continue;
         } else if (line.startsWith("{\"finish\"")) {
           answer("accepted", null);
         } else {
@@ -128,12 +127,12 @@ public final class Engine {
     }
   }
 
-  private static JsonObject object(String json) {
-    return JsonParser.parseString(json).getAsJsonObject();
+  private static JsonObject object(Json json) {
+    return JsonParser.parseString(json.toString()).getAsJsonObject();
   }
 
   /** The number of an event's line in the log. */
-  private static JsonElement number(String event) {
+  private static JsonElement number(Json event) {
     return object(event).get("line");
   }
 
@@ -142,7 +141,7 @@ public final class Engine {
     events = 0;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
-    explanation = new Explanation(spec, json.get("begin").toString());
+    explanation = new Explanation(spec, Json.of(json.get("begin").toString()));
   }
 
   /** What an operator of the specification says that depends on no log. */
@@ -162,7 +161,7 @@ public final class Engine {
     }
   }
 
-  private void observe(String event) {
+  private void observe(Json event) {
     Explanation.Refusal refusal = explanation.observe(event);
     if (refusal == null) {
       events++;

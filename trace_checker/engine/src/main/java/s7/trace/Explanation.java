@@ -62,7 +62,7 @@ final class Explanation {
    * @param header the normalised header, an object as JSON
    * @throws NotCovered if the header asks for what the specification does not have
    */
-  Explanation(Specification spec, String header) {
+  Explanation(Specification spec, Json header) {
     this.spec = spec;
     try {
       noEvent = (RecordValue) spec.value("NoEvent", spec.initialState());
@@ -74,7 +74,7 @@ final class Explanation {
     }
   }
 
-  private void begin(String header) {
+  private void begin(Json header) {
     TLCState blank = spec.initialState();
     Value h = Values.like(spec.value("NoHeader", blank), header);
     JsonElement open = Values.toJson(spec.value("NotCovered", blank, h));
@@ -102,13 +102,13 @@ final class Explanation {
    * @throws NotCovered if more states explain the log than can be followed, or if the
    *     specification cannot be evaluated for this event
    */
-  Refusal observe(String event) {
+  Refusal observe(Json event) {
     try {
       return observed((RecordValue) Values.like(noEvent, event));
     } catch (NotCovered e) {
       throw e;
     } catch (RuntimeException e) {
-      JsonElement name = JsonParser.parseString(event).getAsJsonObject().get("event");
+      JsonElement name = JsonParser.parseString(event.toString()).getAsJsonObject().get("event");
       throw NotCovered.because("at the event " + name, e);
     }
   }

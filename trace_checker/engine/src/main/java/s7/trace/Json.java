@@ -1,5 +1,7 @@
 package s7.trace;
 
+import java.nio.charset.StandardCharsets;
+
 import com.google.gson.JsonParser;
 import util.UniqueString;
 
@@ -9,19 +11,39 @@ import util.UniqueString;
  * and it takes the commas on trust, since an encoder has written them.
  */
 final class Json {
-  private final String text;
+  private final byte[] bytes;
+  private final int begin;
+  private final int end;
   private int at;
 
-  Json(String text) {
-    this.text = text;
+  /** The text from {@code begin} to before {@code end}, in UTF-8. */
+  Json(byte[] bytes, int begin, int end) {
+    this.bytes = bytes;
+    this.begin = begin;
+    this.end = end;
+    at = begin;
+  }
+
+  static Json of(String text) {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    return new Json(bytes, 0, bytes.length);
+  }
+
+  /** The whole text. */
+  @Override
+  public String toString() {
+    return text(begin, end);
+  }
+
+  boolean startsWith(String beginning) {
+    return isAt(begin, beginning);
   }
 
   /** The next character, which is not passed; 0 at the end. */
   char peek() {
-    while (at < text.length()) {
-      char c = text.charAt(at);
-      if (c > ' ') {
-        return c;
+    while (at < end) {
+      if (bytes[at] > ' ') {
+        return (char) bytes[at];
       }
       at++;
     }
@@ -37,23 +59,24 @@ final class Json {
   }
 
   /** Whether there is another element or field; if not, the end of the array or object is passed. */
-  boolean more(char end) {
+  boolean more(char last) {
     char c = peek();
-    if (c == ',' || c == end) {
+    if (c == ',' || c == last) {
       at++;
     }
-    return c != end;
+    return c != last;
   }
 
   /** Passes the name of a field and says which of {@code names} it is; -1 if it is none of them. */
   int name(UniqueString[] names) {
-    int begin = at(peek(), '"') + 1;
+    pass('"');
+    int from = at;
     passString();
-    int length = at - 1 - begin;
+    int length = at - 1 - from;
     pass(':');
     for (int i = 0; i < names.length; i++) {
       String name = names[i].toString();
-      if (name.length() == length && text.startsWith(name, begin)) {
+      if (name.length() == length && isAt(from, name)) {
         return i;
       }
     }
@@ -68,19 +91,29 @@ final class Json {
   }
 
   String string() {
-    int begin = at(peek(), '"');
+    pass('"');
+    int from = at;
     boolean plain = passString();
     return plain
-        ? text.substring(begin + 1, at - 1)
-        : JsonParser.parseString(text.substring(begin, at)).getAsString();
+        ? text(from, at - 1)
+        : JsonParser.parseString(text(from - 1, at)).getAsString();
   }
 
   /** An integer of 32 bits. */
   int number() {
-    peek();
-    int begin = at;
-    passWord();
-    return Integer.parseInt(text, begin, at, 10);
+    boolean negative = peek() == '-';
+    if (negative) {
+      at++;
+    }
+    int from = at;
+    long number = 0;
+    while (at < end && bytes[at] >= '0' && bytes[at] <= '9' && at - from < 10) {
+      number = 10 * number + bytes[at++] - '0';
+    }
+    if (at == from) {
+      throw refused("an integer");
+    }
+    return Math.toIntExact(negative ? -number : number);
   }
 
   boolean truth() {
@@ -94,7 +127,10 @@ final class Json {
     int depth = 0;
     do {
       switch (peek()) {
-        case '"' -> passString();
+        case '"' -> {
+          at++;
+          passString();
+        }
         case '{', '[' -> {
           depth++;
           at++;
@@ -110,21 +146,15 @@ final class Json {
     } while (depth > 0);
   }
 
-  private int at(char found, char expected) {
-    if (found != expected) {
-      throw refused("'" + expected + "'");
-    }
-    return at;
-  }
-
-  /** Passes a string and says whether its characters are those between its quotes. */
+  /** Passes the rest of a string and says whether its characters are what they stand for. */
   private boolean passString() {
     boolean plain = true;
-    for (at++; text.charAt(at) != '"'; at++) {
-      if (text.charAt(at) == '\\') {
+    while (bytes[at] != '"') {
+      if (bytes[at] == '\\') {
         plain = false;
         at++;
       }
+      at++;
     }
     at++;
     return plain;
@@ -132,12 +162,28 @@ final class Json {
 
   /** Passes a number, true, false or null. */
   private void passWord() {
-    while (at < text.length() && ",:]} ".indexOf(text.charAt(at)) < 0) {
+    while (at < end && ",:]} ".indexOf(bytes[at]) < 0) {
       at++;
     }
   }
 
+  private boolean isAt(int from, String part) {
+    if (part.length() > end - from) {
+      return false;
+    }
+    for (int i = 0; i < part.length(); i++) {
+      if (bytes[from + i] != part.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private String text(int from, int to) {
+    return new String(bytes, from, to - from, StandardCharsets.UTF_8);
+  }
+
   private IllegalArgumentException refused(String expected) {
-    return new IllegalArgumentException(expected + " expected at " + at + " of " + text);
+    return new IllegalArgumentException(expected + " expected at " + (at - begin) + " of " + this);
   }
 }

@@ -26,15 +26,15 @@ final class Values {
    *
    * @throws IllegalArgumentException if the JSON has another shape
    */
-  static Value like(Value template, String json) {
+  static Value like(Value template, Json json) {
     try {
-      return like(template, new Json(json));
-    } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
+      return next(template, json);
+    } catch (IndexOutOfBoundsException | IllegalArgumentException | ArithmeticException e) {
       throw new IllegalArgumentException("expected a value like " + template + ", not " + json, e);
     }
   }
 
-  private static Value like(Value template, Json json) {
+  private static Value next(Value template, Json json) {
     if (template instanceof RecordValue record) {
       return overlay(record, json);
     }
@@ -56,7 +56,7 @@ final class Values {
       if (place < 0) {
         json.skip();
       } else {
-        values[place] = like(values[place], json);
+        values[place] = next(values[place], json);
       }
     }
     return new RecordValue(template.names, values, true);

@@ -3,11 +3,10 @@ package s7.trace;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
@@ -32,7 +31,7 @@ class EngineTest {
     var printed = new ByteArrayOutputStream();
     String input = String.join("\n", lines).replace('\'', '"').replace("\": ", "\":");
     new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8))
-        .serve(new BufferedReader(new StringReader(input)));
+        .serve(new ByteArrayInputStream(input.getBytes(StandardCharsets.UTF_8)));
     return printed.toString(StandardCharsets.UTF_8).lines().map(Tiny::json).toList();
   }
 

@@ -22,11 +22,11 @@ class ExplanationTest {
   }
 
   private static Explanation begin(String header) {
-    return new Explanation(spec, header.replace('\'', '"'));
+    return new Explanation(spec, Tiny.text(header));
   }
 
   private static Explanation.Refusal observe(Explanation explanation, String event) {
-    return explanation.observe(event.replace('\'', '"'));
+    return explanation.observe(Tiny.text(event));
   }
 
   @Test

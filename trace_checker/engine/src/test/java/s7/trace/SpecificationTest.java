@@ -24,7 +24,7 @@ class SpecificationTest {
   }
 
   private static Value header(String json) {
-    return Values.like(spec.value("NoHeader", spec.initialState()), json.replace('\'', '"'));
+    return Values.like(spec.value("NoHeader", spec.initialState()), Tiny.text(json));
   }
 
   private static StateVec begin(String header) {
@@ -63,7 +63,7 @@ class SpecificationTest {
     assertTrue(spec.holds("Stirs", begin("{'first': 1}").elementAt(0)));
     Value blank = spec.value("NoEvent", spec.initialState());
     assertTrue(spec.holds("Arrived", spec.initialState(), blank));
-    Value later = Values.like(blank, "{\"at\": 1}");
+    Value later = Values.like(blank, Tiny.text("{'at': 1}"));
     assertFalse(spec.holds("Arrived", spec.initialState(), later));
   }
 

@@ -24,6 +24,11 @@ final class Tiny {
     }
   }
 
+  /** A text of JSON written with single quotes. */
+  static Json text(String text) {
+    return Json.of(text.replace('\'', '"'));
+  }
+
   /** Parses an object written with single quotes. */
   static JsonObject json(String text) {
     return JsonParser.parseString(text.replace('\'', '"')).getAsJsonObject();

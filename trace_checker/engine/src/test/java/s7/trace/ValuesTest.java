@@ -41,7 +41,7 @@ class ValuesTest {
   }
 
   private static Value like(Value template, String json) {
-    return Values.like(template, json.replace('\'', '"'));
+    return Values.like(template, Tiny.text(json));
   }
 
   private static void assertJson(String expected, Value value) {
