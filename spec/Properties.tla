@@ -114,8 +114,8 @@ ContentProp ==
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
-            \/ PendingIn(requests, e.cause) \/ OpenIn(requests, e.cause)
-            \/ OnStack(e.cause)
+            \/ \E r \in requests : r.class = ClassOf(e.cause)
+            \/ \E i \in DOMAIN stack : stack[i].class = ClassOf(e.cause)
             \/ /\ e.cause \in AsyncErrorObs
                /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
                   \/ \E i \in DOMAIN stack : stack[i].ob \in AsyncErrorObs ]_vars

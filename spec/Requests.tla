@@ -29,7 +29,13 @@
 EXTENDS Cpu
 
 -----------------------------------------------------------------------------
-(* Queues; they are functions of the set of requests, not of the state. *)
+(* [OBS-42] [OBS-43] [TINT-13] *)
+\* @type: $request => Bool;
+ModeAllows(r) == \/ mode = "RUN"
+                 \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
+
+-----------------------------------------------------------------------------
+(* Queues *)
 
 (* The OB waits for sure. *)
 \* @type: (Set($request), Int) => Bool;
@@ -73,14 +79,16 @@ Close(q) ==
       : r \in q }
 
 (* The request r, next in its queue, leaves.  What was open and was passed  *)
-(* over has had no effect.                                                 *)
+(* over has had no effect, but where only the mode had kept it back.        *)
 \* @type: (Set($request), $request) => Set($request);
 Remove(q, r) ==
-    LET rest == { s \in q : s # r /\ (s.class = r.class => s.rank >= r.rank) }
+    LET passed(s) == s.class = r.class /\ s.rank < r.rank
+        rest == { s \in q : s # r /\ ~(passed(s) /\ ModeAllows(s)) }
         gone == IF \E s \in rest : s.class = r.class /\ s.rank = r.rank
                 THEN r.rank - 1 ELSE r.rank
-    IN  { IF s.class = r.class THEN [s EXCEPT !.rank = @ - gone] ELSE s
-          : s \in rest }
+    IN  IF \E s \in rest : passed(s) THEN Close(rest)
+        ELSE { IF s.class = r.class THEN [s EXCEPT !.rank = @ - gone] ELSE s
+               : s \in rest }
 
 \* @type: (Set($request), Int) => Set($request);
 Withdraw(q, o) ==
@@ -125,11 +133,6 @@ TimeError(fault, obs, cause, word) ==
 -----------------------------------------------------------------------------
 (* Which requests may start: the only statement of priorities and delays.  *)
 
-(* [OBS-42] [OBS-43] [TINT-13] *)
-\* @type: $request => Bool;
-ModeAllows(r) == \/ mode = "RUN"
-                 \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
-
 (* [OBS-01] *)
 \* @type: $request => Bool;
 Preempts(r) == r.class > Running.class
@@ -137,11 +140,12 @@ Preempts(r) == r.class > Running.class
 (* [AIRT-01] [AIRT-09] Whatever may interrupt the running OB is delayed. *)
 Undelayed == delay = 0
 
-(* [OBS-02] [TINT-12] Under AMB-29 (b) by number within a place. *)
+(* [OBS-02] [TINT-12] What the mode keeps back keeps nothing back.  Under    *)
+(* AMB-29 (b) by number within a place.                                     *)
 \* @type: $request => Bool;
 InTurn(r) ==
     { q \in requests :
-        /\ q.class = r.class /\ ~q.open
+        /\ q.class = r.class /\ ~q.open /\ ModeAllows(q)
         /\ \/ q.rank < r.rank
            \/ q.rank = r.rank /\ q.ob < r.ob /\ Reading("AMB-29") = "b" } = {}
 

@@ -207,21 +207,30 @@ ExternalWhileRunning(new) ==
       [] OTHER                   -> AnyEffect(new)
 
 -----------------------------------------------------------------------------
-(* Asynchronous errors *)
+(* Buffer overflow and asynchronous errors *)
+
+(* [OBS-08] [AMB-18] The buffer of a class may be full where something of    *)
+(* the class waits or runs.                                                *)
+\* @type: $request => Bool;
+MayOverflow(new) ==
+    /\ \/ \E r \in requests : r.class = new.class
+       \/ \E i \in DOMAIN stack : stack[i].class = new.class
+    /\ Reading("AMB-18") \in {"b", "d"}
+
+\* @type: $request => Bool;
+Overflows(new) ==
+    /\ MayOverflow(new)
+    /\ TimeErrorOccurs(requests, requests,
+                       TimeError(BufferOverflow, {}, new.ob, new.word))
 
 (* [OBS-07] [OBS-11] An error whose OB is not OB 80: its OB runs, or the     *)
-(* buffer of its class overflows [OBS-08].                                 *)
+(* buffer of its class overflows.                                          *)
 \* @type: $request => Bool;
 ErrorOccurs(new) ==
-    LET shared == \/ \E r \in requests : r.class = new.class
-                  \/ \E i \in DOMAIN stack : stack[i].class = new.class
-        entry == IF new.fault = 0 THEN {} ELSE {EntryOf(new)}
-    IN  \/ /\ requests' = Enter(requests, new)
-           /\ UNCHANGED stopCause
-           /\ entered' = entry
-        \/ /\ shared /\ Reading("AMB-18") \in {"b", "d"}
-           /\ TimeErrorOccurs(requests, requests,
-                              TimeError(BufferOverflow, {}, new.ob, new.word))
+    \/ /\ requests' = Enter(requests, new)
+       /\ UNCHANGED stopCause
+       /\ entered' = IF new.fault = 0 THEN {} ELSE {EntryOf(new)}
+    \/ Overflows(new)
 
 -----------------------------------------------------------------------------
 
@@ -236,5 +245,6 @@ Occurs(new) ==
          ELSE ExternalWhileRunning(new)
     ELSE IF PendingIn(requests, new.ob) THEN AgainWhilePending(new)
     ELSE IF OpenIn(requests, new.ob) THEN AgainWhileOpen(new)
-    ELSE Ordinary(new)
+    ELSE \/ Ordinary(new)
+         \/ new.ob \in ExternalObs /\ Overflows(new)
 =============================================================================
