@@ -19,7 +19,7 @@ typecheck)
     for module in Explain Inductive Liveness LifeCycle CounterLock Conservation; do
         echo "typecheck $module and what it extends"
         python3 models/flatten.py "$module" spec >"$out/flat/$module.tla"
-        "$apalache" typecheck --out-dir="$out" "$out/flat/$module.tla" >"$out/log" 2>&1 || { cat "$out/log"; exit 1; }
+        "$apalache" typecheck --out-dir="$out" "$out/flat/$module.tla" >"$out/log" 2>&1 || { grep -v "^# " "$out/log"; exit 1; }
     done
     ;;
 check)

@@ -82,7 +82,8 @@ Close(q) ==
 (* over has had no effect, but where only the mode had kept it back.        *)
 \* @type: (Set($request), $request) => Set($request);
 Remove(q, r) ==
-    LET passed(s) == s.class = r.class /\ s.rank < r.rank
+    LET \* @type: $request => Bool;
+        passed(s) == s.class = r.class /\ s.rank < r.rank
         rest == { s \in q : s # r /\ ~(passed(s) /\ ModeAllows(s)) }
         gone == IF \E s \in rest : s.class = r.class /\ s.rank = r.rank
                 THEN r.rank - 1 ELSE r.rank
