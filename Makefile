@@ -64,7 +64,7 @@ wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Pytho
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
 lint: setup  ## ruff and mypy
-	$(BIN)/ruff check setup.py trace_checker bench
+	$(BIN)/ruff check setup.py trace_checker bench models
 	$(BIN)/mypy trace_checker
 
 bench: setup  ## speed of the trace checker beside TLC on the same logs: bench/RESULTS.md

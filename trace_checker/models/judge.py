@@ -60,7 +60,8 @@ def _either(model: Model) -> bool:
 def _verdict(model: Model, outcome: Outcome, exit_code: int) -> list[str]:
     expect = model.expect
     if outcome.kind not in expected_kinds(model):
-        return [f"{outcome.kind}: {outcome.detail}"]
+        named = "".join(f" ({name})" for name in outcome.names if name not in outcome.detail)
+        return [f"{outcome.kind}: {outcome.detail}{named}"]
     if exit_code != expect.exit and not (_either(model) and exit_code in (12, 13)):
         return [f"exit {exit_code}"]
     if expect.property is None:

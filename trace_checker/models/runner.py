@@ -58,12 +58,18 @@ class Harness:
 
 
 def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
-    """Run one model and judge it. Raises `tlc.InterruptedRunError`."""
+    """Run one model and judge it. Raises `tlc.InterruptedRunError`.
+
+    A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants.
+    """
+    narrow = model
+    if model.kind == "negative" and model.expect.property in model.checked("PROPERTY"):
+        narrow = _only(model, model.expect.property)
     try:
-        run = _run(harness, model, listen)
+        run = _run(harness, narrow, listen)
     except StaleMutationError as stale:
         return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
-    outcome = _attribute(harness, model, run)
+    outcome = _attribute(harness, narrow, run)
     return judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
 
 
@@ -73,6 +79,7 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
         deadlock=model.deadlock,
         heap=model.heap,
         timeout=model.seconds[1],
+        brief=model.kind == "negative",
         args=model.args,
     )
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
@@ -80,24 +87,27 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
         return tlc.run(harness.tools, space, options, harness.processes, listen)
 
 
+def _only(model: Model, name: str) -> Model:
+    return replace(model, config=cfg.replace_section(model.config, "PROPERTY", [name]))
+
+
 def _attribute(harness: Harness, model: Model, run: tlc.TlcRun) -> Outcome:
     """Find out which PROPERTY was violated where TLC did not name it.
 
     TLC 2.18 names no temporal property, and any TLC gives only the place of a conjunct of a property such as another
-    module's Spec. If the configuration has one PROPERTY it is that one. If it has several, the expected one is run
-    alone: it is named if that run too is violated in the same way.
+    module's Spec. If the configuration has one PROPERTY it is that one. If it has several, each is run alone, until
+    one is violated in the same way.
     """
-    outcome, expected = run.outcome, model.expect.property
-    if outcome.kind not in PROPERTY_KINDS or outcome.names or expected is None:
+    outcome = run.outcome
+    if outcome.kind not in PROPERTY_KINDS or outcome.names:
         return outcome
     properties = model.checked("PROPERTY")
-    if properties == (expected,):
+    if len(properties) == 1:
         return replace(outcome, names=properties)
-    if expected not in properties:
-        return outcome
-    alone = replace(model, config=cfg.replace_section(model.config, "PROPERTY", [expected]))
-    second = _run(harness, alone, lambda _: None)
-    return replace(outcome, names=(expected,)) if second.outcome.kind == outcome.kind else outcome
+    for name in properties:
+        if _run(harness, _only(model, name), lambda _: None).outcome.kind == outcome.kind:
+            return replace(outcome, names=(name,))
+    return outcome
 
 
 def run_all(harness: Harness, models: list[Model], jobs: int, tell: Callable[[Event], None]) -> list[Result]:

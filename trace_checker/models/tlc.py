@@ -136,12 +136,16 @@ class TlcRun:
 
 @dataclass(frozen=True)
 class Options:
-    """How a run is made: TLC workers, deadlock check, heap in MB, timeout in seconds, further arguments of TLC."""
+    """How a run is made: TLC workers, deadlock check, heap in MB, timeout in seconds, further arguments of TLC.
+
+    `brief`: it is over before code that is compiled well would pay.
+    """
 
     workers: int
     deadlock: bool
     heap: int
     timeout: float
+    brief: bool = False
     args: tuple[str, ...] = ()
 
 
@@ -150,7 +154,8 @@ def command_line(tools: Toolchain, space: Workspace, options: Options) -> list[s
     liveness = () if "-lncheck" in options.args else ("-lncheck", "final")
     return [
         tools.java,
-        "-XX:+UseParallelGC",
+        "-XX:+UseSerialGC" if options.workers == 1 else "-XX:+UseParallelGC",
+        *(("-XX:TieredStopAtLevel=1",) if options.brief else ()),
         f"-Xmx{options.heap}m",
         # TLC unpacks its standard modules here; two runs at a time must not share it.
         f"-Djava.io.tmpdir={space.scratch}",

@@ -1,0 +1,57 @@
+---------------------------- MODULE MCLifeAlone ----------------------------
+(***************************************************************************)
+(* LifeCycle by itself: whatever one step may change, from every state.    *)
+(* System refines it (MCRefineTod); that says nothing of what LifeCycle    *)
+(* allows beyond System.  Here it is.                                      *)
+(***************************************************************************)
+EXTENDS LifeCycle
+
+Most == 2
+Settings == {"unset", "set", "active"}
+Pasts == {"none", "served", "cancelled", "lost", "cleared"}
+
+(* LifeCycle leaves open some of what follows: every next state is tried.    *)
+AnyNext == /\ on' \in BOOLEAN
+           /\ setting' \in Settings
+           /\ once' \in BOOLEAN
+           /\ blocked' \in BOOLEAN
+           /\ waiting' \in 0..Most
+           /\ perhaps' \in BOOLEAN
+           /\ running' \in BOOLEAN
+           /\ past' \in Pasts
+           /\ Next
+
+AloneSpec == Init /\ [][AnyNext]_lifeVars
+
+(* Nothing waits and nothing runs in STOP [OBS-41]. *)
+OffInv == ~on => waiting = 0 /\ ~perhaps /\ ~running
+
+(* What waits is active [TINT-09]. *)
+ActiveInv == waiting > 0 => setting = "active"
+
+Starts == running' /\ ~running
+
+(* Only what is active and waits starts [TINT-09] [TINT-23]. *)
+StartProp ==
+    [][ Starts => setting = "active" /\ (waiting > 0 \/ perhaps) ]_lifeVars
+
+(* A once interrupt runs once [TINT-08]. *)
+OnceProp ==
+    [][ Starts /\ once => setting' = "unset" /\ waiting' = 0 /\ ~perhaps' ]_lifeVars
+
+(* What waits stays, until it starts, is cancelled or set anew, or STOP.     *)
+StaysProp ==
+    [][ waiting' < waiting =>
+          Starts \/ ~on' \/ setting' \in {"unset", "set"} ]_lifeVars
+
+(* What is set in RUN has to be activated by a call [TINT-33]. *)
+ActivateProp ==
+    [][ on /\ setting' = "active" => setting # "unset" ]_lifeVars
+
+(* Nothing that is blocked comes to wait [IRT-01]. *)
+BlockedProp == [][ on /\ blocked => waiting' <= waiting ]_lifeVars
+
+(* A call or a point does not end a program that runs [TINT-53]. *)
+RunsOnProp ==
+    [][ running /\ ~running' => past' \in {"served", "cleared"} ]_lifeVars
+=============================================================================
