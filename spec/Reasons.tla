@@ -414,7 +414,8 @@ WithoutRequest(e, past) ==
           [] o = TimeErrorOb              -> NoTimeError(e, past)
           [] o = ProgramErrorOb           -> NoProgramError(past)
           [] o \in {CycleOb} \cup StartupObs ->
-               IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"}
+               IF mode = "STARTUP" THEN {"OBS-42"}
+               ELSE {"OBS-03"} \cup When(stack = <<>>, {"OBS-10"})
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
           [] OTHER                        ->
                {"OBS-01", "OBS-07"} \cup SinceRun(past, o, LastStart(past, o))
@@ -541,6 +542,13 @@ OfEntry(e, past) ==
           [] fault = BufferOverflow     -> {"OBS-30", "OBS-08"}
           [] OTHER                      -> {"OBS-30"} \cup When(quiet, {"IRT-09"})
 
+(* Of a STOP that is due. *)
+StopRequirements ==
+    CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
+      [] stopCause = NoProgramErrorOb -> {"OBS-21"}
+      [] stopCause = DeselectedLoaded -> {"OBS-25"}
+      [] OTHER                        -> {"OBS-23"}
+
 \* @type: ($event, Seq($event)) => Set(Str);
 Deciding(e, past) ==
     CASE e.event \in CallEvents -> OfCall(e, past)
@@ -550,7 +558,7 @@ Deciding(e, past) ==
                                 ELSE IF Running.ob = CycleOb \/ stack = <<>>
                                 THEN {"OBS-01", "OBS-03"} ELSE {"OBS-03"}
       [] e.event = "restart" -> {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
-      [] e.event = "run"     -> IF stopCause # NoCause THEN {"OBS-25"}
+      [] e.event = "run"     -> IF stopCause # NoCause THEN StopRequirements
                                 ELSE IF mode = "STARTUP" THEN {"OBS-42"}
                                 ELSE {"OBS-40"}
       [] e.event = "stop"    -> IF mode = "STOP" THEN {"OBS-40"}
@@ -665,12 +673,6 @@ EntryRequirements(entry) ==
       [] entry.of.ob = TimeErrorOb   ->
            {"OBS-30"} \cup When(Blocked(TimeErrorOb), {"OBS-33"})
       [] OTHER                       -> {"OBS-20"}
-
-StopRequirements ==
-    CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
-      [] stopCause = NoProgramErrorOb -> {"OBS-21"}
-      [] stopCause = DeselectedLoaded -> {"OBS-25"}
-      [] OTHER                        -> {"OBS-23"}
 
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRequirements(e, past) ==

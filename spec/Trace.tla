@@ -419,7 +419,7 @@ Shows(e) ==
          [] e.event = "load" -> LoadedAre(loaded \cup {e.ob})
          [] e.event = "delete" -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart" -> Restart(e.type)
-         [] e.event = "run" -> Run /\ stopCause = NoCause  \* [OBS-25]
+         [] e.event = "run" -> Run /\ stopCause = NoCause  \* [OBS-22] [OBS-25]
          [] e.event = "hold" -> Hold
          [] e.event = "release" -> Release
          [] e.event = "stop" -> IsStop(e)
