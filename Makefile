@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample witnesses typecheck apalache fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample witnesses agreement agreement-sample typecheck apalache fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -49,6 +49,13 @@ mutants-sample: setup  ## the same for 60 mutants
 
 witnesses: setup  ## is anything checked in vain? models of the CI lane and shipped logs on a specification that tells what it meets
 	$(BIN)/s7check witnesses --json build/witnesses/report.json
+
+LOGS ?= 10000
+agreement: setup  ## LOGS=10000 random logs: the engine and TLC give the same verdict at the same line
+	$(BIN)/s7check agree --logs $(LOGS) --json build/agreement/report.json
+
+agreement-sample: setup  ## the same for 200 logs
+	$(BIN)/s7check agree --logs 200
 
 typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck

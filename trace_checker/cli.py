@@ -19,6 +19,7 @@ COMMANDS = {
     "mutants": "trace_checker.mutants.command:mutants_command",
     "requirements": "trace_checker.traceability.command:requirements_command",
     "witnesses": "trace_checker.witnesses.command:witnesses_command",
+    "agree": "trace_checker.agreement.command:agree_command",
     "verify": "trace_checker.verify_command:verify_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.
@@ -45,8 +46,8 @@ def cli() -> None:
     """Check the interrupt functions of S7-300/400 CPUs (SFC 28-34 and 39-42).
 
     The rules come from one TLA+ specification; s7check evaluates it. For logs of a CPU or of a soft
-    PLC there are trace and import; models, mutants, witnesses, requirements and verify work on the project
-    itself, in a checkout of it.
+    PLC there are trace and import; models, mutants, witnesses, agree, requirements and verify work on the
+    project itself, in a checkout of it.
     """
 
 

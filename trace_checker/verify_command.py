@@ -46,7 +46,7 @@ class Row:
 
 @click.command("verify", short_help="Do the main job of the project: models, soft PLC, shipped logs.")
 def verify_command() -> int:
-    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs.
+    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs and random ones.
 
     Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed or a tool is missing, 2 this
     is no checkout.
@@ -149,6 +149,22 @@ def _shipped_logs() -> list[Row]:
     return [Row("shipped logs, as their index says", "trace checker", size, time.monotonic() - begun, failures)]
 
 
+def _agreement() -> list[Row]:
+    results = BUILD / "agreement.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "trace_checker", "agree", "--logs", str(SAMPLE), "--json", str(results)]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    failures = [f"s7check agree ended with exit code {code}; see above"] if code else []
+    size = tool = ""
+    if results.exists():
+        found = json.loads(results.read_bytes())
+        size = f"{found['logs']} logs, {found['accepted']} accepted, {found['lines']:,} lines"
+        tool = f"TLC {found['tlc']}"
+    return [Row("random logs, judged alike by the engine and TLC", tool, size, seconds, failures)]
+
+
 def _requirements() -> list[Row]:
     begun = time.monotonic()
     command = [sys.executable, "-m", "trace_checker", "requirements"]
@@ -182,10 +198,14 @@ def _not_in_this_lane() -> list[Row]:
 NOT_FOUND = 3
 """Exit code of models/apalache.sh where Apalache is not there."""
 
+SAMPLE = 200
+"""Random logs that both the engine and TLC judge."""
+
 STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,
     "the soft PLC, run and checked": _soft_plc,
     "the shipped logs": _shipped_logs,
+    "random logs, judged by the engine and by TLC": _agreement,
     "the requirements, traced": _requirements,
     "types, where Apalache is there": _apalache,
     "not run here": _not_in_this_lane,

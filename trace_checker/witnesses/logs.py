@@ -37,6 +37,9 @@ Out == INSTANCE TLC
 Consumed == index > Len(Logs[log].events) => Out!PrintT(<<"consumed", log>>)
 """
 
+_LARGEST = 2**31 - 1
+"""TLC reads a negative number as the negation of one that it can read."""
+
 _CONSUMED = re.compile(r'<<"consumed", (\d+)>>')
 
 _CONFIGURATION = """INIT LogsInit
@@ -118,6 +121,8 @@ def _value(value: Any) -> str:
     match value:
         case bool():
             return str(value).upper()
+        case int() if value < -_LARGEST:
+            return f"({value + 1} - 1)"
         case int():
             return str(value)
         case str():
