@@ -81,7 +81,7 @@ TodAtBegin(h, o, called) ==
     LET t == Configured(CpuOf(h).step7[o])
         n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
     IN  IF ~t.active THEN t
-        ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN NoSetting
+        ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN UsedUp(t)
         ELSE [t EXCEPT !.next = n]
 
 (* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU   *)
@@ -130,8 +130,11 @@ DiagRecorded == "diag" \in terms.records
 Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
            \/ {"ob", "interrupt"} \cap terms.records = {}
 
-(* What enters something in the diagnostic buffer may be unseen. *)
-CausesUnseen == ~((Kinds \ {"load"}) \subseteq terms.records)
+(* What enters an id in the diagnostic buffer may be unseen; DIS_IRT alone   *)
+(* enters that entries are disabled.                                       *)
+\* @type: Int => Bool;
+CauseUnseen(id) == ~((IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"})
+                       \subseteq terms.records)
 
 (* Only what a line of the log could tell is kept.  Where no line need      *)
 (* tell, neither what was active nor how sure the entry is, and more than  *)
@@ -153,11 +156,12 @@ OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
 (* causes may be unseen, entries are not matched one by one.               *)
 \* @type: Int => Bool;
 Report(age) ==
-    LET new == { AsReported(n) : n \in { m \in entered' : m.id \in JudgedEntries } }
+    LET new == { AsReported(n) : n \in { m \in entered' : /\ m.id \in JudgedEntries
+                                                           /\ ~CauseUnseen(m.id) } }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in reports : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1 ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
-    IN  reports' = IF entered' = {} \/ CausesUnseen THEN reports
+    IN  reports' = IF new = {} THEN reports
                    ELSE (reports \ UNION { same(n) : n \in new })
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
                                  : n \in new }
@@ -364,7 +368,8 @@ IsStop(e) ==
        \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
        \/ /\ delay > 0  \* the rule may come when the delay ends [AMB-49]
-          /\ Reading("AMB-49") # "b" \/ e.cause # stopCause
+          /\ \/ Reading("AMB-49") = "c"
+             \/ Reading("AMB-49") = "b" /\ e.cause # stopCause
 
 (* An entry of the diagnostic buffer has a cause that was not yet reported. *)
 \* @type: $event => Bool;

@@ -125,13 +125,6 @@ SomeCall(e) ==
     /\ NothingEntered
     /\ UNCHANGED cpuVars
 
-(* A STOP for a missing OB does not come where the OB is loaded. *)
-\* @type: $event => Bool;
-CauseIsPossible(e) ==
-    e.event = "stop" /\ Unseen("call") =>
-      /\ e.cause = NoTimeErrorOb => TimeErrorOb \notin loaded
-      /\ e.cause = NoProgramErrorOb => ProgramErrorOb \notin loaded
-
 -----------------------------------------------------------------------------
 (* Start events that no line shows *)
 
@@ -188,7 +181,7 @@ EntersUnseen(e) ==
 \* @type: $event => Bool;
 ShowsPartly(e) ==
     \/ IF Unseen("call") /\ e.event \in CallEvents THEN FALSE
-       ELSE CauseIsPossible(e) /\ Shows(e)
+       ELSE Shows(e)
     \/ /\ Unseen("call")
        /\ IF e.event \in CallEvents THEN SomeCall(e) ELSE SkipsByCall(e)
        /\ Rewait
@@ -197,7 +190,7 @@ ShowsPartly(e) ==
        /\ StartsUnseen(e)
        /\ Rewait
        /\ UNCHANGED <<terms, up>>
-    \/ /\ e.event = "diag" /\ CausesUnseen
+    \/ /\ e.event = "diag" /\ CauseUnseen(e.id)
        /\ EntersUnseen(e)
        /\ UNCHANGED <<terms, up>>
 

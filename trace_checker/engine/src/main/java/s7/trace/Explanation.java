@@ -117,7 +117,9 @@ final class Explanation {
     List<TLCState> stuck = new ArrayList<>();
     List<TLCState> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
-      return refusal("TooLate", "LateRequirements", "Elapse", stuck, stuck, event);
+      // Where changes of mode may be unseen, every state goes on, round in circles.
+      List<TLCState> late = stuck.isEmpty() ? states : stuck;
+      return refusal("TooLate", "LateRequirements", "Elapse", late, late, event);
     }
     List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
