@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -331,6 +332,14 @@ def test_standard_input_closed() -> None:
     assert b"unusable: expected a log on standard input" in run.stdout
 
 
+def wait_for_child(process: subprocess.Popen[bytes], seconds: float = 60) -> None:
+    """Wait until the process has started one, which takes its time where others keep the cores busy."""
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    end = time.monotonic() + seconds
+    while not children.read_text() and time.monotonic() < end:
+        time.sleep(0.05)
+
+
 def test_interrupt() -> None:
     """Ctrl-C while a stream is silent ends the process and its engine, without a traceback."""
     with start("-", start_new_session=True) as process:
@@ -338,6 +347,7 @@ def test_interrupt() -> None:
         assert process.stderr is not None
         process.stdin.write(ACCEPTED)
         process.stdin.flush()
+        wait_for_child(process)
         with pytest.raises(subprocess.TimeoutExpired):
             process.wait(1)
         os.killpg(process.pid, signal.SIGINT)
