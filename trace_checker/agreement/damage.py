@@ -169,6 +169,15 @@ def _delay_from(log: Log, place: int, by: timedelta, *, elapsed: bool) -> None:
         clock = clock and event["event"] != "clock"
 
 
+def elapses(log: Log) -> timedelta:
+    """The longest time that passes on the clock from one event to the next, unless a line sets it."""
+    longest, shown = timedelta(), None
+    for event in log.events:
+        longest = max(longest, _at(event) - (shown or _at(event)))
+        shown = datetime.fromisoformat(event["to"] if "to" in event else event["at"])
+    return longest
+
+
 def _later(random: Random, log: Log) -> None:
     _delay_from(
         log,

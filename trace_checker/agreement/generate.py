@@ -7,6 +7,7 @@ import json
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import timedelta
 from pathlib import Path
 from random import Random
 
@@ -21,6 +22,9 @@ PROFILE = "header: profile"
 
 TIMES = (0, 1, 1, 2)
 """How often a log is changed; about half of the logs are accepted then."""
+
+LONGEST = timedelta(hours=1)
+"""A clock that runs longer from one event to the next reaches many start points; the soft PLC's takes minutes."""
 
 
 class SoftPlcError(RuntimeError):
@@ -70,7 +74,9 @@ class Generator:
             before = copy.deepcopy(log)
             if log.events:
                 chosen.do(random, log)
-            if log != before:
+            if damage.elapses(log) > LONGEST:
+                log = before
+            elif log != before:
                 done.append(chosen.what)
         return Generated(_text(random, log), log.header["cpu"], tuple(dict.fromkeys(done)) or (UNCHANGED,))
 

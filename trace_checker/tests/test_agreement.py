@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from datetime import timedelta
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -116,6 +117,14 @@ def test_the_clock_is_set_with_a_line() -> None:
         assert sum(one["event"] == "clock" for one in log.events) == 2
         content = log_text(*log.events)
         assert not unreadable(Generated(content, "", ()))
+
+
+def test_how_long_the_clock_runs() -> None:
+    """From line to line, but for what a line sets."""
+    log = small_log()
+    assert damage.elapses(log) == timedelta(seconds=1)
+    del log.events[1]
+    assert damage.elapses(log) == timedelta(minutes=10, seconds=30)
 
 
 def test_verdicts_of_tlc(tools: tlc.Toolchain, tmp_path: Path) -> None:
