@@ -6,8 +6,8 @@
 (*                                                                         *)
 (* The search is bounded by what program and world do: `spent' counts      *)
 (* their interventions, and behaviours with more than Budget of them are   *)
-(* left out.  What the CPU does by itself is not bounded, nor is SFC 41/42 *)
-(* up to three calls deep.                                                 *)
+(* left out.  What the CPU does by itself is not bounded.  SFC 41/42 are   *)
+(* not counted, but called by OB 40 alone, up to three calls deep.         *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -42,6 +42,7 @@ Interventions == {"SET_TINT", "CAN_TINT", "ACT_TINT", "SRT_DINT", "CAN_DINT",
 BudgetInit == Init /\ spent = 0
 BudgetNext ==
     /\ Next
+    /\ step'.event \in {"DIS_AIRT", "EN_AIRT"} => Running.ob = 40
     /\ spent' = IF step'.event \in Interventions THEN spent + 1 ELSE spent
 BudgetSpec == BudgetInit /\ [][BudgetNext]_<<vars, spent>>
 
