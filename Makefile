@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full mutants mutants-sample witnesses agreement agreement-sample typecheck apalache fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full models-distributed mutants mutants-sample witnesses agreement agreement-sample typecheck apalache prove fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -62,6 +62,9 @@ typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or 
 
 apalache:  ## bounded checks with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh check
+
+prove:  ## SFC 41/42 as a counted lock and the life of a time-of-day interrupt, proved by Apalache for any number of calls and start events
+	models/apalache.sh prove
 
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence

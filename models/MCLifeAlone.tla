@@ -32,26 +32,29 @@ ActiveInv == waiting > 0 => setting = "active"
 Starts == running' /\ ~running
 
 (* Only what is active and waits starts [TINT-09] [TINT-23]. *)
-StartProp ==
-    [][ Starts => setting = "active" /\ (waiting > 0 \/ perhaps) ]_lifeVars
+StartStep == Starts => setting = "active" /\ (waiting > 0 \/ perhaps)
 
 (* A once interrupt runs once [TINT-08]. *)
-OnceProp ==
-    [][ Starts /\ once => setting' = "unset" /\ waiting' = 0 /\ ~perhaps' ]_lifeVars
+OnceStep == Starts /\ once => setting' = "unset" /\ waiting' = 0 /\ ~perhaps'
 
 (* What waits stays, until it starts, is cancelled or set anew, or STOP.     *)
-StaysProp ==
-    [][ waiting' < waiting =>
-          Starts \/ ~on' \/ setting' \in {"unset", "set"} ]_lifeVars
+StaysStep ==
+    waiting' < waiting =>
+      Starts \/ ~on' \/ setting' \in {"unset", "set"}
 
 (* What is set in RUN has to be activated by a call [TINT-33]. *)
-ActivateProp ==
-    [][ on /\ setting' = "active" => setting # "unset" ]_lifeVars
+ActivateStep == on /\ setting' = "active" => setting # "unset"
 
 (* Nothing that is blocked comes to wait [IRT-01]. *)
-BlockedProp == [][ on /\ blocked => waiting' <= waiting ]_lifeVars
+BlockedStep == on /\ blocked => waiting' <= waiting
 
 (* A call or a point does not end a program that runs [TINT-53]. *)
-RunsOnProp ==
-    [][ running /\ ~running' => past' \in {"served", "cleared"} ]_lifeVars
+RunsOnStep == running /\ ~running' => past' \in {"served", "cleared"}
+
+StartProp    == [][StartStep]_lifeVars
+OnceProp     == [][OnceStep]_lifeVars
+StaysProp    == [][StaysStep]_lifeVars
+ActivateProp == [][ActivateStep]_lifeVars
+BlockedProp  == [][BlockedStep]_lifeVars
+RunsOnProp   == [][RunsOnStep]_lifeVars
 =============================================================================

@@ -25,35 +25,41 @@ AloneSpec == Init /\ [][AnyNext]_lockVars
 CountInv == count > 0 => on /\ running # <<>>
 
 (* What runs was not interrupted by its own class [OBS-01].                  *)
-NestedInv == \A i \in 2..Len(running) : running[i] > running[i - 1]
+NestedInv ==
+    \A i, j \in DOMAIN running : i < j => running[i] < running[j]
 
 OffInv == ~on => running = <<>> /\ \A c \in Classes : waiting[c] = 0
 
 Starts == Len(running') > Len(running)
 
 (* Nothing starts while the lock is held [AIRT-01]. *)
-HeldProp == [][ Starts => count = 0 ]_lockVars
+HeldStep == Starts => count = 0
 
 (* What starts has the highest class of what waits [OBS-04]. *)
-HighestProp ==
-    [][ Starts => \A c \in Held : c <= running'[Len(running')] ]_lockVars
+HighestStep == Starts => \A c \in Held : c <= running'[Len(running')]
 
 (* What waits is taken by its start and by STOP alone [AIRT-02]. *)
-NoneLostProp ==
-    [][ \A c \in Classes :
-          waiting'[c] < waiting[c] =>
-            \/ ~on'
-            \/ Starts /\ running'[Len(running')] = c
-                      /\ waiting'[c] = waiting[c] - 1 ]_lockVars
+NoneLostStep ==
+    \A c \in Classes :
+      waiting'[c] < waiting[c] =>
+        \/ ~on'
+        \/ Starts /\ running'[Len(running')] = c
+                  /\ waiting'[c] = waiting[c] - 1
 
 (* What interrupts goes first when the lock opens [AIRT-08]. *)
-AtOnceProp ==
-    [][ on /\ count = 0 /\ Held # {} =>
-          Starts \/ ~on' \/ UNCHANGED <<on, count, running, waiting>> ]_lockVars
+AtOnceStep ==
+    on /\ count = 0 /\ Held # {} =>
+      Starts \/ ~on' \/ UNCHANGED <<on, count, running, waiting>>
 
 (* One call counts one [AIRT-03]; the end of the program counts all back.    *)
-CountedProp ==
-    [][ count' # count =>
-          \/ count' \in {count - 1, count + 1} /\ running' = running
-          \/ count' = 0 /\ (Len(running') < Len(running)) ]_lockVars
+CountedStep ==
+    count' # count =>
+      \/ count' \in {count - 1, count + 1} /\ running' = running
+      \/ count' = 0 /\ (Len(running') < Len(running))
+
+HeldProp     == [][HeldStep]_lockVars
+HighestProp  == [][HighestStep]_lockVars
+NoneLostProp == [][NoneLostStep]_lockVars
+AtOnceProp   == [][AtOnceStep]_lockVars
+CountedProp  == [][CountedStep]_lockVars
 =============================================================================

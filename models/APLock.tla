@@ -1,0 +1,50 @@
+------------------------------- MODULE APLock -------------------------------
+(***************************************************************************)
+(* A proof by Apalache that the counter lock (spec/CounterLock, SFC 41 and *)
+(* 42) keeps what MCLockAlone says of it, for EVERY delay count and any    *)
+(* number of start events that wait, in three priority classes:            *)
+(*   1. Invariant holds in the initial state;                              *)
+(*   2. every step from every state in which it holds ends in one;         *)
+(*   3. every such step is as the ...Step formulas say.                    *)
+(* The classes are 1 to 3 since nothing but their order matters; a stack   *)
+(* in ascending order is then never longer than three.                     *)
+(* models/apalache.sh prove                                                *)
+(***************************************************************************)
+EXTENDS MCLockAlone
+
+APClasses == 1..3
+
+Invariant == /\ CountInv /\ NestedInv /\ OffInv
+             /\ count >= 0
+             /\ \A c \in Classes : waiting[c] >= 0
+             /\ \A i \in DOMAIN running : running[i] \in Classes
+
+\* @type: (Int, Int, Int) => (Int -> Int);
+AsFunction(a, b, c) ==
+    [d \in Classes |-> IF d = 1 THEN a ELSE IF d = 2 THEN b ELSE c]
+
+(* Any state at all, but for Invariant. *)
+AnyState ==
+    /\ on \in BOOLEAN
+    /\ count \in Nat
+    /\ perhaps \in SUBSET Classes
+    /\ \E a, b, c \in Nat : waiting = AsFunction(a, b, c)
+    /\ \E a, b, c \in Classes : \E n \in 0..3 :
+          running = SubSeq(<<a, b, c>>, 1, n)
+
+AnyInit == AnyState /\ Invariant
+
+(* Next of CounterLock, which leaves open what arrives and what may come:    *)
+(* any number, and any classes.                                              *)
+AnyPerhaps == perhaps' \in SUBSET Classes
+AnyWaiting == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
+
+APNext ==
+    \/ Take \/ GiveBack \/ Leave \/ Stop \/ Restart
+    \/ AnyPerhaps /\ Fade
+    \/ AnyWaiting /\ AnyPerhaps /\ Arrive
+    \/ \E c \in Classes : (AnyPerhaps /\ Enter(c)) \/ Begin(c)
+
+Steps == HeldStep /\ HighestStep /\ NoneLostStep /\ AtOnceStep
+           /\ CountedStep
+=============================================================================
