@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* What the calls of the system functions have in common: who calls, what  *)
 (* may be answered, and the STATUS that SFC 31 and SFC 34 give (catalogue  *)
-(* sections 1.5, 2, 8.6).                                                  *)
+(* sections 1.5, 2, 7.4).                                                  *)
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
 (***************************************************************************)

@@ -1,7 +1,7 @@
 -------------------------------- MODULE Codes -------------------------------
 (***************************************************************************)
 (* The words that the program and the CPU exchange: RET_VAL codes, PERIOD  *)
-(* codes, fault ids and event ids (catalogue tables 8.2, 8.3, 8.6).        *)
+(* codes, fault ids and event ids (catalogue tables 7.2 to 7.6).           *)
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22]; they   *)
 (* answer faults of addressing that no call of a log can express.          *)
@@ -47,7 +47,7 @@ MonthlyOrLast == -1
 PeriodCodes ==
     {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly
 
-(* [OBS-30] fault ids of OB 80 and (table 8.2) of OB 85 *)
+(* [OBS-30] fault ids of OB 80 and (table 7.3) of OB 85 *)
 StillRunning    == \h02
 SkippedByClock  == \h05
 SkippedInHold   == \h06
@@ -57,7 +57,7 @@ ObNotLoaded     == {\hA1, \hA2}
 (* Which one, no source says. *)
 UnknownFault    == -1
 
-(* Entries of the diagnostic buffer (table 8.3): \h3500 + fault id for time  *)
+(* Entries of the diagnostic buffer (table 7.5): \h3500 + fault id for time  *)
 (* errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09].       *)
 ErrorEntry == \h3500
 EntriesDisabled == \h5380

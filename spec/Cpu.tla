@@ -3,7 +3,7 @@
 (* The state of an S7-300/400 CPU as far as its interrupts depend on it,   *)
 (* and the words to speak of it: OBs, priority classes, the stack.         *)
 (*                                                                         *)
-(* Sources: catalogue sections 0.3, 5.1, table 8.1.                        *)
+(* Sources: catalogue section 5.1, table 7.1.                              *)
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
@@ -96,7 +96,7 @@ ExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
 \* @type: Str => Int;
 StartupOb(type) == IF type = "warm" THEN 100 ELSE 102
 
-(* [OBS-04] Table 8.1. *)
+(* [OBS-04] Table 7.1. *)
 \* @type: Int => Int;
 DefaultClass(o) ==
     CASE o = CycleOb       -> 1

@@ -8,6 +8,7 @@
 (*                                                                         *)
 (* Left out: which conjunct of an action is false; the engine finds it in  *)
 (* the action itself.                                                      *)
+(* Source: docs/log-format.md, `expected' and `state' of a verdict.        *)
 (***************************************************************************)
 EXTENDS Reasons
 
@@ -44,14 +45,17 @@ Startable == { r \in requests : MayStart(r) /\ r.ob \in loaded }
 StartOf(r) == IF r.fault = 0 THEN Allowed("start", r.ob, "", 0)
               ELSE Allowed("start", r.ob, "flt_id", r.fault)
 
+(* OtherErrorOb and NoCause stand for no event of the log. *)
+Stopping == IF stopCause > 0 THEN Allowed("stop", 0, "cause", stopCause)
+                             ELSE Allowed("stop", 0, "", 0)
+
 Possible ==
     { StartOf(r) : r \in Startable }
       \cup (IF stack = <<>> \/ mode = "HOLD" THEN {}
             ELSE {Allowed("end", Running.ob, "", 0)})
       \cup (IF Called THEN {Allowed("call", Running.ob, "", 0)} ELSE {})
       \cup (IF mode = "STOP" THEN {Allowed("restart", 0, "", 0)}
-            ELSE {Allowed("stop", 0, IF stopCause > 0 THEN "cause" ELSE "",
-                          IF stopCause > 0 THEN stopCause ELSE 0)})
+            ELSE {Stopping})
       \cup (IF mode = "HOLD" THEN {Allowed("release", 0, "", 0)} ELSE {})
       \cup (IF ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
 
@@ -71,8 +75,7 @@ TooLate(e) ==
              : r \in { q \in Late(e) : /\ q.ob \notin loaded
                                       /\ q.ob \notin AsyncErrorObs } }
       \cup { Allowed("diag", 0, "id", r.entry.id) : r \in ReportsLate(e) }
-      \cup (IF StopDuty \notin DOMAIN waiting THEN {}
-            ELSE {Allowed("stop", 0, "cause", stopCause)})
+      \cup (IF StopDuty \in DOMAIN waiting THEN {Stopping} ELSE {})
 
 -----------------------------------------------------------------------------
 (* The situation, for people to read *)

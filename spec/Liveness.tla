@@ -10,6 +10,7 @@
 (* (models/MCLive).                                                        *)
 (* Left out: HOLD, which only the operator ends; what the sources leave    *)
 (* open whether it has an effect ("open" requests).                        *)
+(* Source: catalogue [OBS-03] [AIRT-08] [TINT-02] [DINT-03].               *)
 (***************************************************************************)
 EXTENDS System
 

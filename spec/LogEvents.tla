@@ -3,6 +3,8 @@
 (* The records that stand for the lines of a log: header and events, with  *)
 (* the value that a field has where the line does not give it (-1).  The   *)
 (* trace checker's engine fills them from the log.                         *)
+(* Source: docs/log-format.md, the fields of header and events.            *)
+(* Left out: `source', `comment' and fields that the format does not know. *)
 (***************************************************************************)
 EXTENDS Modes
 

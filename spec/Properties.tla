@@ -8,6 +8,7 @@
 (* action and for each rule there is a negative control that violates one. *)
 (* Left out: liveness; properties of single functions are in PropertiesTod, *)
 (* PropertiesClock, PropertiesDint and PropertiesIrt.                      *)
+(* Source: catalogue sections 4 and 5.                                     *)
 (***************************************************************************)
 EXTENDS System
 
@@ -44,7 +45,7 @@ TypeInv ==
 (* [OBS-01] Every running OB is of a higher class than the one it interrupted. *)
 StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
 
-(* [OBS-04] Table 8.1 as an order: cycle, time-of-day interrupts, hardware  *)
+(* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware  *)
 (* interrupts, program errors, time errors.                                *)
 PriorityOrderInv ==
     /\ \A o \in TodObs : DefaultClass(CycleOb) < DefaultClass(o)
@@ -66,7 +67,7 @@ PriorityOrderInv ==
     /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
 
 (* [OBS-04] [OBS-31] [OBS-43] The classes of those that run: two real       *)
-(* numbers of table 8.1 for each family, what STARTUP changes, and [OBS-05] *)
+(* numbers of table 7.1 for each family, what STARTUP changes, and [OBS-05] *)
 (* what is set.                                                            *)
 ClassInv ==
     \A i \in DOMAIN stack :
@@ -132,7 +133,7 @@ FifoProp ==
             /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs /\ ~q.open
                                      => ~Before(q.since, r.since) ]_vars
 
-(* The same by the queue, for start events that have no time. *)
+(* [OBS-02] The same by the queue, for start events that have no time. *)
 TurnProp ==
     [][ Dispatched =>
           \E r \in requests :
@@ -152,7 +153,7 @@ LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
 RequestedProp ==
     [][Dispatched => \E r \in requests : r.ob = step'.ob]_vars
 
-(* Only what is open may come to nothing. *)
+(* [OBS-07] Only what is open may come to nothing. *)
 DropProp ==
     [][ Did("dropped") => \A r \in requests : r.open
                             \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
@@ -181,7 +182,7 @@ EndProp ==
                       /\ UNCHANGED <<mode, clock, tod>>
                       /\ step'.ob # ProgramErrorOb => UNCHANGED requests ]_vars
 
-(* OB 1 starts where nothing runs. *)
+(* [OBS-01] OB 1 starts where nothing runs. *)
 CycleProp == [][Started(CycleOb) => mode = "RUN" /\ stack = <<>>]_vars
 
 -----------------------------------------------------------------------------

@@ -8,7 +8,8 @@
 (***************************************************************************)
 EXTENDS PropertiesTod
 
-(* The clock runs forward, and is set by nothing but a clock event. *)
+(* The clock runs forward, and is set by nothing but a clock event, as all   *)
+(* requirements of section 6 take for granted.                             *)
 ForwardProp ==
     [][ clock' # clock => Did("clock") \/ (Did("time") /\ Before(clock, clock')) ]_vars
 

@@ -106,7 +106,8 @@ DintTimeProp ==
                dint'[o].left = IF mode = "HOLD" THEN dint[o].left
                                ELSE dint[o].left - Span(clock, clock') ]_vars
 
-(* A job changes by its calls, by time, by its end, and ends with the RUN.  *)
+(* [DINT-07] [DINT-08] A job changes by its calls, by time, by its end, and  *)
+(* ends with the RUN.                                                      *)
 JobStaysProp ==
     [][ \A o \in DintObs : dint'[o] # dint[o] =>
           \/ step'.event \in {"SRT_DINT", "CAN_DINT", "elapsed"} /\ step'.ob = o

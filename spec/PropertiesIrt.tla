@@ -1,7 +1,7 @@
 ---------------------------- MODULE PropertiesIrt ---------------------------
 (***************************************************************************)
 (* What must hold of SFC 39/40 (catalogue section 3) and of the entries of *)
-(* the diagnostic buffer (table 8.3), said of states and of steps.         *)
+(* the diagnostic buffer (table 7.5), said of states and of steps.         *)
 (*                                                                         *)
 (* Left out: entries that are open because their error is.                 *)
 (***************************************************************************)
@@ -117,7 +117,7 @@ StopEntryProp ==
     [][ stopCause = NoCause /\ stopCause' \notin {NoCause, 0}
           => stopCause' \in EnteredNow ]_vars
 
-(* What is entered has a cause in this step. *)
+(* [IRT-09] [OBS-30] What is entered has a cause in this step. *)
 EntrySourceProp ==
     [][ entered' # {} => step'.event \in {"reached", "elapsed", "interrupt", "clock",
                                           "release", "missing", "restart", "DIS_IRT"} ]_vars

@@ -1,9 +1,9 @@
 ------------------------------ MODULE Readings ------------------------------
 (***************************************************************************)
-(* The ambiguities of the requirements (catalogue section 7): the letter   *)
+(* The ambiguities of the catalogue (docs/readings.md): the letter         *)
 (* by which each is read where a log's header or a model says nothing, the *)
 (* letters that some formula tells apart, and the profiles, which bundle   *)
-(* the letters of one edition of the manual (catalogue section 7.1).       *)
+(* the letters of one edition of the manual.                               *)
 (*                                                                         *)
 (* Module Cpu looks a letter up: Reading("AMB-nn").                        *)
 (* Left out: letters that no formula tells apart; docs/readings.md says    *)

@@ -7,6 +7,8 @@
 (* of each event, OB and MODE.                                             *)
 (*                                                                         *)
 (* No action uses what is said here.                                       *)
+(* Source: the requirement IDs of the catalogue.                           *)
+(* Left out: what is allowed instead, which is in Explain.                 *)
 (***************************************************************************)
 EXTENDS Unrecorded
 
@@ -522,7 +524,7 @@ OfStart(e, past) ==
         best == { r \in all : \A q \in all : Depth(q, fault) <= Depth(r, fault) }
     IN  IF all = {} \/ mode = "STOP" THEN WithoutRequest(e, past)
         ELSE UNION { StartRequirements(r, e, past) : r \in best }
-               \cup When(e.info.dtime > 60000, {"DINT-04"})
+               \cup When(e.info.dtime \notin {-1} \cup DelayTimes, {"DINT-04"})
 
 -----------------------------------------------------------------------------
 (* Other lines *)

@@ -132,6 +132,7 @@ ErrorObsNotMissed ==
     IF Reading("AMB-75") = "a" THEN {70, 72, 81, 84, 87} ELSE {81}
 ErrorObsAs85 ==
     IF Reading("AMB-75") = "a" THEN {} ELSE {70, 72, 84, 87}
+ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
 
 \* @type: $request => Bool;
 ErrorObMissing(r) ==
@@ -140,7 +141,7 @@ ErrorObMissing(r) ==
     \/ /\ r.ob \in ErrorObsNotMissed
        /\ requests' = Remove(requests, r)
        /\ UNCHANGED stopCause /\ NothingEntered
-    \/ /\ r.ob \in {82, 83, 84, 86} \ ErrorObsAs85
+    \/ /\ r.ob \in ErrorObsThatStop
        /\ requests' = Remove(requests, r)
        /\ stopCause' = StopFor(OtherErrorOb)
        /\ NothingEntered

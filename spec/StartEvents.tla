@@ -2,10 +2,10 @@
 (***************************************************************************)
 (* A start event or an error occurs: what it leads to where its OB is      *)
 (* idle, waits, runs, is blocked or is missing, and what is entered in the *)
-(* diagnostic buffer (catalogue sections 5.2, 5.3, table 8.3).             *)
+(* diagnostic buffer (catalogue sections 5.2, 5.3, table 7.5).             *)
 (*                                                                         *)
 (* The operators set requests', stopCause' and entered'.                   *)
-(* Left out: entries for other events than those of table 8.3 that belong  *)
+(* Left out: entries for other events than those of table 7.5 that belong  *)
 (* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
 (***************************************************************************)
 EXTENDS Requests

@@ -1,14 +1,14 @@
 ------------------------------ MODULE StartInfo -------------------------------
 (***************************************************************************)
-(* The start information of an OB, as far as table 8.2 determines it: does *)
+(* The start information of an OB, as far as table 7.2 determines it: does *)
 (* what a log says of a start fit the request that led to it?  And the     *)
-(* entries of the diagnostic buffer, which say the same (table 8.4).       *)
+(* entries of the diagnostic buffer, which say the same (table 7.7).       *)
 (*                                                                         *)
 (* Left out: what the table leaves open is not judged.                     *)
 (***************************************************************************)
 EXTENDS LogEvents
 
-(* Start information, table 8.2; what the table leaves open is not judged *)
+(* Start information, table 7.2; what the table leaves open is not judged *)
 
 \* @type: Int => Int;
 EventOf(o) == CASE o \in 10..17 -> \h1111 + o - 10

@@ -3,6 +3,7 @@
 (* A start point of a time-of-day interrupt is reached (catalogue section  *)
 (* 1.1), and which points were served, for a clock that is set back        *)
 (* [CLK-09].  What follows for its OB is said in StartEvents.              *)
+(* Left out: what a point leads to (StartEvents).                          *)
 (***************************************************************************)
 EXTENDS TimeOfDay
 

@@ -12,6 +12,8 @@
 (*                                                                         *)
 (* The sets below are what a program may pass and what the world may do;   *)
 (* models replace them by small ones.                                      *)
+(* Source: catalogue sections 5 and 6.                                     *)
+(* Left out: start information (StartInfo).                                *)
 (***************************************************************************)
 EXTENDS Modes
 

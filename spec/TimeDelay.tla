@@ -25,10 +25,13 @@ DintErrors(o) == IF o \notin DintObs THEN {BadOb} ELSE {}
 -----------------------------------------------------------------------------
 (* SFC 32 *)
 
-(* [DINT-04] [DINT-05] *)
+(* [DINT-04] DTIME, in ms. *)
+DelayTimes == 1..60000
+
+(* [DINT-05] *)
 \* @type: (Int, Int) => Set(Int);
 SrtErrors(o, dtime) ==
-    DintErrors(o) \cup (IF dtime \in 1..60000 THEN {} ELSE {BadDtime})
+    DintErrors(o) \cup (IF dtime \in DelayTimes THEN {} ELSE {BadDtime})
 
 (* [DINT-07] [DINT-22] [AMB-74] Started anew, it begins from the start. *)
 \* @type: ($job, Int, Int) => $job;

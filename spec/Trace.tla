@@ -12,6 +12,7 @@
 (* Other than in System an OB that may start need not start at once, but   *)
 (* within the latency that the header states (AMB-69), and inside it a     *)
 (* lower class may start first.                                            *)
+(* Source: docs/log-format.md with its fine points; AMB-69.                *)
 (***************************************************************************)
 EXTENDS StartInfo
 

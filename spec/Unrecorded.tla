@@ -13,6 +13,7 @@
 (* Left out: several changes of the clock between two lines; a block that  *)
 (* is loaded or deleted without effect on the next line; a start event     *)
 (* from outside that came unseen before its OB was blocked.                *)
+(* Source: docs/log-format.md, `records'.                                  *)
 (***************************************************************************)
 EXTENDS Trace
 
@@ -162,7 +163,7 @@ StartsUnseen(e) ==
       /\ ModeAllows(r) /\ Undelayed /\ Preempts(r)
       /\ r.ob \in loaded /\ ~Idle(r.ob)
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
-      /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup (1..60000)
+      /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes
       /\ stack' = Append(stack, Frame(r.ob, r.class))
       /\ NothingEntered
       /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
