@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.console import Console
 from rich.table import Table
 
+from trace_checker import session
 from trace_checker.check import check_log
 from trace_checker.engine_client import Engine
 from trace_checker.resources import INSTALLED
@@ -22,7 +22,6 @@ from trace_checker.shipped import difference, shipped_logs
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "verify"
 PLC = ROOT / "examples" / "soft_plc"
-WIDTH_OF_LOG = 140
 
 
 @dataclass(frozen=True)
@@ -213,7 +212,7 @@ STEPS: dict[str, Callable[[], list[Row]]] = {
 
 
 def _print(rows: list[Row]) -> None:
-    console = Console(width=None if sys.stdout.isatty() else WIDTH_OF_LOG)
+    console = session.console()
     table = Table("checked", "by", "result", "size", "seconds")
     for row in rows:
         table.add_row(row.what, row.tool, row.result, row.size, f"{row.seconds:.1f}" if row.run else "")

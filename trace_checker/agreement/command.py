@@ -7,13 +7,10 @@ failed, 130 interrupted.
 from __future__ import annotations
 
 import json
-import signal
 import sys
 from pathlib import Path
-from types import FrameType
 
 import click
-from rich.console import Console
 
 from trace_checker.agreement import report
 from trace_checker.agreement.compare import Request, compare
@@ -21,10 +18,10 @@ from trace_checker.agreement.generate import SoftPlcError
 from trace_checker.agreement.tlc_batch import BatchError
 from trace_checker.engine_command import EngineError
 from trace_checker.models import tlc
-from trace_checker.models.command import WIDTH_OF_LOG
 from trace_checker.resources import SPECIFICATION
+from trace_checker.session import session
 
-DIFFER, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+DIFFER = 1
 
 SOFT_PLC = Path(__file__).resolve().parents[2] / "examples" / "soft_plc" / "build" / "soft_plc"
 
@@ -58,12 +55,8 @@ def agree_command(
     The logs come from random programs on the soft PLC, as they are or damaged; the same seed gives the same logs. Exit
     codes: 0 the verdicts are the same, 1 some differ, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
-    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
     processes = tlc.Processes()
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=WIDTH_OF_LOG)
-    try:
+    with session(processes, (OSError,), (tlc.ToolMissingError, EngineError, SoftPlcError, BatchError)) as console:
         request = Request(logs, seed, jobs, spec, SOFT_PLC)
         found = compare(request, tlc.find_toolchain(jar), processes, click.echo)
         report.keep(found, keep)
@@ -71,22 +64,4 @@ def agree_command(
         if json_path is not None:
             json_path.parent.mkdir(parents=True, exist_ok=True)
             json_path.write_text(json.dumps(report.as_json(found), indent=1) + "\n", encoding="utf-8")
-        code = DIFFER if report.differences(found) else 0
-    except OSError as error:
-        click.echo(f"error: {error}", err=True)
-        code = USAGE
-    except (tlc.ToolMissingError, EngineError, SoftPlcError, BatchError) as error:
-        click.echo(f"error: {error}", err=True)
-        code = NO_TOOLS
-    except (KeyboardInterrupt, tlc.InterruptedRunError):
-        click.echo("interrupted", err=True)
-        code = INTERRUPTED
-    finally:
-        processes.close()
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    sys.exit(code)
-
-
-def _interrupt(_signal: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt
+    sys.exit(DIFFER if report.differences(found) else 0)

@@ -6,13 +6,11 @@ Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 
 from __future__ import annotations
 
 import json
-import signal
 import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 
 import click
 from rich.console import Console
@@ -22,11 +20,10 @@ from trace_checker.models.judge import Result, judge
 from trace_checker.models.manifest import LANES, Manifest, ManifestError, Model, load
 from trace_checker.models.runner import Event, Harness, run_all
 from trace_checker.models.update import update
+from trace_checker.session import session
 
-DRIFT, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+DRIFT = 1
 MANIFEST = Path("models/manifest.json")
-WIDTH_OF_LOG = 140
-"""Columns of a table where no terminal says how wide it is."""
 
 
 @dataclass(frozen=True)
@@ -98,39 +95,18 @@ def models_command(
     cluster = None if spread is None else distributed.Cluster(spread, host)
     path = manifest or find_manifest(Path.cwd())
     request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
-    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
     processes = tlc.Processes()
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=WIDTH_OF_LOG)
-    try:
-        code = run_request(request, processes, console)
-    except (KeyboardInterrupt, tlc.InterruptedRunError):
-        click.echo("interrupted", err=True)
-        code = INTERRUPTED
-    finally:
-        processes.close()
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    sys.exit(code)
+    with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
+        sys.exit(run_request(request, processes, console))
 
 
 def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
     """Do what was asked for and return the exit code."""
-    try:
-        manifest = load(request.manifest)
-        selected = manifest.select(request.lane, request.names)
-    except ManifestError as error:
-        click.echo(f"error: {error}", err=True)
-        return USAGE
-    try:
-        tools = tlc.find_toolchain(request.jar)
-    except tlc.ToolMissingError as error:
-        click.echo(f"error: {error}", err=True)
-        return NO_TOOLS
+    manifest = load(request.manifest)
+    selected = manifest.select(request.lane, request.names)
+    tools = tlc.find_toolchain(request.jar)
     if request.cluster is not None and not distributed.works(tools):
-        click.echo(f"error: the distributed mode of {tools.jar} does not work: see docs/distributed.md", err=True)
-        return NO_TOOLS
+        raise tlc.ToolMissingError(f"the distributed mode of {tools.jar} does not work: see docs/distributed.md")
     began = time.monotonic()
     answers = canaries.run_canaries(tools, manifest.directory.parent / "build", processes)
     report.show_canaries(console, tools, answers)
@@ -223,7 +199,3 @@ def _alone(model: Model, request: Request) -> str:
     )
     options += f" --tlc {request.jar}" if request.jar else ""
     return f"s7check models{options} {model.name} -v"
-
-
-def _interrupt(_signal: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt

@@ -9,19 +9,17 @@ from __future__ import annotations
 import fnmatch
 import hashlib
 import json
-import signal
 import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 
 import click
 from rich.console import Console
 
 from trace_checker.engine_command import EngineError
 from trace_checker.models import tlc
-from trace_checker.models.command import WIDTH_OF_LOG, find_manifest
+from trace_checker.models.command import find_manifest
 from trace_checker.models.manifest import LANES, Manifest, ManifestError, load
 from trace_checker.models.runner import Harness
 from trace_checker.mutants import logs, reasons, report
@@ -30,8 +28,9 @@ from trace_checker.mutants.checks import Check, CheckFailedError, LogsCheck, Mod
 from trace_checker.mutants.findings import Findings
 from trace_checker.mutants.listing import Mutant, mutants, read_modules
 from trace_checker.mutants.syntax import Module, SyntaxTreeError
+from trace_checker.session import session
 
-UNEXPLAINED, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+UNEXPLAINED = 1
 
 NOT_MUTATED = ("Properties*", "Typedefs", "Explain", "Reasons")
 """What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
@@ -106,27 +105,11 @@ def mutants_command(
         *(against, lane, manifest or find_manifest(Path.cwd()), jar, sample, seed, jobs),
         *(thorough, listing, difference, json_path, names),
     )
-    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
     processes = Processes()
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=WIDTH_OF_LOG)
-    try:
-        code = run_request(request, processes, console)
-    except (ManifestError, SyntaxTreeError, reasons.ReasonsError) as error:
-        click.echo(f"error: {error}", err=True)
-        code = USAGE
-    except (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError) as error:
-        click.echo(f"error: {error}", err=True)
-        code = NO_TOOLS
-    except (KeyboardInterrupt, tlc.InterruptedRunError):
-        click.echo("interrupted; the same command goes on from here", err=True)
-        code = INTERRUPTED
-    finally:
-        processes.close()
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    sys.exit(code)
+    usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError)
+    missing = (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError)
+    with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
+        sys.exit(run_request(request, processes, console))
 
 
 def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
@@ -193,7 +176,3 @@ def _choose(everything: list[Mutant], request: Request) -> list[Mutant]:
     drawn = sorted(named, key=lambda m: hashlib.sha256(f"{request.seed} {m.id}".encode()).digest())
     sample = {m.id for m in drawn[: request.sample]}
     return [m for m in named if m.id in sample]
-
-
-def _interrupt(_signal: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt

@@ -7,30 +7,29 @@ files, 3 a tool is missing or failed, 130 interrupted.
 from __future__ import annotations
 
 import json
-import signal
 import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 
 import click
 import msgspec
 from rich.console import Console
 
 from trace_checker.models import tlc
-from trace_checker.models.command import WIDTH_OF_LOG, find_manifest
+from trace_checker.models.command import find_manifest
 from trace_checker.models.manifest import LANES, ManifestError, load
 from trace_checker.models.report import Progress
 from trace_checker.models.runner import Harness
 from trace_checker.mutants import reach, reasons
 from trace_checker.mutants.listing import read_modules
 from trace_checker.mutants.syntax import SyntaxTreeError
+from trace_checker.session import session
 from trace_checker.witnesses import logs, report
 from trace_checker.witnesses.collect import CollectingError, collect
 from trace_checker.witnesses.conditions import conditions
 
-UNEXPLAINED, USAGE, NO_TOOLS, INTERRUPTED = 1, 2, 3, 130
+UNEXPLAINED = 1
 
 KINDS = ("model", "refinement", "calendar")
 """Models that look for witnesses: those of liveness take the same steps, for longer."""
@@ -85,27 +84,10 @@ def witnesses_command(
     is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
     request = Request(against, lane, manifest or find_manifest(Path.cwd()), jar, jobs, json_path, names)
-    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGTERM, signal.SIGHUP)}
     processes = tlc.Processes()
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=WIDTH_OF_LOG)
-    try:
-        code = run_request(request, processes, console)
-    except (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError) as error:
-        click.echo(f"error: {error}", err=True)
-        code = USAGE
-    except (tlc.ToolMissingError, CollectingError) as error:
-        click.echo(f"error: {error}", err=True)
-        code = NO_TOOLS
-    except (KeyboardInterrupt, tlc.InterruptedRunError):
-        click.echo("interrupted", err=True)
-        code = INTERRUPTED
-    finally:
-        processes.close()
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    sys.exit(code)
+    usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError)
+    with session(processes, usage, (tlc.ToolMissingError, CollectingError)) as console:
+        sys.exit(run_request(request, processes, console))
 
 
 def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
@@ -138,7 +120,3 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         document = report.as_json(explained, ran, time.monotonic() - began)
         request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return 0 if explained.ok else UNEXPLAINED
-
-
-def _interrupt(_signal: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt
