@@ -11,16 +11,14 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import click
 
+from trace_checker import log_as_tla
 from trace_checker.java import find_java
-from trace_checker.log.reader import read_log
-from trace_checker.log.source import open_log
 from trace_checker.models.tlc import Toolchain, find_toolchain
 
 PROJECT = Path(__file__).resolve().parents[1]
@@ -180,53 +178,13 @@ def explore(tools: Toolchain, log: Path, folder: Path, limit: float) -> Explored
 
 def write_modules(log: Path, folder: Path) -> None:
     """Write the log as the module TraceLog, and the module that consumes it."""
-    header: dict[str, Any] = {}
-    events: list[dict[str, Any]] = []
-    with open_log(str(log)) as source:
-        for batch in read_log(source.chunks()):
-            header = batch.header or header
-            events += batch.events
-    for event in events:
-        del event["line"]
+    header, events = log_as_tla.read(log)
     with (folder / "TraceLog.tla").open("w") as module:
-        sets = {name: as_set(value) if isinstance(value, list) else as_tla(value) for name, value in header.items()}
-        module.write("---- MODULE TraceLog ----\nEXTENDS Unrecorded\n")
-        module.write(f"Header == {changed('NoHeader', sets)}\nLog == <<\n")
-        module.write(",\n".join(as_event(event) for event in events))
+        module.write(f"---- MODULE TraceLog ----\nEXTENDS {log_as_tla.ROOT}\nHeader == {header}\nLog == <<\n")
+        module.write(",\n".join(events))
         module.write("\n>>\n====\n")
     (folder / "Bench.tla").write_text(MODULE)
     (folder / "Bench.cfg").write_text(CONFIGURATION)
-
-
-def as_event(event: dict[str, Any]) -> str:
-    """An event with the fields that it has, the others as in NoEvent."""
-    fields = {name: as_tla(value) for name, value in event.items()}
-    if "info" in event:
-        fields["info"] = changed("NoInfo", {name: as_tla(value) for name, value in event["info"].items()})
-    return changed("NoEvent", fields)
-
-
-def changed(record: str, fields: dict[str, str]) -> str:
-    """A record with some fields replaced."""
-    return f"[{record} EXCEPT {', '.join(f'!.{name} = {value}' for name, value in fields.items())}]"
-
-
-def as_set(values: Iterable[Any]) -> str:
-    """A set in TLA+."""
-    return f"{{{', '.join(map(as_tla, values))}}}"
-
-
-def as_tla(value: Any) -> str:
-    """A value in TLA+: objects are records, arrays tuples."""
-    if isinstance(value, bool):
-        return str(value).upper()
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, str):
-        return f'"{value}"'
-    if isinstance(value, dict):
-        return f"[{', '.join(f'{name} |-> {as_tla(inner)}' for name, inner in value.items())}]"
-    return f"<<{', '.join(map(as_tla, value))}>>"
 
 
 def row(*cells: str) -> str:

@@ -1,7 +1,7 @@
 """Logs judged by TLC alone, many in one run: up to which line does the specification explain each of them?
 
-The steps are those of `trace_checker.witnesses.logs`. The search is complete, so the furthest line that any state of a
-log has come to is the first one that cannot be explained.
+The search is complete, so the furthest line that any state of a log has come to is the first one that cannot be
+explained.
 """
 
 from __future__ import annotations
@@ -12,26 +12,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from trace_checker import log_as_tla
 from trace_checker.agreement.verdicts import Judged
 from trace_checker.models import tlc
 from trace_checker.models.manifest import HEAP_MB
 from trace_checker.models.mutate import CONFIG_NAME, Workspace
-from trace_checker.shipped import Shipped
-from trace_checker.witnesses import logs
 
 MODULE = "Agreement"
 TIMEOUT = 3600.0
 """Seconds for a batch."""
 
-_REACHED = rf"""---- MODULE {MODULE} ----
-EXTENDS {logs.MODULE}
+_REACHED = r"""
 (* Says of each log how far it has come, whenever that is further than before. *)
 Reached == IF index = 0 THEN Out!TLCSet(log, 0)
            ELSE \/ index <= Out!TLCGet(log)
                 \/ Out!TLCSet(log, index) /\ Out!PrintT(<<"reached", log, index>>)
-====
 """
-_CONFIGURATION = "INIT LogsInit\nNEXT LogsNext\nVIEW LogsView\nINVARIANT Reached\nCHECK_DEADLOCK FALSE\n"
 _OPTIONS = tlc.Options(workers=1, deadlock=False, heap=HEAP_MB, timeout=TIMEOUT, brief=True)
 _BEGUN = "@!@!@STARTMSG 2189"
 """The message with which TLC begins to look for states; what comes before is about no single log."""
@@ -57,10 +53,8 @@ def judge(tools: tlc.Toolchain, processes: tlc.Processes, spec: Path, files: Seq
         folder = Path(temporary).resolve()
         scratch = folder / "scratch"
         scratch.mkdir()
-        named = [Shipped(str(file.resolve()), "", [], "") for file in files]
-        (folder / f"{logs.MODULE}.tla").write_text(logs.module(folder, named), encoding="utf-8")
-        (folder / f"{MODULE}.tla").write_text(_REACHED, encoding="utf-8")
-        (folder / CONFIG_NAME).write_text(_CONFIGURATION, encoding="utf-8")
+        (folder / f"{MODULE}.tla").write_text(log_as_tla.module(MODULE, files, _REACHED), encoding="utf-8")
+        (folder / CONFIG_NAME).write_text(f"{log_as_tla.CONFIGURATION}INVARIANT Reached\n", encoding="utf-8")
         space = Workspace(folder, f"{MODULE}.tla", (spec,), scratch)
         run = tlc.run(tools, space, _OPTIONS, processes)
     if run.outcome.kind != "passed":

@@ -24,7 +24,6 @@ from trace_checker.models import tlc
 from trace_checker.resources import SPECIFICATION
 from trace_checker.shipped import shipped_logs
 from trace_checker.tests.logs import event, log_text
-from trace_checker.witnesses import logs
 
 TRACES = Path(__file__).parents[2] / "traces"
 LETTERS = [("AMB-02", ["a", "b"]), ("AMB-49", ["a", "b", "c"]), ("AMB-67", ["a", "b"]), ("AMB-70", ["a", "c"])]
@@ -243,9 +242,3 @@ def test_a_soft_plc_that_fails(tmp_path: Path) -> None:
     program.chmod(0o755)
     with pytest.raises(SoftPlcError, match="no such thing"):
         Generator(1, program, LETTERS)
-
-
-def test_the_least_number() -> None:
-    """TLC reads no 2147483648 to negate."""
-    assert logs._value(-(2**31)) == "(-2147483647 - 1)"
-    assert logs._value(-(2**31) + 1) == "-2147483647"

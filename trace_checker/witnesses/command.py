@@ -16,6 +16,7 @@ import click
 import msgspec
 from rich.console import Console
 
+from trace_checker import log_as_tla
 from trace_checker.models import tlc
 from trace_checker.models.command import find_manifest
 from trace_checker.models.manifest import LANES, ManifestError, load
@@ -105,7 +106,7 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     traces = None
     if request.against != "models":
         traces = manifest.directory.parent / "traces"
-        roots.append(logs.ROOT)
+        roots.append(log_as_tla.ROOT)
     known = read_modules(manifest.directory) | spec
     scope = {name for root in roots for name in reach.closure(root, known)}
     began = time.monotonic()
