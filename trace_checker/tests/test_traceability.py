@@ -292,6 +292,17 @@ def test_property_that_no_model_checks(project: Path, run: Run, capsys: pytest.C
     assert "\nnote: Properties: no model checks Part, RuleInv\n" in out
 
 
+def test_fairness_is_assumed(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """What stands in the formula of a SPECIFICATION needs no model that checks it."""
+    replace(project / "spec/Properties.tla", "====", "\n(* [TINT-01] *)\nFairness == TRUE\n====")
+    assert run("--write") == 0
+    assert "\nnote: Properties: no model checks Fairness\n" in capsys.readouterr().out
+    replace(project / "models/MCRules.tla", "OwnInv ==", "FairSpec == Fairness\nOwnInv ==")
+    replace(project / "models/MCRules.cfg", "SPECIFICATION Spec", "SPECIFICATION FairSpec")
+    assert run("--write") == 0
+    assert "note:" not in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("ids", "columns", "problem"),
     [

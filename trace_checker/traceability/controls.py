@@ -13,7 +13,7 @@ from pathlib import Path
 
 import msgspec
 
-from trace_checker.models.cfg import CfgError, parse
+from trace_checker.models.cfg import Cfg, CfgError, parse
 from trace_checker.models.manifest import Entry, ManifestFile
 from trace_checker.traceability.entries import Entries, entries
 from trace_checker.traceability.errors import UnreadableError
@@ -37,7 +37,7 @@ class Controls:
     models: dict[str, tuple[str, ...]]
     """The models that name it."""
     unchecked: tuple[Definition, ...]
-    """Definitions that say what must hold, that have requirements, and that no model checks."""
+    """Definitions that say what must hold, that have requirements, and that no model checks or assumes."""
 
 
 def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
@@ -50,15 +50,20 @@ def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]
         raise UnreadableError(f"{folder / MANIFESTS}: no {'models' if negative else 'negative controls'}")
     known = Properties(spec, models)
     used: dict[tuple[str, str], Definition] = {}
+    assumed: set[tuple[str, str]] = set()
     for entry in positive:
-        for name in _checked(folder, entry, listed):
-            used |= {(d.module, d.name): d for d in known.parts(_model(entry, listed), name, instances=True)}
+        model, cfg = _model(entry, listed), _config(folder, entry, listed)
+        for name in _checked(entry, cfg):
+            used |= {(d.module, d.name): d for d in known.parts(model, name, instances=True)}
+        for name in cfg.names("SPECIFICATION"):
+            assumed |= {(d.module, d.name) for d in known.parts(model, name, instances=False)}
     controls = _controls(folder, negative, listed, known, (*spec, *models))
     named: dict[str, tuple[str, ...]] = {}
     for entry in positive:
         for requirement in entry.requirements:
             named[requirement] = (*named.get(requirement, ()), entry.name)
-    unchecked = [d for m in statements(spec) for d in m.definitions if d.tags and (d.module, d.name) not in used]
+    needed = assumed | used.keys()
+    unchecked = [d for m in statements(spec) for d in m.definitions if d.tags and (d.module, d.name) not in needed]
     names = frozenset(entry.name for entry in negative)
     properties = tuple(sorted(used.values(), key=lambda d: (d.module, d.line)))
     return Controls(properties, controls, names, named, tuple(unchecked))
@@ -108,12 +113,15 @@ def _model(entry: Entry, listed: Sequence[Entry]) -> str:
     return str(_base(entry, listed).module).removesuffix(".tla")
 
 
-def _checked(folder: Path, entry: Entry, listed: Sequence[Entry]) -> list[str]:
+def _config(folder: Path, entry: Entry, listed: Sequence[Entry]) -> Cfg:
     path = folder / str(_base(entry, listed).config)
     try:
-        cfg = parse(path.read_text(encoding="utf-8"))
+        return parse(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, CfgError) as error:
         raise UnreadableError(f"{path}: {error}") from error
+
+
+def _checked(entry: Entry, cfg: Cfg) -> list[str]:
     invariants = cfg.names("INVARIANT") if isinstance(entry.invariants, msgspec.UnsetType) else entry.invariants
     properties = cfg.names("PROPERTY") if isinstance(entry.properties, msgspec.UnsetType) else entry.properties
     return [*invariants, *properties]
