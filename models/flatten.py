@@ -1,7 +1,7 @@
 """Puts a TLA+ module and all that it extends into one, for Apalache.
 
-Apalache 0.62.1 takes twice the time for each step of a chain of EXTENDS, and that of spec/ is 25
-modules long. Before a check it also inlines what the check does not need; --only leaves that out.
+Apalache 0.62.1 takes twice the time for each step of a chain of EXTENDS, and those of spec/ are
+long. Before a check it also inlines what the check does not need; --only leaves that out.
 The definitions are copied as they stand.
 
 usage: flatten.py [--only NAME,...] MODULE FOLDER...

@@ -74,11 +74,6 @@ class Module:
         return found
 
     @cached_property
-    def assumptions(self) -> list[Node]:
-        """What the module assumes."""
-        return [unit for module in self.root.children for unit in module.children if unit.type == "assumption"]
-
-    @cached_property
     def imports(self) -> frozenset[str]:
         """The modules that it extends or makes an instance of."""
         importing = [n for n in walk(self.root) if n.type in ("extends", "instance")]

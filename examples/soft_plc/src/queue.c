@@ -24,13 +24,6 @@ void queue_withdraw(struct queue *q, int ob)
             queue_remove(q, i);
 }
 
-void queue_drop_above(struct queue *q, int rank)
-{
-    for (int i = q->length - 1; i >= 0; i--)
-        if (q->items[i].rank > rank)
-            queue_remove(q, i);
-}
-
 bool queue_has(const struct queue *q, int ob)
 {
     for (int i = 0; i < q->length; i++)

@@ -39,8 +39,6 @@ bool queue_put(struct queue *q, const struct request *r);
 void queue_remove(struct queue *q, int index);
 /* Removes every request of an OB. */
 void queue_withdraw(struct queue *q, int ob);
-/* Removes every request above a class. */
-void queue_drop_above(struct queue *q, int rank);
 bool queue_has(const struct queue *q, int ob);
 int queue_count_rank(const struct queue *q, int rank);
 
