@@ -10,6 +10,7 @@ from trace_checker.engine_client import Engine
 from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.reader import read_log
 from trace_checker.log.source import open_log
+from trace_checker.log.tables import PRIORITY_CPUS
 from trace_checker.verdict import Reading, Report, Verdict
 
 LONGEST = 4 * 1024 * 1024
@@ -81,8 +82,7 @@ def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:
 def _changes(header: dict[str, Any], others: Alternatives) -> Iterable[tuple[Reading, dict[str, Any]]]:
     for family in others.families:
         if family != header["cpu"]:
-            # On an S7-300 no priorities can be set.
-            priority = [] if family == "S7-300" else header["priority"]
+            priority = header["priority"] if family in PRIORITY_CPUS else []
             yield Reading("cpu", f"cpu {family}", "no verdict"), {"cpu": family, "priority": priority}
     for profile in ["", *others.profiles]:
         if profile != header["profile"]:

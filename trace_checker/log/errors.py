@@ -1,6 +1,7 @@
 """The one exception of reading, and how a log's values are quoted in messages."""
 
 import json
+from collections.abc import Iterable
 
 _LONGEST = 60
 
@@ -39,6 +40,17 @@ def printable(text: str, longest: int = _LONGEST) -> str:
     """``text`` cut to ``longest`` characters, with everything a terminal might obey escaped."""
     cut = text if len(text) <= longest else text[:longest] + "..."
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in cut)
+
+
+def ranges(numbers: Iterable[int]) -> str:
+    """Such as ``1, 10-17, 80``."""
+    parts: list[list[int]] = []
+    for number in sorted(numbers):
+        if parts and number == parts[-1][-1] + 1:
+            parts[-1].append(number)
+        else:
+            parts.append([number])
+    return ", ".join(str(part[0]) if len(part) == 1 else f"{part[0]}-{part[-1]}" for part in parts)
 
 
 def quote(value: object) -> str:

@@ -3,7 +3,7 @@
 from typing import Any
 
 from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLogError, quote
+from trace_checker.log.errors import UnusableLogError, quote, ranges
 from trace_checker.log.fields import Fields, Reader
 from trace_checker.log.values import (
     byte,
@@ -22,12 +22,13 @@ _LONGEST_UP = 100 * 366 * 86_400_000
 
 _passed_ob = integer(-0x8000, 0x7FFF)
 _block = integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)
+_external_obs = f"an OB {ranges(tables.EXTERNAL_OBS)}"
 
 
 def _external_ob(value: object) -> int:
     if type(value) is int and value in tables.EXTERNAL_OBS:
         return value
-    raise UnusableLogError("an OB 30-38, 40-47, 55-57, 60, 70, 72 or 80-87", quote(value))
+    raise UnusableLogError(_external_obs, quote(value))
 
 
 _info = Fields(

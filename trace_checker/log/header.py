@@ -3,7 +3,7 @@
 from typing import Any
 
 from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLogError, quote
+from trace_checker.log.errors import UnusableLogError, quote, ranges
 from trace_checker.log.fields import Fields, Reader, list_of, mapping
 from trace_checker.log.values import choice, instant_moment, integer, minute_number, truth
 
@@ -58,14 +58,14 @@ def _priority_of(ob: int) -> Reader:
 
 
 _priorities = mapping(
-    "an OB whose class can be set, 10-17, 20-23, 30-38, 40-47, 70, 72 or 81-87,",
+    f"an OB whose class can be set, {ranges(tables.SETTABLE_PRIORITIES)},",
     {str(ob): _priority_of(ob) for ob in tables.SETTABLE_PRIORITIES},
 )
 _readings = mapping(
-    'an ambiguity "AMB-01".."AMB-78"',
+    f'an ambiguity "{min(tables.READINGS)}".."{max(tables.READINGS)}"',
     {ambiguity: choice(*letters) for ambiguity, letters in tables.READINGS.items()},
 )
-_tod = mapping('an OB "10".."17"', {str(ob): _time_of_day for ob in tables.TIME_OF_DAY_OBS})
+_tod = mapping(f"an OB {ranges(tables.TIME_OF_DAY_OBS)}", {str(ob): _time_of_day for ob in tables.TIME_OF_DAY_OBS})
 
 _HEADER = Fields(
     "header",

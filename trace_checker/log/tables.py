@@ -15,6 +15,7 @@ DESELECTED = 0
 """As a priority class: the OB is deselected [OBS-06]."""
 
 PRIORITY_CPUS = frozenset({"S7-400", "CPU 318"})
+"""CPUs whose priority classes can be set [OBS-05]."""
 
 SETTABLE_PRIORITIES: dict[int, range] = {
     **dict.fromkeys([*range(10, 18), *range(20, 24), *range(30, 39), *range(40, 48)], range(2, 24)),

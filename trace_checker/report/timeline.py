@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from trace_checker.engine_answer import Pending, Situation
-from trace_checker.log.errors import UnusableLogError, printable
+from trace_checker.log.errors import UnusableLogError, printable, ranges
 from trace_checker.log.events import read_event
 from trace_checker.log.jsonline import decode_object
-from trace_checker.report import words
 from trace_checker.report.lines import source
 from trace_checker.report.markup import Node, add, node
 from trace_checker.verdict import Report
@@ -42,9 +41,7 @@ class _Rows:
         frames = {(one.class_, one.ob) for state in states for one in state.running}
         frames |= {(one.class_, one.ob) for state in states for one in state.pending}
         self.classes = sorted({number for number, _ in frames} | {1}, reverse=True)
-        self.obs = {
-            number: words.ranges({ob for other, ob in frames if other == number}) or "1" for number in self.classes
-        }
+        self.obs = {number: ranges({ob for other, ob in frames if other == number}) or "1" for number in self.classes}
         self.strips = ["mode"]
         if any(state.delay for state in states):
             self.strips.append("delayed")
@@ -156,7 +153,7 @@ def _strips(columns: list[_Column], rows: _Rows) -> Iterator[Node]:
     if "delayed" in rows.strips:
         yield from strip("delayed", lambda state: f"delay count {state.delay}" if state.delay else "", "delay")
     if "blocked" in rows.strips:
-        yield from strip("blocked", lambda s: f"OB {words.ranges(s.blocked)}" if s.blocked else "", "block")
+        yield from strip("blocked", lambda s: f"OB {ranges(s.blocked)}" if s.blocked else "", "block")
 
 
 def _runs(columns: list[_Column], value: Any) -> Iterator[tuple[str, float, float]]:

@@ -1,8 +1,7 @@
 """The situation of a CPU in words."""
 
-from collections.abc import Iterable
-
 from trace_checker.engine_answer import Candidate, Moment, Pending, Situation
+from trace_checker.log.errors import ranges
 from trace_checker.log.values import MS_PER_MINUTE, iso
 
 _PERIODS = {
@@ -56,17 +55,6 @@ def candidate(one: Candidate) -> str:
     """Such as ``Start(OB 10): not r.class > Running.class; r.class = 2, Running.class = 12``."""
     values = f"; {one.values}" if one.values else ""
     return f"{one.action}: not {one.conjunct}{values}"
-
-
-def ranges(numbers: Iterable[int]) -> str:
-    """Such as ``1, 10-17, 80``."""
-    parts: list[list[int]] = []
-    for number in sorted(numbers):
-        if parts and number == parts[-1][-1] + 1:
-            parts[-1].append(number)
-        else:
-            parts.append([number])
-    return ", ".join(str(part[0]) if len(part) == 1 else f"{part[0]}-{part[-1]}" for part in parts)
 
 
 def _running(state: Situation) -> str:

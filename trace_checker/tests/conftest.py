@@ -27,7 +27,13 @@ def _fake_engine(fake_command: list[str], monkeypatch: pytest.MonkeyPatch) -> No
 
 
 @pytest.fixture(scope="session")
-def judge() -> Iterator[Callable[[Path], Report]]:
-    """A function that has the real engine judge a log; one engine serves all tests."""
+def real_engine() -> Iterator[Engine]:
+    """The real engine, one for all tests."""
     with Engine() as engine:
-        yield lambda log: check_log(str(log), engine, lambda _, __: None)
+        yield engine
+
+
+@pytest.fixture(scope="session")
+def judge(real_engine: Engine) -> Callable[[Path], Report]:
+    """A function that has the real engine judge a log."""
+    return lambda log: check_log(str(log), real_engine, lambda _, __: None)

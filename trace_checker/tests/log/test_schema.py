@@ -1,0 +1,135 @@
+"""The JSON Schema of the format: it takes the lines that the reader takes and refuses those that it refuses."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema_rs
+import pytest
+
+from trace_checker.log import tables
+from trace_checker.log.errors import UnusableLogError
+from trace_checker.log.events import read_event
+from trace_checker.log.source import open_log
+from trace_checker.tests.log import test_events, test_header
+from trace_checker.tests.logs import HEADER, event
+
+TRACES = Path(__file__).parents[3] / "traces"
+INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
+SCHEMA = jsonschema_rs.validator_for(
+    json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_text(encoding="utf-8"))
+)
+
+
+@pytest.mark.parametrize("file", [entry["file"] for entry in INDEX if entry["verdict"] != "unusable"])
+def test_shipped_log(file: str) -> None:
+    """Every line of every log that can be read is of the schema."""
+    with open_log(str(TRACES / file)) as source:
+        lines = b"".join(source.chunks()).splitlines()
+    refused = [number for number, line in enumerate(lines, 1) if line.strip() and not SCHEMA.is_valid(json.loads(line))]
+    assert refused == []
+
+
+def refuses(line: object) -> bool:
+    """Whether the schema does; 10.0, which it calls an integer and the reader does not, is left to the reader."""
+    return not SCHEMA.is_valid(line)
+
+
+def is_whole(value: object) -> bool:
+    """Whether a number is spelled with a fraction of 0."""
+    return isinstance(value, float) and value.is_integer()
+
+
+@pytest.mark.parametrize(
+    ("field", "value"), [(field, value) for field, value, _ in test_header.REFUSED if not is_whole(value)]
+)
+def test_damaged_header(field: str, value: object) -> None:
+    """What the reader refuses in a header, the schema refuses."""
+    assert refuses(HEADER | {field: value})
+
+
+def test_damaged_headers() -> None:
+    """A required field that is missing, and classes on a CPU that has fixed ones."""
+    assert all(refuses({name: value for name, value in HEADER.items() if name != field}) for field in HEADER)
+    assert refuses(HEADER | {"cpu": "S7-300", "priority": {"10": 3}})
+
+
+@pytest.mark.parametrize(
+    "line", [line for line, _ in test_events.REFUSED if not any(is_whole(value) for value in line.values())]
+)
+def test_damaged_event(line: dict[str, Any]) -> None:
+    """What the reader refuses in an event, the schema refuses."""
+    assert refuses(line)
+
+
+@pytest.mark.parametrize("line", [line for line, _ in test_events.LEGAL])
+def test_legal_event(line: dict[str, Any]) -> None:
+    """What the reader takes, the schema takes."""
+    assert not refuses(line | {"up": 5, "x_own": [{}]})
+
+
+@pytest.mark.parametrize(("ob", "classes"), tables.SETTABLE_PRIORITIES.items())
+def test_priority_classes(ob: int, classes: range) -> None:
+    """Each OB has the classes of the reader's table, and 0."""
+    taken = [n for n in range(-1, 31) if not refuses(HEADER | {"priority": {str(ob): n}})]
+    assert taken == [tables.DESELECTED, *classes]
+
+
+def test_obs_with_a_class() -> None:
+    """No other OB has a class that can be set."""
+    taken = {ob for ob in range(256) if not refuses(HEADER | {"priority": {str(ob): 0}})}
+    assert taken == set(tables.SETTABLE_PRIORITIES)
+
+
+def test_letters_of_readings() -> None:
+    """Each ambiguity has the letters of the reader's table."""
+    taken = {
+        name: "".join(letter for letter in "abcde" if not refuses(HEADER | {"readings": {name: letter}}))
+        for name in (f"AMB-{number:02}" for number in range(100))
+    }
+    assert {name: letters for name, letters in taken.items() if letters} == tables.READINGS
+
+
+SPELLINGS: list[tuple[str, dict[str, Any], list[object], list[object]]] = [
+    (
+        "ret",
+        event("DIS_AIRT"),
+        ["w#16#80a1", "16#8", "B#16#80", -32768, 65535, None],
+        ["B#16#080", "16#00201", "W#16#", -32769],
+    ),
+    (
+        "mode",
+        event("DIS_IRT", ob=10, ret=0),
+        ["W#16#00A2", "b#16#a2", 255],
+        ["16#0100", "B#16#0A2", -1],
+    ),
+    (
+        "dtime",
+        event("SRT_DINT", ob=20, sign=0, ret=0),
+        ["T#1s500ms", "t#1S_500MS", "TIME#2m", "T#-24d_20h_31m_23s_648ms", -5],
+        ["T#", "T#1s_", "T#1ms1s", "T#12345678901ms", "1s", 1.5],
+    ),
+    (
+        "sdt",
+        event("SET_TINT", ob=10, period=0, ret=0),
+        ["2026-02-30T06:00", "DT#2026-2-3-6:0", "date_and_time#2026-11-21-06:00:00.5"],
+        ["2026-2-3T06:00", "DT#2026-11-21T06:00", "2026-11-21T06:00Z"],
+    ),
+    (
+        "to",
+        event("clock"),
+        ["1990-01-01T00:00", "DT#2089-12-31-23:59:59.999", "dt#2026-2-3-6:5:4.3"],
+        ["1989-12-31T23:59", "2090-01-01T00:00", "2026-04-31T00:00", "2026-02-30T00:00", "DT#2026-2-30-0:0"],
+    ),
+]
+
+
+@pytest.mark.parametrize(("field", "line", "legal", "illegal"), SPELLINGS, ids=[row[0] for row in SPELLINGS])
+def test_spellings(field: str, line: dict[str, Any], legal: list[object], illegal: list[object]) -> None:
+    """Words, bytes, durations and dates are spelled as the reader has them."""
+    for value in legal:
+        read_event(line | {field: value})
+    for value in illegal:
+        with pytest.raises(UnusableLogError):
+            read_event(line | {field: value})
+    assert [value for value in [*legal, *illegal] if not refuses(line | {field: value})] == legal
