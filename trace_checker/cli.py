@@ -67,6 +67,6 @@ def main(arguments: list[str] | None = None) -> int:
     except (click.Abort, KeyboardInterrupt):
         return INTERRUPTED
     except Exception as error:  # whatever it is, a user is owed a sentence, no traceback
-        click.echo(f"s7check: {type(error).__name__}: {error}", err=True)
+        click.echo(f"Error: {type(error).__name__}: {error}", err=True)
         return NO_VERDICT
     return code if isinstance(code, int) else 0

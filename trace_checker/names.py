@@ -4,8 +4,7 @@ import glob
 from collections.abc import Iterable
 from pathlib import Path
 
-ENDINGS = (".ndjson", ".ndjson.gz")
-"""How the names of logs end, in a folder that is given as a whole."""
+from trace_checker.log.source import ENDINGS
 
 
 def logs_of(arguments: Iterable[str]) -> list[str]:

@@ -39,9 +39,9 @@ def session(
     try:
         yield console()
     except usage as error:
-        _end(f"error: {error}", USAGE)
+        _end(f"Error: {error}", USAGE)
     except tools as error:
-        _end(f"error: {error}", NO_TOOLS)
+        _end(f"Error: {error}", NO_TOOLS)
     except (KeyboardInterrupt, tlc.InterruptedRunError):
         _end(interrupted, INTERRUPTED)
     finally:

@@ -13,6 +13,10 @@ from trace_checker.readable import readable
 CHUNK = 64 * 1024
 """Bytes asked for at a time; a pipe gives what it has, so lines arrive when they are written."""
 
+ENDINGS = (".ndjson", ".ndjson.gz")
+"""How the names of logs end, in a folder that is given as a whole."""
+
+_LOGS = " or ".join(f"*{ending}" for ending in ENDINGS)
 _UNPACKED = 1024 * 1024
 _GZIP = 16 + zlib.MAX_WBITS
 
@@ -76,7 +80,7 @@ def open_log(name: str) -> Iterator[Source]:
         raise UnusableLogError("a log that can be opened", _reason(error)) from error
     try:
         if stat.S_ISDIR(os.fstat(fd).st_mode):
-            raise UnusableLogError("a log that can be opened", "a directory")
+            raise UnusableLogError(f"a folder with {_LOGS} in it", "a folder without any")
         yield Source(fd, packed=name.endswith(".gz"))
     finally:
         os.close(fd)

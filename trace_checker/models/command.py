@@ -93,10 +93,10 @@ def models_command(
     if spread is not None and update:
         raise click.UsageError("--distributed pins nothing: its counts but the distinct states differ")
     cluster = None if spread is None else distributed.Cluster(spread, host)
-    path = manifest or find_manifest(Path.cwd())
-    request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
     processes = tlc.Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
+        path = manifest or find_manifest()
+        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
         sys.exit(run_request(request, processes, console))
 
 
@@ -159,12 +159,20 @@ def _distribute(harness: Harness, model: Model, cluster: distributed.Cluster, te
     return result
 
 
-def find_manifest(start: Path) -> Path:
-    """Return models/manifest.json of `start` or of the nearest directory above it that has one."""
-    for directory in (start, *start.parents):
-        if (directory / MANIFEST).is_file():
-            return directory / MANIFEST
-    return MANIFEST
+def find_manifest() -> Path:
+    """Return the manifest of the checkout around the current directory. Raises `ManifestError` where there is none."""
+    nearest = _nearest_manifest()
+    if nearest is None:
+        raise ManifestError(
+            f"neither here nor above is there {MANIFEST}: run this in a checkout of the project, or name a manifest "
+            "with --manifest"
+        )
+    return nearest
+
+
+def _nearest_manifest() -> Path | None:
+    here = Path.cwd()
+    return next((d / MANIFEST for d in (here, *here.parents) if (d / MANIFEST).is_file()), None)
 
 
 def _update(manifest: Manifest, results: list[Result], request: Request, console: Console) -> list[Result]:
@@ -194,8 +202,6 @@ def _show(results: list[Result], drift: list[str], request: Request, console: Co
 
 
 def _alone(model: Model, request: Request) -> str:
-    options = (
-        "" if request.manifest.resolve() == find_manifest(Path.cwd()).resolve() else f" --manifest {request.manifest}"
-    )
+    options = "" if request.manifest == _nearest_manifest() else f" --manifest {request.manifest}"
     options += f" --tlc {request.jar}" if request.jar else ""
     return f"s7check models{options} {model.name} -v"

@@ -101,14 +101,14 @@ def mutants_command(
     one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, 1 some have none or
     a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
-    request = Request(
-        *(against, lane, manifest or find_manifest(Path.cwd()), jar, sample, seed, jobs),
-        *(thorough, listing, difference, json_path, names),
-    )
     processes = Processes()
     usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError)
     missing = (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError)
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
+        request = Request(
+            *(against, lane, manifest or find_manifest(), jar, sample, seed, jobs),
+            *(thorough, listing, difference, json_path, names),
+        )
         sys.exit(run_request(request, processes, console))
 
 

@@ -143,7 +143,7 @@ def test_output_that_takes_nothing(tmp_path: Path) -> None:
             [*RUNNER, "trace", tmp_path / "log"], stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT, check=False
         )
     assert run.returncode == 3
-    assert run.stderr.splitlines() == [b"s7check: OSError: [Errno 28] No space left on device"]
+    assert run.stderr.splitlines() == [b"Error: OSError: [Errno 28] No space left on device"]
 
 
 def test_damaged_logs_and_sources(tmp_path: Path) -> None:

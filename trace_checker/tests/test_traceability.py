@@ -396,7 +396,7 @@ def test_unreadable(
     assert run() == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err.startswith("error: ")
+    assert captured.err.startswith("Error: ")
     assert error in captured.err
 
 

@@ -86,9 +86,11 @@ def test_what_needs_a_checkout_says_so(s7check: Path) -> None:
     """Where the project is named, its requirements are traced; the rest ends with one sentence."""
     run = subprocess.run([s7check, "requirements", "--project", PROJECT, "AIRT-03"], capture_output=True, check=False)
     assert (run.returncode, run.stderr) == (0, b"")
-    for command in ("requirements", "models", "verify"):
+    for command in ("requirements", "models", "mutants", "witnesses", "verify"):
         run = subprocess.run([s7check, command], capture_output=True, check=False)
         assert (run.returncode, run.stdout, len(run.stderr.splitlines())) == (2, b"", 1), run
+        assert run.stderr.startswith(b"Error: ")
+        assert b"checkout" in run.stderr
 
 
 def test_no_second_specification(wheel: Path) -> None:

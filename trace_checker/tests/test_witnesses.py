@@ -136,7 +136,7 @@ def test_a_model_that_fails(lamp: Path) -> None:
     (lamp / "models" / "MCLamp.cfg").write_text(CONFIGURATION.replace("InRange", "Wrong"))
     code, output, _ = run(lamp, "--against", "models")
     assert code == 3
-    assert "error: lamp:" in output
+    assert "Error: lamp:" in output
 
 
 def found(kind: str, body: str, module: str = "M") -> list[Condition]:

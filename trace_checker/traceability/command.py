@@ -41,7 +41,7 @@ def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ..
             return 0
         stale = _pages(root, project, matrix, write=write)
     except UnreadableError as error:
-        click.echo(f"error: {error}", err=True)
+        click.echo(f"Error: {error}", err=True)
         return UNREADABLE
     found = [*problems(project, matrix), *(f"{path}: not up to date: s7check requirements --write" for path in stale)]
     click.echo(_summary(matrix))

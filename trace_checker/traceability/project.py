@@ -47,7 +47,10 @@ def find_project(start: Path) -> Path:
     for directory in (start, *start.parents):
         if (directory / REQUIREMENTS).is_file() and (directory / "spec").is_dir():
             return directory
-    raise UnreadableError(f"{start}: neither here nor above is there {REQUIREMENTS} beside spec/")
+    raise UnreadableError(
+        f"neither here nor above is there {REQUIREMENTS} beside spec/: run this in a checkout of the project, or name "
+        "one with --project"
+    )
 
 
 def read_project(root: Path) -> Project:

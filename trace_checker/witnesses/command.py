@@ -84,10 +84,10 @@ def witnesses_command(
     every antecedent have a witness, or a reason in witnesses.json beside the manifest, 1 some have neither or a reason
     is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
-    request = Request(against, lane, manifest or find_manifest(Path.cwd()), jar, jobs, json_path, names)
     processes = tlc.Processes()
     usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError)
     with session(processes, usage, (tlc.ToolMissingError, CollectingError)) as console:
+        request = Request(against, lane, manifest or find_manifest(), jar, jobs, json_path, names)
         sys.exit(run_request(request, processes, console))
 
 

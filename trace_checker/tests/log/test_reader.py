@@ -242,6 +242,13 @@ def test_log_that_cannot_be_opened(tmp_path: Path) -> None:
         assert caught.value.line == 0
 
 
+def test_folder_without_logs(tmp_path: Path) -> None:
+    """Of a folder it is said what it should hold."""
+    expected = r"expected a folder with \*\.ndjson or \*\.ndjson\.gz in it; found a folder without any"
+    with pytest.raises(UnusableLogError, match=expected), open_log(str(tmp_path)):
+        pass
+
+
 def test_reading_stops_when_told(tmp_path: Path) -> None:
     """`wait` is asked before each read."""
     path = tmp_path / "log"
