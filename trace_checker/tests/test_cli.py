@@ -23,6 +23,7 @@ from trace_checker.report.clauses import clause
 from trace_checker.report.expected import format_allowed
 from trace_checker.tests.fake_engine import CANDIDATE
 from trace_checker.tests.logs import event, log_text
+from trace_checker.tests.processes import heed_ctrl_c
 
 pytestmark = pytest.mark.usefixtures("_fake_engine")
 
@@ -342,7 +343,7 @@ def wait_for_child(process: subprocess.Popen[bytes], seconds: float = 60) -> Non
 
 def test_interrupt() -> None:
     """Ctrl-C while a stream is silent ends the process and its engine, without a traceback."""
-    with start("-", start_new_session=True) as process:
+    with start("-", start_new_session=True, preexec_fn=heed_ctrl_c) as process:
         assert process.stdin is not None
         assert process.stderr is not None
         process.stdin.write(ACCEPTED)

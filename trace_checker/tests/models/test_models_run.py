@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from trace_checker.models import canaries
+from trace_checker.tests.processes import heed_ctrl_c
 
 if TYPE_CHECKING:
     from trace_checker.tests.models.conftest import Project
@@ -263,7 +264,9 @@ def test_interrupt_leaves_no_java(project: Project) -> None:
     temporary.mkdir()
     command = [sys.executable, "-m", "trace_checker.models", "--manifest", str(project.path), "--tlc", str(project.jar)]
     environment = {**os.environ, "TMPDIR": str(temporary), "PYTHONPATH": str(Path(canaries.__file__).parents[2])}
-    with subprocess.Popen([*command, "endless"], env=environment, stderr=subprocess.PIPE, text=True) as harness:
+    with subprocess.Popen(
+        [*command, "endless"], env=environment, stderr=subprocess.PIPE, text=True, preexec_fn=heed_ctrl_c
+    ) as harness:
         assert _until(lambda: bool(_java_of(temporary))), "TLC did not start"
         harness.send_signal(signal.SIGINT)
         assert harness.stderr is not None
