@@ -20,10 +20,10 @@ LARGEST = 16 * 1024 * 1024
 """Bytes of the largest source; the whole of it is in memory."""
 
 
-_HELP = """Turn what a CPU has recorded into a log for s7check trace.
+_HELP = f"""Turn what a CPU has recorded into a log for s7check trace.
 
 SOURCE is a file, - for standard input, or a CPU, snap7://HOST:RACK:SLOT (rack 0, slot 2 for an
-S7-300), which needs python-snap7: pip install "s7-interrupts[snap7]".
+S7-300), which needs python-snap7: {live.INSTALL}.
 
 \b
 --from

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 SCHEME = "snap7://"
 ISO_ON_TCP = 102
+INSTALL = 'pip install "python-snap7>=3.3"'
 
 _ADDRESS = re.compile(r"snap7://([^:/\s]+):([0-9]{1,2}):([0-9]{1,2})")
 _DIAGNOSTIC_BUFFER = 0x00A0
@@ -74,8 +75,7 @@ def _connected(address: Address) -> Iterator["Client"]:
         from snap7 import Client
         from snap7.error import S7Error
     except ImportError as error:
-        expected = 'python-snap7 to read a CPU: pip install "s7-interrupts[snap7]"'
-        raise SourceError("", expected, "none") from error
+        raise SourceError("", f"python-snap7 to read a CPU: {INSTALL}", "none") from error
     # What goes wrong is said once, by the exception.
     logging.getLogger("snap7").addHandler(logging.NullHandler())
     cpu = Client()

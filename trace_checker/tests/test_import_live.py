@@ -7,6 +7,7 @@ import json
 import socket
 import sys
 import threading
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from trace_checker import cli
 from trace_checker.importing import live
 from trace_checker.tests.test_import_diagnostics import records
 from trace_checker.tests.test_import_ring import dump, entry
+from trace_checker.tests.test_shipped_logs import PROJECT
 
 PDU = 240
 """The shortest PDU that CPUs negotiate; an S7-300 has it."""
@@ -197,10 +199,12 @@ def test_wrong_use(capfd: pytest.CaptureFixture[str]) -> None:
 
 
 def test_without_snap7(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    """python-snap7 is needed for this only, and the message says how to get it."""
+    """python-snap7 is needed for this only, and the message says how to get it, in the version of pyproject.toml."""
     monkeypatch.setitem(sys.modules, "snap7", None)
     message = refused(capfd, "snap7://plc:0:2")
-    assert message.endswith('expected python-snap7 to read a CPU: pip install "s7-interrupts[snap7]"; found none')
+    extras = tomllib.loads((PROJECT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    (package,) = extras["snap7"]
+    assert message.endswith(f'expected python-snap7 to read a CPU: pip install "{package}"; found none')
 
 
 def test_address() -> None:
