@@ -52,28 +52,31 @@ class Verdict:
 
 @dataclass
 class Bench:
-    """The unchanged specification, the checks, and what is known of them.
+    """The unchanged specification, the checks that are calibrated, and what is known of them.
 
     `thorough`: after a kill that says only that something changed, the other checks are tried too.
     """
 
     spec: Path
     modules: Mapping[str, Module]
-    checks: Sequence[Check]
     findings: Findings
     thorough: bool = False
+    _checks: list[Check] = field(default_factory=list)
     _experience: Experience = field(default_factory=Experience)
     _seconds: dict[str, float] = field(default_factory=dict)
     _evaluated: dict[str, set[str]] = field(default_factory=dict)
 
-    def calibrate(self, mutants: Sequence[Mutant], tell: Callable[[str], None]) -> None:
+    def __post_init__(self) -> None:
+        """Learn from the findings of earlier runs."""
+        for kept in self.findings.all():
+            self._learn(kept.check, kept.mutant, kept.finding)
+
+    def calibrate(self, checks: Sequence[Check], mutants: Sequence[Mutant], tell: Callable[[str], None]) -> None:
         """Run each check on the unchanged specification, and find out what of `mutants` it evaluates.
 
         Raises `UnsoundBaselineError`, `CheckFailedError`, `tlc.InterruptedRunError`.
         """
-        for kept in self.findings.all():
-            self._learn(kept.check, kept.mutant, kept.finding)
-        for check in self.checks:
+        for check in checks:
             finding = self._find(check, UNCHANGED, None)
             if finding.how != "survived":
                 raise UnsoundBaselineError(
@@ -85,6 +88,7 @@ class Bench:
             told = self._told(check, marks)
             evaluated = {m.id for m in concerned if told is None or marks.numbers[m.id] in told}
             self._evaluated[check.name] = evaluated
+            self._checks.append(check)
             reach = f"evaluates what {len(evaluated)} of {len(mutants)} mutants change"
             tell(f"{check.name}: {finding.seconds:.1f} s, {reach}")
 
@@ -113,6 +117,10 @@ class Bench:
             pool.shutdown(wait=False, cancel_futures=True)
         return [verdicts[mutant.id] for mutant in mutants]
 
+    def decided(self, verdict: Verdict) -> bool:
+        """Whether further checks would make no difference to a verdict."""
+        return verdict.how != "survived" and not (self.thorough and verdict.how in WEAK)
+
     def judge(self, mutant: Mutant) -> Verdict:
         """Try the checks, the most promising first, until one kills the mutant."""
         changed = Module(mutant.module, mutant.text)
@@ -126,7 +134,7 @@ class Bench:
                 past.append(check.name)
                 continue
             verdict = Verdict(mutant, finding.how, check.name, finding.detail, seconds, tuple(past))
-            if not (self.thorough and finding.how in WEAK):
+            if self.decided(verdict):
                 return verdict
             weak = weak or verdict
         return weak or Verdict(mutant, "survived", "", "", seconds, tuple(past))
@@ -135,7 +143,7 @@ class Bench:
         def value(check: Check) -> float:
             return self._experience.likelihood(check.name, mutant.id) / max(self._seconds[check.name], 1.0)
 
-        return sorted((c for c in self.checks if mutant.id in self._evaluated[c.name]), key=value, reverse=True)
+        return sorted((c for c in self._checks if mutant.id in self._evaluated[c.name]), key=value, reverse=True)
 
     def _told(self, check: Check, marks: Marks) -> frozenset[int] | None:
         """The marks that a check evaluates, kept as a finding; None if that cannot be found out."""
@@ -156,6 +164,8 @@ class Bench:
             return known
         with self._copy({changed.name: changed.text} if changed else {}) as spec:
             finding = self._run(check, spec) if changed else check.run(spec, LONGEST)
+        if changed is None and finding.how != "survived":
+            return finding  # the next run asks again: the reason may be outside of the specification
         self.findings.keep(key, check.name, name, finding)
         self._learn(check.name, name, finding)
         return finding

@@ -23,7 +23,7 @@ from trace_checker.models.command import find_manifest
 from trace_checker.models.manifest import LANES, Manifest, ManifestError, load
 from trace_checker.models.runner import Harness
 from trace_checker.mutants import logs, reasons, report
-from trace_checker.mutants.bench import Bench, UnsoundBaselineError
+from trace_checker.mutants.bench import Bench, UnsoundBaselineError, Verdict
 from trace_checker.mutants.checks import Check, CheckFailedError, LogsCheck, ModelCheck, Processes
 from trace_checker.mutants.findings import Findings
 from trace_checker.mutants.listing import Mutant, mutants, read_modules
@@ -48,6 +48,7 @@ class Request:
     seed: int
     jobs: int
     thorough: bool
+    fresh: bool
     listing: bool
     difference: bool
     json: Path | None
@@ -77,6 +78,7 @@ class Request:
 @click.option("--seed", type=int, default=1, show_default=True, help="Another one draws other mutants.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
 @click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for one by a property.")
+@click.option("--fresh", is_flag=True, help="Use nothing that an earlier run found.")
 @click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
 @click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
 @click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
@@ -90,6 +92,7 @@ def mutants_command(
     seed: int,
     jobs: int,
     thorough: bool,
+    fresh: bool,
     listing: bool,
     difference: bool,
     json_path: Path | None,
@@ -107,7 +110,7 @@ def mutants_command(
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
         request = Request(
             *(against, lane, manifest or find_manifest(), jar, sample, seed, jobs),
-            *(thorough, listing, difference, json_path, names),
+            *(thorough, fresh, listing, difference, json_path, names),
         )
         sys.exit(run_request(request, processes, console))
 
@@ -116,8 +119,9 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     """Do what was asked for and return the exit code."""
     manifest = load(request.manifest)
     modules = read_modules(manifest.spec)
-    checks = _checks(request, manifest, modules, processes)
-    everything = _mutants(modules, checks)
+    stages = _stages(request, manifest, modules, processes)
+    existing = mutants(modules, _mutated(modules))
+    everything = _concerning(existing, [check for stage in stages for check in stage])
     chosen = _choose(everything, request)
     if request.listing:
         report.show_list(console, chosen)
@@ -128,11 +132,18 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         return 0
     why = reasons.read(manifest.directory / "survivors.json", reasons.Reason)
     began = time.monotonic()
-    findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson")
-    bench = Bench(manifest.spec, modules, checks, findings, request.thorough)
-    bench.calibrate(everything, lambda line: report.plain(console, line))
-    verdicts = bench.judge_all(chosen, request.jobs, report.Progress(console, len(chosen)))
-    explained = reasons.explain(verdicts, why, (m.id for m in everything))
+    findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
+    bench = Bench(manifest.spec, modules, findings, request.thorough)
+    verdicts: dict[str, Verdict] = {}
+    left = chosen
+    for stage in stages:
+        bench.calibrate(stage, everything, lambda line: report.plain(console, line))
+        for verdict in bench.judge_all(left, request.jobs, report.Progress(console, len(left))):
+            verdicts[verdict.mutant.id] = verdict
+        left = [mutant for mutant in left if not bench.decided(verdicts[mutant.id])]
+        if not left:
+            break
+    explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing))
     report.show(console, explained)
     if request.json is not None:
         request.json.parent.mkdir(parents=True, exist_ok=True)
@@ -141,29 +152,33 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     return UNEXPLAINED if explained.unexplained or explained.stale else 0
 
 
-def _checks(request: Request, manifest: Manifest, spec: dict[str, Module], processes: tlc.Processes) -> list[Check]:
-    checks: list[Check] = []
+def _stages(
+    request: Request, manifest: Manifest, spec: dict[str, Module], processes: tlc.Processes
+) -> list[list[Check]]:
+    """The checks: the logs, which take seconds, and then the models, for what the logs do not notice."""
+    stages: list[list[Check]] = []
+    if request.against != "models":
+        traces = manifest.directory.parent / "traces"
+        stages.append([LogsCheck(traces, logs.fingerprint(traces), spec, processes)])
     if request.against != "logs":
         harness = Harness(manifest, tlc.find_toolchain(request.jar), processes, workers=1)
         models = read_modules(manifest.directory)
         passing = [m for m in manifest.select(request.lane, ()) if m.expect.exit == 0]
-        checks += [ModelCheck(harness, model, spec, models) for model in passing]
-    if request.against != "models":
-        traces = manifest.directory.parent / "traces"
-        checks.append(LogsCheck(traces, logs.fingerprint(traces), spec, processes))
-    return checks
+        stages.append([ModelCheck(harness, model, spec, models) for model in passing])
+    return stages
 
 
-def _mutants(modules: dict[str, Module], checks: list[Check]) -> list[Mutant]:
+def _mutated(modules: dict[str, Module]) -> list[str]:
+    return [name for name in modules if not any(fnmatch.fnmatchcase(name, p) for p in NOT_MUTATED)]
+
+
+def _concerning(existing: list[Mutant], checks: list[Check]) -> list[Mutant]:
     """The mutants of what the checks are built on, but for definitions that all of them replace by their own."""
-    scope = {name for check in checks for name in check.modules}
-    named = sorted(name for name in scope if not any(fnmatch.fnmatchcase(name, p) for p in NOT_MUTATED))
-    found = []
-    for mutant in mutants(modules, named):
-        concerned = [check for check in checks if mutant.module in check.modules]
-        if any(mutant.definition not in check.parameters for check in concerned):
-            found.append(mutant)
-    return found
+    return [
+        mutant
+        for mutant in existing
+        if any(mutant.module in check.modules and mutant.definition not in check.parameters for check in checks)
+    ]
 
 
 def _choose(everything: list[Mutant], request: Request) -> list[Mutant]:

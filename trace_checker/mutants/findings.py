@@ -45,12 +45,12 @@ class Kept(msgspec.Struct, frozen=True):
 class Findings:
     """Findings in a file, a line each, so that a run that was interrupted loses none. Safe to use from threads."""
 
-    def __init__(self, path: Path) -> None:
-        """Read what is there; a line that was cut off by the end of an earlier run is passed over."""
+    def __init__(self, path: Path, *, fresh: bool = False) -> None:
+        """Read what is there, unless `fresh`; a line that was cut off by the end of an earlier run is passed over."""
         self._path = path
         self._lock = threading.Lock()
         self._by_key: dict[str, Kept] = {}
-        lines = path.read_bytes().splitlines() if path.is_file() else []
+        lines = path.read_bytes().splitlines() if path.is_file() and not fresh else []
         for line in lines:
             try:
                 kept = msgspec.json.decode(line, type=Kept)

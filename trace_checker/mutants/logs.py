@@ -14,12 +14,15 @@ import msgspec
 
 from trace_checker.check import check_log
 from trace_checker.engine_client import Engine
-from trace_checker.engine_command import engine_command
+from trace_checker.engine_command import EngineError, engine_command
 from trace_checker.mutants.findings import How
 from trace_checker.shipped import difference, shipped_logs
 
 UNREADABLE = "arsing or semantic analysis failed"
 """What TLC says of a specification that does not parse or has no meaning."""
+
+KILLED = "the engine ended (killed by SIGKILL"
+"""What is said of an engine that something else has ended, for want of memory for instance."""
 
 
 class Judged(msgspec.Struct, frozen=True):
@@ -30,19 +33,21 @@ class Judged(msgspec.Struct, frozen=True):
 
 
 def judge(spec: Path, traces: Path) -> Judged:
-    """Judge the logs of the index in its order, up to the first difference."""
+    """Judge the logs of the index in its order, up to the first difference.
 
-    def command() -> list[str]:
-        java, *arguments = engine_command()
-        return [java, "-XX:TieredStopAtLevel=1", *arguments[:-1], str(spec)]
-
-    with Engine(command) as engine:
+    Raises `EngineError` where the engine fails for a reason outside of the specification.
+    """
+    java, *arguments = engine_command()
+    command = [java, "-XX:TieredStopAtLevel=1", *arguments[:-1], str(spec)]
+    with Engine(lambda: command) as engine:
         for expected in shipped_logs(traces):
             report = check_log(str(traces / expected.file), engine, lambda _source, _events: None)
             if (differs := difference(expected, report)) is None:
                 continue
             if report.verdict != "no verdict":
                 return Judged("log", differs)
+            if KILLED in report.message:
+                raise EngineError(differs)
             return Judged("invalid" if UNREADABLE in report.message else "error", differs)
     return Judged("survived")
 

@@ -65,8 +65,8 @@ def judged(spec: Path, *checks: FakeCheck, thorough: bool = False) -> dict[str, 
     """Judge all its mutants; return the verdicts by change."""
     modules = read_modules(spec)
     found = mutants(modules, ["M"])
-    bench = Bench(spec, modules, checks, Findings(spec.parent / "findings.ndjson"), thorough)
-    bench.calibrate(found, lambda _: None)
+    bench = Bench(spec, modules, Findings(spec.parent / "findings.ndjson"), thorough)
+    bench.calibrate(checks, found, lambda _: None)
     return {f"{v.mutant.was} -> {v.mutant.by}": v for v in bench.judge_all(found, 2, lambda _: None)}
 
 
@@ -99,6 +99,18 @@ def test_a_line_that_was_cut_off_is_found_out_again(spec: Path) -> None:
     again = FakeCheck("c", {"x - 1": "property"})
     assert judged(spec, again) == first
     assert len(again.ran) == 1
+
+
+def test_a_fresh_run_asks_again(spec: Path) -> None:
+    """It uses no finding of an earlier run, and those after it use its own."""
+    found = Findings(spec.parent / "findings.ndjson")
+    found.keep("k", "c", "M/A", Finding("property", "", 1.0))
+    fresh = Findings(spec.parent / "findings.ndjson", fresh=True)
+    assert fresh.known("k") is None
+    fresh.keep("k", "c", "M/A", Finding("survived", "", 1.0))
+    known = Findings(spec.parent / "findings.ndjson").known("k")
+    assert known is not None
+    assert known.how == "survived"
 
 
 def test_what_is_not_evaluated_is_not_run(spec: Path) -> None:
@@ -147,6 +159,7 @@ def test_a_check_that_always_fails_shows_nothing(spec: Path) -> None:
     """Without a passing baseline there are no verdicts."""
     with pytest.raises(UnsoundBaselineError, match="does not pass c: deadlock"):
         judged(spec, FakeCheck("c", {"MODULE": "deadlock"}))
+    assert judged(spec, FakeCheck("c", {})), "a failure is not kept: its reason may be gone"
 
 
 def survivor(verdicts: dict[str, Verdict], change: str) -> Mutant:

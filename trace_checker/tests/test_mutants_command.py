@@ -12,8 +12,9 @@ from click.testing import CliRunner
 
 from trace_checker.engine_command import EngineError, engine_command
 from trace_checker.models import tlc
-from trace_checker.mutants import logs
+from trace_checker.mutants import command, logs
 from trace_checker.mutants.command import mutants_command
+from trace_checker.tests.test_mutants_bench import TEXT, FakeCheck
 
 ROOT = Path(__file__).parents[2]
 
@@ -118,6 +119,26 @@ def test_lists_and_samples(lamp: Path) -> None:
     assert "-Full == 2\n+Full == 3" in run(lamp, "--diff", "Lamp/Full/*")[1]
 
 
+def test_models_see_what_the_logs_leave(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second stage is not even calibrated where the first one has noticed everything."""
+    for folder in ("spec", "models"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "spec" / "M.tla").write_text(TEXT)
+    (tmp_path / "models" / "manifest.json").write_text('{"version": 1, "models": []}')
+    (tmp_path / "models" / "survivors.json").write_text('[{"id": "M/B/*", "reason": "not asked here"}]')
+    quick, slow = FakeCheck("logs", {"x - 1": "log"}), FakeCheck("model", {"x + 2": "property", "x + 0": "property"})
+    monkeypatch.setattr(command, "_stages", lambda *_: [[quick], [slow]])
+    code, _, document = run(tmp_path, "M/A/arithmetic/*")
+    assert (code, document["all"]["killed"], slow.ran) == (0, 1, [])
+    code, _, document = run(tmp_path, "M/A/*")
+    assert (code, document["all"]["killed"]) == (0, 3)
+    assert {m["by"]: m["check"] for m in document["mutants"]} == {"x - 1": "logs", "2": "model", "0": "model"}
+    assert len(slow.ran) == 3, "the unchanged specification, and what the logs have left"
+    ran = len(quick.ran)
+    assert run(tmp_path, "M/A/*", "--fresh")[0] == 0
+    assert len(quick.ran) == ran + 4
+
+
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """Copy the specification."""
@@ -141,3 +162,13 @@ def test_mutants_with_the_shipped_logs(copy: Path, tmp_path: Path, by: str, how:
     judged = logs.judge(copy, tmp_path)
     assert judged.how in how
     assert judged.detail
+
+
+def test_an_engine_that_is_killed_shows_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It says nothing about the mutant."""
+    java = tmp_path / "java"
+    java.write_text("#!/bin/sh\nkill -KILL $$\n")
+    java.chmod(0o755)
+    monkeypatch.setattr(logs, "engine_command", lambda: [str(java), ""])
+    with pytest.raises(EngineError, match="SIGKILL"):
+        logs.judge(ROOT / "spec", ROOT / "traces")
