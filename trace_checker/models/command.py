@@ -129,9 +129,9 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         results = _update(manifest, results, request, console)
     seconds = time.monotonic() - began
     _show(results, drift, request, console)
-    report.show_table(console, results, answers.version, seconds)
+    lane = None if request.names else request.lane
+    report.show_tables(console, results, answers.version, lane, seconds)
     if request.json is not None:
-        lane = None if request.names else request.lane
         document = report.as_json(tools, answers, lane, results, drift, seconds)
         request.json.parent.mkdir(parents=True, exist_ok=True)
         request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

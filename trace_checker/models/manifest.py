@@ -111,7 +111,7 @@ class Model:
     """A model ready to run: everything from its base filled in, its configuration edited.
 
     `module` is relative to the manifest's directory; `config` is the configuration's text, not a path; `seconds` the
-    band (least, most) of wall time; `workers` the most TLC workers it may have.
+    band (least, most) of wall time; `workers` the most TLC workers it may have; `base` the entry that it changes.
     """
 
     name: str
@@ -128,6 +128,7 @@ class Model:
     args: tuple[str, ...]
     seconds: tuple[float, float]
     expect: Expect
+    base: str = ""
 
     def checked(self, keyword: str) -> tuple[str, ...]:
         """Return the names under INVARIANT or PROPERTY of the configuration."""
@@ -267,6 +268,7 @@ def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[
         args=tuple(value("args", [])),
         seconds=(least, most),
         expect=entry.expect,
+        base=base.name if derived else "",
     )
     _check_model(where, model)
     return model

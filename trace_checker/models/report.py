@@ -11,7 +11,8 @@ from rich.table import Table
 from rich.text import Text
 
 from trace_checker.models.canaries import Answers
-from trace_checker.models.judge import Result, expectation
+from trace_checker.models.judge import Result, exit_codes, expectation
+from trace_checker.models.manifest import Mutation, expected_kinds
 from trace_checker.models.runner import Event
 from trace_checker.models.tlc import Toolchain
 
@@ -116,28 +117,72 @@ def show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> No
             _plain(console, _limit(state, None if verbose else STATE_LINES))
 
 
-def show_table(console: Console, results: list[Result], version: str, seconds: float) -> None:
-    """Show the table at the end and the sum."""
-    table = Table(box=None, pad_edge=False)
-    for heading in ("model", "kind", "lane", "result"):
-        table.add_column(heading, overflow="fold")
-    for heading in ("distinct", "depth", "seconds"):
-        table.add_column(heading, justify="right", no_wrap=True)
+def show_tables(console: Console, results: list[Result], version: str, lane: str | None, seconds: float) -> None:
+    """Show the table of the models, that of the negative controls, and the sum. `lane` is None where some are named."""
+    controls = [r for r in results if r.model.kind == "negative"]
+    if len(controls) < len(results):
+        console.print(_models([r for r in results if r not in controls]))
+    if controls:
+        console.print(_controls(controls))
+    good = sum(r.ok for r in results)
+    said = f"{good} of {len(results)} models as pinned, TLC {version or 'of unknown version'}, {seconds:.0f} s"
+    _plain(console, f"lane {lane}: {said}" if lane else said)
+
+
+def _models(results: list[Result]) -> Table:
+    table = _table(("model", "kind", "lane", "result"), ("distinct", "depth", "seconds"))
     for result in results:
         counts = result.outcome.counts
         table.add_row(
             Text(result.model.name),
             Text(result.model.kind),
             Text(result.model.lane),
-            Text(brief(result), style="green" if result.ok else "red"),
+            _coloured(result, brief(result)),
             "-" if counts.distinct is None else str(counts.distinct),
             "-" if counts.depth is None else str(counts.depth),
             f"{result.seconds:.1f}",
         )
-    console.print(table)
-    good = sum(r.ok for r in results)
-    said = f"{good} of {len(results)} models as pinned, TLC {version or 'of unknown version'}, {seconds:.0f} s"
-    _plain(console, said)
+    return table
+
+
+def _controls(results: list[Result]) -> Table:
+    """What each negative control changes of which model, and what has to come of it."""
+    table = _table(("control", "of model", "changed", "exit", "has to fail", "result"), ("seconds",))
+    for result in results:
+        model = result.model
+        table.add_row(
+            Text(model.name),
+            Text(model.base),
+            Text("\n".join(map(_change, model.mutations)) or model.what),
+            exit_codes(model),
+            Text(model.expect.property or " or ".join(sorted(expected_kinds(model)))),
+            _coloured(result, f"as pinned: exit {result.exit}, {result.outcome.kind}" if result.ok else brief(result)),
+            f"{result.seconds:.1f}",
+        )
+    return table
+
+
+def _table(texts: tuple[str, ...], numbers: tuple[str, ...]) -> Table:
+    table = Table(box=None, pad_edge=False)
+    for heading in texts:
+        table.add_column(heading, overflow="fold")
+    for heading in numbers:
+        table.add_column(heading, justify="right", no_wrap=True)
+    return table
+
+
+def _coloured(result: Result, text: str) -> Text:
+    return Text(text, style="green" if result.ok else "red")
+
+
+def _change(mutation: Mutation) -> str:
+    """The lines that a mutation changes, without those around them."""
+    was, by = ([" ".join(line.split()) for line in text.split("\n")] for text in (mutation.replace, mutation.by))
+    while was and by and was[0] == by[0]:
+        was, by = was[1:], by[1:]
+    while was and by and was[-1] == by[-1]:
+        was, by = was[:-1], by[:-1]
+    return f"{mutation.module}: {' '.join(was) or 'nothing'} -> {' '.join(by) or 'nothing'}"
 
 
 def as_json(
@@ -156,6 +201,8 @@ def as_json(
                 "name": r.model.name,
                 "kind": r.model.kind,
                 "lane": r.model.lane,
+                "base": r.model.base or None,
+                "what": r.model.what,
                 "requirements": list(r.model.requirements),
                 "ok": r.ok,
                 "result": r.outcome.kind,

@@ -40,7 +40,12 @@ def test_all_as_pinned(project: Project) -> None:
         "neg-assumption": "assumption",
         "witness-end": "invariant",
     }
-    assert "9 of 9 models as pinned" in output
+    assert "lane smoke: 9 of 9 models as pinned" in output
+    (control,) = (line for line in output.splitlines() if line.startswith("neg-step "))
+    assert control.split()[:2] == ["neg-step", "counter"]
+    assert "Counter.tla: x' = x + 1 -> " in control
+    assert "12 or 13" in control
+    assert "as pinned: exit 1" in control
     assert "[9/9]" in output, "progress is lines where there is no terminal"
 
 
