@@ -13,7 +13,7 @@ from trace_checker.log.errors import UnusableLogError
 from trace_checker.log.lines import Lines
 from trace_checker.log.reader import read_log
 from trace_checker.log.source import Source, open_log
-from trace_checker.report.expected import format_allowed
+from trace_checker.report.expected import format_allowed, format_late
 from trace_checker.verdict import Report
 
 _KEPT = 16 * 1024 * 1024
@@ -21,6 +21,9 @@ _KEPT = 16 * 1024 * 1024
 
 _OVERHEAD = 48
 """Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
+
+_UNEXPLAINED = "no behaviour of the specification explains this line"
+_TOO_LATE = "something had to come before this line"
 
 Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of events read from it."""
@@ -67,28 +70,30 @@ def check_log(name: str, engine: Engine, progress: Progress, profile: str | None
 
 
 def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
-    expected = [format_allowed(allowed) for allowed in answer.expected]
-    message = answer.message or "no behaviour of the specification explains this line"
     return Report(
         log,
         "rejected",
-        message,
+        _TOO_LATE if answer.late else _UNEXPLAINED,
         line=answer.line,
         events=answer.events,
         event=recent.get(answer.line or 0),
-        expected=expected,
+        expected=[format_allowed(allowed) for allowed in answer.expected],
         requirements=answer.requirements,
+        late=[format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else [],
         states=answer.states,
         situations=answer.situations,
-        # Steps that had nothing to act on say least.
-        candidates=sorted(_of_this_event(answer.candidates), key=lambda one: one.values == NOTHING_TO_CHOOSE),
+        candidates=_telling(answer.candidates),
         lines=recent.up_to(answer.line or 0),
     )
 
 
-def _of_this_event(candidates: list[Candidate]) -> list[Candidate]:
-    """Without the actions that are about another kind of event altogether."""
-    return [one for one in candidates if not one.conjunct.startswith("e.event ")] or candidates
+def _telling(candidates: list[Candidate]) -> list[Candidate]:
+    """Without the actions that are about another kind of event altogether, and those of which there is nothing to say:
+    they had nothing to act on, or are not meant for this log.
+    """
+    of_this_event = [one for one in candidates if not one.conjunct.startswith("e.event ")]
+    telling = [one for one in of_this_event if one.values != NOTHING_TO_CHOOSE and one.conjunct != "FALSE"]
+    return telling or of_this_event or candidates
 
 
 class _RecentLines:

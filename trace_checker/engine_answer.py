@@ -120,14 +120,16 @@ class Step(msgspec.Struct, frozen=True):
 class Answer(msgspec.Struct, frozen=True):
     """The engine's answer to one log; ``events`` were explained before it was decided.
 
-    Of a rejected one: what was ``expected`` and the ``requirements`` that decide; how many
-    ``states`` explained the lines before, the ``situations`` that come nearest to the line, and the
-    ``candidates``. ``steps`` are there if the log was begun with ``follow``.
+    Of a rejected one: what was ``expected`` in the place of the line, or before it where the line comes
+    too ``late``; the ``requirements`` that decide; how many ``states`` explained the lines before, the
+    ``situations`` that come nearest to the line, and the ``candidates``. ``steps`` are there if the log was
+    begun with ``follow``.
     """
 
     verdict: Literal["accepted", "rejected", "error"]
     line: int | None = None
     events: int = 0
+    late: bool = False
     expected: list[Allowed] = []
     requirements: list[str] = []
     message: str = ""

@@ -31,7 +31,8 @@ class Report:
     before; ``event`` the text of the rejected line, or None where it is no longer at hand;
     ``expected`` what the specification allows there; ``requirements`` the IDs that decide it.
 
-    Of a rejected log also: ``states``, in how many ways the lines before can be explained; the
+    Of a rejected log also: ``late``, where the line comes too late: what is ``expected`` had to come
+    before it, and until when; ``states``, in how many ways the lines before can be explained; the
     ``situations`` of those that come nearest to the line; the ``candidates``, each an action with its
     first false conjunct. ``readings`` are None where no others were tried. ``lines`` are the log's
     lines from the first one, as far as they are at hand, ``steps`` the situations after them.
@@ -45,6 +46,7 @@ class Report:
     event: bytes | None = None
     expected: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
+    late: list[str] = field(default_factory=list)
     states: int = 0
     situations: list[Situation] = field(default_factory=list)
     candidates: list[Candidate] = field(default_factory=list)

@@ -76,8 +76,10 @@ def _section(number: int, report: Report) -> Node:
 
 
 def _explanation(report: Report) -> Iterator[Node]:
-    yield node("h3", "What the specification allows at this point")
-    yield node("ul", *(node("li", text, class_="chip mono") for text in report.expected or ["nothing"]), class_="chips")
+    heading = "What had to come before the line" if report.late else "What the specification allows at this point"
+    yield node("h3", heading)
+    expected = report.late or report.expected or ["nothing"]
+    yield node("ul", *(node("li", text, class_="chip mono") for text in expected), class_="chips")
     rows = []
     for name in report.requirements:
         found = clause(name)

@@ -30,6 +30,7 @@ def to_json(report: Report) -> bytes:
 def _explanation(report: Report) -> dict[str, Any]:
     return {
         "prefix": {"first": 1, "last": report.line},
+        "late": report.late,
         "clauses": [clause(name) for name in report.requirements],
         "candidates": report.candidates,
         "states": report.states,

@@ -1,6 +1,6 @@
 """What the specification allows, in the words of the log format."""
 
-from trace_checker.engine_answer import Allowed
+from trace_checker.engine_answer import Allowed, Situation
 from trace_checker.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
@@ -17,6 +17,24 @@ def format_allowed(allowed: Allowed) -> str:
     if allowed.field and allowed.value != NOT_LOGGED:
         parts.append(f"{allowed.field}={_format_value(allowed.field, allowed.value)}")
     return " ".join(parts)
+
+
+def format_late(allowed: Allowed, situations: list[Situation]) -> str:
+    """What had to come before the line, such as ``start ob=40, within 10 ms of 2026-03-02T08:00:31.000``.
+
+    The moment is that of a start event that could have started its OB; of a STOP or an entry none is told.
+    """
+    since = next(
+        (
+            f" of {iso(state.clock.min * MS_PER_MINUTE + state.clock.ms - waited)}"
+            for state in situations
+            for request in state.pending
+            for number, waited in state.waited
+            if request.ob == allowed.ob and request.ready and request.class_ == number
+        ),
+        "",
+    )
+    return f"{format_allowed(allowed)}, within {situations[0].latency} ms{since}"
 
 
 def _format_value(field: str, value: int | str | dict[str, int]) -> str:

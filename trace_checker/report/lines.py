@@ -39,7 +39,10 @@ def message(report: Report) -> str:
 def parts(report: Report) -> Iterator[Part]:
     """What explains the verdict, the most important first."""
     if report.verdict == "rejected":
-        yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
+        if report.late:
+            yield Part("expected before it", report.late)
+        else:
+            yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
         yield Part("requirements", [", ".join(report.requirements)])
         yield Part("", [clause_text(name) for name in report.requirements])
         yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])

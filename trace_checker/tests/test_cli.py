@@ -94,6 +94,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
             "requirements": ["AIRT-07"],
             "message": "no behaviour of the specification explains this line",
             "prefix": {"first": 1, "last": 3},
+            "late": [],
             "clauses": [msgspec.to_builtins(clause("AIRT-07"))],
             "candidates": [CANDIDATE],
             "states": 2,

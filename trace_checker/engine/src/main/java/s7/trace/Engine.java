@@ -172,6 +172,7 @@ public final class Engine {
     }
     var rejected = new JsonObject();
     rejected.add("line", number(event));
+    rejected.addProperty("late", refusal.late());
     var expected = new JsonArray();
     refusal.expected().forEach(expected::add);
     rejected.add("expected", expected);

@@ -38,13 +38,15 @@ final class Explanation {
   /**
    * Why no state is left.
    *
-   * @param expected what could have been observed instead
+   * @param late whether something had to come before the event
+   * @param expected what could have been observed instead, or had to be observed before
    * @param requirements what decides it
    * @param states how many states were left before the event
    * @param situations the states that come nearest to it
    * @param candidates why the actions by which it might have been explained are not enabled
    */
   record Refusal(
+      boolean late,
       List<JsonElement> expected,
       Set<String> requirements,
       int states,
@@ -119,7 +121,7 @@ final class Explanation {
     if (arrived.isEmpty()) {
       // Where changes of mode may be unseen, every state goes on, round in circles.
       List<TLCState> late = stuck.isEmpty() ? states : stuck;
-      return refusal("TooLate", "LateRequirements", "Elapse", late, late, event);
+      return refusal(true, "TooLate", "LateRequirements", "Elapse", late, late, event);
     }
     List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
@@ -128,7 +130,7 @@ final class Explanation {
     }
     if (after.isEmpty()) {
       return refusal(
-          "Expected", "Deciding", "Observe", ready, nearest(ready, event), event);
+          false, "Expected", "Deciding", "Observe", ready, nearest(ready, event), event);
     }
     states = distinct(after);
     past.add(event);
@@ -212,6 +214,7 @@ final class Explanation {
   }
 
   private Refusal refusal(
+      boolean late,
       String expected,
       String deciding,
       String action,
@@ -246,6 +249,7 @@ final class Explanation {
       }
     }
     return new Refusal(
+        late,
         new ArrayList<>(allowed.values()),
         requirements,
         from.size(),

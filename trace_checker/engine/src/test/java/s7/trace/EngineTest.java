@@ -63,7 +63,7 @@ class EngineTest {
   void rejection() throws IOException {
     var rejected =
         Tiny.json(
-            "{'line': 3, 'expected': [{'event': 'read', 'value': 10}],"
+            "{'line': 3, 'late': false, 'expected': [{'event': 'read', 'value': 10}],"
                 + " 'requirements': ['TINY-01', 'TINY-read'], 'states': 1,"
                 + " 'situations': [{'count': 10}],"
                 + " 'candidates': [{'action': 'Observe', 'conjunct': 'count = e.value',"

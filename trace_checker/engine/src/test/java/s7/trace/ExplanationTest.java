@@ -1,6 +1,7 @@
 package s7.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -77,6 +78,7 @@ class ExplanationTest {
   void refusal() {
     var explanation = begin("{'first': 10, 'choices': [20]}");
     var refusal = observe(explanation, "{'event': 'read', 'value': 30}");
+    assertFalse(refusal.late());
     assertEquals(
         List.of(
             Tiny.json("{'event': 'read', 'value': 10}"), Tiny.json("{'event': 'read', 'value': 20}")),
@@ -110,6 +112,7 @@ class ExplanationTest {
   @DisplayName("an event that no time can elapse to comes too late")
   void tooLate() {
     var refusal = observe(begin("{'first': 99}"), "{'event': 'read', 'at': 1, 'value': 99}");
+    assertTrue(refusal.late());
     assertEquals(List.of(Tiny.json("{'event': 'set', 'value': 0}")), refusal.expected());
     assertEquals(Set.of("TINY-02"), refusal.requirements());
   }
