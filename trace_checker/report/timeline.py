@@ -246,9 +246,9 @@ def _come_to_nothing(column: _Column, before: Situation, rows: _Rows) -> Iterato
     assert state is not None
     kept = {one.ob for one in state.pending} | {frame.ob for frame in state.running}
     gone = {one.ob: one.class_ for one in before.pending if one.ob not in kept and not one.open}
-    for withdrawn, number in gone.items():
+    for lost, number in gone.items():
         if number in rows.classes:
-            yield number, f"OB {withdrawn} withdrawn"
+            yield number, f"OB {lost} gone"
     ob = column.event.get("ob")
     if column.event["event"] == "interrupt" and ob not in kept:
         number = next((n for n in rows.classes if str(ob) in rows.obs[n].split(", ")), rows.classes[-1])

@@ -15,6 +15,7 @@ _PERIODS = {
     0x1801: "yearly",
     0x2001: "at the end of the month",
 }
+"""In words, for people; which codes there are, and when each comes round, the specification says."""
 _NO_CAUSE = -1
 
 

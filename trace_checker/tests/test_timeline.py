@@ -1,0 +1,16 @@
+"""The picture of a log."""
+
+from trace_checker.engine_answer import Frame, Pending, Situation, Step
+from trace_checker.report.timeline import timeline
+from trace_checker.tests.logs import event, log_text
+from trace_checker.verdict import Report
+
+
+def test_start_event_that_a_stop_clears() -> None:
+    """It is gone; nobody has withdrawn it."""
+    lines = log_text(event("interrupt", ob=40), event("stop", 32)).splitlines()
+    waiting = Situation(mode="RUN", running=[Frame(1, 1)], pending=[Pending(40, 16)])
+    steps = [Step(2, waiting), Step(3, Situation(mode="STOP"))]
+    picture = timeline(Report("log", "accepted", "", lines=lines, steps=steps))
+    assert picture is not None
+    assert "OB 40 gone" in list(picture.itertext())
