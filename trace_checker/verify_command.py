@@ -1,7 +1,6 @@
 """``s7check verify``: the project's main job, and a table of what was checked and what was not."""
 
 import json
-import shutil
 import subprocess
 import sys
 import time
@@ -45,7 +44,7 @@ class Row:
 
 @click.command("verify", short_help="Do the main job of the project: models, soft PLC, shipped logs.")
 def verify_command() -> int:
-    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs and random ones.
+    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants.
 
     Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed or a tool is missing, 2 this
     is no checkout.
@@ -106,15 +105,19 @@ def _soft_plc() -> list[Row]:
         failures, logs = [], []
         for scenario in chosen:
             log = BUILD / f"{scenario.stem}.ndjson"
+            log.unlink(missing_ok=True)
             run = subprocess.run(
                 [str(PLC / "build" / "soft_plc"), *options, "-o", str(log), str(scenario)],
                 capture_output=True, text=True, check=False,
             )  # fmt: skip
             if run.returncode:
                 failures.append(f"soft_plc {scenario.name}: {run.stderr.strip()}")
-            logs.append(log)
+            else:
+                logs.append(log)
+        if not chosen:
+            failures.append(f"{(PLC / 'scenarios').relative_to(ROOT)} has no scenario for it")
         events, rejected = _check_all(logs)
-        size = f"{len(logs)} scenarios, {events:,} events"
+        size = f"{len(chosen)} scenarios, {events:,} events"
         rows.append(Row(name, "trace checker", size, time.monotonic() - begun, failures + rejected))
     return rows
 
@@ -164,6 +167,24 @@ def _agreement() -> list[Row]:
     return [Row("random logs, judged alike by the engine and TLC", tool, size, seconds, failures)]
 
 
+def _mutants() -> list[Row]:
+    results = BUILD / "mutants.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [
+        *(sys.executable, "-m", "trace_checker", "mutants", "--against", "all", "--lane", "smoke", "--fresh"),
+        *("--sample", str(MUTANTS), "--seed", str(SEED), "--json", str(results)),
+    ]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    failures = [f"s7check mutants ended with exit code {code}; see above"] if code else []
+    size = ""
+    if results.exists():
+        found = json.loads(results.read_bytes())["all"]
+        size = f"{found['mutants']} mutants, {found['killed']} killed"
+    return [Row("mutants of the specification, noticed", "logs, then TLC", size, seconds, failures)]
+
+
 def _requirements() -> list[Row]:
     begun = time.monotonic()
     command = [sys.executable, "-m", "trace_checker", "requirements"]
@@ -179,32 +200,37 @@ def _apalache() -> list[Row]:
         [str(ROOT / "models" / "apalache.sh"), "typecheck"], capture_output=True, text=True, check=False
     )
     seconds = time.monotonic() - begun
-    if run.returncode == NOT_FOUND:
-        return [Row("types of spec/", "Apalache", run.stderr.strip(), seconds, [], run=False)]
-    failures = [f"apalache-mc typecheck: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
-    size = f"{run.stdout.count('typecheck ')} modules, what they extend"
-    return [Row("types of spec/", "Apalache", size, seconds, failures)]
+    found = run.returncode != NOT_FOUND
+    failures = [f"apalache-mc typecheck: {run.stdout[-2000:]}{run.stderr}"] if found and run.returncode else []
+    size = f"{run.stdout.count('typecheck ')} modules, what they extend" if found else run.stderr.strip()
+    others = {"bounded checks of two invariants": "make apalache", "proofs of two specifications": "make prove"}
+    return [
+        Row("types of spec/", "Apalache", size, seconds, failures, run=found),
+        *(Row(what, "Apalache", by if found else NO_APALACHE, 0, [], run=False) for what, by in others.items()),
+    ]
 
 
 def _not_in_this_lane() -> list[Row]:
-    reason = "make apalache" if shutil.which("apalache-mc") else "apalache-mc was not found"
-    return [
-        Row("bounded checks of two invariants", "Apalache", reason, 0, [], run=False),
-        Row("models of the full lane", "TLC", "make models-full", 0, [], run=False),
-    ]
+    return [Row("models of the full lane", "TLC", "make models-full", 0, [], run=False)]
 
 
 NOT_FOUND = 3
 """Exit code of models/apalache.sh where Apalache is not there."""
 
+NO_APALACHE = "apalache-mc was not found"
+
 SAMPLE = 200
 """Random logs that both the engine and TLC judge."""
+
+MUTANTS, SEED = 12, 54
+"""A sample of which the shipped logs notice every mutant, in half a minute: only for those left are models run."""
 
 STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,
     "the soft PLC, run and checked": _soft_plc,
     "the shipped logs": _shipped_logs,
     "random logs, judged by the engine and by TLC": _agreement,
+    "a few mutants of the specification": _mutants,
     "the requirements, traced": _requirements,
     "types, where Apalache is there": _apalache,
     "not run here": _not_in_this_lane,
