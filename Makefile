@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full models-distributed mutants mutants-sample witnesses agreement agreement-sample typecheck apalache prove fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample typecheck apalache prove fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -16,10 +16,10 @@ setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install what is needed: .venv, the en
 
 engine: $(ENGINE)  ## build the trace checker's engine
 
-verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs
+verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7check verify
 
-test: setup  ## all tests: Python, models harness, engine, soft PLC
+test: setup lint  ## all tests: ruff and mypy, Python, models harness, engine, soft PLC
 	$(BIN)/python -m pytest -q trace_checker/tests
 	cd trace_checker/engine && mvn -q -B test
 	$(MAKE) -s -C examples/soft_plc test
@@ -35,6 +35,9 @@ models-smoke: setup  ## model-check the smoke lane
 
 models-full: setup  ## model-check everything
 	$(BIN)/s7check models --lane full
+
+controls: setup  ## the negative controls: of which model, what is changed, exit code and property, the result
+	$(BIN)/s7check models 'neg-*'
 
 WORKERS ?= 2
 MODELS  ?= airt queue hold
