@@ -48,12 +48,15 @@ PeriodCodes ==
     {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly
 
 (* [OBS-30] fault ids of OB 80 and (table 7.3) of OB 85 *)
+CycleTimeExceeded == \h01
 StillRunning    == \h02
 SkippedByClock  == \h05
 SkippedInHold   == \h06
 Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
+(* Those that the rules make; others come from outside. *)
+FaultsOfRules   == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
 (* Which one, no source says. *)
 UnknownFault    == -1
 

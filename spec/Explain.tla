@@ -57,14 +57,16 @@ Possible ==
       \cup (IF mode = "STOP" THEN {Allowed("restart", 0, "", 0)}
             ELSE {Stopping})
       \cup (IF mode = "HOLD" THEN {Allowed("release", 0, "", 0)} ELSE {})
-      \cup (IF ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
+      \cup (IF stopCause = NoCause /\ ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
 
 \* @type: $event => Set($allowed);
 Expected(e) ==
     IF e.event \in CallEvents /\ Called
-    THEN IF AnswerRight(e)
+    THEN IF ~AnswerRight(e)
+         THEN { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
+         ELSE IF e.event \in {"QRY_TINT", "QRY_DINT"}
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
-         ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
+         ELSE Possible
     ELSE Possible
 
 (* What had to come before this line. *)

@@ -37,12 +37,14 @@ NewOf(o) == { r \in requests' \ requests :
                 r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }
 
 (* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first skipped *)
-(* point, after the OB 80; one that waits or runs may do without.          *)
+(* point, after the OB 80; one that waits or runs may do without.  Without *)
+(* OB 80 none does [CLK-05].                                               *)
 CatchUpProp ==
     [][ Did("clock") /\ mode = "RUN" /\ irt.blocked = {} =>
           \A o \in TodObs :
             LET new == NewOf(o)
-            IN  /\ o \notin SkippedNow => new = {}
+            IN  IF TimeErrorOb \notin loaded THEN new = {} ELSE
+                /\ o \notin SkippedNow => new = {}
                 /\ /\ o \in SkippedNow /\ ~OnStack(o)
                    /\ { r \in requests : r.ob = o } = {}
                    => Cardinality(new) = 1

@@ -66,13 +66,18 @@ SetProp ==
           /\ tod'[step'.ob].period = step'.operand
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
+(* A once whose only point is past and no run of which is sure to come; the  *)
+(* sources leave open whether it is still set [AMB-48] [AMB-55].           *)
+Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
+           /\ ~PendingIn(requests, o) /\ ~OnStack(o)
+
 (* [TINT-51] [TINT-50] [TINT-52] CAN_TINT. *)
 CanProp ==
     [][ Did("CAN_TINT") =>
           LET o == step'.ob
           IN  /\ step'.value \in {\h0000, \h8090, \h80A0}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => o \in TodObs /\ ~tod[o].set
+              /\ step'.value = \h80A0 => o \in TodObs /\ (~tod[o].set \/ Over(o))
               /\ step'.value = 0 => /\ o \in TodObs
                                     /\ tod[o].set /\ ~tod'[o].set
                                     /\ ~PendingIn(requests', o) ]_vars
@@ -85,7 +90,7 @@ ActProp ==
           IN  /\ UNCHANGED <<requests, stopCause>>
               /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => o \in TodObs /\ ~tod[o].set
+              /\ step'.value = \h80A0 => o \in TodObs /\ (~tod[o].set \/ Over(o))
               /\ step'.value = \h80A1 =>
                    /\ o \in TodObs /\ tod[o].period = Once
                    /\ \/ Before(At(tod[o].start), clock)
@@ -153,15 +158,15 @@ PointProp ==
              \/ step'.event \in {"clock", "restart", "release"} ]_vars
 
 (* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with  *)
-(* fault 02 or STOP, and the run follows.                                  *)
+(* fault 02, and the run follows; or STOP.                                 *)
 OverlapProp ==
     [][ /\ Did("reached") /\ mode = "RUN" /\ OnStack(step'.ob)
         /\ stopCause = NoCause /\ ~Blocked(step'.ob) /\ ~Blocked(80)
-        => /\ PendingIn(requests', step'.ob)
-           /\ IF 80 \in loaded
-              THEN \E r \in requests' \ requests :
+        => IF 80 \in loaded
+           THEN /\ PendingIn(requests', step'.ob)
+                /\ \E r \in requests' \ requests :
                      r.ob = 80 /\ r.fault = 2 /\ r.late = {step'.ob}
-              ELSE stopCause' = \h4568 ]_vars
+           ELSE stopCause' = \h4568 ]_vars
 
 (* [TINT-23] Otherwise a point leads to its OB. *)
 OrdinaryProp ==

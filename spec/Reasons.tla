@@ -79,7 +79,7 @@ BlockRequirements(past, o) ==
     IN  IF lines = {} THEN {"IRT-01"}
         ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
         ELSE OfMode(past[last])
-               \cup When(LastOf(past, {"end"}) > last, {"IRT-02", "IRT-03"})
+               \cup When(LastOf(past, {"end", "hold"}) > last, {"IRT-02", "IRT-03"})
                \cup When(Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
                          {"IRT-20"})
                \cup When(Cardinality(dis) > 1 /\ last \notin dis, {"IRT-16"})
@@ -120,7 +120,7 @@ RightAnswers(e) ==
     IF Unseen("call") THEN PossibleAnswers(e)
     ELSE CASE e.event = "SET_TINT" ->
                 Answers(e.ob, SetErrors(e.ob, e.sdt, e.period))
-           [] e.event = "CAN_TINT" -> Answers(e.ob, CanErrors(e.ob))
+           [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
            [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
            [] e.event = "QRY_TINT" -> Answers(e.ob, ObErrors(e.ob))
            [] e.event = "SRT_DINT" -> Answers(e.ob, SrtErrors(e.ob, e.dtime))
@@ -206,14 +206,17 @@ WrongAnswer(e) ==
 ActiveRequirements(o, past) ==
     LET last  == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
         reset == LastOf(past, {"restart"})
-    IN  IF reset > last THEN {"OBS-50", "TINT-38"}
+    IN  IF tod[o].active /\ tod[o].period # Once /\ tod[o].next = Never
+        THEN {}  \* a series without a further point
+        ELSE IF reset > last THEN {"OBS-50", "TINT-38"}
         ELSE IF last = 0 THEN {"TINT-06"}
         ELSE CASE past[last].event = "start"    -> {"TINT-08", "TINT-64"}
                [] past[last].event = "CAN_TINT" -> {"TINT-50"}
                [] past[last].event = "SET_TINT" ->
                     IF Worked(past[last]) THEN {"TINT-05", "TINT-31"}
                     ELSE {"TINT-31", "TINT-35"}
-               [] OTHER -> IF Blocked(o) THEN {"IRT-04", "IRT-18", "TINT-08"}
+               [] OTHER -> IF Blocked(o) \/ LostMeanwhile(past, o)
+                           THEN {"IRT-04", "IRT-18", "TINT-08"}
                            ELSE {"TINT-60"}
 
 \* @type: (Int, Seq($event)) => Set(Str);
@@ -255,11 +258,20 @@ WrongStatus(e, past) ==
 OfCall(e, past) ==
     IF mode = "STOP" THEN {"OBS-41"}
     ELSE IF mode = "HOLD" THEN {"OBS-45"}
-    ELSE IF ~Called THEN {"OBS-42"}
-    ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e)
+    ELSE IF ~Called THEN {IF mode = "STARTUP" THEN "OBS-42" ELSE "OBS-01"}
+    ELSE IF AnswerRight(e) /\ e.event \in {"QRY_TINT", "QRY_DINT"}
+    THEN WrongStatus(e, past) ELSE WrongAnswer(e)
 
 -----------------------------------------------------------------------------
 (* Starts without a start event *)
+
+(* What STEP 7 has to do with an interrupt. *)
+\* @type: (Int, Seq($event)) => Set(Str);
+Step7Requirements(o, past) ==
+    LET call == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT"}, o)
+    IN  When(cpu.step7[o].execution # "none",
+             IF LastOf(past, {"restart"}) > call THEN {"OBS-50"}
+             ELSE IF call = 0 THEN {"TINT-06"} ELSE {"TINT-38"})
 
 (* The rules that say when an interrupt of this PERIOD is due. *)
 \* @type: (Int, Int, Seq($event)) => Set(Str);
@@ -340,11 +352,15 @@ NoTodRequest(o, past) ==
                      \cup When(Blocked(TimeErrorOb), {"OBS-33"})
                      \cup When(ClockWasSet(past, from) # 0
                                  /\ TouchedInOb80(o, past), {"CLK-04", "TINT-54"})
+                     \cup When(clock.min <= tod[o].repeatTo
+                                 /\ WasServed(tod[o], clock.min), {"CLK-09"})
                      \cup When(again, {"OBS-07"})
+                     \cup When(again /\ moved = {}, {"TINT-10", "TINT-32"})
                      \cup When(again /\ moved = {}
                                  /\ LastStart(past, TimeErrorOb) > from, {"TINT-14"})
              IN  IF special # {} THEN special
                  ELSE SeriesRequirements(o, tod[o].period, past)
+                        \cup Step7Requirements(o, past)
                         \cup When(tod[o].period # Once, {"TINT-10"})
 
 (* When the delay of a job is over. *)
@@ -389,6 +405,10 @@ NoTimeError(e, past) ==
           \cup When(fault = SkippedByClock, {"CLK-02"})
           \cup When(fault = SkippedInHold, {"OBS-46"})
           \cup When(fault = BufferOverflow, {"OBS-08"})
+          \cup When(/\ fault \in {-1, SkippedByClock}
+                    /\ ~\E o \in TodObs : tod[o].active, {"CLK-14"})
+          \cup When(/\ fault = SkippedByClock
+                    /\ LastOf(past, {"DIS_AIRT"}) > LastOf(past, {"clock"}), {"CLK-18"})
 
 (* Missing OBs that were armed. *)
 \* @type: Seq($event) => Set(Str);
@@ -400,6 +420,8 @@ NoProgramError(past) ==
           \cup When(tods # {}, {"TINT-16", "TINT-17"})
           \cup When(dints # {}, {"DINT-09"})
           \cup When(\E o \in tods \cup dints : Blocked(o), {"IRT-01"})
+          \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
+                    {"AIRT-01", "AIRT-09"})
           \cup When(Reading("AMB-46") = "b", {"OBS-28"})
           \cup When(Reading("AMB-06") = "c", {"OBS-24"})
 
@@ -408,6 +430,7 @@ WithoutRequest(e, past) ==
     LET o == e.ob
     IN  CASE mode = "STOP"                -> {"OBS-41"}
           [] mode = "HOLD"                -> {"OBS-45"}
+          [] ClassOf(o) = 0               -> {"OBS-06", "TINT-02", "OBS-25"}
           [] Blocked(o)                   -> ThoughBlocked(past, o)
           [] mode = "STARTUP" /\ o \in TodObs  -> {"OBS-42", "TINT-13"}
           [] mode = "STARTUP" /\ o \in DintObs -> {"OBS-42", "DINT-12", "DINT-11"}
@@ -421,6 +444,8 @@ WithoutRequest(e, past) ==
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
           [] OTHER                        ->
                {"OBS-01", "OBS-07"} \cup SinceRun(past, o, LastStart(past, o))
+                 \cup When(LastOf(past, {"restart"}) > LastWith(past, {"interrupt"}, o),
+                           {"OBS-52"})
 
 -----------------------------------------------------------------------------
 (* Starts that have a start event *)
@@ -432,8 +457,7 @@ InterruptInfo(r, i) ==
          IF r.ob = TimeErrorOb THEN {"OBS-31"}
          ELSE {"OBS-04"} \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                 \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP", {"OBS-43"}))
-      \cup When(/\ r.ob \notin AsyncErrorObs /\ EventOf(r.ob) # -1
-                /\ ~Fits(i.strt_info, EventOf(r.ob) % 256),
+      \cup When(r.ob \notin AsyncErrorObs /\ ~FitsNumber(i.strt_info, r.ob),
                 {"OBS-10"} \cup When(r.ob \in TodObs, {"TINT-23"})
                   \cup When(r.ob \in DintObs, {"DINT-03"})
                   \cup When(r.ob \in ExternalObs, {"OBS-04"}))
@@ -486,6 +510,8 @@ StartRequirements(r, e, past) ==
     THEN {"OBS-20"} \cup When(r.ob \in TodObs, {"TINT-16"})
                     \cup When(r.ob \in DintObs, {"DINT-02", "DINT-09"})
                     \cup When(r.ob \in AsyncErrorObs, {"OBS-23"})
+                    \cup When(r.ob = ProgramErrorOb, {"OBS-21"})
+                    \cup When(r.ob = TimeErrorOb, {"OBS-22"})
     ELSE IF Blocked(r.ob) /\ r \notin requests THEN ThoughBlocked(past, r.ob)
     ELSE IF ~Undelayed
     THEN {"AIRT-01", "AIRT-03"} \cup When(r.ob \in AsyncErrorObs, {"AIRT-09"})
@@ -529,6 +555,13 @@ OfStart(e, past) ==
 -----------------------------------------------------------------------------
 (* Other lines *)
 
+(* Of a STOP that is due. *)
+StopRequirements ==
+    CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
+      [] stopCause = NoProgramErrorOb -> {"OBS-21"}
+      [] stopCause = DeselectedLoaded -> {"OBS-25"}
+      [] OTHER                        -> {"OBS-23"}
+
 \* @type: ($event, Seq($event)) => Set(Str);
 OfEntry(e, past) ==
     LET fault == e.id - ErrorEntry
@@ -539,24 +572,20 @@ OfEntry(e, past) ==
           [] e.id = NoProgramErrorOb    -> {"OBS-21"}
           [] e.id = DeselectedLoaded    -> {"OBS-25"}
           [] fault \in ObNotLoaded      -> {"OBS-20"} \cup When(quiet, {"IRT-09"})
-          [] fault = SkippedByClock     -> {"OBS-30", "CLK-02"}
+          [] fault = SkippedByClock     ->
+               {"OBS-30", "CLK-02"} \cup When(quiet, {"IRT-09"})
           [] fault = SkippedInHold      -> {"OBS-30", "OBS-46"}
           [] fault = BufferOverflow     -> {"OBS-30", "OBS-08"}
           [] OTHER                      -> {"OBS-30"} \cup When(quiet, {"IRT-09"})
 
-(* Of a STOP that is due. *)
-StopRequirements ==
-    CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
-      [] stopCause = NoProgramErrorOb -> {"OBS-21"}
-      [] stopCause = DeselectedLoaded -> {"OBS-25"}
-      [] OTHER                        -> {"OBS-23"}
-
 \* @type: ($event, Seq($event)) => Set(Str);
 Deciding(e, past) ==
     CASE e.event \in CallEvents -> OfCall(e, past)
-      [] e.event = "start"   -> OfStart(e, past)
+      [] e.event = "start"   ->
+           OfStart(e, past) \cup When(stopCause # NoCause, StopRequirements)
       [] e.event = "diag"    -> OfEntry(e, past)
       [] e.event = "end"     -> IF mode = "HOLD" THEN {"OBS-45"}
+                                ELSE IF mode = "STOP" THEN {"OBS-41"}
                                 ELSE IF Running.ob = CycleOb \/ stack = <<>>
                                 THEN {"OBS-01", "OBS-03"} ELSE {"OBS-03"}
       [] e.event = "restart" -> {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
@@ -627,7 +656,8 @@ LateTod(r, past) ==
             \cup When(Reading("AMB-18") # "d", {"OBS-07"})
             \cup When(act > 0 /\ past[act].ret = -1, {"TINT-60"})
             \cup HeldBack(r, past)
-    IN  special \cup (IF r.word = Once THEN {"TINT-23"} ELSE {"TINT-09"})
+    IN  special \cup Step7Requirements(o, past)
+          \cup (IF r.word = Once THEN {"TINT-23"} ELSE {"TINT-09"})
           \cup When(special = {},
                     {"TINT-23"} \cup SeriesRequirements(o, r.word, past))
 
@@ -667,18 +697,19 @@ LateRequirement(r, past) ==
              \cup (IF HeldBack(r, past) = {} THEN {"OBS-01", "OBS-03"}
                    ELSE HeldBack(r, past))
 
-\* @type: $entry => Set(Str);
-EntryRequirements(entry) ==
+\* @type: ($entry, Seq($event)) => Set(Str);
+EntryRequirements(entry, past) ==
     CASE entry.id = EntriesDisabled  -> {"IRT-09"}
       [] entry.id = NoTimeErrorOb    -> {"OBS-22"}
       [] entry.id = NoProgramErrorOb -> {"OBS-21"}
       [] entry.of.ob = TimeErrorOb   ->
-           {"OBS-30"} \cup When(Blocked(TimeErrorOb), {"OBS-33"})
+           {"OBS-30"} \cup When(Blocked(TimeErrorOb),
+                                {"OBS-33"} \cup BlockRequirements(past, TimeErrorOb))
       [] OTHER                       -> {"OBS-20"}
 
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRequirements(e, past) ==
     UNION { LateRequirement(r, past) : r \in Late(e) }
-      \cup UNION { EntryRequirements(r.entry) : r \in ReportsLate(e) }
+      \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
       \cup When(StopDuty \in DOMAIN waiting, StopRequirements)
 =============================================================================

@@ -122,6 +122,7 @@ DintRequest(o) ==
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==
     [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.since = clock,
+                       !.during = IF fault = CycleTimeExceeded THEN Running.ob ELSE 0,
                        !.class = IF o \in AsyncErrorObs
                                  THEN ErrorClass(o, fault) ELSE ClassOf(o) ]
 

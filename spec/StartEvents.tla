@@ -59,7 +59,8 @@ TimeErrorOccurs(kept, lost, error) ==
                                    /\ error.cause \in DintObs)
     IN  /\ requests' \in
              IF ~Blocked(TimeErrorOb)
-             THEN {IF absent THEN kept ELSE Enter(kept, error)}
+             THEN {IF stops THEN lost  \* what follows OB 80 never comes
+                   ELSE IF absent THEN kept ELSE Enter(kept, error)}
              ELSE CASE Reading("AMB-48") = "a" -> {kept}
                     [] Reading("AMB-48") = "b" -> {lost}
                     [] OTHER                   -> {kept, lost}

@@ -10,12 +10,25 @@ EXTENDS LogEvents
 
 (* Start information, table 7.2; what the table leaves open is not judged *)
 
-\* @type: Int => Int;
-EventOf(o) == CASE o \in 10..17 -> \h1111 + o - 10
-                [] o \in 20..23 -> \h1121 + o - 20
-                [] o \in 30..38 -> \h1131 + o - 30
-                [] o \in 40..43 -> \h1141 + o - 40
-                [] OTHER        -> -1
+(* The events of an OB, table 7.5.  Which of the four lines leads to which   *)
+(* of OB 40 to 47 is a matter of parameters.                               *)
+\* @type: Int => Set(Int);
+EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
+                 [] o \in 20..23 -> {\h1121 + o - 20}
+                 [] o \in 30..38 -> {\h1131 + o - 30}
+                 [] o \in 40..47 -> \h1141..\h1144
+                 [] OTHER        -> {}
+EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
+
+(* An OB whose event the table does not name has none that it names. *)
+\* @type: (Int, Int) => Bool;
+FitsEvent(given, o) ==
+    given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
+                                     ELSE given \in EventsOf(o)
+
+\* @type: (Int, Int) => Bool;
+FitsNumber(given, o) ==
+    EventsOf(o) # {} => given \in {-1} \cup { ev % 256 : ev \in EventsOf(o) }
 
 \* @type: (Int, Int) => Bool;
 Fits(given, value) == given = -1 \/ value = -1 \/ given = value
@@ -50,8 +63,9 @@ FitsFault(fault, value) ==
 
 \* @type: ($request, $info) => Bool;
 FitsCause(r, i) ==
-    \/ r.cause = 0
-    \/ /\ Fits(i.ev, EventOf(r.cause))
+    \/ r.cause = 0 /\ (r.fault # CycleTimeExceeded \/ Fits(i.ev_ob, r.during))
+    \/ /\ r.cause # 0
+       /\ FitsEvent(i.ev, r.cause)
        /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ Reading("AMB-27") = "a"
                         THEN r.during ELSE r.cause)
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
@@ -64,7 +78,9 @@ FitsError(r, i) ==
     /\ FitsFault(r.fault, i.flt_id)
     /\ FitsFault(r.fault, i.strt_info)
     /\ FitsCause(r, i)
-    /\ r.fault \in Skips /\ r.late # {} => Fits(i.error_info, LateMask(r.late))
+    /\ r.fault \in Skips =>
+         IF r.late # {} THEN Fits(i.error_info, LateMask(r.late))
+                        ELSE i.error_info \in {-1} \cup (1..255)
 
 (* [AMB-31] Under (a) the OB may have waited since the delay was over. *)
 \* @type: (Int, Int) => Bool;
@@ -75,7 +91,7 @@ FitsDtime(given, dtime) ==
 \* @type: ($request, $info) => Bool;
 FitsInterrupt(r, i) ==
     /\ Fits(i.priority, r.class)
-    /\ EventOf(r.ob) = -1 \/ Fits(i.strt_info, EventOf(r.ob) % 256)
+    /\ FitsNumber(i.strt_info, r.ob)
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
     /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)
 

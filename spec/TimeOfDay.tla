@@ -94,6 +94,16 @@ Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
 Withdrawn(o) == IF Reading("AMB-11") = "a" THEN requests
                                            ELSE Withdraw(requests, o)
 
+(* A once interrupt of which nothing more is sure to come: its point was     *)
+(* skipped, and no catch-up follows or it is open whether one does [AMB-48] *)
+(* [AMB-55].  No source says whether it is still active.                   *)
+\* @type: Int => Bool;
+Spent(o) ==
+    /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
+    /\ tod[o].period = Once /\ tod[o].next = Never
+    /\ ~PendingIn(requests, o) /\ ~OnStack(o)
+    /\ Reading("AMB-12") = "a"
+
 \* @type: Int => Set(Int);
 ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 
@@ -163,11 +173,16 @@ CanErrors(o) ==
             \/ Reading("AMB-09") = "b" /\ ~tod[o].active
          THEN {NotSet} ELSE {}
 
+\* @type: Int => Set(Int);
+CanAnswers(o) ==
+    Answers(o, CanErrors(o))
+      \cup (IF Spent(o) /\ Reading("AMB-08") = "a" THEN {NotSet} ELSE {})
+
 (* [TINT-50] [TINT-54]; an OB that runs is not stopped [TINT-53]. *)
 \* @type: (Int, Int) => Bool;
 CanTint(o, ret) ==
     /\ Called
-    /\ ret \in Answers(o, CanErrors(o))
+    /\ ret \in CanAnswers(o)
     /\ IF ret = OK THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
                         /\ requests' = Withdrawn(o)
                    ELSE UNCHANGED <<tod, requests>>
@@ -191,7 +206,9 @@ ActErrors(o) ==
 (* An active once whose start event waits: open [AMB-60]. *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
+    IF Spent(o)
+    THEN Answers(o, {}) \cup {IF Reading("AMB-08") = "a" THEN NotSet ELSE PastStart}
+    ELSE IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
        /\ PendingIn(requests, o)
     THEN CASE Reading("AMB-60") = "a" -> Answers(o, {})
            [] Reading("AMB-60") = "b" -> Answers(o, {PastStart})
@@ -240,6 +257,7 @@ ActiveBit(o) ==
     THEN CASE Reading("AMB-68") = "a" -> {4}
            [] Reading("AMB-68") = "b" -> {0}
            [] OTHER                   -> {0, 4}
+    ELSE IF Spent(o) THEN {0, 4}
     ELSE IF Reading("AMB-34") = "a" THEN {4}
     ELSE IF OnStack(o) THEN {0, 4} ELSE {0}
 

@@ -29,13 +29,17 @@ VARIABLES
     (* a STOP that must come: the ms since when.                            *)
     \* @type: Int -> Int;
     waiting,
+    (* "warm" or "cold": the restart whose first OB 1 is still to come;     *)
+    (* "none" when it has come; "unknown" in a log that begins in RUN.      *)
+    \* @type: Str;
+    first,
     (* What was entered in the diagnostic buffer and has not been seen in   *)
     (* the log: for each entry how often, and the ms since when, if such    *)
     (* lines are recorded.                                                  *)
     \* @type: Set($report);
     reports
 
-traceVars == <<terms, up, waiting, reports>>
+traceVars == <<terms, up, waiting, first, reports>>
 
 StopDuty == 99
 
@@ -52,7 +56,7 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {}]
-    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ first = "unknown" /\ reports = {}
 
 (* What the header says goes before its profile. *)
 \* @type: $header => Set(<<Str, Str>>);
@@ -105,9 +109,11 @@ Begin(h) ==
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
     /\ NothingEntered
-    /\ terms'  = [latency |-> h.latency, cycle |-> h.cycle, records |-> h.records]
+    /\ terms'  = [latency |-> h.latency, records |-> h.records,
+                  cycle |-> h.cycle /\ "ob" \in h.records]
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
+    /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"
     /\ reports' = {}
 
 -----------------------------------------------------------------------------
@@ -167,8 +173,14 @@ Report(age) ==
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
                                  : n \in new }
 
+(* OB 1 starts, or a restart begins. *)
+NextFirst ==
+    first' = IF mode = "STOP" /\ mode' = "STARTUP" THEN startup'
+             ELSE IF stack = <<>> /\ OnStack(CycleOb)' THEN "none" ELSE first
+
 (* Waiting goes on for what still may start, and begins for what now may.   *)
 Rewait ==
+    /\ NextFirst
     /\ waiting' = IF Unbound \/ (requests' = {} /\ stopCause' = NoCause)
                   THEN [c \in {} |-> 0]
                   ELSE [ c \in Awaited' |->
@@ -179,7 +191,8 @@ Rewait ==
 \* @type: $request => Bool;
 RewaitMissing(r) ==
     LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)] ELSE 0
-    IN  /\ waiting' = [ c \in Awaited' |->
+    IN  /\ UNCHANGED first
+        /\ waiting' = [ c \in Awaited' |->
                           LET before == IF c \in DOMAIN waiting THEN waiting[c]
                                                                 ELSE 0
                           IN  IF c > r.class /\ since > before THEN since
@@ -260,6 +273,7 @@ ElapseTo(until, to) ==
     IN  /\ InTime(d)
         /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
         /\ reports' = ReportsAfter(d)
+        /\ UNCHANGED first
         /\ up' = until
         /\ IF to # clock THEN TimePasses(to, d)
            ELSE /\ dint' = JobsAfter(d)
@@ -337,11 +351,19 @@ HidesBefore(e) == \/ stack = <<>>
 -----------------------------------------------------------------------------
 (* Lines *)
 
+(* The event of OB 1, table 7.5: that of the first one after a restart, and  *)
+(* that of the others.  Where the log begins in RUN it is not known.       *)
+CycleEvents == CASE first = "warm" -> {1}
+                 [] first = "cold" -> {4}
+                 [] first = "none" -> {3}
+                 [] OTHER          -> 1..4
+
 \* @type: $event => Bool;
 IsStart(e) ==
     CASE e.ob = CycleOb ->
            /\ Fits(e.info.priority, 1)
-           /\ e.info.strt_info \in {-1} \cup (1..4)
+           /\ e.info.strt_info \in {-1} \cup CycleEvents
+           /\ ~Before(clock, e.info.time)
            /\ \/ CycleStarts
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
@@ -352,6 +374,7 @@ IsStart(e) ==
            /\ Fits(e.info.priority, 27)
            /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
                                                           ELSE \h85..\h86)
+           /\ ~Before(clock, e.info.time)
            /\ StartupStarts(e.ob)
       [] OTHER ->
            \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e.info) } :
@@ -397,7 +420,7 @@ Shows(e) ==
                                    SetErrors(e.ob, e.sdt, e.period))) :
                 SetTint(e.ob, e.sdt, e.period, ret)
          [] e.event = "CAN_TINT" ->
-              \E ret \in Given(e.ret, Answers(e.ob, CanErrors(e.ob))) :
+              \E ret \in Given(e.ret, CanAnswers(e.ob)) :
                 CanTint(e.ob, ret)
          [] e.event = "ACT_TINT" ->
               \E ret \in Given(e.ret, ActAnswers(e.ob)) : ActTint(e.ob, ret)
@@ -430,10 +453,10 @@ Shows(e) ==
          [] e.event = "release" -> Release
          [] e.event = "stop" -> IsStop(e)
          [] e.event = "diag" -> IsEntry(e)
-    /\ IF e.event = "diag" THEN UNCHANGED waiting ELSE Rewait
+    /\ IF e.event = "diag" THEN UNCHANGED <<waiting, first>> ELSE Rewait
     /\ UNCHANGED <<terms, up>>
 
 (* What tells two explanations of a log apart. *)
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
-              requests, stack, delay, stopCause, up, waiting, reports>>
+              requests, stack, delay, stopCause, up, waiting, first, reports>>
 =============================================================================

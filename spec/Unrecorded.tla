@@ -71,6 +71,12 @@ UnseenCall(e) ==
 SetByCalls == { o \in TodObs \cup DintObs : ~Deselected(o) }
 SetAndAbsent == IF Unseen("load") THEN SetByCalls ELSE SetByCalls \ loaded
 
+(* [TINT-11] A point, a whole minute, from now on and before t.             *)
+\* @type: $moment => Bool;
+PassesMinute(t) ==
+    \/ Reading("AMB-14") = "c"
+    \/ Before(At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
+
 (* A clock set forward, or a HOLD, may have passed points that a call set.   *)
 \* @type: $event => Bool;
 SkipsByCall(e) ==
@@ -80,6 +86,7 @@ SkipsByCall(e) ==
         error == [TimeError(fault, {}, 0, 0) EXCEPT !.since = to, !.open = TRUE]
     IN  /\ \/ held /\ mode = "HOLD"
            \/ e.event = "clock" /\ Before(clock, to) /\ mode # "STOP"
+              /\ PassesMinute(to)
         /\ mode'  = IF held THEN "RUN" ELSE mode
         /\ clock' = to
         /\ tod'   = Rearmed(to, "a")
@@ -142,15 +149,17 @@ MayHaveOccurred(e) ==
         known == [ NoRequest EXCEPT !.ob = e.ob, !.word = -1, !.dtime = -1,
                                     !.during = -1, !.class = ClassOf(e.ob) ]
         error == [known EXCEPT !.fault = f, !.class = ErrorClass(e.ob, f)]
-        overlap == f \in {UnknownFault, StillRunning, BufferOverflow}
-        missing == f \in {UnknownFault} \cup ObNotLoaded
+        others == (IF Unseen("interrupt") THEN ExternalObs ELSE {})
+                    \cup (IF Unseen("call") THEN SetByCalls ELSE {})
+        causes == IF e.ob = TimeErrorOb
+                  THEN IF f \in {UnknownFault, StillRunning, BufferOverflow}
+                       THEN others ELSE {}
+                  ELSE IF f \in {UnknownFault} \cup ObNotLoaded
+                  THEN IF Unseen("load") THEN others ELSE others \ loaded
+                  ELSE {}
     IN  CASE e.ob \in {TimeErrorOb, ProgramErrorOb} ->
-               (IF Unseen("interrupt") THEN {error} ELSE {})
-                 \cup (IF ~Unseen("call") THEN {}
-                       ELSE { [error EXCEPT !.cause = o]
-                              : o \in IF e.ob = TimeErrorOb
-                                      THEN IF overlap THEN SetByCalls ELSE {}
-                                      ELSE IF missing THEN SetAndAbsent ELSE {} })
+               (IF Unseen("interrupt") /\ f \notin FaultsOfRules THEN {error} ELSE {})
+                 \cup { [error EXCEPT !.cause = o] : o \in causes }
           [] e.ob \in AsyncErrorObs ->
                IF Unseen("interrupt") THEN {[known EXCEPT !.class = error.class]} ELSE {}
           [] e.ob \in ExternalObs -> IF Unseen("interrupt") THEN {known} ELSE {}
@@ -177,7 +186,7 @@ EntersUnseen(e) ==
     /\ e.id = NoTimeErrorOb => TimeErrorOb \notin loaded \/ Unseen("load")
     /\ e.id = NoProgramErrorOb => ProgramErrorOb \notin loaded \/ Unseen("load")
     /\ NothingEntered
-    /\ UNCHANGED <<cpuVars, waiting, reports>>
+    /\ UNCHANGED <<cpuVars, waiting, first, reports>>
 
 \* @type: $event => Bool;
 ShowsPartly(e) ==
