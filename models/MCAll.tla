@@ -36,8 +36,8 @@ VARIABLE
 
 Budget == 2
 
-Interventions == {"SET_TINT", "CAN_TINT", "ACT_TINT", "SRT_DINT", "CAN_DINT",
-                  "DIS_IRT", "EN_IRT", "interrupt", "clock", "switch"}
+Interventions == {"CAN_TINT", "ACT_TINT", "SRT_DINT", "CAN_DINT", "DIS_IRT",
+                  "EN_IRT", "interrupt", "clock", "switch"}
 
 BudgetInit == Init /\ spent = 0
 BudgetNext ==
