@@ -55,8 +55,8 @@ SkippedInHold   == \h06
 Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
-(* Those that the rules make; others come from outside. *)
-FaultsOfRules   == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
+(* Those whose cause is the start event of an OB. *)
+FaultsOfStart   == {StillRunning, BufferOverflow} \cup ObNotLoaded
 (* Which one, no source says. *)
 UnknownFault    == -1
 

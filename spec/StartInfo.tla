@@ -19,6 +19,8 @@ EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 40..47 -> \h1141..\h1144
                  [] OTHER        -> {}
 EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
+(* Those that calls set; what comes of them is never without its cause. *)
+EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 
 (* An OB whose event the table does not name has none that it names. *)
 \* @type: (Int, Int) => Bool;
@@ -63,7 +65,9 @@ FitsFault(fault, value) ==
 
 \* @type: ($request, $info) => Bool;
 FitsCause(r, i) ==
-    \/ r.cause = 0 /\ (r.fault # CycleTimeExceeded \/ Fits(i.ev_ob, r.during))
+    \/ /\ r.cause = 0
+       /\ r.fault = CycleTimeExceeded => Fits(i.ev_ob, r.during)
+       /\ r.fault \in FaultsOfStart => i.ev \notin EventsOfCalls
     \/ /\ r.cause # 0
        /\ FitsEvent(i.ev, r.cause)
        /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ Reading("AMB-27") = "a"

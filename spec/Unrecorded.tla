@@ -149,17 +149,15 @@ MayHaveOccurred(e) ==
         known == [ NoRequest EXCEPT !.ob = e.ob, !.word = -1, !.dtime = -1,
                                     !.during = -1, !.class = ClassOf(e.ob) ]
         error == [known EXCEPT !.fault = f, !.class = ErrorClass(e.ob, f)]
-        others == (IF Unseen("interrupt") THEN ExternalObs ELSE {})
-                    \cup (IF Unseen("call") THEN SetByCalls ELSE {})
-        causes == IF e.ob = TimeErrorOb
-                  THEN IF f \in {UnknownFault, StillRunning, BufferOverflow}
-                       THEN others ELSE {}
-                  ELSE IF f \in {UnknownFault} \cup ObNotLoaded
-                  THEN IF Unseen("load") THEN others ELSE others \ loaded
-                  ELSE {}
+        overlap == f \in {UnknownFault, StillRunning, BufferOverflow}
+        missing == f \in {UnknownFault} \cup ObNotLoaded
     IN  CASE e.ob \in {TimeErrorOb, ProgramErrorOb} ->
-               (IF Unseen("interrupt") /\ f \notin FaultsOfRules THEN {error} ELSE {})
-                 \cup { [error EXCEPT !.cause = o] : o \in causes }
+               (IF Unseen("interrupt") /\ f \notin Skips THEN {error} ELSE {})
+                 \cup (IF ~Unseen("call") THEN {}
+                       ELSE { [error EXCEPT !.cause = o]
+                              : o \in IF e.ob = TimeErrorOb
+                                      THEN IF overlap THEN SetByCalls ELSE {}
+                                      ELSE IF missing THEN SetAndAbsent ELSE {} })
           [] e.ob \in AsyncErrorObs ->
                IF Unseen("interrupt") THEN {[known EXCEPT !.class = error.class]} ELSE {}
           [] e.ob \in ExternalObs -> IF Unseen("interrupt") THEN {known} ELSE {}
