@@ -384,10 +384,11 @@ IsStart(e) ==
 IsClock(e) ==
     IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered ELSE ClockSet(e.to)
 
-(* The cause is that of the rule, if a rule stops the CPU. *)
+(* The cause is that of the rule, if a rule stops the CPU.  The switch may   *)
+(* be turned at any time, in STOP without effect.                          *)
 \* @type: $event => Bool;
 IsStop(e) ==
-    /\ Stop
+    /\ IF mode = "STOP" THEN UNCHANGED cpuVars /\ NothingEntered ELSE Stop
     /\ \/ e.cause = -1
        \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}

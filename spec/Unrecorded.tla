@@ -74,8 +74,8 @@ SetAndAbsent == IF Unseen("load") THEN SetByCalls ELSE SetByCalls \ loaded
 (* [TINT-11] A point, a whole minute, from now on and before t.             *)
 \* @type: $moment => Bool;
 PassesMinute(t) ==
-    \/ Reading("AMB-14") = "c"
-    \/ Before(At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
+    Before(IF Reading("AMB-14") = "c" THEN clock
+           ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
 
 (* A clock set forward, or a HOLD, may have passed points that a call set.   *)
 \* @type: $event => Bool;
@@ -85,8 +85,7 @@ SkipsByCall(e) ==
         fault == IF held THEN SkippedInHold ELSE SkippedByClock
         error == [TimeError(fault, {}, 0, 0) EXCEPT !.since = to, !.open = TRUE]
     IN  /\ \/ held /\ mode = "HOLD"
-           \/ e.event = "clock" /\ Before(clock, to) /\ mode # "STOP"
-              /\ PassesMinute(to)
+           \/ e.event = "clock" /\ PassesMinute(to) /\ mode # "STOP"
         /\ mode'  = IF held THEN "RUN" ELSE mode
         /\ clock' = to
         /\ tod'   = Rearmed(to, "a")
