@@ -487,8 +487,7 @@ ErrorInfo(r, i) ==
           \cup When(~Fits(i.priority, r.class),
                     When(r.fault = BufferOverflow, {"OBS-08"})
                       \cup When(r.fault = SkippedInHold, {"OBS-46"}))
-          \cup When(/\ r.fault \in Skips /\ r.late # {}
-                    /\ ~Fits(i.error_info, LateMask(r.late)),
+          \cup When(~FitsMask(r, i.error_info),
                     {"CLK-06", "OBS-32"}
                       \cup When(r.fault = SkippedInHold, {"OBS-46"}))
 

@@ -75,6 +75,12 @@ FitsCause(r, i) ==
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
 
+(* [CLK-06] Where the OBs that are late are not known, there is one at least. *)
+\* @type: ($request, Int) => Bool;
+FitsMask(r, given) ==
+    r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
+                                        ELSE given \in {-1} \cup (1..255)
+
 (* What the start information and the entry of an error both say. *)
 \* @type: ($request, $info) => Bool;
 FitsError(r, i) ==
@@ -82,9 +88,7 @@ FitsError(r, i) ==
     /\ FitsFault(r.fault, i.flt_id)
     /\ FitsFault(r.fault, i.strt_info)
     /\ FitsCause(r, i)
-    /\ r.fault \in Skips =>
-         IF r.late # {} THEN Fits(i.error_info, LateMask(r.late))
-                        ELSE i.error_info \in {-1} \cup (1..255)
+    /\ FitsMask(r, i.error_info)
 
 (* [AMB-31] Under (a) the OB may have waited since the delay was over. *)
 \* @type: (Int, Int) => Bool;
