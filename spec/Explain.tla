@@ -61,12 +61,11 @@ Possible ==
 
 \* @type: $event => Set($allowed);
 Expected(e) ==
-    IF e.event \in CallEvents /\ Called
-    THEN IF ~AnswerRight(e)
-         THEN { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
-         ELSE IF e.event \in {"QRY_TINT", "QRY_DINT"}
+    IF BeforeItsEnd(e) THEN {}
+    ELSE IF e.event \in CallEvents /\ Called
+    THEN IF AnswerRight(e)
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
-         ELSE Possible
+         ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
     ELSE Possible
 
 (* What had to come before this line. *)

@@ -131,6 +131,11 @@ RightAnswers(e) ==
            [] e.event = "DIS_AIRT" -> {delay + 1}
            [] OTHER -> {IF delay = 0 THEN NotDelayed ELSE delay - 1}
 
+(* [AMB-70] (b) The delay has to end before this call. *)
+\* @type: $event => Bool;
+BeforeItsEnd(e) ==
+    e.event \in {"SRT_DINT", "CAN_DINT", "QRY_DINT"} /\ ~Ended(e.ob)
+
 \* @type: $event => Set(Int);
 RightStatuses(e) == IF Unseen("call") THEN PossibleStatuses(e.ob)
                     ELSE IF e.event = "QRY_TINT" THEN Statuses(e.ob)
@@ -259,8 +264,7 @@ OfCall(e, past) ==
     IF mode = "STOP" THEN {"OBS-41"}
     ELSE IF mode = "HOLD" THEN {"OBS-45"}
     ELSE IF ~Called THEN {IF mode = "STARTUP" THEN "OBS-42" ELSE "OBS-01"}
-    ELSE IF AnswerRight(e) /\ e.event \in {"QRY_TINT", "QRY_DINT"}
-    THEN WrongStatus(e, past) ELSE WrongAnswer(e)
+    ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e)
 
 -----------------------------------------------------------------------------
 (* Starts without a start event *)
@@ -599,8 +603,10 @@ Deciding(e, past) ==
 (* least number.                                                           *)
 \* @type: $event => Int;
 Distance(e) ==
-    CASE e.event \in CallEvents -> IF ~Called THEN 2
-                                   ELSE IF AnswerRight(e) THEN 0 ELSE 1
+    CASE e.event \in CallEvents ->
+           IF ~Called THEN 3
+           ELSE IF BeforeItsEnd(e) THEN 2
+           ELSE IF AnswerRight(e) THEN 0 ELSE 1
       [] e.event = "start" ->
            LET all == { Depth(r, e.info.flt_id) : r \in Candidates(e) }
            IN  IF mode = "STOP" THEN 10
