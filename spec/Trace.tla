@@ -392,9 +392,7 @@ IsStop(e) ==
     /\ \/ e.cause = -1
        \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
-       \/ /\ delay > 0  \* the rule may come when the delay ends [AMB-49]
-          /\ \/ Reading("AMB-49") = "c"
-             \/ Reading("AMB-49") = "b" /\ e.cause # stopCause
+       \/ delay > 0 /\ Reading("AMB-49") # "a"  \* the rule may come later
 
 (* An entry of the diagnostic buffer has a cause that was not yet reported. *)
 \* @type: $event => Bool;
