@@ -20,7 +20,7 @@ verify: setup  ## the main job: models of the CI lane, the soft PLC run live, al
 	$(BIN)/s7check verify
 
 test: setup lint  ## all tests: ruff and mypy, Python, models harness, engine, soft PLC
-	$(BIN)/python -m pytest -q trace_checker/tests
+	$(BIN)/python -m pytest -q
 	cd trace_checker/engine && mvn -q -B test
 	$(MAKE) -s -C examples/soft_plc test
 
@@ -71,14 +71,14 @@ prove:  ## SFC 41/42 as a counted lock and the life of a time-of-day interrupt, 
 
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
-	$(BIN)/python -m trace_checker.tests.fuzz --inputs $(FUZZ)
+	$(BIN)/python -m tests.fuzz --inputs $(FUZZ)
 
 wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
 lint: setup  ## ruff and mypy
-	$(BIN)/ruff check setup.py trace_checker bench models
-	$(BIN)/mypy trace_checker
+	$(BIN)/ruff check setup.py trace_checker evidence bench models
+	$(BIN)/mypy
 
 bench: setup  ## speed of the trace checker beside TLC on the same logs: bench/RESULTS.md
 	@mkdir -p build
@@ -88,11 +88,11 @@ bench: setup  ## speed of the trace checker beside TLC on the same logs: bench/R
 clean:  ## remove what was built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build
 
-$(BIN)/s7check: requirements.lock pyproject.toml
+$(BIN)/s7check: requirements.lock pyproject.toml evidence/pyproject.toml
 	@echo "setting up $(VENV)"
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
-	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps -e .
+	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps -e . -e evidence
 	@touch $@
 
 $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/main -name '*.java')

@@ -19,18 +19,18 @@ class BuildWithData(build_py):
     """An editable installation goes on using the checkout's own files."""
 
     def run(self) -> None:
-        """Copies the packages, then what they need besides, as trace_checker/resources.py looks for it."""
+        """Copies the packages, then what they need besides, as s7check/resources.py looks for it."""
         if self.editable_mode:
             super().run()
             return
-        package = Path(self.build_lib) / "trace_checker"
+        package = Path(self.build_lib) / "s7check"
         # What an earlier build left there would get into the wheel.
         shutil.rmtree(package, ignore_errors=True)
         super().run()
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
         for jar in (JAR, *TARGET.glob("lib/*.jar")):
-            copy = Path(self.build_lib) / jar
+            copy = package / "engine" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(jar, copy)
 

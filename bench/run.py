@@ -17,9 +17,9 @@ from pathlib import Path
 
 import click
 
-from trace_checker import log_as_tla
-from trace_checker.java import find_java
-from trace_checker.models.tlc import Toolchain, find_toolchain
+from evidence import log_as_tla
+from evidence.models.tlc import Toolchain, find_toolchain
+from s7check.java import find_java
 
 PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"
@@ -97,7 +97,7 @@ def soft_plc(log: Path, *arguments: str) -> Path:
 def check(logs: Path, java_options: str = "", highest: int = 0) -> Checked:
     """Check logs, which have to give no exit code above ``highest``."""
     environment = os.environ | ({"JDK_JAVA_OPTIONS": java_options} if java_options else {})
-    command = [sys.executable, "-m", "trace_checker", "trace", "--readings", "none", str(logs)]
+    command = [sys.executable, "-m", "s7check", "trace", "--readings", "none", str(logs)]
     before = cpu_of_children()
     began = time.monotonic()
     # A file: nobody would empty a pipe while the process runs.

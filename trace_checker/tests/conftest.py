@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import trace_command
-from trace_checker.check import check_log
-from trace_checker.engine_client import Engine
-from trace_checker.verdict import Report
+from s7check import trace_command
+from s7check.check import check_log
+from s7check.engine_client import Engine
+from s7check.verdict import Report
 
 FAKE_ENGINE = Path(__file__).with_name("fake_engine.py")
 

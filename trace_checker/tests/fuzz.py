@@ -1,4 +1,4 @@
-"""Damaged logs and sources: ``python -m trace_checker.tests.fuzz [--inputs N] [--seed N]``, or ``make fuzz``.
+"""Damaged logs and sources: ``python -m tests.fuzz [--inputs N] [--seed N]``, or ``make fuzz``.
 
 Each input is a shipped log, or a source of ``s7check import``, damaged in a way that its number and the seed decide.
 Whatever it is, there has to be a verdict or a refusal, in one sentence, and every format has to be able to say it.
@@ -23,18 +23,18 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from trace_checker import cli
-from trace_checker.check import check_log
-from trace_checker.engine_client import Engine
-from trace_checker.replay import FOLLOWED, Replay, with_readings, with_steps
-from trace_checker.report.as_html import to_html
-from trace_checker.report.as_json import to_json
-from trace_checker.report.as_junit import to_junit
-from trace_checker.report.as_sarif import to_sarif
-from trace_checker.report.as_text import to_text
-from trace_checker.verdict import Report
+from s7check import cli
+from s7check.check import check_log
+from s7check.engine_client import Engine
+from s7check.replay import FOLLOWED, Replay, with_readings, with_steps
+from s7check.report.as_html import to_html
+from s7check.report.as_json import to_json
+from s7check.report.as_junit import to_junit
+from s7check.report.as_sarif import to_sarif
+from s7check.report.as_text import to_text
+from s7check.verdict import Report
 
-TRACES = Path(cli.__file__).parents[1] / "traces"
+TRACES = Path(cli.__file__).parents[2] / "traces"
 KEPT = Path("build") / "fuzz"
 SOURCES = Path(__file__).with_name("data") / "import"
 

@@ -4,15 +4,15 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.report import clauses
+from s7check import cli
+from s7check.report import clauses
 
-DOCS = Path(cli.__file__).parents[1] / "docs"
+DOCS = Path(cli.__file__).parents[2] / "docs"
 
 
 @pytest.mark.skipif(not DOCS.is_dir(), reason="no checkout: docs/ is not there")
 def test_agrees_with_the_documents() -> None:
-    """The shipped file is what the documents say now; `python -m trace_checker.report.clauses` makes it."""
+    """The shipped file is what the documents say now; `python -m s7check.report.clauses` makes it."""
     texts = [(DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
     stated = clauses.read_catalogue(*texts)
     assert [clauses.clause(one.id) for one in stated] == stated

@@ -15,19 +15,19 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from trace_checker import __version__, check, cli, trace_command
-from trace_checker.engine_answer import Allowed
-from trace_checker.engine_client import Engine
-from trace_checker.engine_command import EngineError
-from trace_checker.report.clauses import clause
-from trace_checker.report.expected import format_allowed
-from trace_checker.tests.fake_engine import CANDIDATE
-from trace_checker.tests.logs import event, log_text
-from trace_checker.tests.processes import heed_ctrl_c
+from s7check import __version__, check, cli, trace_command
+from s7check.engine_answer import Allowed
+from s7check.engine_client import Engine
+from s7check.engine_command import EngineError
+from s7check.report.clauses import clause
+from s7check.report.expected import format_allowed
+from tests.fake_engine import CANDIDATE
+from tests.logs import event, log_text
+from tests.processes import heed_ctrl_c
 
 pytestmark = pytest.mark.usefixtures("_fake_engine")
 
-RUNNER = [sys.executable, "-m", "trace_checker.tests.run_with_fake_engine"]
+RUNNER = [sys.executable, "-m", "tests.run_with_fake_engine"]
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(Path(cli.__file__).parents[1])}
 
 ACCEPTED = log_text(event("run"), event("EN_AIRT", ret=0))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import cli
+from s7check import cli
 
 
 def asked(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> list[str]:
@@ -55,12 +55,12 @@ def test_script(shell: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 @pytest.mark.skipif(shutil.which("bash") is None, reason="bash is not there")
 def test_bash(tmp_path: Path) -> None:
     """As docs/commands.md says it: bash reads the script, then completes."""
-    (tmp_path / "s7check").write_text(f'#!/bin/sh\nexec {sys.executable} -m trace_checker "$@"\n', encoding="utf-8")
+    (tmp_path / "s7check").write_text(f'#!/bin/sh\nexec {sys.executable} -m s7check "$@"\n', encoding="utf-8")
     (tmp_path / "s7check").chmod(0o755)
     script = (
         f'PATH="{tmp_path}:$PATH"; eval "$(_S7CHECK_COMPLETE=bash_source s7check)"; complete -p s7check; '
-        'COMP_WORDS=(s7check requ) COMP_CWORD=1; _s7check_completion s7check; echo "${COMPREPLY[@]}"'
+        'COMP_WORDS=(s7check impo) COMP_CWORD=1; _s7check_completion s7check; echo "${COMPREPLY[@]}"'
     )
-    project = Path(cli.__file__).parents[1]
+    project = Path(cli.__file__).parents[2]
     run = subprocess.run(["bash", "-c", script], cwd=project, capture_output=True, text=True, check=False)
-    assert run.stdout.splitlines() == ["complete -o nosort -F _s7check_completion s7check", "requirements"], run.stderr
+    assert run.stdout.splitlines() == ["complete -o nosort -F _s7check_completion s7check", "import"], run.stderr

@@ -9,11 +9,11 @@ from typing import Any
 
 import pytest
 
-from trace_checker.engine_answer import Allowed, Answer, Frame
-from trace_checker.engine_client import Engine
-from trace_checker.engine_command import EngineError
-from trace_checker.log.reader import Batch, read_log
-from trace_checker.tests.logs import BEGIN, event, log_text
+from s7check.engine_answer import Allowed, Answer, Frame
+from s7check.engine_client import Engine
+from s7check.engine_command import EngineError
+from s7check.log.reader import Batch, read_log
+from tests.logs import BEGIN, event, log_text
 
 
 @pytest.fixture
@@ -136,14 +136,14 @@ def test_failure_while_waiting(engine: Engine) -> None:
 )
 def test_no_engine(command: list[str], message: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """What does not get ready is an error."""
-    monkeypatch.setattr("trace_checker.engine_process._PATIENCE", 0.1)
+    monkeypatch.setattr("s7check.engine_process._PATIENCE", 0.1)
     with Engine(lambda: command) as engine, pytest.raises(EngineError, match=message):
         feed(engine)
 
 
 def test_end_by_force(monkeypatch: pytest.MonkeyPatch) -> None:
     """A process that does not end is killed."""
-    monkeypatch.setattr("trace_checker.engine_process._PATIENCE", 0.1)
+    monkeypatch.setattr("s7check.engine_process._PATIENCE", 0.1)
     begun = time.monotonic()
     ready = """echo '{"engine": "ready"}'; echo '{"verdict": "accepted"}'; cat > /dev/null; sleep 60"""
     with Engine(lambda: ["sh", "-c", ready]) as engine:

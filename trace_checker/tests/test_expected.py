@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.log.source import open_log
-from trace_checker.log.values import instant, iso
-from trace_checker.tests.test_shipped_logs import INDEX, TRACES
-from trace_checker.verdict import Report
+from s7check import cli
+from s7check.log.source import open_log
+from s7check.log.values import instant, iso
+from s7check.verdict import Report
+from tests.test_shipped_logs import INDEX, TRACES
 
 Judge = Callable[[Path], Report]
 REJECTED = [TRACES / entry["file"] for entry in INDEX if entry["verdict"] == "rejected"]

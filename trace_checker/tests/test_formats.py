@@ -10,8 +10,8 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 
-from trace_checker import cli, trace_command
-from trace_checker.tests.logs import event, log_text
+from s7check import cli, trace_command
+from tests.logs import event, log_text
 
 pytestmark = pytest.mark.usefixtures("_fake_engine", "_logs")
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.log.reader import read_log
+from s7check import cli
+from s7check.log.reader import read_log
 
 DATA = Path(__file__).parent / "data" / "import"
 CPU = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100"]
@@ -361,7 +361,7 @@ def test_output_file(tmp_path: Path) -> None:
     log = tmp_path / "log.ndjson"
     arguments = ["import", "--from", "step7", str(DATA / "german.txt"), *CPU]
     assert cli.main([*arguments, "-o", str(log)]) == 0
-    piped = subprocess.run([sys.executable, "-m", "trace_checker", *arguments], capture_output=True, check=True)
+    piped = subprocess.run([sys.executable, "-m", "s7check", *arguments], capture_output=True, check=True)
     assert log.read_bytes() == piped.stdout
     assert list(tmp_path.iterdir()) == [log]
 
@@ -401,7 +401,7 @@ def test_no_file(tmp_path: Path, refused: Callable[..., str]) -> None:
 
 def test_standard_input() -> None:
     """- is standard input."""
-    command = [sys.executable, "-m", "trace_checker", "import", "--from", "step7", "-", *CPU]
+    command = [sys.executable, "-m", "s7check", "import", "--from", "step7", "-", *CPU]
     content = (DATA / "german.txt").read_bytes()
     run = subprocess.run(command, input=content, capture_output=True, check=True)
     assert run.stderr.startswith(b"standard input: 5 entries read, 0 skipped")

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trace_checker.importing import bcd, diagnostics, szl
-from trace_checker.importing.entry import Buffer, Entry
-from trace_checker.importing.errors import SourceError
-from trace_checker.importing.header import complete
-from trace_checker.importing.log_text import render
-from trace_checker.importing.recording import Recording
+from s7check.importing import bcd, diagnostics, szl
+from s7check.importing.entry import Buffer, Entry
+from s7check.importing.errors import SourceError
+from s7check.importing.header import complete
+from s7check.importing.log_text import render
+from s7check.importing.recording import Recording
 
 TIME = "2611210559300007"
 """2026-11-21T05:59:30.000, a Saturday."""

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.importing import live
-from trace_checker.tests.test_import_diagnostics import records
-from trace_checker.tests.test_import_ring import dump, entry
-from trace_checker.tests.test_shipped_logs import PROJECT
+from s7check import cli
+from s7check.importing import live
+from tests.test_import_diagnostics import records
+from tests.test_import_ring import dump, entry
+from tests.test_shipped_logs import PROJECT
 
 PDU = 240
 """The shortest PDU that CPUs negotiate; an S7-300 has it."""

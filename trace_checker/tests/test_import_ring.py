@@ -15,16 +15,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trace_checker import cli
-from trace_checker.importing import ring
-from trace_checker.importing.elapsed import Elapsed
-from trace_checker.importing.errors import SourceError
-from trace_checker.importing.header import complete
-from trace_checker.importing.log_text import render
-from trace_checker.importing.recording import Recording
-from trace_checker.importing.ring_layout import RingEntry, RingHeader
+from s7check import cli
+from s7check.importing import ring
+from s7check.importing.elapsed import Elapsed
+from s7check.importing.errors import SourceError
+from s7check.importing.header import complete
+from s7check.importing.log_text import render
+from s7check.importing.recording import Recording
+from s7check.importing.ring_layout import RingEntry, RingHeader
 
-INSTRUMENTATION = Path(cli.__file__).parents[1] / "instrumentation" / "scl"
+INSTRUMENTATION = Path(cli.__file__).parents[2] / "instrumentation" / "scl"
 SOURCE = (INSTRUMENTATION / "s7log.scl").read_text(encoding="ascii")
 
 SIZES = {"BYTE": 1, "WORD": 2, "INT": 2, "DWORD": 4, "DINT": 4, "TIME": 4, "DATE_AND_TIME": 8}

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker.names import logs_of
+from s7check.names import logs_of
 
 
 @pytest.fixture

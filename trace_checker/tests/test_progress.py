@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker.log.source import open_log
-from trace_checker.report import progress
+from s7check.log.source import open_log
+from s7check.report import progress
 
 
 class Terminal(io.StringIO):

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker.cli import main
+from s7check.cli import main
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import check, cli
-from trace_checker.log.lines import Lines
-from trace_checker.tests import fuzz
-from trace_checker.tests.logs import event, log_text
-from trace_checker.tests.test_cli import ENVIRONMENT, RUNNER
+from s7check import check, cli
+from s7check.log.lines import Lines
+from tests import fuzz
+from tests.logs import event, log_text
+from tests.test_cli import ENVIRONMENT, RUNNER
 
 MEMORY = 300 * 1024 * 1024
 """Bytes of address space that s7check itself must do with, as docs/commands.md says."""

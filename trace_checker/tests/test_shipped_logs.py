@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.verdict import Report
+from s7check import cli
+from s7check.verdict import Report
 
-PROJECT = Path(cli.__file__).parents[1]
+PROJECT = Path(cli.__file__).parents[2]
 TRACES = PROJECT / "traces"
 CATALOGUE = PROJECT / "docs" / "requirements.md"
 INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
@@ -24,7 +24,7 @@ Lines = list[str]
 @pytest.fixture(scope="module")
 def reports() -> dict[str, dict[str, Any]]:
     """What one run of ``s7check trace --format json`` says of each log of the index."""
-    command = [sys.executable, "-m", "trace_checker", "trace", "--format", "json"]
+    command = [sys.executable, "-m", "s7check", "trace", "--format", "json"]
     logs = [str(TRACES / entry["file"]) for entry in INDEX]
     run = subprocess.run([*command, *logs], cwd=PROJECT, capture_output=True, timeout=600, check=False)
     assert run.stderr == b""

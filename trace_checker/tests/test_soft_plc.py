@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from trace_checker import cli
-from trace_checker.verdict import Report
+from s7check import cli
+from s7check.verdict import Report
 
-FOLDER = Path(cli.__file__).parents[1] / "examples" / "soft_plc"
+FOLDER = Path(cli.__file__).parents[2] / "examples" / "soft_plc"
 SCENARIOS = sorted(path.stem for path in (FOLDER / "scenarios").glob("*.scn"))
 REAL_TIME = "real_time"
 """The scenario that takes as long as it says."""

@@ -1,9 +1,9 @@
 """The picture of a log."""
 
-from trace_checker.engine_answer import Frame, Pending, Situation, Step
-from trace_checker.report.timeline import timeline
-from trace_checker.tests.logs import event, log_text
-from trace_checker.verdict import Report
+from s7check.engine_answer import Frame, Pending, Situation, Step
+from s7check.report.timeline import timeline
+from s7check.verdict import Report
+from tests.logs import event, log_text
 
 
 def test_start_event_that_a_stop_clears() -> None:

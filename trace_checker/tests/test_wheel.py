@@ -1,20 +1,43 @@
 """The wheel, installed where there is no make, no Maven and no checkout."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 import sysconfig
 import venv
+from importlib import metadata
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 
-from trace_checker import resources
-from trace_checker.tests.test_shipped_logs import PROJECT, TRACES
+from s7check import __version__, resources
+from tests.test_shipped_logs import PROJECT, TRACES
 
 PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check", "--no-cache-dir"]
 OFFLINE = ["--no-index", "--no-deps"]
+
+
+def needed(distribution: str) -> set[str]:
+    """The distributions that one needs on this system, directly or not; itself among them."""
+    found, left = set[str](), [distribution]
+    while left:
+        name = left.pop()
+        if name not in found:
+            found.add(name)
+            stated = [Requirement(text) for text in metadata.requires(name) or []]
+            left += [one.name for one in stated if one.marker is None or one.marker.evaluate({"extra": ""})]
+    return found
+
+
+def install_again(distribution: str, folder: Path) -> None:
+    """Copies the files of a distribution of this environment into ``folder``."""
+    for file in metadata.files(distribution) or []:
+        if ".." not in file.parts:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(str(file.locate()), folder / file)
 
 
 @pytest.fixture(scope="module")
@@ -32,13 +55,22 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
+def unpacked(wheel: Path) -> Path:
+    """The files of the wheel."""
+    folder = wheel.parent / "unpacked"
+    shutil.unpack_archive(wheel, folder, "zip")
+    return folder
+
+
+@pytest.fixture(scope="module")
 def s7check(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The command in a new environment; what the package depends on is that of the tests."""
+    """The command in a new environment, which has only what the wheel needs, copied from that of the tests."""
     folder = tmp_path_factory.mktemp("venv with a space")
     venv.create(folder, with_pip=False, symlinks=os.name != "nt")
     where = {"base": str(folder), "platbase": str(folder)}
     packages = Path(sysconfig.get_path("purelib", scheme="venv", vars=where))
-    (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    for name in needed("s7check") - {"s7check"}:
+        install_again(name, packages)
     python = Path(sysconfig.get_path("scripts", scheme="venv", vars=where)) / "python"
     subprocess.run([*PIP, "--python", str(python), "install", *OFFLINE, str(wheel)], check=True)
     return python.with_name("s7check")
@@ -82,26 +114,31 @@ def test_import(s7check: Path, bare: Path) -> None:
 
 
 @pytest.mark.usefixtures("bare")
-def test_what_needs_a_checkout_says_so(s7check: Path) -> None:
-    """Where the project is named, its requirements are traced; the rest ends with one sentence."""
-    run = subprocess.run([s7check, "requirements", "--project", PROJECT, "AIRT-03"], capture_output=True, check=False)
-    assert (run.returncode, run.stderr) == (0, b"")
-    for command in ("requirements", "models", "mutants", "witnesses", "verify"):
-        run = subprocess.run([s7check, command], capture_output=True, check=False)
-        assert (run.returncode, run.stdout, len(run.stderr.splitlines())) == (2, b"", 1), run
-        assert run.stderr.startswith(b"Error: ")
-        assert b"checkout" in run.stderr
+def test_only_commands_for_logs(s7check: Path) -> None:
+    """Help and version work, and no command is offered that needs a checkout."""
+    run = subprocess.run([s7check, "--help"], capture_output=True, text=True, check=True)
+    assert re.findall(r"^  ([a-z]+) ", run.stdout.partition("Commands:")[2], re.MULTILINE) == ["trace", "import"]
+    run = subprocess.run([s7check, "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout == f"s7check, version {__version__}\n"
+    run = subprocess.run([s7check, "models"], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "No such command 'models'" in run.stderr
 
 
-def test_no_second_specification(wheel: Path) -> None:
+def test_one_package(unpacked: Path) -> None:
+    """The wheel has the package s7check and its description, neither tests nor tools of the checkout."""
+    assert sorted(path.name for path in unpacked.iterdir()) == ["s7check", f"s7check-{__version__}.dist-info"]
+    assert not list(unpacked.rglob("test*"))
+
+
+def test_no_second_specification(unpacked: Path) -> None:
     """The wheel has the very files of spec/; the checkout has no copy of them."""
-    shutil.unpack_archive(wheel, wheel.parent / "unpacked", "zip")
-    packed = wheel.parent / "unpacked" / "trace_checker" / "spec"
+    packed = unpacked / "s7check" / "spec"
     assert {file.name: file.read_bytes() for file in packed.iterdir()} == {
         file.name: file.read_bytes() for file in resources.SPECIFICATION.iterdir()
     }
     assert resources.SPECIFICATION == PROJECT / "spec"
-    assert not (PROJECT / "trace_checker" / "spec").exists()
+    assert not (PROJECT / "trace_checker" / "s7check" / "spec").exists()
 
 
 def test_nothing_to_build_the_engine_with(tmp_path: Path) -> None:

@@ -4,10 +4,10 @@ from typing import Any
 
 import pytest
 
-from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.events import read_event
-from trace_checker.log.values import instant
-from trace_checker.tests.logs import BEGIN, at, event
+from s7check.log.errors import UnusableLogError
+from s7check.log.events import read_event
+from s7check.log.values import instant
+from tests.logs import BEGIN, at, event
 
 SDT = {"year": 2026, "month": 2, "day": 30, "hour": 6, "minute": 0, "second": 0, "ms": 0}
 TIME = {"min": BEGIN, "ms": 31_000}

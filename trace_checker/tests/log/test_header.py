@@ -4,10 +4,10 @@ from typing import Any
 
 import pytest
 
-from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.header import read_header
-from trace_checker.tests.logs import BEGIN, HEADER
+from s7check.log import tables
+from s7check.log.errors import UnusableLogError
+from s7check.log.header import read_header
+from tests.logs import BEGIN, HEADER
 
 
 def test_defaults() -> None:

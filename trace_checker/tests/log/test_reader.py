@@ -13,13 +13,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trace_checker.log import lines as lines_module
-from trace_checker.log import source as source_module
-from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.lines import split_lines
-from trace_checker.log.reader import read_log
-from trace_checker.log.source import open_log
-from trace_checker.tests.logs import BEGIN, HEADER, at, event, log_text
+from s7check.log import lines as lines_module
+from s7check.log import source as source_module
+from s7check.log.errors import UnusableLogError
+from s7check.log.lines import split_lines
+from s7check.log.reader import read_log
+from s7check.log.source import open_log
+from tests.logs import BEGIN, HEADER, at, event, log_text
 
 
 def events_of(chunks: Iterable[bytes]) -> list[dict[str, Any]]:

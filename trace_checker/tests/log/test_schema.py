@@ -7,12 +7,12 @@ from typing import Any
 import jsonschema_rs
 import pytest
 
-from trace_checker.log import tables
-from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.events import read_event
-from trace_checker.log.source import open_log
-from trace_checker.tests.log import test_events, test_header
-from trace_checker.tests.logs import HEADER, event
+from s7check.log import tables
+from s7check.log.errors import UnusableLogError
+from s7check.log.events import read_event
+from s7check.log.source import open_log
+from tests.log import test_events, test_header
+from tests.logs import HEADER, event
 
 TRACES = Path(__file__).parents[3] / "traces"
 INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))

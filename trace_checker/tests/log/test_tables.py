@@ -1,10 +1,10 @@
 """The tables of the format say what the specification says."""
 
-from trace_checker.engine_client import Engine
-from trace_checker.log.header import PROFILES, read_header
-from trace_checker.log.tables import READINGS
-from trace_checker.report.clauses import clause
-from trace_checker.tests.logs import HEADER
+from s7check.engine_client import Engine
+from s7check.log.header import PROFILES, read_header
+from s7check.log.tables import READINGS
+from s7check.report.clauses import clause
+from tests.logs import HEADER
 
 
 def test_readings(real_engine: Engine) -> None:

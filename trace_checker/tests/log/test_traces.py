@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from trace_checker.log.errors import UnusableLogError
-from trace_checker.log.reader import read_log
-from trace_checker.log.source import open_log
+from s7check.log.errors import UnusableLogError
+from s7check.log.reader import read_log
+from s7check.log.source import open_log
 
 TRACES = Path(__file__).parents[3] / "traces"
 INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trace_checker.log import values
-from trace_checker.log.errors import UnusableLogError, quote
+from s7check.log import values
+from s7check.log.errors import UnusableLogError, quote
 
 
 @pytest.mark.parametrize(

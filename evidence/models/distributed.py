@@ -1,0 +1,225 @@
+"""TLC's own distributed mode: one server, which keeps the fingerprints, and workers that compute successors.
+
+For safety models that must pass. The server ends with exit code 0 whatever it found and ignores liveness properties
+without a word, so its messages are read and models with liveness are not run. Generated states and depth are not
+comparable with a single process; the distinct states are, and must be those that are pinned.
+"""
+
+from __future__ import annotations
+
+import os
+import socket
+import tempfile
+import threading
+import time
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from subprocess import Popen
+
+from evidence.models import tlc
+from evidence.models.judge import Result
+from evidence.models.manifest import Model
+from evidence.models.messages import Message, Parser, interpret
+from evidence.models.mutate import StaleMutationError, Workspace, prepare
+from evidence.models.runner import Harness
+
+SERVER = "tlc2.tool.distributed.TLCServer"
+WORKER = "tlc2.tool.distributed.TLCWorker"
+READY = 7000
+"""Message code: the server waits for workers."""
+
+LOOPBACK = "127.0.0.1"
+PORT = 10997
+"""TLC's default, to which workers elsewhere connect."""
+
+PATIENCE = 3.0
+"""How long the server may go on without any worker, in seconds: it would wait for ever."""
+
+VIOLATED = "something is violated; TLC's server does not name it: run the model without --distributed"
+
+SLACK = 4
+"""A distributed run may take this many times the model's longest time: every block of states goes over the network."""
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """Workers to start here, and the name under which workers elsewhere reach the server (None: loopback only)."""
+
+    workers: int
+    host: str | None = None
+
+
+def works(tools: tlc.Toolchain) -> bool:
+    """Say whether this TLC's distributed mode works at all.
+
+    Workers call the server's fingerprint set over the network. In the TLC of 2026 it is no longer an object that can
+    be called so, and every worker ends with a NotSerializableException.
+    """
+    with zipfile.ZipFile(tools.jar) as archive:
+        return b"java/rmi/server/UnicastRemoteObject" in archive.read("tlc2/tool/fp/FPSet.class")
+
+
+def reason_against(model: Model) -> str | None:
+    """Say why a model cannot be run in distributed mode; None if it can."""
+    if model.kind == "liveness":
+        return "TLC's distributed mode ignores liveness properties"
+    if model.expect.exit != 0:
+        return "only models that must pass are run in distributed mode"
+    return "it has arguments of its own for TLC" if model.args else None
+
+
+def worker_command(java: str, jar: str, host: str, properties: tuple[str, ...] = ()) -> list[str]:
+    """Return the command of one worker with one thread; it has the modules from the server."""
+    return [java, *properties, f"-D{WORKER}.threadCount=1", "-cp", jar, WORKER, host]
+
+
+def server_command(tools: tlc.Toolchain, space: Workspace, model: Model, cluster: Cluster, port: int) -> list[str]:
+    """Return the command of the server."""
+    return [
+        tools.java,
+        "-XX:+UseParallelGC",
+        f"-Xmx{model.heap}m",
+        f"-D{SERVER}.port={port}",
+        f"-Djava.rmi.server.hostname={cluster.host or LOOPBACK}",
+        f"-Djava.io.tmpdir={space.scratch}",
+        f"-DTLA-Library={os.pathsep.join(str(path) for path in space.library)}",
+        *("-cp", str(tools.jar)),
+        *(SERVER, "-tool", "-fp", "0"),
+        *("-metadir", str(space.scratch / "meta")),
+        *(() if model.deadlock else ("-deadlock",)),
+        *("-config", space.config.name),
+        space.module.removesuffix(".tla"),
+    ]
+
+
+def check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None] = lambda _: None) -> Result:
+    """Run one model and judge it; `tell` has lines for the user. Raises `tlc.InterruptedRunError`."""
+    began = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+        root = Path(temporary).resolve()
+        try:
+            space = prepare(root, harness.manifest.spec, harness.manifest.directory, model)
+        except StaleMutationError as stale:
+            parser = Parser()
+            return _result(model, parser, None, 0.0, cluster, "", str(stale))
+        run = _Run(harness, model, cluster, space, root, tell)
+        try:
+            code, problem = run.until_done(began + SLACK * model.seconds[1])
+        finally:
+            run.close()
+    if harness.processes.closed:
+        raise tlc.InterruptedRunError
+    run.parser.finish()
+    return _result(model, run.parser, code, time.monotonic() - began, cluster, "".join(run.lines), problem)
+
+
+class _Run:
+    """A server and its workers."""
+
+    def __init__(
+        self,
+        harness: Harness,
+        model: Model,
+        cluster: Cluster,
+        space: Workspace,
+        root: Path,
+        tell: Callable[[str], None],
+    ) -> None:
+        self.parser = Parser()
+        self.lines: list[str] = []
+        self._harness, self._cluster, self._root, self._tell = harness, cluster, root, tell
+        self._host = cluster.host or LOOPBACK
+        self._port = PORT if cluster.host else _free_port()
+        self._ready = threading.Event()
+        self._workers: list[tuple[Popen[str], list[str]]] = []
+        command = server_command(harness.tools, space, model, cluster, self._port)
+        self._server = harness.processes.start(command, space.directory)
+        self._reader = threading.Thread(target=self._read_server, daemon=True)
+        self._reader.start()
+
+    def until_done(self, deadline: float) -> tuple[int | None, str]:
+        """Start the workers when the server is ready; return the server's exit code, or None and what went wrong."""
+        alone_since: float | None = None
+        while self._server.poll() is None:
+            time.sleep(0.05)
+            now = time.monotonic()
+            if now > deadline:
+                return None, "timeout: killed"
+            if self._ready.is_set() and not self._workers and self._cluster.workers:
+                self._start_workers()
+            alone = bool(self._workers) and all(worker.poll() is not None for worker, _ in self._workers)
+            alone_since = (alone_since or now) if alone and self._cluster.host is None else None
+            if alone_since is not None and now - alone_since > PATIENCE:
+                said = " ".join(line.strip() for line in self._workers[0][1][-3:])
+                return None, f"all workers ended before the server: {said}"
+        self._reader.join(timeout=5)
+        return self._server.returncode, ""
+
+    def close(self) -> None:
+        """End all processes."""
+        for process in (self._server, *(worker for worker, _ in self._workers)):
+            tlc.kill(process)
+        self._reader.join(timeout=5)
+        for process in (self._server, *(worker for worker, _ in self._workers)):
+            self._harness.processes.end(process)
+
+    def _start_workers(self) -> None:
+        for number in range(self._cluster.workers):
+            scratch = self._root / f"worker{number}"
+            scratch.mkdir()
+            command = worker_command(
+                self._harness.tools.java,
+                str(self._harness.tools.jar),
+                self._host,
+                (
+                    f"-D{SERVER}.port={self._port}",
+                    f"-Djava.rmi.server.hostname={self._host}",
+                    f"-Djava.io.tmpdir={scratch}",
+                ),
+            )
+            process = self._harness.processes.start(command, scratch)
+            said: list[str] = []
+            threading.Thread(target=_read, args=(process, said), daemon=True).start()
+            self._workers.append((process, said))
+
+    def _read_server(self) -> None:
+        assert self._server.stdout is not None
+        for line in self._server.stdout:
+            self.lines.append(line)
+            for message in self.parser.feed(line):
+                self._listen(message)
+
+    def _listen(self, message: Message) -> None:
+        if message.code == READY:
+            self._ready.set()
+            if self._cluster.host:
+                self._tell(" ".join(worker_command("java", self._harness.tools.jar.name, self._host)))
+
+
+def _read(process: Popen[str], said: list[str]) -> None:
+    assert process.stdout is not None
+    said.extend(line for line in process.stdout if line.strip())
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind((LOOPBACK, 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+def _result(
+    model: Model, parser: Parser, code: int | None, seconds: float, cluster: Cluster, output: str, problem: str
+) -> Result:
+    outcome = interpret(parser, code if code is not None else -1)
+    if problem:
+        outcome = replace(outcome, kind="broken", detail=problem)
+    elif outcome.kind == "broken" and outcome.trace:
+        outcome = replace(outcome, detail=VIOLATED)
+    problems = [] if outcome.kind == "passed" else [f"{outcome.kind}: {outcome.detail}"]
+    counts = []
+    if not problems and outcome.counts.distinct != model.expect.distinct:
+        counts = [f"{outcome.counts.distinct} distinct, pinned {model.expect.distinct}"]
+    return Result(model, outcome, code, seconds, cluster.workers, tuple(problems), tuple(counts), output)

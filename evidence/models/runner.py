@@ -1,0 +1,167 @@
+"""Which models run when, and what it takes to come to a result for one of them."""
+
+from __future__ import annotations
+
+import queue
+import tempfile
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from evidence.models import cfg, tlc
+from evidence.models.judge import Result, judge
+from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model
+from evidence.models.messages import Message, Outcome, progress
+from evidence.models.mutate import StaleMutationError, prepare
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something to tell the user: a model started, went on (`text` says how far), or came to its result."""
+
+    model: Model
+    text: str = ""
+    result: Result | None = None
+
+
+TICK_SECONDS = 0.5
+"""How often the user hears of what runs; TLC itself may say nothing for a minute."""
+
+
+@dataclass
+class _Running:
+    """A model that runs: since when (monotonic seconds), and what TLC said of its progress last."""
+
+    model: Model
+    began: float
+    text: str = "running"
+
+    def event(self) -> Event:
+        """Say how far it is."""
+        return Event(self.model, f"{self.text}, {time.monotonic() - self.began:.0f} s")
+
+
+@dataclass(frozen=True)
+class Harness:
+    """What all runs share. `workers` is how many TLC workers a model that allows several has (None: what it allows)."""
+
+    manifest: Manifest
+    tools: tlc.Toolchain
+    processes: tlc.Processes
+    workers: int | None = None
+
+    def workers_of(self, model: Model) -> int:
+        """Return the TLC workers of a model: 1 where the manifest says 1, whatever was asked for."""
+        return model.workers if self.workers is None or model.workers == 1 else self.workers
+
+
+def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
+    """Run one model and judge it. Raises `tlc.InterruptedRunError`.
+
+    A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants.
+    """
+    narrow = model
+    if model.kind == "negative" and model.expect.property in model.checked("PROPERTY"):
+        narrow = _only(model, model.expect.property)
+    try:
+        run = _run(harness, narrow, listen)
+    except StaleMutationError as stale:
+        return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
+    outcome = _attribute(harness, narrow, run)
+    return judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
+
+
+def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> tlc.TlcRun:
+    options = tlc.Options(
+        workers=harness.workers_of(model),
+        deadlock=model.deadlock,
+        heap=model.heap,
+        timeout=model.seconds[1],
+        brief=model.kind == "negative",
+        args=model.args,
+    )
+    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+        space = prepare(Path(temporary).resolve(), harness.manifest.spec, harness.manifest.directory, model)
+        return tlc.run(harness.tools, space, options, harness.processes, listen)
+
+
+def _only(model: Model, name: str) -> Model:
+    return replace(model, config=cfg.replace_section(model.config, "PROPERTY", [name]))
+
+
+def _attribute(harness: Harness, model: Model, run: tlc.TlcRun) -> Outcome:
+    """Find out which PROPERTY was violated where TLC did not name it.
+
+    TLC 2.18 names no temporal property, and any TLC gives only the place of a conjunct of a property such as another
+    module's Spec. If the configuration has one PROPERTY it is that one. If it has several, each is run alone, until
+    one is violated in the same way.
+    """
+    outcome = run.outcome
+    if outcome.kind not in PROPERTY_KINDS or outcome.names:
+        return outcome
+    properties = model.checked("PROPERTY")
+    if len(properties) == 1:
+        return replace(outcome, names=properties)
+    for name in properties:
+        if _run(harness, _only(model, name), lambda _: None).outcome.kind == outcome.kind:
+            return replace(outcome, names=(name,))
+    return outcome
+
+
+def run_all(harness: Harness, models: list[Model], jobs: int, tell: Callable[[Event], None]) -> list[Result]:
+    """Run the models on `jobs` cores, the longest first, and return the results in the order of `models`.
+
+    A model takes as many cores as it has TLC workers. `tell` is called in this thread. Whatever ends this call early,
+    Ctrl-C too, kills all that runs.
+    """
+    waiting = sorted(models, key=lambda m: -sum(m.seconds))
+    events: queue.Queue[Event | BaseException] = queue.Queue()
+    results: dict[str, Result] = {}
+    free = jobs
+    threads: list[threading.Thread] = []
+    running: dict[str, _Running] = {}
+    try:
+        while len(results) < len(models):
+            while waiting and (cores := min(harness.workers_of(waiting[0]), jobs)) <= free:
+                free -= cores
+                model = waiting.pop(0)
+                running[model.name] = _Running(model, time.monotonic())
+                tell(Event(model))
+                threads.append(threading.Thread(target=_work, args=(harness, model, events), daemon=True))
+                threads[-1].start()
+            try:
+                event = events.get(timeout=TICK_SECONDS)
+            except queue.Empty:
+                for going in running.values():
+                    tell(going.event())
+                continue
+            if isinstance(event, BaseException):
+                raise event
+            if event.result is not None:
+                free += min(harness.workers_of(event.model), jobs)
+                results[event.model.name] = event.result
+                del running[event.model.name]
+                tell(event)
+            else:
+                running[event.model.name].text = event.text
+    finally:
+        if len(results) < len(models):
+            harness.processes.close()
+            for thread in threads:
+                thread.join(timeout=5)
+    return [results[m.name] for m in models]
+
+
+def _work(harness: Harness, model: Model, events: queue.Queue[Event | BaseException]) -> None:
+    def listen(message: Message) -> None:
+        if text := progress(message):
+            events.put(Event(model, text))
+
+    try:
+        events.put(Event(model, result=check(harness, model, listen)))
+    except tlc.InterruptedRunError:
+        pass
+    except BaseException as error:
+        events.put(error)  # the main thread raises it

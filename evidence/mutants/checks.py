@@ -1,0 +1,210 @@
+"""What can kill a mutant: a model of the manifest, or the shipped logs."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Protocol
+
+import msgspec
+
+from evidence.models import tlc
+from evidence.models.manifest import Model
+from evidence.models.runner import Harness
+from evidence.models.runner import check as check_model
+from evidence.mutants import reach
+from evidence.mutants.findings import Finding, How
+from evidence.mutants.logs import Judged
+from evidence.mutants.marks import evaluated
+from evidence.mutants.syntax import Module
+
+PARSE_ERROR = 150
+"""TLC's exit code for a specification that does not parse or has no meaning."""
+
+LEAST_TLC_ERROR = 10
+"""TLC's own exit codes begin here; a lower one is Java's or the system's."""
+
+LONGEST = 3600.0
+"""Seconds that a check has on the unchanged specification."""
+
+VIOLATIONS: Mapping[str, How] = {
+    "invariant": "property",
+    "action": "property",
+    "temporal": "property",
+    "initial": "property",
+    "deadlock": "deadlock",
+    "assumption": "assumption",
+    "timeout": "timeout",
+    "broken": "error",
+}
+"""What a kind of outcome of TLC is called here."""
+
+
+class CheckFailedError(RuntimeError):
+    """A check came to nothing, for a reason outside of the specification."""
+
+
+class Processes(tlc.Processes):
+    """Java processes that live for seconds: the second compiler would not earn back what it costs."""
+
+    def start(self, command: list[str], directory: Path) -> subprocess.Popen[str]:
+        """Start a process in a group of its own. Raises `InterruptedRunError` after `close`."""
+        quick = ["-XX:TieredStopAtLevel=1"] if "tlc2.TLC" in command else []
+        return super().start([command[0], *quick, *command[1:]], directory)
+
+
+class Check(Protocol):
+    """Something that the unchanged specification passes."""
+
+    @property
+    def name(self) -> str:
+        """What the user knows it by."""
+
+    @property
+    def modules(self) -> frozenset[str]:
+        """The modules of the specification that it is built on."""
+
+    @property
+    def parameters(self) -> frozenset[str]:
+        """The definitions that it puts others in the place of."""
+
+    def key(self, changed: Module | None) -> str:
+        """A hash of all that decides what it comes to, with one module changed."""
+
+    def marks(self, spec: Path) -> frozenset[int] | None:
+        """Return the marks that it evaluates in a marked specification; None if it cannot tell."""
+
+    def run(self, spec: Path, timeout: float) -> Finding:
+        """Try the specification in this directory. Raises `CheckFailedError`, `tlc.InterruptedRunError`."""
+
+
+@dataclass(frozen=True)
+class ModelCheck:
+    """A model, pinned in the manifest as passing."""
+
+    harness: Harness
+    model: Model
+    spec: Mapping[str, Module]
+    models: Mapping[str, Module]
+
+    @property
+    def name(self) -> str:
+        """The model's name."""
+        return self.model.name
+
+    @cached_property
+    def _all(self) -> list[Module]:
+        known = {**self.spec, **self.models}
+        return [known[name] for name in sorted(reach.closure(self.model.module.stem, known))]
+
+    @cached_property
+    def modules(self) -> frozenset[str]:
+        """The modules of the specification that the model's module extends."""
+        return frozenset(module.name for module in self._all) & self.spec.keys()
+
+    @cached_property
+    def parameters(self) -> frozenset[str]:
+        """The definitions that the configuration replaces."""
+        return frozenset(reach.replacements(self.model.config))
+
+    def key(self, changed: Module | None) -> str:
+        """A hash of TLC, the model and the modules."""
+        model = self.model
+        fixed = (self.harness.tools.sha256, model.module, model.config, model.deadlock, model.args, model.expect)
+        return fingerprint(fixed, self._all, changed)
+
+    def marks(self, spec: Path) -> frozenset[int] | None:
+        """Return the marks that TLC told; None if it stumbled over them."""
+        result = check_model(self._harness(spec), replace(self.model, seconds=(0.0, LONGEST)))
+        return evaluated(result.output) if result.ok else None
+
+    def run(self, spec: Path, timeout: float) -> Finding:
+        """Run TLC and see what differs from what is pinned."""
+        began = time.monotonic()
+        result = check_model(self._harness(spec), replace(self.model, seconds=(0.0, timeout)))
+        outcome, code = result.outcome, result.exit
+        if result.ok:
+            return Finding("survived", "", _since(began))
+        if outcome.kind == "passed":
+            return Finding("count", "; ".join(result.problems + result.count_problems), _since(began))
+        if outcome.kind == "broken" and (code is None or code < LEAST_TLC_ERROR):
+            raise CheckFailedError(f"model {self.name}: {outcome.detail}")
+        how = "invalid" if code == PARSE_ERROR else VIOLATIONS[outcome.kind]
+        return Finding(how, ", ".join(outcome.names) or outcome.detail, _since(began))
+
+    def _harness(self, spec: Path) -> Harness:
+        return replace(self.harness, manifest=replace(self.harness.manifest, spec=spec))
+
+
+@dataclass(frozen=True)
+class LogsCheck:
+    """The shipped logs, judged by the trace checker's engine. `engine` is a hash of the engine and the logs."""
+
+    traces: Path
+    engine: str
+    spec: Mapping[str, Module]
+    processes: tlc.Processes
+
+    name = "logs"
+    parameters = frozenset[str]()
+    root = "Explain"
+    """The module that the engine evaluates."""
+
+    @cached_property
+    def modules(self) -> frozenset[str]:
+        """The modules that the engine reads."""
+        return reach.closure(self.root, self.spec)
+
+    def key(self, changed: Module | None) -> str:
+        """A hash of the engine, the logs and the modules."""
+        return fingerprint((self.engine,), (self.spec[name] for name in sorted(self.modules)), changed)
+
+    def marks(self, spec: Path) -> frozenset[int] | None:
+        """The engine is no model checker: TLC's registers, which hold the marks, are not there."""
+        return None
+
+    def run(self, spec: Path, timeout: float) -> Finding:
+        """Judge logs until one is judged otherwise than its index says."""
+        began = time.monotonic()
+        command = [sys.executable, "-m", "evidence.mutants.logs", str(spec), str(self.traces)]
+        process = self.processes.start(command, Path.cwd())
+        expired = threading.Event()
+
+        def expire() -> None:
+            expired.set()
+            tlc.kill(process)
+
+        watchdog = threading.Timer(timeout, expire)
+        watchdog.daemon = True
+        watchdog.start()
+        try:
+            said, _ = process.communicate()
+        finally:
+            watchdog.cancel()
+            self.processes.end(process)
+        if self.processes.closed:
+            raise tlc.InterruptedRunError
+        if expired.is_set():
+            return Finding("timeout", f"killed after {timeout:.0f} s", _since(began))
+        try:
+            judged = msgspec.json.decode(said, type=Judged)
+        except msgspec.MsgspecError as error:
+            raise CheckFailedError(f"the logs could not be judged: {said.strip()[-1000:]}") from error
+        return Finding(judged.how, judged.detail, _since(began))
+
+
+def fingerprint(fixed: Iterable[object], modules: Iterable[Module], changed: Module | None) -> str:
+    """A hash of `fixed` and of the code of the modules, one of them changed."""
+    codes = [changed.code if changed and changed.name == m.name else m.code for m in modules]
+    return hashlib.sha256(repr((*map(repr, fixed), *codes)).encode()).hexdigest()[:32]
+
+
+def _since(began: float) -> float:
+    return round(time.monotonic() - began, 2)

@@ -1,0 +1,193 @@
+"""``s7check mutants``: change the specification in many small ways and see whether its checks notice.
+
+Exit codes: 0 every survivor has a reason, 1 some have none or a reason is stale, 2 wrong arguments or files, 3 a tool
+is missing or failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import hashlib
+import json
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from evidence.models import tlc
+from evidence.models.command import find_manifest
+from evidence.models.manifest import LANES, Manifest, ManifestError, load
+from evidence.models.runner import Harness
+from evidence.mutants import logs, reasons, report
+from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
+from evidence.mutants.checks import Check, CheckFailedError, LogsCheck, ModelCheck, Processes
+from evidence.mutants.findings import Findings
+from evidence.mutants.listing import Mutant, mutants, read_modules
+from evidence.mutants.syntax import Module, SyntaxTreeError
+from evidence.session import session
+from s7check.engine_command import EngineError
+
+UNEXPLAINED = 1
+
+NOT_MUTATED = ("Properties*", "Typedefs", "Explain", "Reasons")
+"""What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """The command's arguments."""
+
+    against: str
+    lane: str
+    manifest: Path
+    jar: Path | None
+    sample: int | None
+    seed: int
+    jobs: int
+    thorough: bool
+    fresh: bool
+    listing: bool
+    difference: bool
+    json: Path | None
+    names: tuple[str, ...]
+
+
+@click.command(name="mutants", short_help="Mutate the specification: do its checks notice?")
+@click.option(
+    "--against",
+    type=click.Choice(["models", "logs", "all"]),
+    default="models",
+    show_default=True,
+    help="What has to notice.",
+)
+@click.option(
+    "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models, with --against models."
+)
+@click.option(
+    "--manifest",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Default: models/manifest.json here or in a directory above.",
+)
+@click.option(
+    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
+)
+@click.option("--sample", type=click.IntRange(1), help="Only so many mutants, drawn by --seed.")
+@click.option("--seed", type=int, default=1, show_default=True, help="Another one draws other mutants.")
+@click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
+@click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for one by a property.")
+@click.option("--fresh", is_flag=True, help="Use nothing that an earlier run found.")
+@click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
+@click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
+@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@click.argument("names", nargs=-1, metavar="[ID]...")
+def mutants_command(
+    against: str,
+    lane: str,
+    manifest: Path | None,
+    jar: Path | None,
+    sample: int | None,
+    seed: int,
+    jobs: int,
+    thorough: bool,
+    fresh: bool,
+    listing: bool,
+    difference: bool,
+    json_path: Path | None,
+    names: tuple[str, ...],
+) -> None:
+    """Make mutants of the specification and run the checks on each until one notices.
+
+    ID picks mutants (globs work). What a check came to is kept in build/mutants, so that a run goes on where the last
+    one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, 1 some have none or
+    a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
+    """
+    processes = Processes()
+    usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError)
+    missing = (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError)
+    with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
+        request = Request(
+            *(against, lane, manifest or find_manifest(), jar, sample, seed, jobs),
+            *(thorough, fresh, listing, difference, json_path, names),
+        )
+        sys.exit(run_request(request, processes, console))
+
+
+def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+    """Do what was asked for and return the exit code."""
+    manifest = load(request.manifest)
+    modules = read_modules(manifest.spec)
+    stages = _stages(request, manifest, modules, processes)
+    existing = mutants(modules, _mutated(modules))
+    everything = _concerning(existing, [check for stage in stages for check in stage])
+    chosen = _choose(everything, request)
+    if request.listing:
+        report.show_list(console, chosen)
+        return 0
+    if request.difference:
+        for mutant in chosen:
+            report.show_difference(console, mutant, modules[mutant.module])
+        return 0
+    why = reasons.read(manifest.directory / "survivors.json", reasons.Reason)
+    began = time.monotonic()
+    findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
+    bench = Bench(manifest.spec, modules, findings, request.thorough)
+    verdicts: dict[str, Verdict] = {}
+    left = chosen
+    for stage in stages:
+        bench.calibrate(stage, everything, lambda line: report.plain(console, line))
+        for verdict in bench.judge_all(left, request.jobs, report.Progress(console, len(left))):
+            verdicts[verdict.mutant.id] = verdict
+        left = [mutant for mutant in left if not bench.decided(verdicts[mutant.id])]
+        if not left:
+            break
+    explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing))
+    report.show(console, explained)
+    if request.json is not None:
+        request.json.parent.mkdir(parents=True, exist_ok=True)
+        document = report.as_json(explained, time.monotonic() - began)
+        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return UNEXPLAINED if explained.unexplained or explained.stale else 0
+
+
+def _stages(
+    request: Request, manifest: Manifest, spec: dict[str, Module], processes: tlc.Processes
+) -> list[list[Check]]:
+    """The checks: the logs, which take seconds, and then the models, for what the logs do not notice."""
+    stages: list[list[Check]] = []
+    if request.against != "models":
+        traces = manifest.directory.parent / "traces"
+        stages.append([LogsCheck(traces, logs.fingerprint(traces), spec, processes)])
+    if request.against != "logs":
+        harness = Harness(manifest, tlc.find_toolchain(request.jar), processes, workers=1)
+        models = read_modules(manifest.directory)
+        passing = [m for m in manifest.select(request.lane, ()) if m.expect.exit == 0]
+        stages.append([ModelCheck(harness, model, spec, models) for model in passing])
+    return stages
+
+
+def _mutated(modules: dict[str, Module]) -> list[str]:
+    return [name for name in modules if not any(fnmatch.fnmatchcase(name, p) for p in NOT_MUTATED)]
+
+
+def _concerning(existing: list[Mutant], checks: list[Check]) -> list[Mutant]:
+    """The mutants of what the checks are built on, but for definitions that all of them replace by their own."""
+    return [
+        mutant
+        for mutant in existing
+        if any(mutant.module in check.modules and mutant.definition not in check.parameters for check in checks)
+    ]
+
+
+def _choose(everything: list[Mutant], request: Request) -> list[Mutant]:
+    """The mutants of the names, and of them a sample, which other mutants that come and go leave as it is."""
+    named = everything
+    if request.names:
+        named = [m for m in everything if any(fnmatch.fnmatchcase(m.id, name) for name in request.names)]
+    if request.sample is None:
+        return named
+    drawn = sorted(named, key=lambda m: hashlib.sha256(f"{request.seed} {m.id}".encode()).digest())
+    sample = {m.id for m in drawn[: request.sample]}
+    return [m for m in named if m.id in sample]

@@ -1,0 +1,67 @@
+"""The shipped logs judged by a mutated specification: ``python -m evidence.mutants.logs SPEC TRACES``.
+
+A process of its own, so that an engine that no longer ends can be killed with it. It prints one `Judged`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sys
+from pathlib import Path
+
+import msgspec
+
+from evidence.mutants.findings import How
+from evidence.shipped import difference, shipped_logs
+from s7check.check import check_log
+from s7check.engine_client import Engine
+from s7check.engine_command import EngineError, engine_command
+
+UNREADABLE = "arsing or semantic analysis failed"
+"""What TLC says of a specification that does not parse or has no meaning."""
+
+KILLED = "the engine ended (killed by SIGKILL"
+"""What is said of an engine that something else has ended, for want of memory for instance."""
+
+
+class Judged(msgspec.Struct, frozen=True):
+    """What the logs came to; `detail` says which one was judged otherwise than its index says."""
+
+    how: How
+    detail: str = ""
+
+
+def judge(spec: Path, traces: Path) -> Judged:
+    """Judge the logs of the index in its order, up to the first difference.
+
+    Raises `EngineError` where the engine fails for a reason outside of the specification.
+    """
+    java, *arguments = engine_command()
+    command = [java, "-XX:TieredStopAtLevel=1", *arguments[:-1], str(spec)]
+    with Engine(lambda: command) as engine:
+        for expected in shipped_logs(traces):
+            report = check_log(str(traces / expected.file), engine, lambda _source, _events: None)
+            if (differs := difference(expected, report)) is None:
+                continue
+            if report.verdict != "no verdict":
+                return Judged("log", differs)
+            if KILLED in report.message:
+                raise EngineError(differs)
+            return Judged("invalid" if UNREADABLE in report.message else "error", differs)
+    return Judged("survived")
+
+
+def fingerprint(traces: Path) -> str:
+    """A hash of the engine and the shipped logs. Raises `EngineError` if there is no engine."""
+    command = engine_command()
+    classpath = command[command.index("-cp") + 1].split(os.pathsep)
+    files = [Path(jar) for jar in classpath] + sorted(traces.rglob("*.ndjson")) + [traces / "index.json"]
+    digest = hashlib.sha256()
+    for file in files:
+        digest.update(hashlib.sha256(file.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+if __name__ == "__main__":
+    print(msgspec.json.encode(judge(Path(sys.argv[1]), Path(sys.argv[2]))).decode())  # noqa: T201

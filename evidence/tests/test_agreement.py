@@ -1,0 +1,244 @@
+"""``s7check agree``: the logs that are drawn, what TLC says of them, and that a difference is found."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from datetime import timedelta
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from evidence.agreement import command, damage, tlc_batch
+from evidence.agreement.command import SOFT_PLC, agree_command
+from evidence.agreement.damage import Log
+from evidence.agreement.generate import UNCHANGED, Generated, Generator, SoftPlcError
+from evidence.agreement.setups import scenario
+from evidence.agreement.verdicts import Compared, Judged
+from evidence.models import tlc
+from evidence.shipped import shipped_logs
+from s7check.log.errors import UnusableLogError
+from s7check.log.reader import read_log
+from s7check.resources import SPECIFICATION
+from tests.logs import event, log_text
+
+TRACES = Path(__file__).parents[2] / "traces"
+LETTERS = [("AMB-02", ["a", "b"]), ("AMB-49", ["a", "b", "c"]), ("AMB-67", ["a", "b"]), ("AMB-70", ["a", "c"])]
+
+
+@pytest.fixture(scope="module")
+def tools() -> tlc.Toolchain:
+    """TLC, if it is there."""
+    try:
+        return tlc.find_toolchain(None)
+    except tlc.ToolMissingError as missing:
+        pytest.skip(str(missing))
+
+
+@pytest.fixture(scope="module")
+def generator() -> Generator:
+    """Logs of seed 1, if there is a soft PLC."""
+    if not SOFT_PLC.is_file():
+        pytest.skip("the soft PLC is not built")
+    return Generator(1, SOFT_PLC, LETTERS)
+
+
+def run(*arguments: str) -> tuple[int, str]:
+    """Run the command; return exit code and output."""
+    ran = CliRunner().invoke(agree_command, list(arguments))
+    return ran.exit_code, ran.output
+
+
+def unreadable(log: Generated) -> bool:
+    """Whether the reader refuses a log."""
+    try:
+        for _ in read_log([log.content]):
+            pass
+    except UnusableLogError:
+        return True
+    return False
+
+
+def test_logs_are_drawn_by_seed(generator: Generator) -> None:
+    """The same seed, number and attempt give the same log; nearly all can be read; all is done to some."""
+    drawn = [generator.draw(number, 0) for number in range(1, 301)]
+    assert drawn[:5] == [Generator(1, SOFT_PLC, LETTERS).draw(number, 0) for number in range(1, 6)]
+    assert drawn[0] != generator.draw(1, 1)
+    assert drawn[0] != Generator(2, SOFT_PLC, LETTERS).draw(1, 0)
+    assert sum(map(unreadable, drawn)) < 30
+    assert not any(unreadable(log) for log in drawn if log.done == (UNCHANGED,))
+    assert {log.cpu for log in drawn} == {"S7-300", "S7-400", "CPU 318"}
+    assert all(1 <= log.lines <= 66 for log in drawn)
+    done = {what for log in drawn for what in log.done}
+    assert done >= {one.what for one in damage.DAMAGES}
+    modes = {json.loads(log.content.split(b"\n")[0] or b"{}").get("mode") for log in drawn}
+    assert modes >= {"RUN", "STOP", "STARTUP"}
+
+
+def test_scenarios_differ() -> None:
+    """In family, classes, STEP 7 parameters and terms."""
+    text = "".join(scenario(Random(number)) for number in range(200))  # noqa: S311
+    for setting in ("priority", "step7", "log_diag on", "log_cycle on", "latency 0ms", "deselected", "end_of_month"):
+        assert setting in text
+
+
+def small_log() -> Log:
+    """A log with elapsed time and a change of the clock."""
+    lines: list[dict[str, Any]] = [
+        event("DIS_AIRT", 31, up=1000, ret=1),
+        event("clock", 32, up=2000, to="2026-11-21T06:10:00.000"),
+        {"event": "EN_AIRT", "at": "2026-11-21T06:10:01.000", "up": 3000, "ret": 0},
+    ]
+    return Log({}, lines)
+
+
+def test_later_ends_where_the_clock_is_set() -> None:
+    """The clock does not show the delay after it was set; elapsed time does."""
+    log = small_log()
+    for seed in range(50):
+        log = small_log()
+        damage._later(Random(seed), log)  # noqa: S311
+        assert log.events[2]["at"] == "2026-11-21T06:10:01.000" or log.events[1] == small_log().events[1]
+        ups = [one["up"] for one in log.events]
+        assert ups == sorted(ups)
+        assert log != small_log()
+
+
+def test_the_clock_is_set_with_a_line() -> None:
+    """Later lines show the time of the clock that was set."""
+    for seed in range(50):
+        log = small_log()
+        damage._jump(Random(seed), log)  # noqa: S311
+        assert len(log.events) == 4
+        assert sum(one["event"] == "clock" for one in log.events) == 2
+        content = log_text(*log.events)
+        assert not unreadable(Generated(content, "", ()))
+
+
+def test_how_long_the_clock_runs() -> None:
+    """From line to line, but for what a line sets."""
+    log = small_log()
+    assert damage.elapses(log) == timedelta(seconds=1)
+    del log.events[1]
+    assert damage.elapses(log) == timedelta(minutes=10, seconds=30)
+
+
+def test_verdicts_of_tlc(tools: tlc.Toolchain, tmp_path: Path) -> None:
+    """Shipped logs as their index says; blank lines and Windows' ends of lines count as in every report."""
+    shipped = [log for log in shipped_logs(TRACES) if log.verdict != "unusable"][::25]
+    files = [TRACES / log.file for log in shipped]
+    blank = tmp_path / "blank.ndjson"
+    wrong = log_text("", event("DIS_AIRT", ret=1), "", event("EN_AIRT", ret=1))
+    blank.write_bytes(b" \n" + wrong.replace(b"\n", b"\r\n"))
+    least = tmp_path / "least.ndjson"
+    least.write_bytes(log_text(event("SRT_DINT", ob=20, dtime=-(2**31), sign=0, ret="16#8090")))
+    said = tlc_batch.judge(tools, tlc.Processes(), SPECIFICATION, [*files, blank, least])
+    expected = [Judged(log.verdict, log.line) for log in shipped]
+    assert said.verdicts[:-2] == expected
+    assert {one.verdict for one in expected} == {"accepted", "rejected"}
+    # It begins in STOP, where nothing is called.
+    assert said.verdicts[-2] == Judged("rejected", 4)
+    assert said.verdicts[-1] == Judged("rejected", 2)
+    assert said.version
+
+
+def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> None:
+    """The others of its batch get their verdicts."""
+    spec = tmp_path / "spec"
+    shutil.copytree(SPECIFICATION, spec)
+    text = (spec / "Airt.tla").read_text()
+    assert text.count("DisAirt(ret) ==") == 1
+    (spec / "Airt.tla").write_text(
+        text.replace("DisAirt(ret) ==", "DisAirt(ret) == CHOOSE nothing \\in {} : TRUE\nOld(ret) ==")
+    )
+    good, bad = tmp_path / "good.ndjson", tmp_path / "bad.ndjson"
+    good.write_bytes(log_text())
+    header = {
+        "format": "s7-interrupt-log/1",
+        "cpu": "S7-300",
+        "obs": [1],
+        "clock": "2026-11-21T05:59:30",
+        "mode": "RUN",
+    }
+    bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=header))
+    said = tlc_batch.judge(tools, tlc.Processes(), spec, [good, bad, good]).verdicts
+    assert said[::2] == [Judged("accepted")] * 2
+    assert said[1].verdict.startswith("no verdict: error")
+
+
+def test_a_specification_that_tlc_cannot_read(tools: tlc.Toolchain, tmp_path: Path) -> None:
+    """No log is to blame."""
+    with pytest.raises(tlc_batch.BatchError, match="TLC does not begin"):
+        tlc_batch.judge(tools, tlc.Processes(), tmp_path, [TRACES / "accept" / "AIRT-03-nested-delay.ndjson"])
+
+
+def test_agreement_on_a_sample(tools: tlc.Toolchain, generator: Generator, tmp_path: Path) -> None:
+    """Twenty logs in two runs of TLC."""
+    results = tmp_path / "results.json"
+    code, output = run("--logs", "20", "--seed", "7", "--keep", str(tmp_path / "kept"), "--json", str(results))
+    assert code == 0, output
+    found = json.loads(results.read_text())
+    assert found["accepted"] + found["rejected"] == found["logs"] == len(found["verdicts"]) == 20
+    assert found["differ"] == 0
+    assert "the same verdict at the same line" in output
+    assert not (tmp_path / "kept").exists()
+
+
+def test_a_difference_is_found(tools: tlc.Toolchain, generator: Generator, tmp_path: Path) -> None:
+    """TLC reads a specification whose EN_AIRT answers otherwise: the log is named and kept, with both verdicts."""
+    spec = tmp_path / "spec"
+    shutil.copytree(SPECIFICATION, spec)
+    text = (spec / "Airt.tla").read_text()
+    assert "ELSE delay - 1" in text
+    (spec / "Airt.tla").write_text(text.replace("ELSE delay - 1", "ELSE delay + 1"))
+    kept = tmp_path / "kept"
+    results = tmp_path / "results.json"
+    arguments = ["--logs", "20", "--seed", "7", "--spec", str(spec), "--keep", str(kept), "--json", str(results)]
+    code, output = run(*arguments)
+    assert code == 1, output
+    differ = [one for one in json.loads(results.read_text())["verdicts"] if one["engine"] != one["tlc"]]
+    assert differ
+    assert f"{len(differ)} DIFFER" in output
+    for one in differ:
+        assert f"{one['log']}.ndjson: engine: {one['engine']}; TLC: {one['tlc']}" in output
+        assert f"engine: {one['engine']}" in (kept / f"{one['log']}.txt").read_text()
+        line = int(one["tlc"].rpartition(" ")[2])
+        assert b'"EN_AIRT"' in (kept / f"{one['log']}.ndjson").read_bytes().split(b"\n")[line - 1]
+
+
+@pytest.mark.parametrize(
+    ("engine", "by_tlc", "agree"),
+    [
+        (Judged("accepted"), Judged("accepted"), True),
+        (Judged("rejected", 3), Judged("rejected", 3), True),
+        (Judged("rejected", 3), Judged("rejected", 4), False),
+        (Judged("rejected", 3), Judged("accepted"), False),
+        (Judged("no verdict", 3), Judged("no verdict: error 2132"), False),
+    ],
+)
+def test_what_agrees(engine: Judged, by_tlc: Judged, agree: bool) -> None:
+    """Verdict and line; to have none is to differ."""
+    assert Compared(1, Generated(b"", "", ()), "", engine, by_tlc).agree is agree
+
+
+def test_tools_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, tools: tlc.Toolchain) -> None:
+    """No TLC, no soft PLC, wrong arguments."""
+    code, output = run("--logs", "1", "--tlc", str(tmp_path / "none.jar"))
+    assert (code, "TLC's jar is not at" in output) == (3, True)
+    monkeypatch.setattr(command, "SOFT_PLC", tmp_path / "none")
+    code, output = run("--logs", "1")
+    assert (code, "the soft PLC is not at" in output) == (3, True)
+    assert run("--logs", "0")[0] == 2
+    assert run("--spec", str(tmp_path / "nowhere"))[0] == 2
+
+
+def test_a_soft_plc_that_fails(tmp_path: Path) -> None:
+    """Its own words are passed on."""
+    program = tmp_path / "plc"
+    program.write_text("#!/bin/sh\necho 'no such thing' >&2\nexit 2\n")
+    program.chmod(0o755)
+    with pytest.raises(SoftPlcError, match="no such thing"):
+        Generator(1, program, LETTERS)

@@ -1,0 +1,74 @@
+"""docs/commands.md describes every option of every command, and no other."""
+
+import re
+from pathlib import Path
+
+import click
+import pytest
+
+import evidence
+import s7check
+from s7check import cli
+
+PAGE = (Path(cli.__file__).parents[2] / "docs" / "commands.md").read_text(encoding="utf-8")
+EVERY_COMMAND = {"-h", "--help"}
+COMMANDS = cli.cli.list_commands(click.Context(cli.cli))
+
+
+def section(name: str) -> str:
+    """What the page says of a command."""
+    return PAGE.partition(f"\n## `s7check {name}")[2].partition("\n## ")[0]
+
+
+def options(name: str) -> dict[str, str]:
+    """The spellings of a command's options, each with its help."""
+    command = cli.cli.get_command(click.Context(cli.cli), name)
+    assert command is not None
+    found = [one for one in command.params if isinstance(one, click.Option)]
+    return {spelling: one.help or "" for one in found for spelling in (*one.opts, *one.secondary_opts)}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_option_is_described(name: str) -> None:
+    """Those in the command's section are those that it has."""
+    described = set(re.findall(r"`(--?[a-z][a-z0-9-]*)", section(name)))
+    assert described == options(name).keys()
+    assert all(options(name).values()), "an option without a help text"
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_defaults_are_named(name: str) -> None:
+    """Of a choice the page says what it is by default."""
+    command = cli.cli.get_command(click.Context(cli.cli), name)
+    assert command is not None
+    rows = [line for line in section(name).splitlines() if line.startswith("| `-")]
+    for option in command.params:
+        if isinstance(option.type, click.Choice) and isinstance(option.default, str):
+            (row,) = (line for line in rows if f"`{option.opts[0]} " in line)
+            assert "default" in row
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_its_exit_codes(name: str) -> None:
+    """The table of exit codes has a column for each command; only 1 is a code that some never end with."""
+    table = [[cell.strip() for cell in line.split("|")] for line in PAGE.splitlines() if line.startswith("|")]
+    column = table[0].index(f"`{name}`")
+    assert all(row[column] for row in table[2:6] if row[1] != "1")
+    assert set(re.findall(r"`(--?[a-z]+)`", PAGE.partition("\n## ")[0])) >= EVERY_COMMAND
+
+
+def test_environment_variables() -> None:
+    """Those that the code reads are described, but for the width of a terminal and the like."""
+    packages = [Path(folder) for package in (s7check, evidence) for folder in package.__path__]
+    sources = [file for package in packages for file in package.rglob("*.py") if "tests" not in file.parts]
+    text = "".join(file.read_text(encoding="utf-8") for file in sources)
+    used = set(re.findall(r"environ(?:\.get\(|\[)?\s*\"([A-Z0-9_]+)\"|\"([A-Z0-9_]+)\" (?:not )?in os\.environ", text))
+    names = {name for pair in used for name in pair if name}
+    assert names
+    assert all(f"`{name}`" in PAGE for name in names)
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_is_described(shell: str) -> None:
+    """The line for each shell."""
+    assert f"_S7CHECK_COMPLETE={shell}_source s7check" in PAGE

@@ -1,0 +1,22 @@
+"""Logs as TLA+."""
+
+from pathlib import Path
+
+from evidence.log_as_tla import read, value
+
+LOG = Path(__file__).parents[2] / "traces" / "accept" / "AIRT-03-nested-delay.ndjson"
+
+
+def test_fields() -> None:
+    """A log's header and lines have the fields that stand there, and not the number of the line."""
+    header, events = read(LOG)
+    assert header.startswith("[NoHeader EXCEPT !.")
+    assert len(events) == len(LOG.read_bytes().splitlines()) - 1
+    assert all(event.startswith("[NoEvent EXCEPT !.") and "!.line" not in event for event in events)
+
+
+def test_values() -> None:
+    """JSON in TLA+; TLC reads no 2147483648 to negate."""
+    assert value({"a": True, "b": ["x", -1]}) == '[a |-> TRUE, b |-> <<"x", -1>>]'
+    assert value(-(2**31)) == "(-2147483647 - 1)"
+    assert value(-(2**31) + 1) == "-2147483647"

@@ -1,0 +1,414 @@
+"""``s7check requirements``, over small projects."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from s7check import cli
+
+REQUIREMENTS = """# Requirements
+
+| ID | requirement | sources | confidence | specified in |
+|---|---|---|---|---|
+| TINT-01 | Something. | S | H | not yet |
+| TINT-02 | Something else (see TINT-01). | S | H | not yet |
+| OBS-09 | The rest. | S | H | not yet |
+"""
+READINGS = """# Readings
+
+| AMB | question | readings | default |
+|---|---|---|---|
+| 01 | Which? | (a), (b) | a |
+| 02 | When? | (a), (b) | a |
+
+| AMB | what a log may show |
+|---|---|
+| 01 | anything |
+"""
+SPEC = r"""---- MODULE System ----
+(* Rules.  Left out: sizes of buffers [OBS-09]. *)
+EXTENDS Integers
+
+(* [TINT-01] .. [TINT-02] *)
+Rule == Reading("AMB-01") = "a"
+====
+"""
+PROPERTIES = """---- MODULE Properties ----
+EXTENDS System
+
+(* [TINT-02] *)
+Part == TRUE
+(* [TINT-01] *)
+RuleInv == Part
+====
+"""
+MODEL = """---- MODULE MCRules ----
+(* A world for [TINT-02]. *)
+EXTENDS Properties
+
+OwnInv == TRUE
+====
+"""
+MANIFEST: dict[str, Any] = {
+    "version": 1,
+    "models": [
+        {
+            "name": "rules", "kind": "model", "lane": "smoke", "what": "rules", "requirements": ["TINT-01"],
+            "module": "MCRules.tla", "config": "MCRules.cfg", "seconds": [0, 9], "expect": {"exit": 0},
+        },
+        {
+            "name": "neg-rule", "base": "rules",
+            "mutate": {"module": "System.tla", "replace": "= \"a\"", "by": "= \"b\""},
+            "expect": {"exit": 12, "property": "OwnInv"},
+        },
+    ],
+}  # fmt: skip
+LOGS = [
+    {"file": "accept/a.ndjson", "verdict": "accepted", "requirements": ["TINT-01", "TINT-02"], "reason": "right"},
+    {"file": "reject/b.ndjson", "verdict": "rejected", "line": 2, "requirements": ["TINT-02"], "reason": "wrong"},
+    {"file": "reject/c.ndjson", "verdict": "rejected", "line": 2, "requirements": ["TINT-01"], "reason": "wrong"},
+]
+REASONS = [{"ids": ["AMB-02"], "columns": ["reading"], "kind": "unseen", "reason": "no line of a log can show it"}]
+
+FILES = {
+    "docs/requirements.md": REQUIREMENTS,
+    "docs/readings.md": READINGS,
+    "docs/left_out.json": json.dumps(REASONS),
+    "spec/System.tla": SPEC,
+    "spec/Properties.tla": PROPERTIES,
+    "models/MCRules.tla": MODEL,
+    "models/MCRules.cfg": "SPECIFICATION Spec\nINVARIANTS RuleInv OwnInv\n",
+    "models/manifest.json": json.dumps(MANIFEST),
+    "traces/index.json": json.dumps(LOGS),
+}
+
+Run = Callable[..., int]
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A small project in which nothing is missing, but for the generated pages."""
+    for name, text in FILES.items():
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def run(project: Path) -> Run:
+    """Runs the command over the small project."""
+    return lambda *arguments: cli.main(["requirements", "--project", str(project), *arguments])
+
+
+def replace(path: Path, old: str, new: str) -> None:
+    """Change a file of the small project."""
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_nothing_is_missing(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """The pages are written, and then are up to date; writing them again changes nothing."""
+    assert run("--write") == 0
+    written = {name: (project / "docs" / name).read_bytes() for name in ("traceability.md", "requirements.md")}
+    assert run() == 0
+    assert capsys.readouterr().out.endswith("nothing is missing\n")
+    assert run("--write") == 0
+    assert written == {name: (project / "docs" / name).read_bytes() for name in written}
+
+
+def test_page(project: Path, run: Run) -> None:
+    """What each requirement has stands on the page, what only touches it in italics."""
+    assert run("--write") == 0
+    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    assert (
+        "| TINT-01 | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
+        " [a](../traces/accept/a.ndjson) | [c](../traces/reject/c.ndjson) |\n"
+    ) in page
+    assert (
+        "| TINT-02 | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
+        " *[a](../traces/accept/a.ndjson)* | [b](../traces/reject/b.ndjson) |\n"
+    ) in page
+    assert "| OBS-09 | [module] | [module] | [module] | [module] | [module] |\n" in page
+    assert "| 01 | Which? | System: Rule |\n| 02 | When? | [unseen] |\n" in page
+    assert "| AMB-02 | reading | unseen | no line of a log can show it |\n" in page
+    assert "| model that would fail without it | 2 | 1 | 1 | 0 | 0 |\n" in page
+
+
+def test_specified_in(project: Path, run: Run) -> None:
+    """The last column of the requirements is generated, the others stay."""
+    assert run("--write") == 0
+    table = (project / "docs" / "requirements.md").read_text(encoding="utf-8")
+    assert "| TINT-01 | Something. | S | H | System; property: Properties |\n" in table
+    assert "| TINT-02 | Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
+    assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
+
+
+def test_modules_that_word_rejections(project: Path, run: Run) -> None:
+    """What builds on the explanation of a log names and looks up no rule, and states no property."""
+    assert run("--write") == 0
+    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    (project / "spec" / "Unrecorded.tla").write_text(
+        "---- MODULE Unrecorded ----\nEXTENDS System\nA == 1\n====\n", encoding="utf-8"
+    )
+    explain = SPEC.replace("MODULE System", "MODULE Explain").replace("EXTENDS Integers", "EXTENDS Unrecorded")
+    (project / "spec" / "Explain.tla").write_text(explain, encoding="utf-8")
+    assert run("--write") == 0
+    assert (project / "docs" / "traceability.md").read_text(encoding="utf-8") == page
+
+
+def test_specification_that_the_rules_implement(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """Where a model checks an instance of it, its formulas are properties."""
+    abstract = r"""---- MODULE Abstract ----
+
+(* [TINT-01] *)
+Step == TRUE
+Next == Step
+(* [TINT-02] *)
+Unused == FALSE
+====
+"""
+    (project / "spec" / "Abstract.tla").write_text(abstract, encoding="utf-8")
+    replace(project / "models/MCRules.tla", "OwnInv == TRUE", "A == INSTANCE Abstract\nOwnInv == A!Next")
+    assert run("--write") == 0
+    assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
+    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
+
+
+def test_several_manifests(project: Path, run: Run) -> None:
+    """Entries may stand in several manifests, with a base in another one."""
+    model, control = MANIFEST["models"]
+    (project / "models/manifest.json").write_text(json.dumps(MANIFEST | {"models": [model]}), encoding="utf-8")
+    (project / "models/manifest-more.json").write_text(json.dumps(MANIFEST | {"models": [control]}), encoding="utf-8")
+    assert run("--write") == 0
+
+
+def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """One requirement is shown with files and lines."""
+    assert run("TINT-02", "OBS-09", "AMB-01") == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "TINT-02",
+        "  formula   spec/System.tla:6: Rule",
+        "  property  models/MCRules.tla:5: OwnInv",
+        "  property  spec/Properties.tla:5: Part",
+        "  model     models: neg-rule",
+        "  accepted  traces/accept/a.ndjson",
+        "  rejected  traces/reject/b.ndjson",
+        "OBS-09",
+        *(
+            f"  {column:9} [module] sizes of buffers [OBS-09]."
+            for column in ("formula", "property", "model", "accepted", "rejected")
+        ),
+        "AMB-01",
+        "  reading   spec/System.tla:6: Rule",
+    ]
+    assert run("TINT-77") == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "problems"),
+    [
+        (
+            "spec/System.tla",
+            "[TINT-01] ..",
+            "",
+            ["TINT-01: no formula", "TINT-01: no model that would fail without it"],
+        ),
+        ("spec/Properties.tla", "[TINT-01]", "", ["TINT-01: no property that a model checks"]),
+        ("spec/System.tla", 'Reading("AMB-01")', "One", ["AMB-01: no formula that looks its letter up"]),
+        (
+            "spec/System.tla",
+            "[OBS-09]",
+            "",
+            [
+                "OBS-09: no formula",
+                "OBS-09: no property that a model checks",
+                "OBS-09: no model that would fail without it",
+                "OBS-09: no accepted log",
+                "OBS-09: no rejected log",
+            ],
+        ),
+        ("traces/index.json", '["TINT-01", "TINT-02"]', '["TINT-01"]', ["TINT-02: no accepted log"]),
+        ("traces/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
+        (
+            "docs/requirements.md",
+            "| OBS-09 |",
+            "| OBS-08 | New. | S | H | |\n| OBS-09 |",
+            [
+                "OBS-08: no formula",
+                "OBS-08: no property that a model checks",
+                "OBS-08: no model that would fail without it",
+                "OBS-08: no accepted log",
+                "OBS-08: no rejected log",
+            ],
+        ),
+        ("docs/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula that looks its letter up"]),
+        ("docs/readings.md", "| 01 | Which? | (a), (b) | a |\n", "", ["docs/readings.md: no AMB-01"]),
+    ],
+)
+def test_gap(
+    name: str, old: str, new: str, problems: list[str], project: Path, run: Run, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What has neither an entry nor a reason is named, and nothing else."""
+    replace(project / name, old, new)
+    assert run("--write") == 1
+    *_, last = lines = capsys.readouterr().out.splitlines()
+    unknown = [line for line in lines if "does not exist" in line]
+    assert [line for line in lines[7:-1] if line not in unknown] == problems
+    assert last == f"problems: {len(problems) + len(unknown)}"
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "unknown"),
+    [
+        ("spec/System.tla", "[TINT-01] ..", "[TINT-17] [TINT-01] ..", "TINT-17"),
+        ("spec/System.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
+        ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
+        ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
+        ("traces/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
+        ("docs/readings.md", "| 01 | anything |", "| 01 | see AMB-17 |", "AMB-17"),
+    ],
+)
+def test_id_that_does_not_exist(
+    name: str, old: str, new: str, unknown: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Wherever an ID stands, it has to be one of the catalogue."""
+    replace(project / name, old, new)
+    assert run("--write") == 1
+    assert f"\n{name}: {unknown} does not exist\n" in capsys.readouterr().out
+
+
+def test_property_that_no_model_checks(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """It says nothing of a requirement, though its comment names one."""
+    replace(project / "models/MCRules.cfg", "RuleInv", "")
+    assert run("--write") == 1
+    out = capsys.readouterr().out
+    assert "\nTINT-01: no property that a model checks\n" in out
+    assert "\nnote: Properties: no model checks Part, RuleInv\n" in out
+
+
+def test_fairness_is_assumed(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """What stands in the formula of a SPECIFICATION needs no model that checks it."""
+    replace(project / "spec/Properties.tla", "====", "\n(* [TINT-01] *)\nFairness == TRUE\n====")
+    assert run("--write") == 0
+    assert "\nnote: Properties: no model checks Fairness\n" in capsys.readouterr().out
+    replace(project / "models/MCRules.tla", "OwnInv ==", "FairSpec == Fairness\nOwnInv ==")
+    replace(project / "models/MCRules.cfg", "SPECIFICATION Spec", "SPECIFICATION FairSpec")
+    assert run("--write") == 0
+    assert "note:" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("ids", "columns", "problem"),
+    [
+        (["TINT-01"], ["formula"], "TINT-01: the reason for no formula is void, there is System.Rule"),
+        (["TINT-03"], ["formula"], "TINT-03 has no column formula"),
+        (["TINT-01"], ["reading"], "TINT-01 has no column reading"),
+        (["AMB-01"], ["reading"], "AMB-01: the reason for no reading is void, there is System.Rule"),
+    ],
+)
+def test_void_reason(
+    ids: list[str], columns: list[str], problem: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A reason for something that is not missing has to go."""
+    more = {"ids": ids, "columns": columns, "kind": "not done", "reason": "a reason of some length"}
+    (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
+    assert run("--write") == 1
+    assert f"\ndocs/left_out.json: {problem}\n" in capsys.readouterr().out
+
+
+def test_reason_that_points_nowhere(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """The properties, negative controls and logs that a reason names have to be there."""
+    reason = "see RuleInv, neg-rule, accept/a, OtherProp, neg-other, reject/other and Part"
+    (project / "docs/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
+    assert run("--write") == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[7:] == [
+        f"docs/left_out.json: AMB-02: {name} does not exist, or no model checks it"
+        for name in ("OtherProp", "neg-other", "reject/other")
+    ] + ["problems: 3"]
+
+
+def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """A reason that only says so is a reason, and shows in the summary."""
+    replace(project / "traces/index.json", '["TINT-02"]', '["TINT-01"]')
+    more = {"ids": ["TINT-02"], "columns": ["rejected"], "kind": "not done", "reason": "no such log is written yet"}
+    (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
+    assert run("--write") == 0
+    (line,) = (line for line in capsys.readouterr().out.splitlines() if "rejected log" in line)
+    assert line.split()[2:] == ["1", "0", "2", "1", "0"]
+
+
+@pytest.mark.parametrize("name", ["docs/traceability.md", "docs/requirements.md"])
+def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """A page that was changed by hand, and one that is missing, is named."""
+    assert run() == 1
+    assert run("--write") == 0
+    capsys.readouterr()
+    replace(project / name, "Rule", "Rules")
+    assert run() == 1
+    assert f"\n{name}: not up to date: s7check requirements --write\nproblems: 1\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "error"),
+    [
+        ("docs/requirements.md", "# Requirements\n", "requirements.md: no rows"),
+        ("docs/requirements.md", REQUIREMENTS + "| TINT-01 | Again. | S | H | |\n", "TINT-01 has more than one row"),
+        ("docs/readings.md", "# Readings\n", "readings.md: no rows"),
+        ("docs/left_out.json", "{}", "left_out.json: Expected `array`"),
+        ("docs/left_out.json", '[{"ids": ["TINT-01"], "columns": ["formulas"]}]', "Invalid enum value 'formulas'"),
+        ("docs/left_out.json", json.dumps([*REASONS, *REASONS]), "AMB-02, reading: two reasons"),
+        ("docs/left_out.json", None, "left_out.json"),
+        ("spec/System.tla", SPEC.replace("[TINT-01] .. [TINT-02]", ""), "spec: no comment of a formula names"),
+        ("spec/System.tla", SPEC.replace("[TINT-01] ..", "[TINT-03] .."), "is no range"),
+        ("spec/Properties.tla", PROPERTIES.replace("[", ""), "spec: no comment of a property names"),
+        ("spec/System.tla", "nothing", "System.tla: no module"),
+        ("models/MCRules.tla", None, "models: no module"),
+        ("models/MCRules.cfg", None, "MCRules.cfg"),
+        ("models/manifest.json", "[]", "manifest.json: Expected `object`"),
+        ("models/manifest.json", '{"version": 1, "models": []}', "manifest*.json: no negative controls"),
+        (
+            "models/manifest.json",
+            json.dumps(MANIFEST | {"models": MANIFEST["models"][1:]}),
+            "manifest*.json: no models",
+        ),
+        ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
+        ("traces/index.json", "[]", "index.json: no accepted log names a requirement"),
+        ("traces/index.json", json.dumps(LOGS[:1]), "index.json: no rejected log names a requirement"),
+        ("traces/index.json", "{", "index.json"),
+    ],
+)
+def test_unreadable(
+    name: str, text: str | None, error: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is missing, is something else, or holds nothing is an error with its file."""
+    path = project / name
+    if text is None:
+        path.unlink()
+    else:
+        path.write_text(text, encoding="utf-8")
+    assert run() == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("Error: ")
+    assert error in captured.err
+
+
+def test_no_project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """Outside of a project there is nothing to check."""
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["requirements"]) == 2
+    assert "neither here nor above" in capsys.readouterr().err
+
+
+def test_project_above(project: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In a folder of the project it is found."""
+    assert run("--write") == 0
+    monkeypatch.chdir(project / "docs")
+    assert cli.main(["requirements"]) == 0

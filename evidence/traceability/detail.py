@@ -1,0 +1,47 @@
+"""Where single requirements and ambiguities are treated, with files and lines, as text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from evidence.traceability.errors import UnreadableError
+from evidence.traceability.matrix import Cell, Matrix
+from evidence.traceability.modules import Definition
+from evidence.traceability.project import MODELS, TRACES, Project
+from evidence.traceability.reasons import Column
+
+
+def detail(root: Path, project: Project, matrix: Matrix, ids: Sequence[str]) -> str:
+    """What `matrix` has of these, a line for each entry. Raises `UnreadableError` for one that does not exist."""
+    rows = matrix.cells()
+    unknown = [name for name in ids if name not in rows]
+    if unknown:
+        raise UnreadableError(f"{unknown[0]}: no such requirement or ambiguity")
+    places = _places(root, project)
+    lines = []
+    for name in ids:
+        lines.append(name)
+        lines += [line for column, cell in rows[name].items() for line in _lines(column, cell, places)]
+    return "\n".join(lines)
+
+
+def _places(root: Path, project: Project) -> dict[str, str]:
+    """File and line of each definition."""
+    definitions: list[Definition] = [d for module in project.spec for d in module.definitions]
+    definitions += project.controls.properties
+    found = {}
+    for d in definitions:
+        folder = "spec" if (root / "spec" / f"{d.module}.tla").is_file() else MODELS
+        found[f"{d.module}.{d.name}"] = f"{folder}/{d.module}.tla:{d.line}: {d.name}"
+    return found
+
+
+def _lines(column: Column, cell: Cell, places: dict[str, str]) -> list[str]:
+    if not cell.entries.names:
+        return [f"  {column:9} {f'[{cell.kind}] {cell.reason}' if cell.reason else 'missing'}"]
+    if column == "model":
+        return [f"  {column:9} {MODELS}: {entry}" for entry in cell.entries.names]
+    if column in ("accepted", "rejected"):
+        return [f"  {column:9} {TRACES / entry}" for entry in cell.entries.names]
+    return [f"  {column:9} {places[entry]}" for entry in cell.entries.names]

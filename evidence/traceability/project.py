@@ -1,0 +1,72 @@
+"""Everything that the check reads, from one folder of the project."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from evidence.traceability import documents
+from evidence.traceability.controls import Controls, read_controls
+from evidence.traceability.errors import UnreadableError
+from evidence.traceability.ids import mentioned
+from evidence.traceability.logs import Logs, read_logs
+from evidence.traceability.modules import Module, read_modules
+from evidence.traceability.reasons import Reasons, read_reasons
+from evidence.traceability.roles import rules, statements
+
+REQUIREMENTS = Path("docs/requirements.md")
+READINGS = Path("docs/readings.md")
+REASONS = Path("docs/left_out.json")
+PAGE = Path("docs/traceability.md")
+MODELS = Path("models")
+TRACES = Path("traces")
+
+CITING = (
+    "README.md", "docs/*.md", "docs/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
+    "traces/README.md", "traces/index.json", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
+    "examples/soft_plc/scenarios/*.scn",
+)  # fmt: skip
+"""The files in which every ID has to exist."""
+
+
+@dataclass(frozen=True)
+class Project:
+    """What was read; `cited` are the IDs that each of the files names."""
+
+    requirements: tuple[str, ...]
+    ambiguities: dict[str, str]
+    spec: tuple[Module, ...]
+    controls: Controls
+    logs: Logs
+    reasons: Reasons
+    cited: dict[Path, tuple[str, ...]]
+
+
+def find_project(start: Path) -> Path:
+    """The folder of the project at or above `start`. Raises `UnreadableError`."""
+    for directory in (start, *start.parents):
+        if (directory / REQUIREMENTS).is_file() and (directory / "spec").is_dir():
+            return directory
+    raise UnreadableError(
+        f"neither here nor above is there {REQUIREMENTS} beside spec/: run this in a checkout of the project, or name "
+        "one with --project"
+    )
+
+
+def read_project(root: Path) -> Project:
+    """Read everything. Raises `UnreadableError` for what is missing, cannot be read or holds nothing."""
+    spec = read_modules(root / "spec")
+    models = read_modules(root / MODELS)
+    for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):
+        if not any(definition.tags for module in stating for definition in module.definitions):
+            raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
+    paths = sorted({path for pattern in CITING for path in root.glob(pattern)} - {root / PAGE})
+    return Project(
+        documents.requirements(root / REQUIREMENTS),
+        documents.ambiguities(root / READINGS),
+        tuple(spec),
+        read_controls(root / MODELS, spec, models),
+        read_logs(root / TRACES),
+        read_reasons(root / REASONS),
+        {path.relative_to(root): tuple(dict.fromkeys(mentioned(documents.read(path)))) for path in paths},
+    )

@@ -1,0 +1,248 @@
+"""``s7check verify``: the project's main job, and a table of what was checked and what was not."""
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+from rich.table import Table
+
+from evidence import session
+from evidence.shipped import difference, shipped_logs
+from s7check.check import check_log
+from s7check.engine_client import Engine
+from s7check.resources import INSTALLED
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build" / "verify"
+PLC = ROOT / "examples" / "soft_plc"
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: ``failures`` say what failed and what to do; ``run`` is False for what was not run."""
+
+    what: str
+    tool: str
+    size: str
+    seconds: float
+    failures: list[str]
+    run: bool = True
+
+    @property
+    def result(self) -> str:
+        """The word in the table."""
+        if not self.run:
+            return "not run"
+        return "FAILED" if self.failures else "ok"
+
+
+@click.command("verify", short_help="Do the main job of the project: models, soft PLC, shipped logs.")
+def verify_command() -> int:
+    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants.
+
+    Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed or a tool is missing, 2 this
+    is no checkout.
+    """
+    if INSTALLED:
+        raise click.ClickException("this is for a checkout of the project: run `make verify` there")
+    BUILD.mkdir(parents=True, exist_ok=True)
+    rows: list[Row] = []
+    for title, step in STEPS.items():
+        click.echo(f"== {title}")
+        rows += step()
+    _print(rows)
+    return 1 if any(row.failures for row in rows) else 0
+
+
+def _models() -> list[Row]:
+    results = BUILD / "models.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "s7check", "models", "--lane", "ci", "--json", str(results)]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    if not results.exists():
+        return [Row("models", "TLC", "", seconds, [f"the models were not run (exit code {code}); see above"])]
+    report = json.loads(results.read_bytes())
+    rows = []
+    for kind, models in _by_kind(report["models"]).items():
+        failures = [f"model {m['name']}: {'; '.join(m['problems'])}" for m in models if m["problems"]]
+        states = sum(m["distinct"] or 0 for m in models)
+        size = f"{len(models)} models, {states:,} distinct states"
+        rows.append(Row(f"models: {kind}", _tlc(report), size, sum(m["seconds"] for m in models), failures))
+    if code and not any(row.failures for row in rows):
+        rows.append(
+            Row("models", _tlc(report), "", seconds, [f"s7check models ended with exit code {code}; see above"])
+        )
+    return rows
+
+
+def _tlc(report: dict[str, dict[str, str]]) -> str:
+    return f"TLC {report['tlc']['version']}"
+
+
+def _by_kind(models: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    kinds: dict[str, list[dict[str, Any]]] = {}
+    for model in models:
+        kinds.setdefault(str(model["kind"]), []).append(model)
+    return kinds
+
+
+def _soft_plc() -> list[Row]:
+    scenarios = sorted((PLC / "scenarios").glob("*.scn"))
+    rows = []
+    for name, chosen, options in (
+        ("soft PLC, simulated clock", [s for s in scenarios if s.stem != "real_time"], []),
+        ("soft PLC, real clock", [s for s in scenarios if s.stem == "real_time"], ["--real-time"]),
+    ):
+        begun = time.monotonic()
+        failures, logs = [], []
+        for scenario in chosen:
+            log = BUILD / f"{scenario.stem}.ndjson"
+            log.unlink(missing_ok=True)
+            run = subprocess.run(
+                [str(PLC / "build" / "soft_plc"), *options, "-o", str(log), str(scenario)],
+                capture_output=True, text=True, check=False,
+            )  # fmt: skip
+            if run.returncode:
+                failures.append(f"soft_plc {scenario.name}: {run.stderr.strip()}")
+            else:
+                logs.append(log)
+        if not chosen:
+            failures.append(f"{(PLC / 'scenarios').relative_to(ROOT)} has no scenario for it")
+        events, rejected = _check_all(logs)
+        size = f"{len(chosen)} scenarios, {events:,} events"
+        rows.append(Row(name, "trace checker", size, time.monotonic() - begun, failures + rejected))
+    return rows
+
+
+def _check_all(logs: list[Path]) -> tuple[int, list[str]]:
+    events, failures = 0, []
+    with Engine() as engine:
+        for log in logs:
+            report = check_log(str(log), engine, lambda _source, _events: None)
+            events += report.events
+            if report.verdict != "accepted":
+                shown = log.relative_to(ROOT)
+                failures.append(f"{shown}:{report.line or ''}: {report.verdict} (see s7check trace {shown})")
+    return events, failures
+
+
+def _shipped_logs() -> list[Row]:
+    begun = time.monotonic()
+    events, failures = 0, []
+    shipped = shipped_logs(ROOT / "traces")
+    with Engine() as engine:
+        for expected in shipped:
+            report = check_log(str(ROOT / "traces" / expected.file), engine, lambda _source, _events: None)
+            events += report.events
+            failure = difference(expected, report)
+            if failure:
+                failures.append(failure)
+    if not shipped:
+        failures.append("traces/index.json names no logs")
+    size = f"{len(shipped)} logs, {events:,} events"
+    return [Row("shipped logs, as their index says", "trace checker", size, time.monotonic() - begun, failures)]
+
+
+def _agreement() -> list[Row]:
+    results = BUILD / "agreement.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "s7check", "agree", "--logs", str(SAMPLE), "--json", str(results)]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    failures = [f"s7check agree ended with exit code {code}; see above"] if code else []
+    size = tool = ""
+    if results.exists():
+        found = json.loads(results.read_bytes())
+        size = f"{found['logs']} logs, {found['accepted']} accepted, {found['lines']:,} lines"
+        tool = f"TLC {found['tlc']}"
+    return [Row("random logs, judged alike by the engine and TLC", tool, size, seconds, failures)]
+
+
+def _mutants() -> list[Row]:
+    results = BUILD / "mutants.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [
+        *(sys.executable, "-m", "s7check", "mutants", "--against", "all", "--lane", "smoke", "--fresh"),
+        *("--sample", str(MUTANTS), "--seed", str(SEED), "--json", str(results)),
+    ]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    seconds = time.monotonic() - begun
+    failures = [f"s7check mutants ended with exit code {code}; see above"] if code else []
+    size = ""
+    if results.exists():
+        found = json.loads(results.read_bytes())["all"]
+        size = f"{found['mutants']} mutants, {found['killed']} killed"
+    return [Row("mutants of the specification, noticed", "logs, then TLC", size, seconds, failures)]
+
+
+def _requirements() -> list[Row]:
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "s7check", "requirements"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    failures = [f"s7check requirements: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
+    size = run.stdout.partition("  ")[0]
+    return [Row("every requirement traced, or a reason", "s7check", size, time.monotonic() - begun, failures)]
+
+
+def _apalache() -> list[Row]:
+    begun = time.monotonic()
+    run = subprocess.run(
+        [str(ROOT / "models" / "apalache.sh"), "typecheck"], capture_output=True, text=True, check=False
+    )
+    seconds = time.monotonic() - begun
+    found = run.returncode != NOT_FOUND
+    failures = [f"apalache-mc typecheck: {run.stdout[-2000:]}{run.stderr}"] if found and run.returncode else []
+    size = f"{run.stdout.count('typecheck ')} modules, what they extend" if found else run.stderr.strip()
+    others = {"bounded checks of two invariants": "make apalache", "proofs of two specifications": "make prove"}
+    return [
+        Row("types of spec/", "Apalache", size, seconds, failures, run=found),
+        *(Row(what, "Apalache", by if found else NO_APALACHE, 0, [], run=False) for what, by in others.items()),
+    ]
+
+
+def _not_in_this_lane() -> list[Row]:
+    return [Row("models of the full lane", "TLC", "make models-full", 0, [], run=False)]
+
+
+NOT_FOUND = 3
+"""Exit code of models/apalache.sh where Apalache is not there."""
+
+NO_APALACHE = "apalache-mc was not found"
+
+SAMPLE = 200
+"""Random logs that both the engine and TLC judge."""
+
+MUTANTS, SEED = 12, 54
+"""A sample of which the shipped logs notice every mutant, in half a minute: only for those left are models run."""
+
+STEPS: dict[str, Callable[[], list[Row]]] = {
+    "models of the CI lane": _models,
+    "the soft PLC, run and checked": _soft_plc,
+    "the shipped logs": _shipped_logs,
+    "random logs, judged by the engine and by TLC": _agreement,
+    "a few mutants of the specification": _mutants,
+    "the requirements, traced": _requirements,
+    "types, where Apalache is there": _apalache,
+    "not run here": _not_in_this_lane,
+}
+
+
+def _print(rows: list[Row]) -> None:
+    console = session.console()
+    table = Table("checked", "by", "result", "size", "seconds")
+    for row in rows:
+        table.add_row(row.what, row.tool, row.result, row.size, f"{row.seconds:.1f}" if row.run else "")
+    console.print(table)
+    for row in rows:
+        for failure in row.failures:
+            console.print(f"FAILED {row.what}: {failure}", markup=False, highlight=False)

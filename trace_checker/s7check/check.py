@@ -1,0 +1,127 @@
+"""Checks one log: reads it, has the engine judge it, decides which line comes first."""
+
+from collections import deque
+from collections.abc import Callable
+from itertools import islice
+
+import click
+
+from s7check.engine_answer import NOTHING_TO_CHOOSE, Answer, Candidate
+from s7check.engine_client import Engine
+from s7check.engine_command import EngineError
+from s7check.log.errors import UnusableLogError
+from s7check.log.lines import Lines
+from s7check.log.reader import read_log
+from s7check.log.source import Source, open_log
+from s7check.report.expected import format_allowed, format_late
+from s7check.verdict import Report
+
+_KEPT = 16 * 1024 * 1024
+"""Bytes of lines kept for the report; more than can be under way to the engine at a time."""
+
+_OVERHEAD = 48
+"""Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
+
+_UNEXPLAINED = "no behaviour of the specification explains this line"
+_TOO_LATE = "something had to come before this line"
+
+Progress = Callable[[Source, int], None]
+"""Called now and then with the log being read and the number of events read from it."""
+
+
+def check_log(name: str, engine: Engine, progress: Progress, profile: str | None = None) -> Report:
+    """The verdict about the log ``name`` (``-`` for standard input); never raises for a log.
+
+    ``profile`` takes the place of that of the header.
+    """
+    log = click.format_filename(name)
+    recent = _RecentLines()
+    unusable: UnusableLogError | None = None
+    answer: Answer | None = None
+    try:
+        begun = False
+        events = 0
+        try:
+            with open_log(name) as source:
+                for batch in read_log(source.chunks(engine.wait)):
+                    recent.add(batch.lines)
+                    if batch.header is not None:
+                        engine.begin(batch.header if profile is None else batch.header | {"profile": profile})
+                        begun = True
+                    engine.send(batch.events)
+                    events += len(batch.events)
+                    progress(source, events)
+        except UnusableLogError as error:
+            unusable = error
+        # The engine was sent the lines before the unusable one: what it says of them comes first.
+        # If it has decided already, reading was broken off and the rest means nothing.
+        if begun:
+            answer = engine.finish()
+    except EngineError as error:
+        return Report(log, "no verdict", str(error))
+    if answer is not None and answer.verdict == "rejected":
+        return _rejected(log, answer, recent)
+    if answer is not None and answer.verdict == "error":
+        return Report(log, "no verdict", answer.message, line=answer.line, events=answer.events)
+    events = answer.events if answer else 0
+    if unusable is not None:
+        return Report(log, "unusable", unusable.reason, line=unusable.line or None, events=events)
+    return Report(log, "accepted", "the specification explains every event", events=events)
+
+
+def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
+    return Report(
+        log,
+        "rejected",
+        _TOO_LATE if answer.late else _UNEXPLAINED,
+        line=answer.line,
+        events=answer.events,
+        event=recent.get(answer.line or 0),
+        expected=[format_allowed(allowed) for allowed in answer.expected],
+        requirements=answer.requirements,
+        late=[format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else [],
+        states=answer.states,
+        situations=answer.situations,
+        candidates=_telling(answer.candidates),
+        lines=recent.up_to(answer.line or 0),
+    )
+
+
+def _telling(candidates: list[Candidate]) -> list[Candidate]:
+    """Without the actions that are about another kind of event altogether, and those of which there is nothing to say:
+    they had nothing to act on, or are not meant for this log.
+    """
+    of_this_event = [one for one in candidates if not one.conjunct.startswith("e.event ")]
+    telling = [one for one in of_this_event if one.values != NOTHING_TO_CHOOSE and one.conjunct != "FALSE"]
+    return telling or of_this_event or candidates
+
+
+class _RecentLines:
+    """The last lines read, to quote the one that the engine rejects."""
+
+    def __init__(self) -> None:
+        self._batches: deque[Lines] = deque()
+        self._bytes = 0
+
+    def add(self, lines: Lines) -> None:
+        self._batches.append(lines)
+        self._bytes += _size(lines)
+        while self._bytes > _KEPT and len(self._batches) > 1:
+            self._bytes -= _size(self._batches.popleft())
+
+    def up_to(self, number: int) -> list[bytes]:
+        """All lines from the first one to this one; none if the first is no longer at hand."""
+        if not self._batches or self._batches[0].first != 1:
+            return []
+        texts = (text for lines in self._batches for text in lines.texts)
+        return list(islice(texts, number))
+
+    def get(self, number: int) -> bytes | None:
+        for lines in self._batches:
+            if 0 <= number - lines.first < len(lines.texts):
+                return lines.texts[number - lines.first]
+        return None
+
+
+def _size(lines: Lines) -> int:
+    return sum(map(len, lines.texts)) + _OVERHEAD * len(lines.texts)

@@ -1,0 +1,120 @@
+"""The engine's protocol: logs go in, verdicts come out, a JSON object a line either way."""
+
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Literal, Self, TypeVar
+
+import msgspec
+
+from s7check.engine_answer import Alternatives, Answer
+from s7check.engine_command import EngineError, engine_command
+from s7check.engine_process import EngineProcess
+from s7check.log.errors import printable
+from s7check.log.source import wait_for_input
+from s7check.readable import readable
+from s7check.resources import REMEDY
+
+_SHOWN = 300
+_Shape = TypeVar("_Shape")
+
+
+class _Ready(msgspec.Struct, frozen=True):
+    engine: Literal["ready"]
+
+
+class _Alternatives(msgspec.Struct, frozen=True):
+    alternatives: Alternatives = msgspec.field(name="Alternatives")
+
+
+class Engine:
+    """One engine process for any number of logs, started when the first of them begins.
+
+    For each log: ``begin``, ``send`` as often as needed, ``finish``. Every method may raise
+    EngineError; the next ``begin`` then starts a new process. As a context manager it ends the
+    process.
+
+    A single thread serves both directions. That cannot deadlock: the engine takes every line it is
+    sent, decided or not, and its one line of answer fits into the pipe. With ``follow`` it may not:
+    such a log must end with the line that decides it.
+    """
+
+    def __init__(self, command: Callable[[], list[str]] = engine_command) -> None:
+        self._command = command
+        self._idle: EngineProcess | None = None
+        self._at_work: EngineProcess | None = None
+        self._answer: Answer | None = None
+        self._alternatives: Alternatives | None = None
+        self._encoder = msgspec.json.Encoder()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None) -> None:
+        for process in (self._idle, self._at_work):
+            if process is not None:
+                process.end(at_once=kind is not None or process is self._at_work)
+        self._idle = self._at_work = None
+
+    def begin(self, header: dict[str, Any], follow: int = 0) -> None:
+        """Begins a log with its normalised header; the answer will have the last ``follow`` steps."""
+        if self._at_work is not None:
+            # The log before was given up after an error; nobody knows what is still under way.
+            self._at_work.end(at_once=True)
+        self._at_work, self._idle = self._idle, None
+        if self._at_work is None:
+            self._at_work = self._started()
+        self._answer = None
+        message: dict[str, Any] = {"begin": header}
+        if follow:
+            message["follow"] = follow
+        self._at_work.write(self._encoder.encode(message) + b"\n")
+
+    def alternatives(self) -> Alternatives:
+        """What a header may ask for; not while a log is at work."""
+        if self._alternatives is None:
+            process = self._idle = self._idle or self._started()
+            process.write(self._encoder.encode({"ask": "Alternatives"}) + b"\n")
+            self._alternatives = _decode(process.line(), _Alternatives).alternatives
+        return self._alternatives
+
+    def _started(self) -> EngineProcess:
+        process = EngineProcess(self._command())
+        try:
+            _decode(process.line(), _Ready)
+        except EngineError:
+            process.end(at_once=True)
+            raise
+        return process
+
+    def send(self, events: list[dict[str, Any]]) -> None:
+        """Sends normalised events; once the log is decided they are dropped."""
+        if self._at_work is not None and self._answer is None and events:
+            self._at_work.write(self._encoder.encode_lines(events))
+
+    def wait(self, fd: int) -> bool:
+        """Waits until ``fd`` can be read. False once the log is decided, whatever ``fd`` does."""
+        if self._at_work is None:
+            return wait_for_input(fd)
+        output = self._at_work.output
+        while self._answer is None:
+            if output not in readable(fd, output):
+                return True
+            self._answer = _decode(self._at_work.line(), Answer)
+        return False
+
+    def finish(self) -> Answer:
+        """Ends the log that was begun and returns the answer to it."""
+        if self._at_work is None:
+            raise EngineError("no log was begun")
+        self._at_work.write(self._encoder.encode({"finish": True}) + b"\n")
+        answer = self._answer or _decode(self._at_work.line(), Answer)
+        self._idle, self._at_work = self._at_work, None
+        return answer
+
+
+def _decode(line: bytes, shape: type[_Shape]) -> _Shape:
+    try:
+        return msgspec.json.decode(line, type=shape)
+    except (msgspec.MsgspecError, UnicodeDecodeError) as error:
+        said = printable(line.decode(errors="replace"), _SHOWN)
+        raise EngineError(f"the engine answered {said}, which does not fit: {REMEDY}") from error

@@ -1,0 +1,93 @@
+"""The engine as an operating system process: lines in, lines out, and why it ended."""
+
+import os
+import signal
+import subprocess
+import tempfile
+
+from s7check.engine_command import EngineError
+from s7check.log.errors import printable
+from s7check.resources import REMEDY
+
+_PATIENCE = 5
+"""Seconds that the engine gets to end once its input has."""
+
+_READ = 64 * 1024
+_SHOWN = 300
+
+
+class EngineProcess:
+    """A running engine; ``output`` is the file descriptor on which its lines come.
+
+    Raises EngineError if it cannot be started, and from then on if it has ended.
+    """
+
+    def __init__(self, command: list[str]) -> None:
+        # A file for what it says on standard error: a pipe that nobody empties would block it.
+        with tempfile.TemporaryFile() as errors:
+            self._errors = os.dup(errors.fileno())
+        self._received = b""
+        input_end, self._input = os.pipe()
+        self.output, output_end = os.pipe()
+        try:
+            self._process = subprocess.Popen(command, stdin=input_end, stdout=output_end, stderr=self._errors)
+        except OSError as error:
+            self._close()
+            raise EngineError(f"the engine could not be started: {error}") from error
+        finally:
+            os.close(input_end)
+            os.close(output_end)
+
+    def write(self, data: bytes) -> None:
+        """Sends ``data``; blocks while the engine is busy with what it was sent before."""
+        rest = memoryview(data)
+        try:
+            while rest:
+                rest = rest[os.write(self._input, rest) :]
+        except OSError as error:  # a broken pipe, for which Windows has another number
+            raise self._ended() from error
+
+    def line(self) -> bytes:
+        """The next line from the engine, without its end; blocks until it has come."""
+        while b"\n" not in self._received:
+            piece = os.read(self.output, _READ)
+            if not piece:
+                raise self._ended()
+            self._received += piece
+        line, self._received = self._received.split(b"\n", 1)
+        return line
+
+    def end(self, at_once: bool = False) -> None:
+        """Ends the process by the end of its input, or kills it."""
+        if at_once:
+            self._process.kill()
+        self._close()
+        try:
+            self._process.wait(_PATIENCE)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+    def _close(self) -> None:
+        for fd in (self._input, self.output, self._errors):
+            os.close(fd)
+
+    def _ended(self) -> EngineError:
+        """Why a process that has closed its pipes is gone."""
+        try:
+            code = self._process.wait(_PATIENCE)
+        except subprocess.TimeoutExpired:
+            return EngineError(f"the engine broke off: try again, then {REMEDY}")
+        os.lseek(self._errors, 0, os.SEEK_SET)
+        said = os.read(self._errors, _READ).decode(errors="replace").strip()
+        if "OutOfMemoryError" in said:
+            return EngineError("the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance")
+        how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
+        words = f", {printable(_gist(said), _SHOWN)}" if said else ""
+        return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")
+
+
+def _gist(said: str) -> str:
+    """The line that names the exception in what a JVM printed, else the last line."""
+    lines = said.splitlines()
+    return next((line for line in lines if line.startswith(("Exception in", "Error:"))), lines[-1])

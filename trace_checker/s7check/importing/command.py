@@ -1,0 +1,184 @@
+"""``s7check import``."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from s7check.completion import complete_files
+from s7check.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
+from s7check.importing.errors import SourceError
+from s7check.importing.options import JsonFile, Letters, Numbers, Span, Words
+from s7check.importing.recording import Recording
+from s7check.log.errors import printable
+from s7check.output import write_whole
+
+_KINDS = ("step7", "szl", "csv", "ring")
+
+LARGEST = 16 * 1024 * 1024
+"""Bytes of the largest source; the whole of it is in memory."""
+
+
+_HELP = f"""Turn what a CPU has recorded into a log for s7check trace.
+
+SOURCE is a file, - for standard input, or a CPU, snap7://HOST:RACK:SLOT (rack 0, slot 2 for an
+S7-300), which needs python-snap7: {live.INSTALL}.
+
+\b
+--from
+  step7  the diagnostic buffer as STEP 7 V5 saves it as text, English or German
+         (Module Information, Diagnostic Buffer, Save As)
+  szl    records of SZL 16#00A0, 20 bytes each, binary or hexadecimal digits
+  csv    one event a row; --map says which column is which field
+  ring   the data block that the SCL instrumentation writes, binary or
+         hexadecimal digits
+
+The log's header needs what no source tells: --cpu, --obs, and --mode where SOURCE does not show
+it; or --header, a file that holds any of the header's fields. What SOURCE does not tell is left
+out of the log; its field "records" lists the kinds of event that are complete.
+
+\b
+Examples:
+  s7check import --from step7 buffer.txt --cpu S7-400 --obs 1,10,80,85,100 -o log.ndjson
+  s7check import snap7://192.168.0.1:0:2 --cpu S7-300 --obs 1,10,80 -o log.ndjson
+  s7check import --from ring --db 101 snap7://192.168.0.1:0:2 --header plant.json -o log.ndjson
+
+Standard error says how many entries were read and skipped, and why. The output is written whole
+or not at all.
+
+\b
+Exit codes:
+  0  the log is written
+  2  SOURCE or an option cannot be used: which entry, and what was expected
+  3  something else failed
+"""
+
+
+@click.command("import", help=_HELP, short_help="Turn a diagnostic buffer, CSV or ring into a log.")
+@click.option(
+    "--from",
+    "kind",
+    type=click.Choice(_KINDS),
+    help="What SOURCE is (above). Needed for a file; a CPU gives szl by default.",
+)
+@click.option(
+    "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), help="The log; standard output by default."
+)
+@click.option("--cpu", type=click.Choice(["S7-300", "S7-400", "CPU 318"]), help="The CPU's family.")
+@click.option("--obs", type=Numbers(), metavar="N,N...", help="The OBs that are loaded in it, 1,10,80 for instance.")
+@click.option("--clock", metavar="TIME", help="Its clock when the log begins; that of the first event by default.")
+@click.option("--mode", type=click.Choice(["STOP", "STARTUP", "RUN"]), help="Its mode then, if SOURCE does not tell.")
+@click.option(
+    "--latency",
+    type=int,
+    metavar="MS",
+    help="Longest time in milliseconds until an OB that is due has started; 10 by default.",
+)
+@click.option(
+    "--readings",
+    type=Letters(),
+    metavar="AMB-NN=LETTER,...",
+    help="How open questions of the manuals are answered, where not by the default (docs/readings.md).",
+)
+@click.option("--step7", type=JsonFile(), metavar="FILE", help="STEP 7 parameters of the OBs, as in the header, JSON.")
+@click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
+@click.option("--header", "fields", type=JsonFile(), metavar="FILE", help="Any fields of the header, JSON.")
+@click.option("--entries", type=Span(), metavar="A-B", help="Only entries A to B, as SOURCE numbers them.")
+@click.option("--dates", type=click.Choice(step7_text.DATE_ORDERS), help="Order of day, month, year in a step7 text.")
+@click.option(
+    "--map",
+    "columns",
+    type=click.Path(exists=True, dir_okay=False),
+    metavar="FILE",
+    help="For csv: which column is which field of the log, JSON (docs/import.md).",
+)
+@click.option("--db", type=click.IntRange(1, 65535), help="Number of the ring's data block in the CPU.")
+@click.option(
+    "--port", type=click.IntRange(1, 65535), default=live.ISO_ON_TCP, show_default=True, help="TCP port of the CPU."
+)
+@click.argument("source", metavar="SOURCE", shell_complete=complete_files)
+def import_command(kind: str | None, output: Path | None, source: str, **options: Any) -> int:
+    """Imports ``source``; the help says how."""
+    name = "standard input" if source == "-" else printable(source, 200)
+    try:
+        recording = _record(kind, source, options)
+        given = _given(options)
+        complete = header.complete(recording.header, given)
+        text = log_text.render(complete, recording.events)
+    except SourceError as error:
+        raise click.ClickException(f"{name}: {error}") from error
+    if output is None:
+        sys.stdout.buffer.write(text)
+        sys.stdout.flush()
+    else:
+        try:
+            write_whole(output, text)
+        except OSError as error:
+            raise click.ClickException(f"{output}: cannot be written: {error.strerror}") from error
+    _report(name, recording, complete)
+    return 0
+
+
+def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording:
+    """What the source gives."""
+    chosen: range | None = options["entries"]
+    if source.startswith(live.SCHEME):
+        return _record_live(kind, live.parse(source, options["port"]), options["db"], chosen)
+    if kind is None:
+        raise click.UsageError("--from: what is the file? step7, szl, csv or ring")
+    content = _content(source)
+    if kind == "step7":
+        return diagnostics.convert(step7_text.read(content, options["dates"]), chosen)
+    if kind == "szl":
+        return diagnostics.convert(szl.read(content), chosen)
+    if kind == "ring":
+        return ring.convert(hex_text.decode(content), chosen)
+    if options["columns"] is None:
+        raise click.UsageError("--map: --from csv needs a column map")
+    return csv_rows.convert(content, csv_rows.read_map(_content(options["columns"])), chosen)
+
+
+def _content(name: str) -> bytes:
+    try:
+        with click.open_file(name, "rb") as file:
+            content: bytes = file.read(LARGEST + 1)
+    except (OSError, ValueError, RuntimeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise SourceError("", "a file that can be read", str(reason)) from error
+    if len(content) > LARGEST:
+        raise SourceError("", f"a file of at most {LARGEST} bytes", "a larger one")
+    return content
+
+
+def _record_live(kind: str | None, address: live.Address, db: int | None, chosen: range | None) -> Recording:
+    if kind == "ring":
+        if db is None:
+            raise click.UsageError("--db: which data block is the ring?")
+        return ring.convert(live.read_ring(address, db), chosen)
+    if kind not in (None, "szl"):
+        raise click.UsageError(f"--from {kind}: a CPU gives szl or ring")
+    raw, remarks = live.read_diagnostic_buffer(address)
+    recording = diagnostics.convert(szl.read(raw), chosen)
+    recording.remarks += remarks
+    return recording
+
+
+def _given(options: dict[str, Any]) -> dict[str, Any]:
+    """The fields of the header that the user gives; an option counts more than --header."""
+    fields = {name: options[name] for name in ("cpu", "obs", "clock", "mode", "readings", "step7", "records")}
+    fields["latency_ms"] = options["latency"]
+    given: dict[str, Any] = options["fields"] or {}
+    return given | {name: value for name, value in fields.items() if value is not None}
+
+
+def _report(name: str, recording: Recording, complete: dict[str, Any]) -> None:
+    skipped = sum(recording.skipped.values())
+    click.echo(
+        f"{name}: {recording.read} entries read, {skipped} skipped; {len(recording.events)} events written", err=True
+    )
+    for reason, count in recording.skipped.items():
+        click.echo(f"  {count} skipped: {reason}", err=True)
+    click.echo(f"  recorded completely: {', '.join(complete['records']) or 'nothing'}", err=True)
+    for remark in recording.remarks:
+        click.echo(f"  note: {remark}", err=True)

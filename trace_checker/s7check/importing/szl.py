@@ -1,0 +1,43 @@
+"""Records of SZL 16#xxA0, the diagnostic buffer as the CPU gives it."""
+
+from collections.abc import Sequence
+
+from s7check.importing.entry import LENGTH, Buffer, from_record
+from s7check.importing.errors import SourceError
+from s7check.importing.hex_text import decode
+
+_IDENTIFIED = 8
+"""Bytes of the header before the records: SZL-ID, index, length of a record, number of records."""
+
+_COUNTED = 4
+"""Those without SZL-ID and index."""
+
+_LIST = 0xA0
+"""The list's number, the lower byte of the SZL-ID."""
+
+
+def read(content: bytes) -> Buffer:
+    """The buffer of records in binary or as hexadecimal digits; the SZL's header may come first."""
+    records = _records(decode(content))
+    # A slot that was never written holds zeros.
+    entries = [from_record(number, record) for number, record in enumerate(records, 1) if any(record)]
+    return Buffer(entries, len(records) - len(entries))
+
+
+def _records(raw: bytes) -> Sequence[bytes]:
+    header = len(raw) % LENGTH
+    if header == _IDENTIFIED and int.from_bytes(raw[:2]) & 0xFF == _LIST:
+        _check_counts(raw[_COUNTED:_IDENTIFIED], len(raw) // LENGTH)
+    elif header == _COUNTED and int.from_bytes(raw[:2]) == LENGTH:
+        _check_counts(raw[:_COUNTED], len(raw) // LENGTH)
+    elif header:
+        raise SourceError("", f"records of {LENGTH} bytes of SZL 16#00A0", f"{len(raw)} bytes")
+    return [raw[at : at + LENGTH] for at in range(header, len(raw), LENGTH)]
+
+
+def _check_counts(counts: bytes, present: int) -> None:
+    length, number = int.from_bytes(counts[:2]), int.from_bytes(counts[2:])
+    if length != LENGTH:
+        raise SourceError("header", f"records of {LENGTH} bytes", f"records of {length}")
+    if number != present:
+        raise SourceError("header", f"{present} records, as many as follow", f"a count of {number}")

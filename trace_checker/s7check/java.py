@@ -1,0 +1,52 @@
+"""Finding Java."""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from s7check.log.errors import printable
+
+LEAST_JAVA = 17
+"""The oldest version that runs TLC and the engine."""
+
+_PATIENCE = 60
+_SHOWN = 300
+_VERSION = re.compile(r'version "(?:1\.)?([0-9]+)')
+
+
+class JavaMissingError(Exception):
+    """There is no Java that can be used; the text says what to do."""
+
+
+def find_java() -> str:
+    """The path of ``$JAVA_HOME/bin/java`` or else of the ``java`` on the PATH.
+
+    Raises JavaMissingError if there is none, if it does not run or if it is older than LEAST_JAVA.
+    """
+    home = os.environ.get("JAVA_HOME")
+    java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java")
+    advice = f"install Java {LEAST_JAVA} or newer, or set JAVA_HOME to one"
+    if java is None:
+        raise JavaMissingError(f"no java {'in $JAVA_HOME/bin' if home else 'on the PATH'}: {advice}")
+    try:
+        said = subprocess.run(
+            [java, "-version"],
+            capture_output=True,
+            timeout=_PATIENCE,
+            check=True,
+            text=True,
+            errors="replace",
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise JavaMissingError(f"{java} -version failed ({error}): {advice}") from error
+    except subprocess.CalledProcessError as error:
+        # Such as a wrong option in JDK_JAVA_OPTIONS.
+        words = printable(" ".join(f"{error.stdout} {error.stderr}".split()), _SHOWN) or f"exit code {error.returncode}"
+        raise JavaMissingError(f"{java} -version failed ({words}): {advice}") from error
+    match = _VERSION.search(said.stderr)
+    if match is None or int(match[1]) < LEAST_JAVA:
+        version = match[1] if match else "of an unknown version"
+        raise JavaMissingError(f"{java} is Java {version}: {advice}")
+    return java

@@ -1,0 +1,48 @@
+"""The two clocks of a log: the CPU's, which can be set, and elapsed time, which cannot."""
+
+from typing import Any
+
+from s7check.log.errors import UnusableLogError
+from s7check.log.values import MS_PER_MINUTE, Moment, iso, moment
+
+
+class Clocks:
+    """Follows a log's times from line to line.
+
+    ``clock`` is the CPU clock when the log begins; ``jumps_logged`` says whether every setting of
+    the clock is in the log. Elapsed time counts from the log's begin: where a line has no ``up`` it
+    goes on by what the CPU clock does, settings left out.
+    """
+
+    def __init__(self, clock: Moment, jumps_logged: bool) -> None:
+        self._clock = _milliseconds(clock)
+        self._up = 0
+        self._elapsed = 0
+        self._jumps_logged = jumps_logged
+
+    def stamp(self, event: dict[str, Any]) -> None:
+        """Turns ``at`` into a moment and ``up`` too, which is filled in where it is missing.
+
+        Raises UnusableLogError if either runs backward.
+        """
+        at: int = event["at"]
+        up: int | None = event.get("up")
+        passed = at - self._clock
+        # Against an `up`, a jump of a clock whose settings are not logged is such a setting.
+        if passed < 0 and (self._jumps_logged or up is None):
+            raise UnusableLogError(f"no time before {iso(self._clock)}, the clock's last reading", iso(at), field="at")
+        if up is None:
+            self._elapsed += passed
+        elif up < self._up:
+            raise UnusableLogError(f"no number below {self._up}, the last one", str(up), field="up")
+        else:
+            self._up = up
+            # Lines without `up` may have counted further than the next one that has it.
+            self._elapsed = max(self._elapsed, up)
+        self._clock = _milliseconds(event["to"]) if "to" in event else at
+        event["at"] = moment(at)
+        event["up"] = moment(self._elapsed)
+
+
+def _milliseconds(reading: Moment) -> int:
+    return reading["min"] * MS_PER_MINUTE + reading["ms"]

@@ -1,0 +1,115 @@
+"""A log judged again: under other headers, or for what happened between its lines."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from s7check.engine_answer import Alternatives, Answer
+from s7check.engine_client import Engine
+from s7check.log.errors import UnusableLogError
+from s7check.log.reader import read_log
+from s7check.log.source import open_log
+from s7check.log.tables import PRIORITY_CPUS
+from s7check.verdict import Reading, Report, Verdict
+
+LONGEST = 4 * 1024 * 1024
+"""Bytes of a log that is judged again."""
+
+FOLLOWED = 160
+"""Lines before the verdict of which a report shows the situations."""
+
+
+class TooLongError(Exception):
+    """The log is too long, or was a stream that is gone."""
+
+
+class Replay:
+    """The events of a log, in memory. Raises TooLongError."""
+
+    def __init__(self, name: str, lines: Sequence[bytes], profile: str | None = None) -> None:
+        data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
+        self.lines: list[bytes] = []
+        self.header: dict[str, Any] = {}
+        self._events: list[dict[str, Any]] = []
+        self._unusable: int | None = None
+        try:
+            for batch in read_log([data]):
+                self.lines += batch.lines.texts
+                self.header = batch.header or self.header
+                self._events += batch.events
+        except UnusableLogError as error:
+            self._unusable = error.line
+        if profile is not None and self.header:
+            self.header["profile"] = profile
+
+    def judge(self, engine: Engine, header: dict[str, Any], last: int | None = None, follow: int = 0) -> Answer:
+        """The engine's answer to the log under ``header``, up to the line ``last``."""
+        engine.begin(header, follow)
+        engine.send([event for event in self._events if last is None or event["line"] <= last])
+        return engine.finish()
+
+    def reading(self, engine: Engine, reading: Reading, changes: dict[str, Any]) -> Reading:
+        """``reading`` with the verdict about the log when its header is changed."""
+        answer = self.judge(engine, self.header | changes)
+        if answer.verdict == "rejected":
+            return replace(reading, verdict="rejected", line=answer.line)
+        if answer.verdict == "error":
+            return replace(reading, verdict="no verdict", line=answer.line)
+        verdict: Verdict = "accepted" if self._unusable is None else "unusable"
+        return replace(reading, verdict=verdict, line=self._unusable)
+
+
+def with_readings(report: Report, engine: Engine, replay: Replay) -> Report:
+    """The report with the verdicts under other CPUs, other profiles, and one other letter at a time."""
+    if not replay.header:
+        return report
+    tried = [
+        replay.reading(engine, reading, changes) for reading, changes in _changes(replay.header, engine.alternatives())
+    ]
+    return replace(report, readings=tried)
+
+
+def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:
+    """The report with the log's lines and the situations after them."""
+    if not replay.header:
+        return replace(report, lines=replay.lines)
+    last = report.line if report.verdict != "accepted" else None
+    answer = replay.judge(engine, replay.header, last, FOLLOWED)
+    return replace(report, lines=replay.lines, steps=answer.steps)
+
+
+def _changes(header: dict[str, Any], others: Alternatives) -> Iterable[tuple[Reading, dict[str, Any]]]:
+    for family in others.families:
+        if family != header["cpu"]:
+            priority = header["priority"] if family in PRIORITY_CPUS else []
+            yield Reading("cpu", f"cpu {family}", "no verdict"), {"cpu": family, "priority": priority}
+    for profile in ["", *others.profiles]:
+        if profile != header["profile"]:
+            change = f"profile {profile}" if profile else "no profile"
+            yield Reading("profile", change, "no verdict"), {"profile": profile}
+    named = dict(header["readings"])
+    defaults = dict(others.defaults)
+    for ambiguity, letters in others.letters:
+        own = named.get(ambiguity, None if header["profile"] else defaults.get(ambiguity))
+        for letter in letters:
+            if letter != own:
+                readings = [*([a, x] for a, x in header["readings"] if a != ambiguity), [ambiguity, letter]]
+                yield Reading("letter", f"{ambiguity} {letter}", "no verdict"), {"readings": readings}
+
+
+def _bytes_of(name: str) -> bytes:
+    data = b""
+    try:
+        if not Path(name).is_file():
+            raise TooLongError
+        with open_log(name) as source:
+            for chunk in source.chunks():
+                data += chunk
+                if len(data) > LONGEST:
+                    raise TooLongError
+    except (OSError, ValueError) as error:
+        raise TooLongError from error
+    except UnusableLogError:
+        pass  # a damaged end was reported already
+    return data

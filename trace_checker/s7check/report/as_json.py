@@ -1,0 +1,42 @@
+"""One JSON object a log."""
+
+from typing import Any
+
+import msgspec
+
+from s7check.report import words
+from s7check.report.clauses import clause
+from s7check.verdict import Report
+
+
+def to_json(report: Report) -> bytes:
+    """The report as one line of JSON, without its end; a rejected event is the log's own text."""
+    return msgspec.json.encode(
+        {
+            "log": report.log,
+            "verdict": report.verdict,
+            "line": report.line,
+            "events": report.events,
+            "event": None if report.event is None else msgspec.Raw(report.event.strip()),
+            "expected": report.expected,
+            "requirements": report.requirements,
+            "message": report.message,
+            **(_explanation(report) if report.verdict == "rejected" else {}),
+            **({} if report.readings is None else {"readings": _readings(report)}),
+        }
+    )
+
+
+def _explanation(report: Report) -> dict[str, Any]:
+    return {
+        "prefix": {"first": 1, "last": report.line},
+        "late": report.late,
+        "clauses": [clause(name) for name in report.requirements],
+        "candidates": report.candidates,
+        "states": report.states,
+        "situations": [[list(said) for said in words.situation(state)] for state in report.situations],
+    }
+
+
+def _readings(report: Report) -> list[dict[str, Any]]:
+    return [{"change": one.change, "verdict": one.verdict, "line": one.line} for one in report.readings or []]

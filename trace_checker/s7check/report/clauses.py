@@ -1,0 +1,68 @@
+"""The requirements: what the IDs in a report stand for.
+
+``requirements.json`` beside this module is made from the tables of docs/requirements.md and
+docs/readings.md: ``python -m s7check.report.clauses``.
+"""
+
+import re
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+import msgspec
+
+_FILE = "requirements.json"
+_ROW = re.compile(r"^\| ((?:TINT|DINT|IRT|AIRT|OBS|CLK)-[0-9]+) \| (.*) \|$", re.MULTILINE)
+_AMBIGUITY = re.compile(r"^\| ([0-9]{2}) \| (.*) \|$", re.MULTILINE)
+_LETTER = re.compile(r"\(([a-d])\) (.*?)(?=;? \([a-d]\) |$)")
+_CELLS_OF_AMBIGUITY = 4
+_CELL = re.compile(r"(?<!\\)\|")
+
+
+class Clause(msgspec.Struct, frozen=True):
+    """A requirement or, with an ID ``AMB-nn``, a question that the sources leave open, and its readings."""
+
+    id: str
+    text: str
+    source: str = ""
+    confidence: str = ""
+    letters: dict[str, str] = {}
+
+
+@cache
+def _clauses() -> dict[str, Clause]:
+    data = (files(__package__) / _FILE).read_bytes()
+    return {clause.id: clause for clause in msgspec.json.decode(data, type=list[Clause])}
+
+
+def clause(name: str) -> Clause:
+    """The clause with this ID; without a text if there is none."""
+    return _clauses().get(name, Clause(name, ""))
+
+
+def read_catalogue(requirements: str, readings: str) -> list[Clause]:
+    """The clauses of the two documents."""
+    found: list[Clause] = []
+    for name, row in _ROW.findall(requirements):
+        text, source, confidence = (cell.strip() for cell in _CELL.split(row)[:3])
+        found.append(Clause(name, text, source, confidence))
+    for number, row in _AMBIGUITY.findall(readings):
+        question, *cells = (cell.strip() for cell in _CELL.split(row))
+        if len(cells) == _CELLS_OF_AMBIGUITY:
+            found.append(Clause(f"AMB-{number}", question, letters=dict(_LETTER.findall(cells[0]))))
+    return found
+
+
+def _encoded(clauses: list[Clause]) -> bytes:
+    return msgspec.json.format(msgspec.json.encode(clauses), indent=1) + b"\n"
+
+
+def main() -> None:
+    """Writes the file from the documents of the checkout."""
+    docs = Path(__file__).resolve().parents[3] / "docs"
+    texts = [(docs / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
+    Path(str(files(__package__) / _FILE)).write_bytes(_encoded(read_catalogue(*texts)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+"""What the specification allows, in the words of the log format."""
+
+from s7check.engine_answer import Allowed, Situation
+from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
+
+_WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
+_BYTES = frozenset({"flt_id", "strt_info"})
+
+
+def format_allowed(allowed: Allowed) -> str:
+    """Such as ``EN_AIRT ret=16#0000``, ``start ob=80 flt_id=16#05`` or ``end ob=10``; a value that the
+    specification leaves open is left out.
+    """
+    parts = [allowed.event]
+    if allowed.ob:
+        parts.append(f"ob={allowed.ob}")
+    if allowed.field and allowed.value != NOT_LOGGED:
+        parts.append(f"{allowed.field}={_format_value(allowed.field, allowed.value)}")
+    return " ".join(parts)
+
+
+def format_late(allowed: Allowed, situations: list[Situation]) -> str:
+    """What had to come before the line, such as ``start ob=40, within 10 ms of 2026-03-02T08:00:31.000``.
+
+    The moment is that of a start event that could have started its OB; of a STOP or an entry none is told.
+    """
+    since = next(
+        (
+            f" of {iso(state.clock.min * MS_PER_MINUTE + state.clock.ms - waited)}"
+            for state in situations
+            for request in state.pending
+            for number, waited in state.waited
+            if request.ob == allowed.ob and request.ready and request.class_ == number
+        ),
+        "",
+    )
+    return f"{format_allowed(allowed)}, within {situations[0].latency} ms{since}"
+
+
+def _format_value(field: str, value: int | str | dict[str, int]) -> str:
+    if isinstance(value, dict):
+        return iso(value["min"] * MS_PER_MINUTE + value["ms"])
+    if isinstance(value, int) and field in _WORDS:
+        return f"16#{value & 0xFFFF:04X}"
+    if isinstance(value, int) and field in _BYTES:
+        return f"16#{value & 0xFF:02X}"
+    return str(value)

