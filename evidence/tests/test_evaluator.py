@@ -1,6 +1,6 @@
 """The engine's evaluator of TLA+ beside TLC's interpreter, on everything that the shipped logs need.
 
-With ``s7.trace.compare`` the engine evaluates every operator both ways, and a difference is an
+With ``tla.compare`` the engine evaluates every operator both ways, and a difference is an
 error instead of a verdict.
 """
 
@@ -17,7 +17,7 @@ TRACES = Path(__file__).resolve().parents[2] / "traces"
 
 def test_the_evaluator_agrees_with_tlc(monkeypatch: pytest.MonkeyPatch) -> None:
     """No shipped log shows a difference: each has its verdict and line."""
-    monkeypatch.setenv("JDK_JAVA_OPTIONS", "-Ds7.trace.compare=true")
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", "-Dtla.compare=true")
     with Engine() as engine:
         wrong = [
             wanted

@@ -23,7 +23,7 @@ class _Ready(msgspec.Struct, frozen=True):
 
 
 class _Alternatives(msgspec.Struct, frozen=True):
-    alternatives: Alternatives = msgspec.field(name="Alternatives")
+    alternatives: Alternatives
 
 
 class Engine:
@@ -64,7 +64,7 @@ class Engine:
         if self._at_work is None:
             self._at_work = self._started()
         self._answer = None
-        message: dict[str, Any] = {"begin": header}
+        message: dict[str, Any] = {"message": "begin", "header": header}
         if follow:
             message["follow"] = follow
         self._at_work.write(self._encoder.encode(message) + b"\n")
@@ -73,7 +73,7 @@ class Engine:
         """What a header may ask for; not while a log is at work."""
         if self._alternatives is None:
             process = self._idle = self._idle or self._started()
-            process.write(self._encoder.encode({"ask": "Alternatives"}) + b"\n")
+            process.write(self._encoder.encode({"message": "alternatives"}) + b"\n")
             self._alternatives = _decode(process.line(), _Alternatives).alternatives
         return self._alternatives
 
@@ -106,7 +106,7 @@ class Engine:
         """Ends the log that was begun and returns the answer to it."""
         if self._at_work is None:
             raise EngineError("no log was begun")
-        self._at_work.write(self._encoder.encode({"finish": True}) + b"\n")
+        self._at_work.write(self._encoder.encode({"message": "finish"}) + b"\n")
         answer = self._answer or _decode(self._at_work.line(), Answer)
         self._idle, self._at_work = self._at_work, None
         return answer

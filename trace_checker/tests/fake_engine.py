@@ -92,15 +92,16 @@ def main() -> None:
             with Path(transcript).open("a") as file:
                 file.write(line)
         entry = json.loads(line)
-        if "ask" in entry:
-            print(json.dumps({"Alternatives": ALTERNATIVES}), flush=True)
-        elif "begin" in entry:
+        message = entry.get("message")
+        if message == "alternatives":
+            print(json.dumps({"alternatives": ALTERNATIVES}), flush=True)
+        elif message == "begin":
             explained, answer = 0, None
-            lenient = ["AMB-12", "b"] in entry["begin"]["readings"]
+            lenient = ["AMB-12", "b"] in entry["header"]["readings"]
             steps = [] if "follow" in entry else None
         elif answer is None:
             accepted = {"verdict": "accepted", "events": explained}
-            answer = accepted if "finish" in entry else None if lenient else judge(entry, explained)
+            answer = accepted if message == "finish" else None if lenient else judge(entry, explained)
             explained += 1
             if steps is not None and "line" in entry and not answer:
                 steps.append({"line": entry["line"], "situation": SITUATION})

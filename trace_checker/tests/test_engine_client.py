@@ -43,9 +43,9 @@ def test_what_is_sent(fake_command: list[str], tmp_path: Path) -> None:
     with Engine(lambda: [*fake_command, str(transcript)]) as engine:
         feed(engine, event("SET_TINT", ob=10, sdt="2026-02-30T06:00", period="16#0201", ret=None, x_own=1))
     header, call, end = transcript.read_text().splitlines()
-    assert header.startswith('{"begin":')
-    assert list(json.loads(header)) == ["begin"]
-    assert json.loads(header)["begin"]["latency"] == 10
+    assert header.startswith('{"message":"begin",')
+    assert list(json.loads(header)) == ["message", "header"]
+    assert json.loads(header)["header"]["latency"] == 10
     assert json.loads(call) == {
         "line": 2,
         "event": "SET_TINT",
@@ -56,7 +56,7 @@ def test_what_is_sent(fake_command: list[str], tmp_path: Path) -> None:
         "up": {"min": 0, "ms": 1000},
         "sdt": {"year": 2026, "month": 2, "day": 30, "hour": 6, "minute": 0, "second": 0, "ms": 0},
     }
-    assert json.loads(end) == {"finish": True}
+    assert json.loads(end) == {"message": "finish"}
 
 
 def test_answers(engine: Engine) -> None:

@@ -42,7 +42,7 @@ def test_command(installed: Path) -> None:
     assert command[-3:] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
 
 
-@pytest.mark.parametrize(("own", "ours"), [("", True), ("-Ds7.trace.compare=true", True), ("-Xmx4g", False)])
+@pytest.mark.parametrize(("own", "ours"), [("", True), ("-Dtla.compare=true", True), ("-Xmx4g", False)])
 def test_jvm_options(installed: Path, monkeypatch: pytest.MonkeyPatch, own: str, ours: bool) -> None:
     """The memory is limited unless the user chooses options of the JVM."""
     monkeypatch.setenv("JDK_JAVA_OPTIONS", own)

@@ -11,6 +11,7 @@ VARIABLES number, set, record, function, sequence
 
 vars == <<number, set, record, function, sequence>>
 others == <<record, function, sequence>>
+groups == <<set, <<others>>>>
 
 Init ==
     /\ number = 3
@@ -75,6 +76,7 @@ Nested == [function EXCEPT ![10] = [x \in 1..1 |-> [function EXCEPT ![11] = @ + 
 
 -----------------------------------------------------------------------------
 ActAssign == number' = number + 1 /\ UNCHANGED <<set, others>>
+ActGroups == record' = record /\ UNCHANGED <<number, groups>>
 ActAny == /\ number' \in set
           /\ number' > 1
           /\ UNCHANGED set

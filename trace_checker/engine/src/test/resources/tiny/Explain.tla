@@ -25,10 +25,10 @@ Elapse(e) == /\ count # Full
              /\ time' = time + 1
              /\ count' = count
 
-Stirs == count > 0
-Silent == /\ count < 8
-          /\ count' = 2 * count
-          /\ time' = time
+Stirs(e) == count > 0
+Silent(e) == /\ count < 8
+             /\ count' = 2 * count
+             /\ time' = time
 
 (* [TINY-03] *)
 Observe(e) ==
@@ -50,10 +50,11 @@ Either(n) == \/ Guarded(n)
              \/ \E m \in {} : Guarded(m)
              \/ LET double == 2 * n
                 IN  IF double > 1 THEN count > n /\ UNCHANGED <<count, time>>
-                                  ELSE Silent
+                                  ELSE Silent(NoEvent)
 
 Situation == [count |-> count]
+Distinct == <<count, time>>
 Alternatives == {1, 2}
 
-Next == Silent
+Next == Silent(NoEvent)
 =============================================================================

@@ -16,24 +16,36 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import tla.json.Json;
+import tla.json.JsonLines;
+import tla.spec.Specification;
 import tlc2.TLCGlobals;
 import util.ToolIO;
 
 /**
  * The trace checker's engine: reads normalised logs from standard input, one JSON object a line,
- * and prints one verdict a log as soon as it is decided.
+ * and prints a verdict for each log as soon as it is decided.
  *
- * <p>Input: {@code {"begin": HEADER}}, then an event a line, then {@code {"finish": true}}; any
- * number of logs. Output: {@code {"engine":"ready",...}} once, then for each log an object with
- * {@code verdict} "accepted", "rejected" or "error". A log that begins with {@code "follow": N} is
- * answered with the situations after its last N events. {@code {"ask": OPERATOR}} between two logs is
- * answered with the operator's value.
+ * <p>The first field of a line says what it is:
+ *
+ * <ul>
+ *   <li>{@code {"message":"begin","header":HEADER}} begins a log. With {@code "follow":N} the answer
+ *       has the situations after the last N events.
+ *   <li>{@code {"message":"finish"}} ends it.
+ *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
+ *   <li>An object with another first field is an event of the log.
+ * </ul>
+ *
+ * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is
+ * "accepted", "rejected" or "error", and for each question an object with its answer.
  */
 public final class Engine {
   /** Exit code of an engine whose parent has ended. */
   private static final int NOBODY_LEFT = 3;
 
-  private final Specification spec;
+  private static final String MESSAGE = "message";
+
+  private final Contract spec;
   private final PrintStream out;
 
   private Explanation explanation;
@@ -42,7 +54,7 @@ public final class Engine {
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
   private int follow;
 
-  Engine(Specification spec, PrintStream out) {
+  Engine(Contract spec, PrintStream out) {
     this.spec = spec;
     this.out = out;
   }
@@ -62,7 +74,7 @@ public final class Engine {
     System.setOut(System.err);
     ToolIO.out = System.err;
     ToolIO.setMode(ToolIO.TOOL);
-    var engine = new Engine(new Specification(Path.of(args[0]), "Explain"), out);
+    var engine = new Engine(new Contract(new Specification(Path.of(args[0]), Contract.MODULE)), out);
     var ready = new JsonObject();
     ready.addProperty("engine", "ready");
     ready.addProperty("tlc", jarOfTlc());
@@ -77,7 +89,7 @@ public final class Engine {
     Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(own.toFile())));
   }
 
-  /** An engine that is at work on an event does not see its input end. */
+  /** Ends with the parent, since an engine at work on an event does not see its input end. */
   private static void endWithParent() {
     ProcessHandle.current()
         .parent()
@@ -104,18 +116,7 @@ public final class Engine {
     var lines = new JsonLines(in);
     for (Json line = lines.next(); line != null; line = lines.next()) {
       try {
-        if (line.startsWith("{\"begin\"")) {
-          begin(object(line));
-        } else if (line.startsWith("{\"ask\"")) {
-          print(explained(object(line).get("ask").getAsString()));
-        } else if (decided) {
-          // The other lines of a log that is decided only need to be passed over.
-          continue;
-        } else if (line.startsWith("{\"finish\"")) {
-          answer("accepted", null);
-        } else {
-          observe(line);
-        }
+        take(line);
       } catch (NotCovered | StackOverflowError e) {
         var error = new JsonObject();
         if (object(line).has("line")) {
@@ -124,6 +125,27 @@ public final class Engine {
         error.addProperty("message", String.valueOf(e.getMessage()));
         answer("error", error);
       }
+    }
+  }
+
+  private void take(Json line) {
+    String message = line.first(MESSAGE);
+    if (message == null) {
+      // The engine passes over the other lines of a log that is decided.
+      if (!decided) {
+        observe(line);
+      }
+      return;
+    }
+    switch (message) {
+      case "begin" -> begin(object(line));
+      case "alternatives" -> print(alternatives());
+      case "finish" -> {
+        if (!decided) {
+          answer("accepted", null);
+        }
+      }
+      default -> throw new IllegalArgumentException("an unknown message: " + line);
     }
   }
 
@@ -141,13 +163,12 @@ public final class Engine {
     events = 0;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
-    explanation = new Explanation(spec, Json.of(json.get("begin").toString()));
+    explanation = new Explanation(spec, Json.of(json.get("header").toString()));
   }
 
-  /** What an operator of the specification says that depends on no log. */
-  private JsonObject explained(String operator) {
+  private JsonObject alternatives() {
     var answer = new JsonObject();
-    answer.add(operator, Values.toJson(spec.value(operator, spec.initialState())));
+    answer.add("alternatives", spec.alternatives());
     return answer;
   }
 

@@ -10,23 +10,25 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonParser;
+import tla.json.Json;
+import tla.spec.Guards;
 import tlc2.tool.StateVec;
 import tlc2.tool.TLCState;
-import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
 /**
  * The set of specification states that explain a log so far.
  *
- * <p>The set is taken from line to line: time elapses to the line, silent steps are closed over,
- * the line is observed. All three are operators of the module Trace; nothing here knows what they
- * mean.
+ * <p>The set goes from line to line: time elapses to the line, any number of silent steps follows,
+ * the line is observed. All three are operators of the specification ({@link Contract}); this class
+ * does not know their meaning.
  */
 final class Explanation {
-  /** More states than any log needs whose open questions a person could still follow. */
+  /** The most states that are followed; nobody can follow the open questions of a log with more. */
   static final int MOST_STATES = 20_000;
 
   /** Situations and candidates that a report can show. */
@@ -38,12 +40,12 @@ final class Explanation {
   /**
    * Why no state is left.
    *
-   * @param late whether something had to come before the event
-   * @param expected what could have been observed instead, or had to be observed before
-   * @param requirements what decides it
-   * @param states how many states were left before the event
+   * @param late whether another event had to come before this one
+   * @param expected the events that were possible in its place, or had to come before it
+   * @param requirements the requirements that decide
+   * @param states the number of states before the event
    * @param situations the states that come nearest to it
-   * @param candidates why the actions by which it might have been explained are not enabled
+   * @param candidates the actions that might have explained it, each with its false conjunct
    */
   record Refusal(
       boolean late,
@@ -53,8 +55,7 @@ final class Explanation {
       List<JsonElement> situations,
       Set<Guards.Failure> candidates) {}
 
-  private final Specification spec;
-  private final RecordValue noEvent;
+  private final Contract spec;
   private final Past past = new Past();
   private List<TLCState> states;
 
@@ -62,12 +63,12 @@ final class Explanation {
    * Starts a log.
    *
    * @param header the normalised header, an object as JSON
-   * @throws NotCovered if the header asks for what the specification does not have
+   * @throws NotCovered if the header asks for a reading or profile that the specification does not
+   *     have
    */
-  Explanation(Specification spec, Json header) {
+  Explanation(Contract spec, Json header) {
     this.spec = spec;
     try {
-      noEvent = (RecordValue) spec.value("NoEvent", spec.initialState());
       begin(header);
     } catch (NotCovered e) {
       throw e;
@@ -77,13 +78,12 @@ final class Explanation {
   }
 
   private void begin(Json header) {
-    TLCState blank = spec.initialState();
-    Value h = Values.like(spec.value("NoHeader", blank), header);
-    JsonElement open = Values.toJson(spec.value("NotCovered", blank, h));
-    if (!open.getAsJsonArray().isEmpty()) {
+    Value h = spec.header(header);
+    JsonArray open = spec.notCovered(h);
+    if (!open.isEmpty()) {
       throw new NotCovered("the header asks for what the specification does not cover: " + open);
     }
-    states = list(spec.successors("Begin", blank, h));
+    states = list(spec.begin(h));
   }
 
   /** How many states explain the log so far. */
@@ -93,20 +93,20 @@ final class Explanation {
 
   /** One of the situations in which the CPU may be after the log so far. */
   JsonElement situation() {
-    return Values.toJson(spec.value("Situation", states.get(0)));
+    return spec.situation(states.get(0));
   }
 
   /**
    * Observes one event.
    *
    * @param event the normalised event, an object as JSON
-   * @return null if it is explained, else why not; the states are then those before the event
+   * @return null if it is explained, else why not; the states then stay as before the event
    * @throws NotCovered if more states explain the log than can be followed, or if the
    *     specification cannot be evaluated for this event
    */
   Refusal observe(Json event) {
     try {
-      return observed((RecordValue) Values.like(noEvent, event));
+      return observed(spec.event(event));
     } catch (NotCovered e) {
       throw e;
     } catch (RuntimeException e) {
@@ -121,25 +121,24 @@ final class Explanation {
     if (arrived.isEmpty()) {
       // Where changes of mode may be unseen, every state goes on, round in circles.
       List<TLCState> late = stuck.isEmpty() ? states : stuck;
-      return refusal(true, "TooLate", "LateRequirements", "Elapse", late, late, event);
+      return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
     List<TLCState> ready = closure(arrived, event);
     List<TLCState> after = new ArrayList<>(ready.size());
     for (TLCState state : ready) {
-      addAll(after, spec.successors("Observe", state, event));
+      addAll(after, spec.observe(state, event));
     }
     if (after.isEmpty()) {
-      return refusal(
-          false, "Expected", "Deciding", "Observe", ready, nearest(ready, event), event);
+      return refusal(Contract.Failing.UNEXPLAINED, ready, nearest(ready, event), event);
     }
     states = distinct(after);
     past.add(event);
     return null;
   }
 
-  /** The states when time has elapsed to the event; those that cannot get there go to {@code stuck}. */
+  /** The states after time has elapsed to the event; states that cannot get there go to {@code stuck}. */
   private List<TLCState> elapse(Value event, List<TLCState> stuck) {
-    if (states.size() == 1 && spec.holds("Arrived", states.get(0), event)) {
+    if (states.size() == 1 && spec.arrived(states.get(0), event)) {
       return states;
     }
     List<TLCState> arrived = new ArrayList<>();
@@ -148,11 +147,11 @@ final class Explanation {
     int lonely = 0;
     while (!open.isEmpty()) {
       TLCState state = open.poll();
-      if (spec.holds("Arrived", state, event)) {
+      if (spec.arrived(state, event)) {
         arrived.add(state);
         continue;
       }
-      StateVec next = spec.successors("Elapse", state, event);
+      StateVec next = spec.elapse(state, event);
       if (next.size() == 0) {
         stuck.add(state);
       }
@@ -175,10 +174,10 @@ final class Explanation {
     Set<Long> seen = null;
     for (int i = 0; i < closed.size(); i++) {
       TLCState state = closed.get(i);
-      if (!spec.holds("Stirs", state, event)) {
+      if (!spec.stirs(state, event)) {
         continue;
       }
-      StateVec next = spec.successors("Silent", state, event);
+      StateVec next = spec.silent(state, event);
       if (next.size() > 0 && seen == null) {
         closed = new ArrayList<>(closed);
         seen = new HashSet<>();
@@ -201,7 +200,7 @@ final class Explanation {
     List<TLCState> nearest = new ArrayList<>();
     int least = Integer.MAX_VALUE;
     for (TLCState state : from) {
-      int distance = ((IntValue) spec.value("Distance", state, event)).val;
+      int distance = spec.distance(state, event);
       if (distance < least) {
         least = distance;
         nearest.clear();
@@ -214,42 +213,35 @@ final class Explanation {
   }
 
   private Refusal refusal(
-      boolean late,
-      String expected,
-      String deciding,
-      String action,
-      List<TLCState> from,
-      List<TLCState> near,
-      Value event) {
+      Contract.Failing failing, List<TLCState> from, List<TLCState> near, Value event) {
     Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
     for (TLCState state : from) {
-      for (JsonElement e : Values.toJson(spec.value(expected, state, event)).getAsJsonArray()) {
+      for (JsonElement e : spec.expected(failing, state, event)) {
         allowed.put(e.toString(), e);
       }
     }
     var requirements = new TreeSet<String>();
     for (TLCState state : near) {
-      Value ids = spec.value(deciding, state, event, lines);
-      for (JsonElement r : Values.toJson(ids).getAsJsonArray()) {
+      for (JsonElement r : spec.deciding(failing, state, event, lines)) {
         requirements.add(r.getAsString());
       }
     }
     var situations = new LinkedHashMap<String, JsonElement>();
     var candidates = new LinkedHashSet<Guards.Failure>();
     for (TLCState state : near.subList(0, Math.min(near.size(), MOST_NEAR))) {
-      JsonElement situation = Values.toJson(spec.value("Situation", state));
+      JsonElement situation = spec.situation(state);
       if (situations.size() < MOST_SHOWN) {
         situations.put(situation.toString(), situation);
       }
-      for (Guards.Failure failure : failures(action, state, event)) {
+      for (Guards.Failure failure : failures(failing, state, event)) {
         if (candidates.size() < MOST_CANDIDATES) {
           candidates.add(failure);
         }
       }
     }
     return new Refusal(
-        late,
+        failing == Contract.Failing.TOO_LATE,
         new ArrayList<>(allowed.values()),
         requirements,
         from.size(),
@@ -257,10 +249,10 @@ final class Explanation {
         candidates);
   }
 
-  /** A report is better without its candidates than not at all. */
-  private Set<Guards.Failure> failures(String action, TLCState state, Value event) {
+  /** None if they cannot be found: a report without candidates is better than no report. */
+  private Set<Guards.Failure> failures(Contract.Failing failing, TLCState state, Value event) {
     try {
-      return spec.failures(action, state, event);
+      return spec.failures(failing, state, event);
     } catch (RuntimeException | StackOverflowError e) {
       return Set.of();
     }

@@ -12,7 +12,7 @@ final class NotCovered extends RuntimeException {
     super(message, cause);
   }
 
-  /** TLC or the engine could not evaluate the specification {@code where}. */
+  /** The specification could not be evaluated {@code where}, such as "at the header". */
   static NotCovered because(String where, RuntimeException cause) {
     String said = cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
     return new NotCovered(

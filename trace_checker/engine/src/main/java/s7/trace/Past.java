@@ -5,20 +5,21 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
+import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.TupleValue;
 import tlc2.value.impl.Value;
 
 /**
- * The lines of a log that were explained, as far as a report may need them: the latest ones, and of
- * the older ones the last of each event, OB and MODE.
+ * The explained lines of a log that a report may need: the latest ones, and of the older ones the
+ * last of each kind ({@link Contract#KIND}).
  */
 final class Past {
-  /** Lines kept whatever they are. */
+  /** Lines of any kind that are kept. */
   static final int LATEST = 40;
 
   private final ArrayDeque<RecordValue> latest = new ArrayDeque<>();
-  /** By kind, the one that was put in last at the end. */
+  /** By kind; the latest line is the last. */
   private final Map<List<Object>, Value> older = new LinkedHashMap<>(16, 0.75f, true);
 
   void add(RecordValue event) {
@@ -43,7 +44,6 @@ final class Past {
   }
 
   private static List<Object> kind(RecordValue event) {
-    return List.of(
-        Values.field(event, "event"), Values.field(event, "ob"), Values.field(event, "mode"));
+    return Contract.KIND.stream().map(field -> Values.field(event, field)).toList();
   }
 }

@@ -14,16 +14,18 @@ import com.google.gson.JsonObject;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import tla.Tiny;
 
 class EngineTest {
-  private static final String FINISH = "{'finish': true}";
+  private static final String FINISH = "{'message': 'finish'}";
+  private static final String QUESTION = "{'message': 'alternatives'}";
   private static final JsonObject ACCEPTED_ONE = Tiny.json("{'verdict': 'accepted', 'events': 1}");
 
-  private static Specification spec;
+  private static Contract spec;
 
   @BeforeAll
   static void load() {
-    spec = Tiny.load();
+    spec = new Contract(Tiny.load());
   }
 
   /** The answers to the lines, which are written as the Python side writes them, without spaces. */
@@ -36,7 +38,11 @@ class EngineTest {
   }
 
   private static String begin(int first) {
-    return "{'begin': {'first': " + first + "}}";
+    return begin("{'first': " + first + "}");
+  }
+
+  private static String begin(String header) {
+    return "{'message': 'begin', 'header': " + header + "}";
   }
 
   private static String read(int line, int value) {
@@ -72,7 +78,7 @@ class EngineTest {
     assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
     assertEquals(
         List.of(rejected),
-        serve(begin(10), read(2, 10), read(3, 11), read(4, 12), "no JSON", FINISH));
+        serve(begin(10), read(2, 10), read(3, 11), read(4, 12), "{'event': 'no'}", FINISH));
   }
 
   @Test
@@ -98,17 +104,17 @@ class EngineTest {
   }
 
   @Test
-  @DisplayName("an operator can be asked for between logs, also after a rejected one")
+  @DisplayName("the values of a header can be asked for between logs, also after a rejected one")
   void question() throws IOException {
-    var answers = serve("{'ask':'Alternatives'}", begin(10), read(2, 11), "{'ask':'Alternatives'}");
-    assertEquals(Tiny.json("{'Alternatives': [1, 2]}"), answers.get(0));
+    var answers = serve(QUESTION, begin(10), read(2, 11), QUESTION);
+    assertEquals(Tiny.json("{'alternatives': [1, 2]}"), answers.get(0));
     assertEquals(answers.get(0), answers.get(2));
   }
 
   @Test
   @DisplayName("a log that is followed is answered with its last situations")
   void followed() throws IOException {
-    var answers = serve("{'begin': {'first': 5}, 'follow': 2}", read(2, 5), read(3, 10), read(4, 10), FINISH);
+    var answers = serve("{'message': 'begin', 'header': {'first': 5}, 'follow': 2}", read(2, 5), read(3, 10), read(4, 10), FINISH);
     assertEquals(
         Tiny.json(
             "{'verdict': 'accepted', 'events': 3, 'steps': ["
@@ -119,7 +125,7 @@ class EngineTest {
   @Test
   @DisplayName("a header that the specification cannot judge is an error without a line")
   void foreignHeader() throws IOException {
-    var answers = serve("{'begin': {'foreign': ['AMB-99']}}", read(2, 0), FINISH);
+    var answers = serve(begin("{'foreign': ['AMB-99']}"), read(2, 0), FINISH);
     assertEquals(1, answers.size());
     assertEquals("error", answers.get(0).get("verdict").getAsString());
     assertEquals(false, answers.get(0).has("line"));

@@ -13,13 +13,14 @@ import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import tla.Tiny;
 
 class ExplanationTest {
-  private static Specification spec;
+  private static Contract spec;
 
   @BeforeAll
   static void load() {
-    spec = Tiny.load();
+    spec = new Contract(Tiny.load());
   }
 
   private static Explanation begin(String header) {

@@ -1,0 +1,196 @@
+package s7.trace;
+
+import java.util.List;
+import java.util.Set;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import tla.json.Json;
+import tla.json.Values;
+import tla.spec.Guards;
+import tla.spec.Specification;
+import tlc2.tool.StateVec;
+import tlc2.tool.TLCState;
+import tlc2.value.impl.IntValue;
+import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.Value;
+
+/**
+ * The engine's contract with the specification: the module, the operators and the fields that it
+ * needs, each under its name there. No other class names them, and a test compares them with the
+ * modules.
+ *
+ * <p>A state is a CPU that explains the log so far, an event is a line of the log, a record like
+ * NoEvent.
+ */
+final class Contract {
+  /** The module that has all operators, with a configuration of the same name. */
+  static final String MODULE = "Explain";
+
+  /** An operator and the number of its parameters. */
+  enum Operator {
+    NO_HEADER("NoHeader", 0),
+    NO_EVENT("NoEvent", 0),
+    ALTERNATIVES("Alternatives", 0),
+    NOT_COVERED("NotCovered", 1),
+    BEGIN("Begin", 1),
+    ARRIVED("Arrived", 1),
+    ELAPSE("Elapse", 1),
+    STIRS("Stirs", 1),
+    SILENT("Silent", 1),
+    OBSERVE("Observe", 1),
+    DISTINCT("Distinct", 0),
+    DISTANCE("Distance", 1),
+    SITUATION("Situation", 0),
+    EXPECTED("Expected", 1),
+    DECIDING("Deciding", 2),
+    TOO_LATE("TooLate", 1),
+    LATE_REQUIREMENTS("LateRequirements", 2);
+
+    final String tla;
+    final int arity;
+
+    Operator(String tla, int arity) {
+      this.tla = tla;
+      this.arity = arity;
+    }
+  }
+
+  /** The fields of an event that tell kinds of line apart. */
+  static final List<String> KIND = List.of("event", "ob", "mode");
+
+  /** The field by which a report names a record that an action is applied to. */
+  static final String OB = "ob";
+
+  /** The two ways in which a line can have no explanation. */
+  enum Failing {
+    /** An event had to come before the line. */
+    TOO_LATE(Operator.ELAPSE, Operator.TOO_LATE, Operator.LATE_REQUIREMENTS),
+    /** The line itself is not possible. */
+    UNEXPLAINED(Operator.OBSERVE, Operator.EXPECTED, Operator.DECIDING);
+
+    private final Operator action;
+    private final Operator expected;
+    private final Operator deciding;
+
+    Failing(Operator action, Operator expected, Operator deciding) {
+      this.action = action;
+      this.expected = expected;
+      this.deciding = deciding;
+    }
+  }
+
+  private final Specification spec;
+  private final TLCState blank;
+  private final RecordValue noEvent;
+
+  /**
+   * @throws IllegalStateException if the specification has no NoEvent
+   */
+  Contract(Specification spec) {
+    this.spec = spec;
+    blank = spec.initialState();
+    noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
+  }
+
+  /** The record for a normalised header. */
+  Value header(Json json) {
+    return Values.like(value(Operator.NO_HEADER, blank), json);
+  }
+
+  /** The record for a normalised event. */
+  RecordValue event(Json json) {
+    return (RecordValue) Values.like(noEvent, json);
+  }
+
+  /** The values that a header may ask for. */
+  JsonElement alternatives() {
+    return Values.toJson(value(Operator.ALTERNATIVES, blank));
+  }
+
+  /** The parts of a header that the specification does not have. */
+  JsonArray notCovered(Value header) {
+    return array(Operator.NOT_COVERED, blank, header);
+  }
+
+  /** The states in which a log with this header may begin. */
+  StateVec begin(Value header) {
+    return successors(Operator.BEGIN, blank, header);
+  }
+
+  /** Whether time has elapsed to the event. */
+  boolean arrived(TLCState state, Value event) {
+    return spec.holds(Operator.ARRIVED.tla, state, event);
+  }
+
+  /** One step of time towards the event. */
+  StateVec elapse(TLCState state, Value event) {
+    return successors(Operator.ELAPSE, state, event);
+  }
+
+  /** Whether a silent step may be possible: a cheap question before {@link #silent}. */
+  boolean stirs(TLCState state, Value event) {
+    return spec.holds(Operator.STIRS.tla, state, event);
+  }
+
+  /** One step that the log does not show, just before the event. */
+  StateVec silent(TLCState state, Value event) {
+    return successors(Operator.SILENT, state, event);
+  }
+
+  /** The states after the event; none if it is not possible in this state. */
+  StateVec observe(TLCState state, Value event) {
+    return successors(Operator.OBSERVE, state, event);
+  }
+
+  /** A number that is the same for states that explain the rest of every log alike. */
+  long key(TLCState state) {
+    return spec.key(Operator.DISTINCT.tla, state);
+  }
+
+  /** How far a state is from one in which the event would be possible. */
+  int distance(TLCState state, Value event) {
+    return ((IntValue) value(Operator.DISTANCE, state, event)).val;
+  }
+
+  /** The state as a report shows it. */
+  JsonElement situation(TLCState state) {
+    return Values.toJson(value(Operator.SITUATION, state));
+  }
+
+  /** The events that were possible in the place of the failing one, or had to come before it. */
+  JsonArray expected(Failing failing, TLCState state, Value event) {
+    return array(failing.expected, state, event);
+  }
+
+  /**
+   * The requirements that decide that the event fails.
+   *
+   * @param past the lines before it, as {@link Past} keeps them
+   */
+  JsonArray deciding(Failing failing, TLCState state, Value event, Value past) {
+    return array(failing.deciding, state, event, past);
+  }
+
+  /** The actions that are not enabled, each with its first false conjunct. */
+  Set<Guards.Failure> failures(Failing failing, TLCState state, Value event) {
+    return spec.failures(failing.action.tla, Contract::label, state, event);
+  }
+
+  /** Such as {@code OB 40}; null for a record that no OB belongs to. */
+  private static String label(RecordValue record) {
+    return Values.field(record, OB) instanceof Integer ob ? "OB " + ob : null;
+  }
+
+  private Value value(Operator operator, TLCState state, Value... arguments) {
+    return spec.value(operator.tla, state, arguments);
+  }
+
+  private StateVec successors(Operator operator, TLCState state, Value... arguments) {
+    return spec.successors(operator.tla, state, arguments);
+  }
+
+  private JsonArray array(Operator operator, TLCState state, Value... arguments) {
+    return Values.toJson(value(operator, state, arguments)).getAsJsonArray();
+  }
+}

@@ -1,0 +1,493 @@
+package tla.eval;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+import tla2sany.semantic.AtNode;
+import tla2sany.semantic.ExprNode;
+import tla2sany.semantic.ExprOrOpArgNode;
+import tla2sany.semantic.FormalParamNode;
+import tla2sany.semantic.LetInNode;
+import tla2sany.semantic.NumeralNode;
+import tla2sany.semantic.OpApplNode;
+import tla2sany.semantic.OpDeclNode;
+import tla2sany.semantic.OpDefNode;
+import tla2sany.semantic.SemanticNode;
+import tla2sany.semantic.StringNode;
+import tla2sany.semantic.SymbolNode;
+import tlc2.value.impl.BoolValue;
+import tlc2.value.impl.IntValue;
+import tlc2.value.impl.IntervalValue;
+import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.SetEnumValue;
+import tlc2.value.impl.StringValue;
+import tlc2.value.impl.TupleValue;
+import tlc2.value.impl.Value;
+import util.UniqueString;
+
+/** Compiles expressions: SANY's semantic graph to {@link Expr}. */
+final class Compiler {
+  /** Larger operators are compiled once and called; smaller ones are written out. */
+  private static final int LARGEST_INLINE = 60;
+
+  /** Smaller expressions are not worth remembering. */
+  private static final int LEAST_MEMO = 4;
+
+  private final Machine machine;
+  private final Facts.Collector facts;
+  private final Map<Shared, Expr> memos = new HashMap<>();
+  private final Map<Shared, Called> calls = new HashMap<>();
+
+  /** An operator in the current state or in the next one. */
+  private record Shared(OpDefNode operator, boolean primed) {}
+
+  Compiler(Machine machine) {
+    this.machine = machine;
+    facts = new Facts.Collector(machine.numbers);
+  }
+
+  boolean primes(SemanticNode node) {
+    return facts.of(node).primes;
+  }
+
+  /**
+   * Compiles an expression. One that depends on nothing is evaluated once; one that depends on
+   * variables alone is evaluated again only when one of them has another value, if it is worth it.
+   */
+  Expr compile(SemanticNode node, Scope scope) {
+    if (!(node instanceof OpApplNode apply)) {
+      return plain(node, scope);
+    }
+    Facts its = facts.of(node);
+    if (!its.closed() || apply.getOperator() instanceof OpDeclNode) {
+      return plain(node, scope);
+    }
+    boolean definition =
+        apply.getOperator() instanceof OpDefNode operator && Builtins.isDefined(operator);
+    if (its.constant() || its.size >= LEAST_MEMO && (definition || its.variables.cardinality() == 1)) {
+      if (definition && apply.getArgs().length == 0) {
+        var key = new Shared((OpDefNode) apply.getOperator(), scope.primed);
+        Expr known = memos.get(key);
+        if (known == null) {
+          known = memo(its, node, scope.primed);
+          memos.put(key, known);
+        }
+        return known;
+      }
+      return memo(its, node, scope.primed);
+    }
+    return plain(node, scope);
+  }
+
+  private Expr memo(Facts its, SemanticNode node, boolean primed) {
+    var slots = new Scope.Slots();
+    Expr body = plain(node, Scope.empty(slots, primed));
+    return new Memo(
+        primed ? machine.next : machine.now,
+        its.variables.stream().toArray(),
+        f -> body.eval(new Object[slots.count()]));
+  }
+
+  private Expr plain(SemanticNode node, Scope scope) {
+    if (node instanceof NumeralNode numeral) {
+      return constant(IntValue.gen(numeral.val()));
+    }
+    if (node instanceof StringNode string) {
+      return constant(new StringValue(string.getRep()));
+    }
+    if (node instanceof AtNode at) {
+      int slot = scope.find(at.getExceptComponentRef()).slot;
+      return f -> (Value) f[slot];
+    }
+    if (node instanceof LetInNode let) {
+      var lazy = new ArrayList<Integer>();
+      Scope inner = let(let, scope, lazy);
+      return Entering.of(lazy, compile(let.getBody(), inner));
+    }
+    if (node instanceof OpApplNode apply) {
+      return application(apply, scope);
+    }
+    throw new Unsupported("an expression of the kind " + node.getClass().getSimpleName());
+  }
+
+  private static Expr constant(Value value) {
+    return f -> value;
+  }
+
+  /** The scope of a LET's body; {@code lazy} gets the slots to be emptied before. */
+  Scope let(LetInNode let, Scope scope, List<Integer> lazy) {
+    Scope inner = scope;
+    for (OpDefNode definition : let.getLets()) {
+      if (definition.getParams().length > 0) {
+        inner = inner.with(definition, Scope.Binding.operator(definition, inner));
+      } else {
+        inner = inner.with(definition, delayed(definition.getBody(), inner, lazy));
+      }
+    }
+    return inner;
+  }
+
+  /** A binding to an expression that is evaluated when it is needed. */
+  Scope.Binding delayed(ExprNode node, Scope scope, List<Integer> lazy) {
+    // What is assigned to the next state changes while successors are looked for.
+    if (isTrivial(node) || primes(node)) {
+      return Scope.Binding.everyTime(node, scope);
+    }
+    int slot = scope.slots.take();
+    lazy.add(slot);
+    return Scope.Binding.lazy(slot, node, scope);
+  }
+
+  /** Whether to evaluate it again is as good as to keep its value. */
+  private boolean isTrivial(SemanticNode node) {
+    if (node instanceof OpApplNode apply) {
+      SymbolNode operator = apply.getOperator();
+      return operator instanceof FormalParamNode
+          || operator instanceof OpDeclNode
+          || operator.getName().toString().equals("$RcdSelect") && isTrivial(apply.getArgs()[0]);
+    }
+    return node instanceof NumeralNode || node instanceof StringNode;
+  }
+
+  /** The scope of an operator's body where it is written out. */
+  Scope inlined(OpDefNode operator, ExprOrOpArgNode[] arguments, Scope scope, List<Integer> lazy) {
+    Scope.Binding local = scope.find(operator);
+    Scope inner =
+        local == null ? Scope.empty(scope.slots, scope.primed) : local.scope.primed(scope.primed);
+    FormalParamNode[] parameters = operator.getParams();
+    for (int i = 0; i < parameters.length; i++) {
+      if (!(arguments[i] instanceof ExprNode argument)) {
+        throw new Unsupported("an operator as argument of " + operator.getName());
+      }
+      inner = inner.with(parameters[i], delayed(argument, scope, lazy));
+    }
+    return inner;
+  }
+
+  private Expr reference(Object name, Scope scope) {
+    Scope.Binding binding = scope.find(name);
+    if (binding == null) {
+      throw new Unsupported("a name that is not bound");
+    }
+    int slot = binding.slot;
+    if (binding.operator != null) {
+      throw new Unsupported("an operator as a value");
+    }
+    if (binding.node == null) {
+      return binding.maybeThunk
+          ? f -> {
+            Object value = f[slot];
+            if (value instanceof Thunk thunk) {
+              value = thunk.force();
+              f[slot] = value;
+            }
+            return (Value) value;
+          }
+          : f -> (Value) f[slot];
+    }
+    Facts its = facts.of(binding.node);
+    boolean otherState = scope.primed != binding.scope.primed && !its.constant();
+    if (slot < 0 || otherState) {
+      return compile(binding.node, binding.scope.primed(scope.primed));
+    }
+    if (binding.compiled == null) {
+      binding.compiled = compile(binding.node, binding.scope);
+    }
+    Expr expr = binding.compiled;
+    return f -> {
+      Object value = f[slot];
+      if (value == null) {
+        value = expr.eval(f);
+        f[slot] = value;
+      }
+      return (Value) value;
+    };
+  }
+
+  private Expr application(OpApplNode node, Scope scope) {
+    SymbolNode operator = node.getOperator();
+    if (operator instanceof OpDeclNode variable) {
+      Integer number = machine.numbers.get(variable);
+      if (number == null) {
+        throw new Unsupported("the constant " + variable.getName());
+      }
+      return variable(number, scope.primed);
+    }
+    if (operator instanceof FormalParamNode) {
+      return reference(operator, scope);
+    }
+    if (operator instanceof OpDefNode definition && Builtins.isDefined(definition)) {
+      Scope.Binding local = scope.find(definition);
+      if (local != null && local.operator == null) {
+        return reference(definition, scope);
+      }
+      return definition(definition, node.getArgs(), scope);
+    }
+    if (node.getBdedQuantBounds() != null && node.getBdedQuantBounds().length > 0) {
+      return new Quantifiers(this).compile(node, scope);
+    }
+    return builtin(operator.getName().toString(), node, scope);
+  }
+
+  private Expr variable(int number, boolean primed) {
+    Value[] state = primed ? machine.next : machine.now;
+    return f -> {
+      Value value = state[number];
+      if (value == null) {
+        throw new IllegalStateException("a variable without a value");
+      }
+      return value;
+    };
+  }
+
+  private Expr definition(OpDefNode operator, ExprOrOpArgNode[] arguments, Scope scope) {
+    Facts its = facts.of(operator.getBody());
+    boolean local = scope.find(operator) != null;
+    if (local || its.primes || its.size <= LARGEST_INLINE) {
+      var lazy = new ArrayList<Integer>();
+      Scope inner = inlined(operator, arguments, scope, lazy);
+      return Entering.of(lazy, compile(operator.getBody(), inner));
+    }
+    var key = new Shared(operator, scope.primed);
+    Called called = calls.computeIfAbsent(key, k -> new Called(this, operator, scope.primed));
+    return new Call(called, Arrays.stream(arguments).map(a -> argument(a, scope)).toList());
+  }
+
+  /** Compiles what is put into the frame of a called operator for one of its parameters. */
+  private Call.Argument argument(ExprOrOpArgNode node, Scope scope) {
+    Expr expr = compile(node, scope);
+    if (node instanceof NumeralNode || node instanceof StringNode || isKnown(node, scope)) {
+      return expr::eval;
+    }
+    return f -> new Thunk(expr, f);
+  }
+
+  /** Whether the value is at hand, and certainly there. */
+  private static boolean isKnown(SemanticNode node, Scope scope) {
+    if (!(node instanceof OpApplNode apply)) {
+      return false;
+    }
+    if (apply.getOperator() instanceof OpDeclNode) {
+      return !scope.primed;
+    }
+    Scope.Binding binding = scope.find(apply.getOperator());
+    return binding != null && binding.node == null && !binding.maybeThunk;
+  }
+
+  Expr[] compile(SemanticNode[] nodes, Scope scope) {
+    return Arrays.stream(nodes).map(node -> compile(node, scope)).toArray(Expr[]::new);
+  }
+
+  private Expr builtin(String name, OpApplNode node, Scope scope) {
+    switch (name) {
+      case "$IfThenElse":
+        return new If(compile(node.getArgs(), scope));
+      case "$Case":
+        return choice(node, scope);
+      case "$RcdConstructor":
+        return record(node, scope);
+      case "$Except":
+        return new Except(this, node, scope);
+      case "\\in":
+        return member(node.getArgs()[0], node.getArgs()[1], scope);
+      case "\\notin":
+        Expr in = member(node.getArgs()[0], node.getArgs()[1], scope);
+        return (Expr.Test) f -> !in.test(f);
+      case "'":
+        if (scope.primed) {
+          throw new Unsupported("a primed expression that is primed");
+        }
+        return compile(node.getArgs()[0], scope.primed(true));
+      case "=":
+        return equality(node.getArgs(), scope);
+      case "/=", "#":
+        Expr equal = equality(node.getArgs(), scope);
+        return (Expr.Test) f -> !equal.test(f);
+      default:
+        return simple(name, node, compile(node.getArgs(), scope));
+    }
+  }
+
+  /** The operators that evaluate their operands and no more. */
+  private static Expr simple(String name, OpApplNode node, Expr[] x) {
+    Expr a = x.length > 0 ? x[0] : null;
+    Expr b = x.length > 1 ? x[1] : null;
+    return switch (name) {
+      case "TRUE" -> (Expr.Test) f -> true;
+      case "FALSE" -> (Expr.Test) f -> false;
+      case "BOOLEAN" -> constant(booleans());
+      case "\\lnot" -> (Expr.Test) f -> !a.test(f);
+      case "=>" -> (Expr.Test) f -> !a.test(f) || b.test(f);
+      case "\\equiv" -> (Expr.Test) f -> a.test(f) == b.test(f);
+      case "\\land", "$ConjList" -> all(x);
+      case "\\lor", "$DisjList" -> any(x);
+      case "+" -> (Expr.Num) f -> Math.addExact(a.number(f), b.number(f));
+      case "-" -> (Expr.Num) f -> Math.subtractExact(a.number(f), b.number(f));
+      case "*" -> (Expr.Num) f -> Math.multiplyExact(a.number(f), b.number(f));
+      case "-." -> (Expr.Num) f -> Math.negateExact(a.number(f));
+      case "\\div" -> (Expr.Num) f -> Math.floorDiv(a.number(f), b.number(f));
+      case "%" -> (Expr.Num) f -> Builtins.modulo(a.number(f), b.number(f));
+      case "<" -> (Expr.Test) f -> a.number(f) < b.number(f);
+      case "\\leq", "<=", "=<" -> (Expr.Test) f -> a.number(f) <= b.number(f);
+      case ">" -> (Expr.Test) f -> a.number(f) > b.number(f);
+      case "\\geq", ">=" -> (Expr.Test) f -> a.number(f) >= b.number(f);
+      case ".." -> f -> new IntervalValue(a.number(f), b.number(f));
+      case "\\subseteq" -> (Expr.Test) f -> Builtins.subset(a.eval(f), b.eval(f));
+      case "\\union", "\\cup" -> f -> Builtins.cup(a.eval(f), b.eval(f));
+      case "\\intersect", "\\cap" -> f -> Builtins.cap(a.eval(f), b.eval(f));
+      case "\\" -> f -> Builtins.minus(a.eval(f), b.eval(f));
+      case "UNION" -> f -> Builtins.union(a.eval(f));
+      case "SUBSET" -> f -> Builtins.powerset(a.eval(f));
+      case "DOMAIN" -> f -> Builtins.domain(a.eval(f));
+      case "$SetEnumerate" -> f -> new SetEnumValue(values(x, f), false);
+      case "$Tuple" -> f -> new TupleValue(values(x, f));
+      case "$FcnApply" -> f -> Builtins.apply(a.eval(f), b.eval(f));
+      case "$RcdSelect" -> new Field(a, ((StringNode) node.getArgs()[1]).getRep());
+      case "Cardinality" -> (Expr.Num) f -> Builtins.cardinality(a.eval(f));
+      case "Len" -> (Expr.Num) f -> Builtins.tuple(a.eval(f)).elems.length;
+      case "Append" -> f -> Builtins.append(a.eval(f), b.eval(f));
+      case "\\o" -> f -> Builtins.concatenation(a.eval(f), b.eval(f));
+      case "Head" -> f -> Builtins.tuple(a.eval(f)).elems[0];
+      case "SubSeq" -> f -> Builtins.section(a.eval(f), b.number(f), x[2].number(f));
+      default -> throw new Unsupported("the operator " + name);
+    };
+  }
+
+  private static Value booleans() {
+    return new SetEnumValue(new Value[] {BoolValue.ValFalse, BoolValue.ValTrue}, false);
+  }
+
+  static Value[] values(Expr[] exprs, Object[] frame) {
+    var values = new Value[exprs.length];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = exprs[i].eval(frame);
+    }
+    return values;
+  }
+
+  private static Expr.Test all(Expr[] x) {
+    return f -> {
+      for (Expr each : x) {
+        if (!each.test(f)) {
+          return false;
+        }
+      }
+      return true;
+    };
+  }
+
+  private static Expr.Test any(Expr[] x) {
+    return f -> {
+      for (Expr each : x) {
+        if (each.test(f)) {
+          return true;
+        }
+      }
+      return false;
+    };
+  }
+
+  /** CASE as a chain of IFs; without a case that holds it has no value. */
+  private Expr choice(OpApplNode node, Scope scope) {
+    ExprOrOpArgNode[] arms = node.getArgs();
+    Expr chain =
+        f -> {
+          throw new IllegalStateException("no CASE holds");
+        };
+    for (int i = arms.length - 1; i >= 0; i--) {
+      ExprOrOpArgNode[] arm = ((OpApplNode) arms[i]).getArgs();
+      Expr then = compile(arm[1], scope);
+      chain = arm[0] == null ? then : new If(compile(arm[0], scope), then, chain);
+    }
+    return chain;
+  }
+
+  private Expr record(OpApplNode node, Scope scope) {
+    int n = node.getArgs().length;
+    var names = new UniqueString[n];
+    var places = new Value[n];
+    var exprs = new Expr[n];
+    for (int i = 0; i < n; i++) {
+      ExprOrOpArgNode[] pair = ((OpApplNode) node.getArgs()[i]).getArgs();
+      names[i] = ((StringNode) pair[0]).getRep();
+      places[i] = IntValue.gen(i);
+      exprs[i] = compile(pair[1], scope);
+    }
+    // TLC keeps records in an order of its own: have it sort the names once.
+    var sorted = new RecordValue(names, places, false);
+    sorted.normalize();
+    var inOrder = new Expr[n];
+    for (int i = 0; i < n; i++) {
+      inOrder[i] = exprs[((IntValue) sorted.values[i]).val];
+    }
+    return f -> new RecordValue(sorted.names, values(inOrder, f), true);
+  }
+
+  private Expr equality(ExprOrOpArgNode[] operands, Scope scope) {
+    for (int i = 0; i < 2; i++) {
+      if (isEmptySet(operands[i])) {
+        return empty(operands[1 - i], scope);
+      }
+    }
+    Expr a = compile(operands[0], scope);
+    Expr b = compile(operands[1], scope);
+    if (a instanceof Expr.Num && b instanceof Expr.Num) {
+      return (Expr.Test) f -> a.number(f) == b.number(f);
+    }
+    return (Expr.Test) f -> Builtins.equal(a.eval(f), b.eval(f));
+  }
+
+  private static boolean isEmptySet(SemanticNode node) {
+    return isOperator(node, "$SetEnumerate") && ((OpApplNode) node).getArgs().length == 0;
+  }
+
+  private static boolean isOperator(SemanticNode node, String name) {
+    return node instanceof OpApplNode apply && apply.getOperator().getName().toString().equals(name);
+  }
+
+  /** Whether a set is empty; a subset is not built for that. */
+  private Expr empty(SemanticNode set, Scope scope) {
+    if (isOperator(set, "$SubsetOf") && !facts.of(set).closed()) {
+      Expr some = new Quantifiers(this).someInSubset((OpApplNode) set, scope);
+      return (Expr.Test) f -> !some.test(f);
+    }
+    Expr s = compile(set, scope);
+    return (Expr.Test) f -> Builtins.isEmpty(s.eval(f));
+  }
+
+  /** Whether x is in a set, which is not built where that is not necessary. */
+  private Expr member(SemanticNode element, SemanticNode set, Scope scope) {
+    Expr x = compile(element, scope);
+    if (set instanceof OpApplNode apply && !facts.of(set).closed()) {
+      ExprOrOpArgNode[] parts = apply.getArgs();
+      switch (apply.getOperator().getName().toString()) {
+        case "$SetEnumerate":
+          Expr[] each = compile(parts, scope);
+          return (Expr.Test) f -> contains(each, x.eval(f), f);
+        case "\\union", "\\cup":
+          Expr left = member(element, parts[0], scope);
+          Expr right = member(element, parts[1], scope);
+          return (Expr.Test) f -> left.test(f) || right.test(f);
+        case "DOMAIN":
+          Expr function = compile(parts[0], scope);
+          return (Expr.Test) f -> Builtins.inDomain(function.eval(f), x.eval(f));
+        default:
+          break;
+      }
+    }
+    Expr s = compile(set, scope);
+    return (Expr.Test) f -> s.eval(f).member(x.eval(f));
+  }
+
+  private static boolean contains(Expr[] elements, Value x, Object[] frame) {
+    for (Expr element : elements) {
+      if (Builtins.equal(element.eval(frame), x)) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

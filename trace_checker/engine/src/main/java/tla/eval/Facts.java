@@ -1,0 +1,132 @@
+package tla.eval;
+
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Set;
+
+import tla2sany.semantic.AtNode;
+import tla2sany.semantic.FormalParamNode;
+import tla2sany.semantic.LetInNode;
+import tla2sany.semantic.OpApplNode;
+import tla2sany.semantic.OpArgNode;
+import tla2sany.semantic.OpDeclNode;
+import tla2sany.semantic.OpDefNode;
+import tla2sany.semantic.SemanticNode;
+import tla2sany.semantic.SymbolNode;
+
+/** What an expression depends on, through all operators that it uses. */
+final class Facts {
+  /** The variables of the specification, by their number. */
+  final BitSet variables = new BitSet();
+
+  /** Parameters and bound variables from outside; for an {@code @} the part of its EXCEPT. */
+  final Set<Object> free = Collections.newSetFromMap(new IdentityHashMap<>());
+
+  /** Whether it speaks of the next state. */
+  boolean primes;
+
+  /** How many nodes it has when the operators that it uses are written out. */
+  int size = 1;
+
+  boolean closed() {
+    return free.isEmpty() && !primes;
+  }
+
+  boolean constant() {
+    return closed() && variables.isEmpty();
+  }
+
+  private void add(Facts other) {
+    variables.or(other.variables);
+    free.addAll(other.free);
+    primes |= other.primes;
+    size = Math.min(size + other.size, 1 << 20);
+  }
+
+  /** Collects the facts of a specification's expressions, each once. */
+  static final class Collector {
+    private final Map<OpDeclNode, Integer> variables;
+    private final Map<SemanticNode, Facts> known = new IdentityHashMap<>();
+    private final Set<OpDefNode> underWay = new HashSet<>();
+
+    Collector(Map<OpDeclNode, Integer> variables) {
+      this.variables = variables;
+    }
+
+    Facts of(SemanticNode node) {
+      Facts facts = known.get(node);
+      if (facts == null) {
+        facts = collect(node);
+        known.put(node, facts);
+      }
+      return facts;
+    }
+
+    private Facts collect(SemanticNode node) {
+      var facts = new Facts();
+      if (node instanceof OpApplNode apply) {
+        application(facts, apply);
+      } else if (node instanceof LetInNode let) {
+        facts.add(of(let.getBody()));
+      } else if (node instanceof AtNode at) {
+        facts.free.add(at.getExceptComponentRef());
+      } else if (node instanceof OpArgNode argument) {
+        symbol(facts, argument.getOp());
+      }
+      return facts;
+    }
+
+    private void application(Facts facts, OpApplNode node) {
+      String name = node.getOperator().getName().toString();
+      for (SemanticNode argument : node.getArgs()) {
+        if (argument != null) {
+          facts.add(of(argument));
+        }
+      }
+      facts.free.remove(node);
+      if (node.getBdedQuantSymbolLists() != null) {
+        for (FormalParamNode[] bound : node.getBdedQuantSymbolLists()) {
+          for (FormalParamNode each : bound) {
+            facts.free.remove(each);
+          }
+        }
+        for (SemanticNode bound : node.getBdedQuantBounds()) {
+          facts.add(of(bound));
+        }
+      }
+      facts.primes |= name.equals("'") || name.equals("UNCHANGED");
+      symbol(facts, node.getOperator());
+    }
+
+    private void symbol(Facts facts, SymbolNode symbol) {
+      if (symbol instanceof OpDeclNode declared && variables.containsKey(declared)) {
+        facts.variables.set(variables.get(declared));
+      } else if (symbol instanceof FormalParamNode) {
+        facts.free.add(symbol);
+      } else if (symbol instanceof OpDefNode definition && Builtins.isDefined(definition)) {
+        facts.add(of(definition));
+      }
+    }
+
+    /** The facts of what an operator stands for, its parameters apart. */
+    private Facts of(OpDefNode definition) {
+      Facts facts = known.get(definition);
+      if (facts == null) {
+        if (!underWay.add(definition)) {
+          throw new Unsupported("recursive operator " + definition.getName());
+        }
+        facts = new Facts();
+        facts.add(of(definition.getBody()));
+        for (FormalParamNode parameter : definition.getParams()) {
+          facts.free.remove(parameter);
+        }
+        known.put(definition, facts);
+        underWay.remove(definition);
+      }
+      return facts;
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package tla.spec;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+
+import tla2sany.semantic.SemanticNode;
+import tla2sany.st.Location;
+
+/** The text of the specification's modules. */
+final class Source {
+  private static final Pattern REQUIREMENT = Pattern.compile("\\[([A-Z]+-[0-9]+)\\]");
+
+  private final Path folder;
+  private final Map<String, List<String>> modules = new HashMap<>();
+
+  Source(Path folder) {
+    this.folder = folder;
+  }
+
+  /** Whether the node stands in a module of the specification, not in one of TLA+'s own. */
+  boolean has(SemanticNode node) {
+    return !lines(node.getLocation().source()).isEmpty();
+  }
+
+  /** The text of a node in one line, without comments. */
+  String text(SemanticNode node) {
+    Location at = node.getLocation();
+    List<String> lines = lines(at.source());
+    var text = new StringBuilder();
+    for (int i = at.beginLine(); i <= at.endLine() && i <= lines.size(); i++) {
+      String line = lines.get(i - 1);
+      line = line.substring(0, i == at.endLine() ? Math.min(at.endColumn(), line.length()) : line.length());
+      line = i == at.beginLine() ? line.substring(at.beginColumn() - 1) : line;
+      text.append(line.replaceAll("\\\\\\*.*|\\(\\*.*?\\*\\)", "")).append(' ');
+    }
+    return text.toString().strip().replaceAll("\\s+", " ");
+  }
+
+  /** Such as {@code Requests:124}. */
+  String place(SemanticNode node) {
+    return node.getLocation().source() + ":" + node.getLocation().beginLine();
+  }
+
+  /** The requirements named in the comment before the definition {@code node}. */
+  Set<String> requirementsBefore(SemanticNode node) {
+    List<String> lines = lines(node.getLocation().source());
+    int last = node.getLocation().beginLine() - 2;
+    int first = last;
+    while (first >= 0 && lines.get(first).strip().matches("\\(\\*.*\\*\\)|\\\\\\*.*")) {
+      first--;
+    }
+    return requirements(String.join("\n", lines.subList(first + 1, Math.max(first, last) + 1)));
+  }
+
+  /** The requirements named in the comments in the lines of {@code node}. */
+  Set<String> requirementsIn(SemanticNode node) {
+    Location at = node.getLocation();
+    List<String> lines = lines(at.source());
+    return requirements(
+        String.join("\n", lines.subList(at.beginLine() - 1, Math.min(at.endLine(), lines.size()))));
+  }
+
+  private static Set<String> requirements(String text) {
+    var found = new TreeSet<String>();
+    var matcher = REQUIREMENT.matcher(text);
+    while (matcher.find()) {
+      found.add(matcher.group(1));
+    }
+    return found;
+  }
+
+  private List<String> lines(String module) {
+    return modules.computeIfAbsent(
+        module,
+        name -> {
+          try {
+            return Files.readAllLines(folder.resolve(name + ".tla"));
+          } catch (IOException e) {
+            return List.of();
+          }
+        });
+  }
+}

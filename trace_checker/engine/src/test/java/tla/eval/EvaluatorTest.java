@@ -1,0 +1,175 @@
+package tla.eval;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tla2sany.semantic.OpDefNode;
+import tlc2.tool.Action;
+import tlc2.tool.EvalControl;
+import tlc2.tool.StateVec;
+import tlc2.tool.TLCState;
+import tlc2.tool.impl.FastTool;
+import tlc2.util.Context;
+import tlc2.util.FP64;
+import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.SetEnumValue;
+import tlc2.value.impl.TupleValue;
+import tlc2.value.impl.Value;
+import util.SimpleFilenameToStream;
+import util.ToolIO;
+
+class EvaluatorTest {
+  private static FastTool tool;
+  private static TLCState initial;
+  private static Evaluator evaluator;
+
+  @BeforeAll
+  static void load() throws Exception {
+    ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
+    FP64.Init();
+    String folder =
+        Path.of(EvaluatorTest.class.getResource("/eval/Words.tla").toURI()).getParent().toString();
+    tool = new FastTool(folder, "Words", "Words", new SimpleFilenameToStream(folder));
+    initial = tool.getInitStates().elementAt(0);
+    evaluator = new Evaluator(initial);
+  }
+
+  private static Stream<String> operators(String prefix) {
+    return Arrays.stream(tool.getSpecProcessor().getRootModule().getOpDefs())
+        .filter(o -> o.getOriginallyDefinedInModuleNode().getName().toString().equals("Words"))
+        .filter(o -> o.getParams().length == 0)
+        .map(o -> o.getName().toString())
+        .filter(name -> name.startsWith(prefix));
+  }
+
+  static Stream<String> actions() {
+    return operators("Act").filter(name -> !name.startsWith("ActErr"));
+  }
+
+  static Stream<String> values() {
+    return operators("").filter(name -> !name.matches("(Act|Err|Tlc|Init).*"));
+  }
+
+  static Stream<String> withoutValue() {
+    return operators("Err");
+  }
+
+  static Stream<String> withoutSuccessors() {
+    return operators("ActErr");
+  }
+
+  static Stream<String> leftToTlc() {
+    return operators("Tlc");
+  }
+
+  private static OpDefNode operator(String name) {
+    return tool.getSpecProcessor().getRootModule().getOpDef(name);
+  }
+
+  private static Value byTlc(String name, TLCState state) {
+    return (Value)
+        tool.eval(
+            operator(name).getBody(), Context.Empty, state, state.createEmpty(), EvalControl.Clear);
+  }
+
+  private static StateVec successorsByTlc(String name, TLCState state) {
+    OpDefNode operator = operator(name);
+    return tool.getNextStates(new Action(operator.getBody(), Context.Empty, operator), state);
+  }
+
+  private static Value asSet(StateVec states) {
+    var records = new Value[states.size()];
+    for (int i = 0; i < records.length; i++) {
+      records[i] = new RecordValue(states.elementAt(i));
+    }
+    return new SetEnumValue(records, false);
+  }
+
+  /** The initial state, its successors, and the initial state again. */
+  private static Stream<TLCState> states() {
+    return Stream.of(initial, successorsByTlc("ActAssign", initial).elementAt(0), initial);
+  }
+
+  @ParameterizedTest
+  @DisplayName("values are those of TLC")
+  @MethodSource("values")
+  void value(String name) {
+    states()
+        .forEach(
+            state -> {
+              Value value = evaluator.value(operator(name), state);
+              assertNotNull(value, "left to TLC");
+              assertEquals(byTlc(name, state), value);
+              assertEquals(Hash.of(byTlc(name, state)), Hash.of(value));
+            });
+  }
+
+  @ParameterizedTest
+  @DisplayName("successors are those of TLC")
+  @MethodSource("actions")
+  void successors(String name) {
+    states()
+        .forEach(
+            state -> {
+              StateVec found = evaluator.successors(operator(name), state);
+              assertNotNull(found, "left to TLC");
+              assertEquals(asSet(successorsByTlc(name, state)), asSet(found));
+            });
+  }
+
+  @ParameterizedTest
+  @DisplayName("what TLC cannot evaluate is left to it")
+  @MethodSource("withoutValue")
+  void error(String name) {
+    assertThrows(RuntimeException.class, () -> byTlc(name, initial));
+    assertNull(evaluator.value(operator(name), initial));
+    assertNotNull(evaluator.value(operator("Arithmetic"), initial), "the next one is evaluated");
+  }
+
+  @ParameterizedTest
+  @DisplayName("an action that TLC cannot evaluate is left to it")
+  @MethodSource("withoutSuccessors")
+  void errorInAction(String name) {
+    assertNull(evaluator.successors(operator(name), initial));
+    assertEquals(1, evaluator.successors(operator("ActAssign"), initial).size());
+  }
+
+  @ParameterizedTest
+  @DisplayName("what is not supported is left to TLC")
+  @MethodSource("leftToTlc")
+  void unsupported(String name) {
+    assertNull(evaluator.value(operator(name), initial));
+  }
+
+  @Test
+  @DisplayName("keys tell states apart by the value of a state function")
+  void keys() {
+    TLCState next = successorsByTlc("ActAssign", initial).elementAt(0);
+    assertNotEquals(evaluator.key(operator("vars"), initial), evaluator.key(operator("vars"), next));
+    assertEquals(
+        evaluator.key(operator("others"), initial), evaluator.key(operator("others"), next));
+  }
+
+  @Test
+  @DisplayName("equal functions have the same hash, whatever TLC keeps them in")
+  void hashes() {
+    Value[] all = ((TupleValue) evaluator.value(operator("Domains"), initial)).elems;
+    assertEquals(Hash.of(all[1]), Hash.of(all[2]));
+    assertEquals(Hash.of(all[3]), Hash.of(all[4]));
+    assertNotEquals(Hash.of(all[1]), Hash.of(all[3]));
+  }
+}
