@@ -17,7 +17,7 @@ Called == stack # <<>> /\ mode # "HOLD"
 \* @type: Set(Int) => Set(Int);
 Usual(errors) ==
     IF errors = {} THEN {OK}
-    ELSE IF Reading("AMB-63") = "a"
+    ELSE IF FirstErrorIsAnswered
     THEN { e \in errors : \A f \in errors : e <= f }
     ELSE errors
 
@@ -25,9 +25,9 @@ Usual(errors) ==
 \* @type: (Int, Set(Int)) => Set(Int);
 Answers(o, errors) ==
     IF o \notin TodObs \cup DintObs \/ ~Deselected(o) THEN Usual(errors)
-    ELSE CASE Reading("AMB-61") = "a" -> {BadOb}
-           [] Reading("AMB-61") = "b" -> Usual(errors)
-           [] OTHER                   -> Usual(errors) \cup {BadOb}
+    ELSE CASE DeselectedIsRefused  -> {BadOb}
+           [] DeselectedIsOrdinary -> Usual(errors)
+           [] OTHER                -> Usual(errors) \cup {BadOb}
 
 (* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible     *)
 (* values of that bit, 0 or 4.  Bit 0 of a deselected OB in RUN is not     *)
@@ -37,9 +37,9 @@ Answers(o, errors) ==
 StatusWithBit2(o, bit2) ==
     LET bit0 == IF mode = "STARTUP" THEN {1}
                 ELSE IF ~Deselected(o) THEN {0}
-                ELSE IF Reading("AMB-03") = "a" THEN {0, 1} ELSE {1}
+                ELSE IF Bit0MeansStartup THEN {0, 1} ELSE {1}
         rest == (IF Blocked(o) THEN 2 ELSE 0)
                   + (IF o \in loaded THEN 16 ELSE 0)
-                  + (IF Reading("AMB-04") = "b" THEN 32 ELSE 0)
+                  + (IF Bit5MeansNoTest THEN 32 ELSE 0)
     IN  { b + c + rest : b \in bit0, c \in bit2 }
 =============================================================================

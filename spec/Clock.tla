@@ -44,38 +44,21 @@ Repeating(t, to) ==
     THEN [t EXCEPT !.repeatTo = clock.min] ELSE t
 
 (* The interrupts after the clock was set. *)
-\* @type: ($moment, Str) => (Int -> $tod);
-Rearmed(to, reading) ==
+\* @type: ($moment, Bool) => (Int -> $tod);
+Rearmed(to, passing) ==
     [ o \in DOMAIN tod |->
         LET t    == Repeating(tod[o], to)
-            next == NextPoint(t, to, reading)
+            next == NextPoint(t, to, passing)
         IN  IF ~t.active \/ next = t.next THEN t
             ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
             ELSE AfterPoint(o, [ (IF Blocked(o) THEN t ELSE Served(t, t.next))
                                  EXCEPT !.next = next ]) ]
 
-(* [AMB-56] [AMB-57] Set back, the clock makes the CPU show how it reads    *)
-(* what no source decides.                                                 *)
-\* @type: (Str, Bool) => Set(Str);
-Shown(a, asked) == IF asked /\ Reading(a) = "c" THEN {"a", "b"} ELSE {Reading(a)}
-
-\* @type: (Str, Str) => (Str -> Str);
-ReadingsWith(unserved, anew) ==
-    [ a \in DOMAIN cpu.readings \cup {"AMB-56", "AMB-57"} |->
-        IF a = "AMB-56" THEN unserved
-        ELSE IF a = "AMB-57" THEN anew ELSE cpu.readings[a] ]
-
-(* By a letter: (a) nothing of the set, (b) all of it, or any part. *)
-\* @type: (Str, Set(Int)) => Set(Set(Int));
-PartBy(letter, whole) == CASE letter = "a" -> {{}}
-                           [] letter = "b" -> {whole}
-                           [] OTHER        -> SUBSET whole
-
 (* [AMB-54] The order of several catch-ups. *)
 \* @type: ($request, $request) => Bool;
-Precedes(r, s) == CASE Reading("AMB-54") = "a" -> Before(r.since, s.since)
-                    [] Reading("AMB-54") = "b" -> r.ob < s.ob
-                    [] OTHER                   -> FALSE
+Precedes(r, s) == CASE CatchUpsComeByPoint  -> Before(r.since, s.since)
+                    [] CatchUpsComeByNumber -> r.ob < s.ob
+                    [] OTHER                -> FALSE
 
 \* @type: (Set($request), Set($request)) => Set($request);
 WithCatchUps(q, runs) ==
@@ -87,7 +70,7 @@ WithCatchUps(q, runs) ==
 (* [AMB-16] The time that OB 80 gives. *)
 \* @type: (Set(Int), $moment) => $moment;
 TimeOfSkip(skipped, now) ==
-    IF Reading("AMB-16") = "a" THEN now
+    IF SkipGivesNewTime THEN now
     ELSE LET points == { NextMoment(tod[o]) : o \in skipped }
          IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
 
@@ -103,15 +86,14 @@ Skip(fault, now, skipped) ==
         waits  == { o \in skipped \ silent : \/ OnStack(o)
                                              \/ PendingIn(requests, o)
                                              \/ OpenIn(requests, o) }
-        absent == IF Reading("AMB-51") = "b" THEN skipped \ loaded ELSE {}
-        after  == IF fault = SkippedInHold THEN Reading("AMB-55") ELSE "a"
-    IN  \E merged \in PartBy(Reading("AMB-52"), waits),
-           unsaid \in PartBy(Reading("AMB-50"), silent) :
+        absent == IF SkipOfMissingObIsSilent THEN skipped \ loaded ELSE {}
+        held   == fault = SkippedInHold
+    IN  \E merged \in MergedAmong(waits), unsaid \in UnreportedAmong(silent) :
           LET late == (skipped \ unsaid) \ absent
               runs == { [ TodRequest(o, NextMoment(tod[o]),
                                      IF o \in absent THEN 0 ELSE fault)
-                          EXCEPT !.open = after = "c" ]
-                        : o \in IF after = "b" THEN {}
+                          EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ]
+                        : o \in IF held /\ NoCatchUpAfterHold THEN {}
                                 ELSE skipped \ (silent \cup merged) }
               sure == { IF r.ob \in merged /\ ~PendingIn(requests, r.ob)
                              /\ { s \in requests : /\ s.ob = r.ob
@@ -141,10 +123,10 @@ Defer(skipped) ==
 (* (b) an S7-300 calls every active time-of-day OB.                        *)
 \* @type: $moment => Bool;
 NothingSkipped(to) ==
-    LET stay == IF Before(to, clock) /\ Reading("AMB-59") = "b"
+    LET stay == IF Before(to, clock) /\ SetBackWithdrawsRuns
                 THEN Close({ r \in requests : r.ob \notin TodObs }) ELSE requests
         all  == IF /\ Before(to, clock) /\ Watching
-                   /\ cpu.family = "S7-300" /\ Reading("AMB-40") = "b"
+                   /\ cpu.family = "S7-300" /\ SetBackCallsActiveObs
                 THEN { o \in TodObs : tod[o].active /\ ~Idle(o)
                                       /\ ~PendingIn(stay, o) }
                 ELSE {}
@@ -157,23 +139,20 @@ NothingSkipped(to) ==
 ClockSet(to) ==
     LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to)
         back    == Remembers /\ Before(to, clock)
-        open    == Reading("AMB-53")
     IN  /\ to # clock
         /\ clock' = to
-        /\ \E unserved \in Shown("AMB-56", back), anew \in Shown("AMB-57", back),
-              deferred \in IF mode # "HOLD" \/ open = "b" THEN {FALSE}
-                           ELSE IF open = "a" THEN {TRUE} ELSE BOOLEAN :
+        /\ \E shown \in IF back THEN CpusShown ELSE {cpu},
+              deferred \in IF mode # "HOLD" \/ ~SkipMayBeDeferred THEN {FALSE}
+                           ELSE IF SkipMayBeReported THEN BOOLEAN ELSE {TRUE} :
+             /\ cpu' = shown
              /\ tod' = [ o \in DOMAIN tod |->
                           IF mode = "STOP" THEN Repeating(tod[o], to)
                           ELSE IF deferred /\ o \in skipped THEN tod[o]
-                          ELSE Rearmed(to, unserved)[o] ]
-             /\ IF back
-                THEN cpu' = [cpu EXCEPT !.readings = ReadingsWith(unserved, anew)]
-                ELSE UNCHANGED cpu
+                          ELSE Rearmed(to, UnservedAreOver(shown))[o] ]
              /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
-                ELSE \/ /\ mode # "STARTUP" \/ open # "a"
+                ELSE \/ /\ mode # "STARTUP" \/ SkipMayBeReported
                         /\ Skip(SkippedByClock, to, skipped)
-                     \/ /\ mode = "STARTUP" /\ open # "b"
+                     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
                         /\ Defer(skipped)
         /\ UNCHANGED <<loaded, mode, startup, dint, irt, stack, delay>>
 =============================================================================

@@ -1,80 +1,13 @@
 --------------------------------- MODULE Cpu --------------------------------
 (***************************************************************************)
-(* The state of an S7-300/400 CPU as far as its interrupts depend on it,   *)
-(* and the words to speak of it: OBs, priority classes, the stack.         *)
+(* The words to speak of a CPU: OBs, priority classes, what SFC 39 blocks, *)
+(* the stack of running OBs.                                               *)
 (*                                                                         *)
-(* Sources: catalogue section 5.1, table 7.1.                              *)
+(* Sources: requirements, section 5.1, table 7.1.                          *)
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
 EXTENDS Integers, FiniteSets, Sequences, Typedefs, Codes, Calendar, Readings
-
-VARIABLES
-    (* The CPU at hand.  family: "S7-300", "S7-400" or "CPU 318"; priority: *)
-    (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
-    (* parameters of the time-of-day interrupts; readings: the letters of   *)
-    (* the ambiguities that are not read by their default.  It never        *)
-    (* changes, but that where the default is "either" a letter may be      *)
-    (* found later, when the CPU shows it.                                  *)
-    \* @type: $cpu;
-    cpu,
-    (* The OBs that are loaded. *)
-    \* @type: Set(Int);
-    loaded,
-    (* [OBS-40] "STOP", "STARTUP", "RUN" or "HOLD". *)
-    \* @type: Str;
-    mode,
-    (* The startup OB of this STARTUP: "warm" or "cold" where it is still   *)
-    (* to come, "begun", or "none" outside STARTUP.                         *)
-    \* @type: Str;
-    startup,
-    (* The CPU clock. *)
-    \* @type: $moment;
-    clock,
-    (* The time-of-day interrupts.  next: the minute of the point that is   *)
-    (* watched for (Never: none), offset: its ms, 0 but under AMB-14 (c).   *)
-    (* On S7-400 and CPU 318 [CLK-09]: served, the points for which the OB  *)
-    (* was called, as runs of minutes without a point between that was not  *)
-    (* served; repeatTo, the last minute that the clock had reached before  *)
-    (* it was set back, -1 if it was not.                                   *)
-    \* @type: Int -> $tod;
-    tod,
-    (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
-    (* the ms that are left [DINT-03].                                      *)
-    \* @type: Int -> $job;
-    dint,
-    (* SFC 39/40: what is blocked, and of that what is not entered in the   *)
-    (* diagnostic buffer [IRT-20].  See Blocked.                            *)
-    \* @type: $irt;
-    irt,
-    (* [OBS-07] The start events that wait for their OB to start.  See      *)
-    (* module Requests.                                                     *)
-    \* @type: Set($request);
-    requests,
-    (* The running OB is the last one; the others it has interrupted.       *)
-    \* @type: Seq($frame);
-    stack,
-    (* [AIRT-03] The delay count of SFC 41/42. *)
-    \* @type: Int;
-    delay,
-    (* The event id of the error for which the CPU must go to STOP; NoCause *)
-    (* if there is none.                                                    *)
-    \* @type: Int;
-    stopCause,
-    (* What the last step entered in the diagnostic buffer: no rule depends *)
-    (* on it.  open: the sources leave open whether it is entered.          *)
-    \* @type: Set($entry);
-    entered
-
-cpuVars == <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-             stack, delay, stopCause>>
-
-NothingEntered == entered' = {}
-
-(* The letter by which an ambiguity is read. *)
-\* @type: Str => Str;
-Reading(a) == IF a \in DOMAIN cpu.readings THEN cpu.readings[a]
-                                           ELSE Defaults[a]
 
 -----------------------------------------------------------------------------
 (* OBs *)
@@ -120,12 +53,11 @@ ClassOf(o) == IF o \in DOMAIN cpu.priority THEN cpu.priority[o]
 (* asynchronous error is handled.                                          *)
 \* @type: (Int, Int) => Int;
 ErrorClass(o, fault) ==
-    LET r == Reading("AMB-13")
-    IN  IF o = TimeErrorOb
-        THEN IF \/ mode = "STARTUP" /\ r \in {"a", "d"}
-                \/ fault = BufferOverflow /\ r \in {"b", "d"}
-             THEN 28 ELSE 26
-        ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
+    IF o = TimeErrorOb
+    THEN IF \/ mode = "STARTUP" /\ Class28InStartup
+            \/ fault = BufferOverflow /\ Class28OnOverflow
+         THEN 28 ELSE 26
+    ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
 
 (* [OBS-06] [TINT-02] (c) [DINT-02] *)
 \* @type: Int => Bool;

@@ -10,7 +10,7 @@
 EXTENDS Airt
 
 (* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
-Lacking == IF Reading("AMB-73") = "b"
+Lacking == IF LackingObsAreRefused
            THEN {60, 70, 72} \cup (IF cpu.family = "S7-300" THEN 30..34 ELSE {})
            ELSE {}
 ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
@@ -26,7 +26,7 @@ ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
 Level(m) == m % 128
 DisModes == {0, 1, 2, 128, 129, 130}
 (* [IRT-13] [AMB-76] *)
-EnModes == IF Reading("AMB-76") = "b" THEN DisModes ELSE {0, 1, 2}
+EnModes == IF EnIrtTakesMode8x THEN DisModes ELSE {0, 1, 2}
 
 (* [IRT-12] [AMB-22] [AMB-63] Beside a bad MODE, 8090 applies only to a      *)
 (* number that no OB has.                                                  *)
@@ -34,7 +34,7 @@ EnModes == IF Reading("AMB-76") = "b" THEN DisModes ELSE {0, 1, 2}
 IrtErrors(m, o, modes) ==
     IF m \notin modes
     THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
-    ELSE IF CASE Level(m) = 0 -> o # 0 /\ Reading("AMB-22") = "b"
+    ELSE IF CASE Level(m) = 0 -> o # 0 /\ Mode0TakesOb0Alone
               [] Level(m) = 1 -> o \notin ClassNumbersOfIrt
               [] OTHER        -> o \notin ObNumbersOfIrt
     THEN {BadOb} ELSE {}
@@ -43,7 +43,7 @@ IrtErrors(m, o, modes) ==
 \* @type: (Int, Int) => Set(Int);
 Meant(m, o) ==
     IF Level(m) = 2 THEN {o}
-    ELSE IF Reading("AMB-21") = "b"
+    ELSE IF BlocksHaveLevels
     THEN { IF Level(m) = 0 THEN AllMark ELSE ClassMark(o) }
     ELSE { b \in Blockable : Level(m) = 0 \/ ClassNumber(b) = o }
 
@@ -64,8 +64,8 @@ BlockedWithout(marks) ==
 RequestsAfterDisIrt(marks) ==
     LET gone == { r \in requests :
                     /\ MarkedIn(marks, r.ob)
-                    /\ \/ Reading("AMB-72") = "b"
-                       \/ /\ Reading("AMB-15") = "c"
+                    /\ \/ DisIrtDropsRequests
+                       \/ /\ DisIrtStopsCatchUp
                           /\ Running.ob = TimeErrorOb /\ r.follows \in Skips }
     IN  IF gone = {} THEN requests ELSE Close(requests \ gone)
 
@@ -77,7 +77,7 @@ DisIrt(m, o, ret) ==
     /\ IF ret = OK
        THEN /\ irt' = BlockedWith(Meant(m, o), m >= 128)
             /\ requests' = RequestsAfterDisIrt(Meant(m, o))
-            /\ entered' = IF m >= 128 /\ Reading("AMB-41") = "a"
+            /\ entered' = IF m >= 128 /\ DisIrtIsEntered
                           THEN {Entry(EntriesDisabled)} ELSE {}
        ELSE UNCHANGED <<irt, requests>> /\ NothingEntered
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, stack, delay,
@@ -89,7 +89,7 @@ EnIrt(m, o, ret) ==
     /\ Called
     /\ ret \in Usual(IrtErrors(m, o, EnModes))
     /\ irt' = IF ret # OK THEN irt
-              ELSE IF Level(m) = 1 /\ Reading("AMB-42") = "b"
+              ELSE IF Level(m) = 1 /\ EnIrtMode1Blocks
               THEN BlockedWith(Meant(m, o), FALSE)
               ELSE BlockedWithout(Meant(m, o))
     /\ NothingEntered

@@ -14,7 +14,7 @@ PeriodOf(execution) ==
     CASE execution = "minute"  -> Minutely
       [] execution = "hourly"  -> Hourly
       [] execution = "daily"   -> Daily
-      [] execution = "weekly"  -> IF Reading("AMB-01") = "b" THEN \h1202 ELSE \h1201
+      [] execution = "weekly"  -> IF OnlyPeriod1202IsWeekly THEN \h1202 ELSE \h1201
       [] execution = "monthly" -> Monthly
       [] execution = "yearly"  -> Yearly
       [] execution = "end_of_month" -> EndOfMonth
@@ -61,7 +61,7 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 \* @type: Str => Bool;
 Restart(type) ==
     /\ mode = "STOP"
-    /\ type = "cold" /\ cpu.family = "S7-300" => Reading("AMB-65") = "a"
+    /\ type = "cold" /\ cpu.family = "S7-300" => S7300RestartsCold
     /\ mode'    = "STARTUP"
     /\ startup' = type
     /\ tod'     = [o \in TodObs |-> Reconfigured(o)]
@@ -101,7 +101,7 @@ Release ==
         /\ mode' = "RUN"
         /\ tod'  = [ o \in DOMAIN tod |->
                       IF tod[o].active /\ IsPast(NextMoment(tod[o]), clock)
-                      THEN Rearmed(clock, Reading("AMB-56"))[o] ELSE tod[o] ]
+                      THEN Rearmed(clock, UnservedAreOver(cpu))[o] ELSE tod[o] ]
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
         /\ UNCHANGED <<cpu, loaded, startup, clock, dint, irt, stack, delay>>
 

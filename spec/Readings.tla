@@ -1,87 +1,279 @@
 ------------------------------ MODULE Readings ------------------------------
 (***************************************************************************)
-(* The ambiguities of the catalogue (docs/readings.md): the letter         *)
-(* by which each is read where a log's header or a model says nothing, the *)
-(* letters that some formula tells apart, and the profiles, which bundle   *)
-(* the letters of one edition of the manual.                               *)
+(* Where the sources leave a question open, each possible answer has a     *)
+(* name here: a predicate that says how the CPU at hand reads it.  No      *)
+(* other module knows letters.  docs/readings.md has the questions with    *)
+(* their sources, module Editions the letters that hold by default.        *)
 (*                                                                         *)
-(* Module Cpu looks a letter up: Reading("AMB-nn").                        *)
-(* Left out: letters that no formula tells apart; docs/readings.md says    *)
-(* why.                                                                    *)
+(* A question with two answers has one predicate; the other answer is its  *)
+(* negation.  A question that may be answered "either" has a predicate for *)
+(* each definite answer.                                                   *)
+(* Left out: questions that no formula tells apart.                        *)
 (***************************************************************************)
-EXTENDS Integers, Typedefs
+EXTENDS State, Editions
 
-(* The ambiguities whose default is not (a). *)
-\* @type: Set(Str);
-ReadByB ==
-    { "AMB-02", "AMB-27", "AMB-31", "AMB-44", "AMB-63" }
-\* @type: Set(Str);
-ReadByC ==
-    { "AMB-01", "AMB-11", "AMB-28", "AMB-45", "AMB-47", "AMB-48",
-      "AMB-49", "AMB-50", "AMB-52", "AMB-53", "AMB-54", "AMB-55",
-      "AMB-56", "AMB-57", "AMB-60", "AMB-61", "AMB-67", "AMB-68", "AMB-70" }
-\* @type: Set(Str);
-ReadByD == { "AMB-13", "AMB-18", "AMB-77" }
+(* [AMB-01] Of the PERIODs 1201 and 1202 one is weekly, or both are. *)
+OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
+OnlyPeriod1202IsWeekly == Reading("AMB-01") = "b"
+BothPeriodsAreWeekly   == Reading("AMB-01") = "c"
 
-(* More letters than two, and two: what some formula tells apart. *)
-\* @type: Set(Str);
-FourLetters == { "AMB-13", "AMB-18", "AMB-77" }
-\* @type: Set(Str);
-ThreeLetters ==
-    { "AMB-01", "AMB-03", "AMB-04", "AMB-05", "AMB-06", "AMB-11",
-      "AMB-14", "AMB-15", "AMB-19", "AMB-28", "AMB-39", "AMB-45",
-      "AMB-47", "AMB-48", "AMB-49", "AMB-50", "AMB-52", "AMB-53",
-      "AMB-54", "AMB-55", "AMB-56", "AMB-57", "AMB-60", "AMB-61",
-      "AMB-67", "AMB-68", "AMB-70", "AMB-71" }
-\* @type: Set(Str);
-TwoLetters ==
-    { "AMB-02", "AMB-07", "AMB-08", "AMB-09", "AMB-10", "AMB-12",
-      "AMB-16", "AMB-17", "AMB-20", "AMB-21", "AMB-22", "AMB-23",
-      "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-33", "AMB-34", "AMB-35",
-      "AMB-36", "AMB-37", "AMB-38", "AMB-40", "AMB-41", "AMB-42",
-      "AMB-43", "AMB-44", "AMB-46", "AMB-51", "AMB-59", "AMB-63",
-      "AMB-65", "AMB-66", "AMB-72", "AMB-73", "AMB-74", "AMB-75", "AMB-76" }
+(* [AMB-02] SET_TINT answers 80A1 for any PERIOD, not for once alone. *)
+EveryPastStartIsRefused == Reading("AMB-02") = "a"
 
-Ambiguities == FourLetters \cup ThreeLetters \cup TwoLetters
+(* [AMB-03] STATUS bit 0 is 1 in STARTUP alone. *)
+Bit0MeansStartup == Reading("AMB-03") = "a"
 
-(* The catalogue's defaults. *)
-\* @type: Str -> Str;
-Defaults ==
-    [ a \in Ambiguities |->
-        IF a \in ReadByB THEN "b" ELSE IF a \in ReadByC THEN "c"
-        ELSE IF a \in ReadByD THEN "d" ELSE "a" ]
+(* [AMB-04] STATUS bit 5 is 1 where no test function blocks the OB. *)
+Bit5MeansNoTest == Reading("AMB-04") = "b"
 
-(* The letters that a header may name. *)
-\* @type: Str => Set(Str);
-Letters(a) == CASE a \in FourLetters  -> {"a", "b", "c", "d"}
-                [] a \in ThreeLetters -> {"a", "b", "c"}
-                [] a \in TwoLetters   -> {"a", "b"}
-                [] a \in ReadByB      -> {"b"}
-                [] a \in ReadByC      -> {"c"}
-                [] OTHER              -> {"a"}
+(* [AMB-05] Monthly on day 29 to 31 is refused, or has a point on the last  *)
+(* day of a shorter month; else it has none there.                         *)
+MonthlyEndsWithDay28   == Reading("AMB-05") = "a"
+MonthlyFallsOnLastDay  == Reading("AMB-05") = "c"
 
------------------------------------------------------------------------------
-(* Profiles: an edition as printed, where the defaults would reject it.     *)
-(* "delay": of AMB-06, (b) for time-delay interrupts alone, as the edition  *)
-(* of 2010 has it.                                                         *)
+(* [AMB-06] A missing OB is noticed when its interrupt is activated or its  *)
+(* delay is started; or it leads to OB 80 in place of OB 85.  "delay": the *)
+(* first for time-delay interrupts alone.                                  *)
+MissingNoticedAtActivation == Reading("AMB-06") = "b"
+MissingNoticedAtSrtDint    == Reading("AMB-06") \in {"b", "delay"}
+MissingIsTimeError         == Reading("AMB-06") = "c"
 
-ProfileNames == {"1997", "2006", "2010"}
+(* [AMB-07] A time-delay OB without OB 80 or OB 85 does not stop the CPU. *)
+DelaysNeverStopTheCpu == Reading("AMB-07") = "b"
 
-\* @type: Str => Set(<<Str, Str>>);
-Profile(name) ==
-    CASE name = "1997" ->
-           { <<"AMB-01", "a">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
-             <<"AMB-05", "b">>, <<"AMB-14", "c">>, <<"AMB-17", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-34", "b">>, <<"AMB-43", "b">>,
-             <<"AMB-71", "c">> }
-      [] name = "2006" ->
-           { <<"AMB-01", "b">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-22", "b">>, <<"AMB-34", "b">>,
-             <<"AMB-36", "b">>, <<"AMB-40", "b">>, <<"AMB-41", "b">>,
-             <<"AMB-42", "b">>, <<"AMB-71", "c">> }
-      [] name = "2010" ->
-           { <<"AMB-01", "b">>, <<"AMB-06", "delay">>, <<"AMB-20", "b">>,
-             <<"AMB-34", "b">>, <<"AMB-36", "b">>, <<"AMB-71", "c">>,
-             <<"AMB-74", "b">> }
-      [] OTHER -> {}
+(* [AMB-08] A once that has run is no longer set; else its date stays. *)
+OnceIsUnsetByItsRun == Reading("AMB-08") = "a"
+
+(* [AMB-09] CAN_TINT answers 80A0 unless the interrupt is active. *)
+CanTintNeedsActive == Reading("AMB-09") = "b"
+
+(* [AMB-10] ACT_TINT on an active interrupt computes its next point anew. *)
+ActTintComputesAnew == Reading("AMB-10") = "b"
+
+(* [AMB-11] A call that cancels an interrupt withdraws a run that waits. *)
+TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
+DintCallsWithdrawRuns == Reading("AMB-11") = "b"
+
+(* [AMB-12] A once or a delay is over when its start event is lost. *)
+LostEventEndsItsSource == Reading("AMB-12") = "a"
+
+(* [AMB-13] When OB 80 has class 28. *)
+Class28InStartup  == Reading("AMB-13") \in {"a", "d"}
+Class28OnOverflow == Reading("AMB-13") \in {"b", "d"}
+
+(* [AMB-14] Seconds of SDT are dropped before it is judged; or never. *)
+SecondsAreDroppedFirst == Reading("AMB-14") = "a"
+SecondsAreKept         == Reading("AMB-14") = "c"
+
+(* [AMB-15] In OB 80 these calls keep a catch-up from coming, too. *)
+ActTintStopsCatchUp == Reading("AMB-15") = "b"
+DisIrtStopsCatchUp  == Reading("AMB-15") = "c"
+
+(* [AMB-16] After a skip OB 80 gives the new time, not the first point. *)
+SkipGivesNewTime == Reading("AMB-16") = "a"
+
+(* [AMB-17] An S7-300 does not serve a point again either. *)
+S7300RemembersServed == Reading("AMB-17") = "b"
+
+(* [AMB-18] A start event of an OB that waits already is a time error, is   *)
+(* buffered until the buffer is full, or is merged; else any of these.     *)
+SecondRequestIsTimeError == Reading("AMB-18") = "a"
+SecondRequestIsBuffered  == Reading("AMB-18") = "b"
+SecondRequestIsMerged    == Reading("AMB-18") = "c"
+BuffersMayOverflow       == Reading("AMB-18") \in {"b", "d"}
+SecondRequestIsOpen      == Reading("AMB-18") = "d"
+
+(* [AMB-19] Each point during one run of the OB brings a run of its own; or *)
+(* those after the first bring nothing.                                    *)
+EveryPointRunsLater      == Reading("AMB-19") = "b"
+OnlyFirstPointIsReported == Reading("AMB-19") = "c"
+
+(* [AMB-20] A SET_TINT that is refused cancels the old setting. *)
+RefusedSetTintCancels == Reading("AMB-20") = "b"
+
+(* [AMB-21] SFC 39 blocks on three levels, all of which must be open. *)
+BlocksHaveLevels == Reading("AMB-21") = "b"
+
+(* [AMB-22] MODE 0 with an OB number other than 0 is refused. *)
+Mode0TakesOb0Alone == Reading("AMB-22") = "b"
+
+(* [AMB-23] An error whose OB is missing stops the CPU also if it is       *)
+(* blocked.                                                                *)
+BlockedErrorStopsTheCpu == Reading("AMB-23") = "b"
+
+(* [AMB-25] The delay count outlives the end of OB 1. *)
+CountOutlivesTheCycle == Reading("AMB-25") = "b"
+
+(* [AMB-27] OB 80 names the OB that ran, not the one that was requested. *)
+TimeErrorNamesRunningOb == Reading("AMB-27") = "a"
+
+(* [AMB-28] A missing OB is fault A1; or A1 and A2 are alike. *)
+MissingObIsFaultA1     == Reading("AMB-28") = "a"
+MissingObIsEitherFault == Reading("AMB-28") = "c"
+
+(* [AMB-29] Points of one moment come in the order of their OBs' numbers. *)
+PointsComeByNumber == Reading("AMB-29") = "b"
+
+(* [AMB-31] DTIME in the start information is the time that has elapsed. *)
+DtimeIsElapsedTime == Reading("AMB-31") = "a"
+
+(* [AMB-33] OB 85 blocked stops the CPU. *)
+BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
+
+(* [AMB-34] STATUS bit 2 of a once is 1 until its OB starts. *)
+WaitingOnceIsActive == Reading("AMB-34") = "a"
+
+(* [AMB-35] The points that pass in STARTUP bring one run for each OB. *)
+StartupDefersOneRun == Reading("AMB-35") = "a"
+
+(* [AMB-36] A periodic interrupt first runs one period after its start. *)
+SeriesBeginsAPeriodLater == Reading("AMB-36") = "b"
+
+(* [AMB-37] A point that equals the clock is past. *)
+EqualIsPast == Reading("AMB-37") = "b"
+
+(* [AMB-38] Yearly on February 29 is refused. *)
+YearlyNotOnLeapDay == Reading("AMB-38") = "b"
+
+(* [AMB-39] The start of an end-of-month interrupt is a point as well; or   *)
+(* it must be the last day of a month.                                     *)
+EndOfMonthRunsAtStart == Reading("AMB-39") = "b"
+EndOfMonthTakesNoOtherDay == Reading("AMB-39") = "c"
+
+(* [AMB-40] A clock that is set back calls every active OB of an S7-300. *)
+SetBackCallsActiveObs == Reading("AMB-40") = "b"
+
+(* [AMB-41] An entry 5380 for the call; else for each event that is lost. *)
+DisIrtIsEntered     == Reading("AMB-41") = "a"
+LostEventIsEntered  == Reading("AMB-41") = "b"
+
+(* [AMB-42] EN_IRT with MODE 1 blocks. *)
+EnIrtMode1Blocks == Reading("AMB-42") = "b"
+
+(* [AMB-43] PERIOD 0401 is daily. *)
+Period0401IsDaily == Reading("AMB-43") = "b"
+
+(* [AMB-44] A missing OB is noticed when it is due, also if it could not    *)
+(* start yet.                                                              *)
+MissingNoticedWhenDue == Reading("AMB-44") = "a"
+
+(* [AMB-45] One OB 85 for all missing OBs; or one for each. *)
+OneOb85ForAll  == Reading("AMB-45") = "a"
+OneOb85ForEach == Reading("AMB-45") = "b"
+
+(* [AMB-46] After a missing OB its interrupt is no longer active. *)
+MissingObEndsItsSource == Reading("AMB-46") = "b"
+
+(* [AMB-47] A delay that is over while its OB runs brings a second run; or  *)
+(* none.                                                                   *)
+OverlappingDelayRuns == Reading("AMB-47") = "a"
+OverlappingDelayRunsNot == Reading("AMB-47") = "b"
+
+(* [AMB-48] The run that a blocked OB 80 would report comes; or it is lost. *)
+LateRunOutlivesBlock == Reading("AMB-48") = "a"
+LateRunIsLostWithOb80 == Reading("AMB-48") = "b"
+
+(* [AMB-49] DIS_AIRT does not delay a STOP by rule; else it may. *)
+StopIsNotDelayed == Reading("AMB-49") = "a"
+
+(* [AMB-50] Of blocked OBs with a skipped point, those not reported. *)
+\* @type: Set(Int) => Set(Set(Int));
+UnreportedAmong(blocked) == PartBy(Reading("AMB-50"), blocked)
+
+(* [AMB-51] The skip of a missing OB is not reported. *)
+SkipOfMissingObIsSilent == Reading("AMB-51") = "b"
+
+(* [AMB-52] Of OBs that wait or run, those without a catch-up of their own. *)
+\* @type: Set(Int) => Set(Set(Int));
+MergedAmong(busy) == PartBy(Reading("AMB-52"), busy)
+
+(* [AMB-53] A skip in STARTUP or HOLD may be deferred; or reported at once. *)
+SkipMayBeDeferred == Reading("AMB-53") # "b"
+SkipMayBeReported == Reading("AMB-53") # "a"
+
+(* [AMB-54] Catch-ups come by their first point; or by number. *)
+CatchUpsComeByPoint  == Reading("AMB-54") = "a"
+CatchUpsComeByNumber == Reading("AMB-54") = "b"
+
+(* [AMB-55] After HOLD there is no catch-up; or it is open. *)
+NoCatchUpAfterHold     == Reading("AMB-55") = "b"
+CatchUpAfterHoldIsOpen == Reading("AMB-55") = "c"
+
+(* [AMB-56] In the time that the clock repeats, points that were not served *)
+(* are over.                                                               *)
+\* @type: $cpu => Bool;
+UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
+
+(* [AMB-57] A new setting keeps the memory of what was served. *)
+MemoryOutlivesSetting == Reading("AMB-57") = "b"
+
+(* [AMB-56] [AMB-57] The CPUs that this one may turn out to be when its     *)
+(* clock is set back: where its reading is open, it shows one.             *)
+\* @type: (Str, Str) => (Str -> Str);
+ReadingsWith(unserved, memory) ==
+    [ a \in DOMAIN cpu.readings \cup {"AMB-56", "AMB-57"} |->
+        IF a = "AMB-56" THEN unserved
+        ELSE IF a = "AMB-57" THEN memory ELSE cpu.readings[a] ]
+CpusShown ==
+    { [cpu EXCEPT !.readings = ReadingsWith(unserved, memory)]
+      : unserved \in Shown("AMB-56"), memory \in Shown("AMB-57") }
+
+(* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
+SetBackWithdrawsRuns == Reading("AMB-59") = "b"
+
+(* [AMB-60] ACT_TINT on an active once that waits: 0000; or 80A1. *)
+WaitingOnceIsAhead == Reading("AMB-60") = "a"
+WaitingOnceIsPast  == Reading("AMB-60") = "b"
+
+(* [AMB-61] A call for a deselected OB is refused; or judged as any other. *)
+DeselectedIsRefused  == Reading("AMB-61") = "a"
+DeselectedIsOrdinary == Reading("AMB-61") = "b"
+
+(* [AMB-63] Of several errors the first is answered. *)
+FirstErrorIsAnswered == Reading("AMB-63") = "a"
+
+(* [AMB-65] An S7-300 has the cold restart. *)
+S7300RestartsCold == Reading("AMB-65") = "a"
+
+(* [AMB-66] An OB that is deleted takes the requests for it along. *)
+DeletedObTakesRequests == Reading("AMB-66") = "b"
+
+(* [AMB-67] Start events from outside in STARTUP or HOLD are lost; or may be. *)
+OutsideRunEventsAreLost == Reading("AMB-67") = "b"
+OutsideRunEventsAreOpen == Reading("AMB-67") = "c"
+
+(* [AMB-68] A series without a further point is active; or it is not. *)
+EndedSeriesIsActive   == Reading("AMB-68") = "a"
+EndedSeriesIsInactive == Reading("AMB-68") = "b"
+
+(* [AMB-70] In the last millisecond of a delay, calls come before its end;  *)
+(* or after it.                                                            *)
+CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
+CallsComeAfterTheEnd  == Reading("AMB-70") = "b"
+
+(* [AMB-71] A once is used up when its point is reached; or when its OB     *)
+(* ends; else when its OB starts.                                          *)
+OnceUsedUpAtItsPoint == Reading("AMB-71") = "b"
+OnceUsedUpAtItsEnd   == Reading("AMB-71") = "c"
+
+(* [AMB-72] DIS_IRT drops what waits already. *)
+DisIrtDropsRequests == Reading("AMB-72") = "b"
+
+(* [AMB-73] DIS_IRT and EN_IRT refuse the OBs that the CPU lacks. *)
+LackingObsAreRefused == Reading("AMB-73") = "b"
+
+(* [AMB-74] SRT_DINT on a running job leaves its SIGN. *)
+RestartedJobKeepsSign == Reading("AMB-74") = "b"
+
+(* [AMB-75] OB 70, 72, 84 and 87 are not missed; else OB 85 reports them. *)
+ErrorObsAreNotReported == Reading("AMB-75") = "a"
+
+(* [AMB-76] EN_IRT takes the MODEs 80 to 82. *)
+EnIrtTakesMode8x == Reading("AMB-76") = "b"
+
+(* [AMB-77] A start event from outside, of an OB that runs, is a time       *)
+(* error, is buffered, or is lost; else any of these.                      *)
+ExternalAgainIsTimeError == Reading("AMB-77") = "a"
+ExternalAgainIsBuffered  == Reading("AMB-77") = "b"
+ExternalAgainIsLost      == Reading("AMB-77") = "c"
 =============================================================================

@@ -87,7 +87,7 @@ BlockRequirements(past, o) ==
 (* The OB is blocked and starts all the same. *)
 \* @type: (Seq($event), Int) => Set(Str);
 ThoughBlocked(past, o) ==
-    IF Reading("AMB-15") = "c" /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
+    IF DisIrtStopsCatchUp /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
     ELSE {"IRT-01", "IRT-04"} \cup BlockRequirements(past, o)
            \cup When(o = TimeErrorOb, {"OBS-33"})
 
@@ -374,7 +374,7 @@ OfDelay(o, past) ==
     IN  When(LastOf(past, {"clock"}) > srt \/ Unseen("clock"), {"DINT-18"})
           \cup When(LastOf(past, {"hold"}) > srt, {"DINT-19"})
           \cup When(TimesSince(past, {"SRT_DINT"}, o, LastStart(past, o)) > 1,
-                    {"DINT-07"} \cup When(Reading("AMB-11") = "b", {"DINT-15"}))
+                    {"DINT-07"} \cup When(DintCallsWithdrawRuns, {"DINT-15"}))
 
 \* @type: (Int, Seq($event)) => Set(Str);
 NoDintRequest(o, past) ==
@@ -426,8 +426,8 @@ NoProgramError(past) ==
           \cup When(\E o \in tods \cup dints : Blocked(o), {"IRT-01"})
           \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
                     {"AIRT-01", "AIRT-09"})
-          \cup When(Reading("AMB-46") = "b", {"OBS-28"})
-          \cup When(Reading("AMB-06") = "c", {"OBS-24"})
+          \cup When(MissingObEndsItsSource, {"OBS-28"})
+          \cup When(MissingIsTimeError, {"OBS-24"})
 
 \* @type: ($event, Seq($event)) => Set(Str);
 WithoutRequest(e, past) ==
@@ -657,8 +657,8 @@ LateTod(r, past) ==
             \cup When(ClockWasSet(past, last) < 0, SinceClock(past, last))
             \cup When(cpu.step7[o].execution = "once" /\ last = 0, {"OBS-56"})
             \cup When(Blocked(o) \/ LastIn(IrtLines(past, o)) > last, {"IRT-18"})
-            \cup When(Reading("AMB-11") = "a", {"TINT-50"})
-            \cup When(Reading("AMB-18") # "d", {"OBS-07"})
+            \cup When(~TodCallsWithdrawRuns, {"TINT-50"})
+            \cup When(~SecondRequestIsOpen, {"OBS-07"})
             \cup When(act > 0 /\ past[act].ret = -1, {"TINT-60"})
             \cup HeldBack(r, past)
     IN  special \cup Step7Requirements(o, past)

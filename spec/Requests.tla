@@ -116,7 +116,7 @@ DintRequest(o) ==
     [ NoRequest EXCEPT
         !.ob = o, !.class = ClassOf(o), !.since = clock, !.word = dint[o].sign,
         !.dtime = dint[o].dtime
-                    - (IF Reading("AMB-31") = "a" THEN dint[o].left ELSE 0) ]
+                    - (IF DtimeIsElapsedTime THEN dint[o].left ELSE 0) ]
 
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;
@@ -149,7 +149,7 @@ InTurn(r) ==
     { q \in requests :
         /\ q.class = r.class /\ ~q.open /\ ModeAllows(q)
         /\ \/ q.rank < r.rank
-           \/ q.rank = r.rank /\ q.ob < r.ob /\ Reading("AMB-29") = "b" } = {}
+           \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
 
 (* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
 \* @type: $request => Bool;
@@ -158,7 +158,7 @@ Reported(r) ==
 
 (* [AMB-44] (b) A missing OB is noticed when it would start. *)
 \* @type: $request => Bool;
-NoticedAtOnce(r) == r.ob \notin loaded /\ Reading("AMB-44") = "a"
+NoticedAtOnce(r) == r.ob \notin loaded /\ MissingNoticedWhenDue
 
 \* @type: $request => Bool;
 MayStart(r) == /\ ModeAllows(r)
@@ -169,5 +169,5 @@ MayStart(r) == /\ ModeAllows(r)
                   \/ NoticedAtOnce(r)
 
 (* [AMB-49] A STOP by rule may wait for the end of a delay. *)
-StopIsDue == stopCause # NoCause /\ (Undelayed \/ Reading("AMB-49") = "a")
+StopIsDue == stopCause # NoCause /\ (Undelayed \/ StopIsNotDelayed)
 =============================================================================

@@ -13,8 +13,7 @@ EXTENDS Clock
 (* STARTUP.                                                                *)
 \* @type: (Int, Int) => Bool;
 Interrupt(o, fault) ==
-    LET new     == ExternalRequest(o, fault)
-        reading == Reading("AMB-67")
+    LET new == ExternalRequest(o, fault)
     IN  /\ IF mode = "STOP" \/ Deselected(o) THEN Nothing
            ELSE IF o = TimeErrorOb /\ mode # "HOLD"
            THEN TimeErrorOccurs(requests, requests, new)
@@ -22,10 +21,11 @@ Interrupt(o, fault) ==
            THEN /\ UNCHANGED <<requests, stopCause>>
                 /\ entered' = IF fault = 0 THEN EntriesOfLost(o) ELSE EntriesOf(new)
            ELSE IF mode = "HOLD" \/ (mode = "STARTUP" /\ o \notin AsyncErrorObs)
-           THEN IF reading = "b" THEN Nothing
+           THEN IF OutsideRunEventsAreLost THEN Nothing
                 ELSE IF PendingIn(requests, o) \/ OpenIn(requests, o)
                 THEN AnyEffect(new)
-                ELSE /\ requests' = Enter(requests, [new EXCEPT !.open = reading = "c"])
+                ELSE /\ requests' = Enter(requests,
+                                  [new EXCEPT !.open = OutsideRunEventsAreOpen])
                      /\ UNCHANGED stopCause
                      /\ entered' = IF fault = 0 THEN {} ELSE OpenEntries({new})
            ELSE IF o \in AsyncErrorObs THEN ErrorOccurs(new)
@@ -54,12 +54,12 @@ LastCall(r) ==
 (* [AMB-71] At the start of the OB; under (c) at its end. *)
 \* @type: $request => (Int -> $tod);
 TodAfterCall(r) ==
-    IF LastCall(r) /\ Reading("AMB-71") # "c"
+    IF LastCall(r) /\ ~OnceUsedUpAtItsEnd
     THEN [tod EXCEPT ![r.ob] = UsedUp(@)] ELSE tod
 
 \* @type: Int => (Int -> $tod);
 TodAfterEnd(o) ==
-    IF /\ o \in TodObs /\ Reading("AMB-71") = "c"
+    IF /\ o \in TodObs /\ OnceUsedUpAtItsEnd
        /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
        /\ ~PendingIn(requests, o)
     THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
@@ -67,7 +67,7 @@ TodAfterEnd(o) ==
 (* [AMB-46] After a missing OB; under (b) its source is disabled. *)
 \* @type: $request => (Int -> $tod);
 TodAfterMissing(r) ==
-    IF r.ob \in TodObs /\ Reading("AMB-46") = "b"
+    IF r.ob \in TodObs /\ MissingObEndsItsSource
     THEN [tod EXCEPT ![r.ob].active = FALSE, ![r.ob].next = Never]
     ELSE TodAfterCall(r)
 
@@ -91,8 +91,8 @@ Start(r) ==
 (* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
 Excused ==
     LET missing == { r \in requests : r.ob \notin loaded \cup AsyncErrorObs }
-    IN  CASE Reading("AMB-45") = "a" -> Close(requests \ missing)
-          [] Reading("AMB-45") = "b" -> requests
+    IN  CASE OneOb85ForAll  -> Close(requests \ missing)
+          [] OneOb85ForEach -> requests
           [] OTHER -> (requests \ missing)
                         \cup { [r EXCEPT !.open = TRUE] : r \in missing }
 
@@ -103,7 +103,7 @@ End(o) ==
     /\ Running.ob = o
     /\ mode # "HOLD"
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-    /\ delay' = IF o = CycleOb /\ Reading("AMB-25") = "b" THEN delay ELSE 0
+    /\ delay' = IF o = CycleOb /\ CountOutlivesTheCycle THEN delay ELSE 0
     /\ requests' = IF o = ProgramErrorOb THEN Excused ELSE requests
     /\ tod' = TodAfterEnd(o)
     /\ NothingEntered
@@ -117,9 +117,9 @@ End(o) ==
 (* delay started, it may be nothing; under AMB-06 (c) it is OB 80.          *)
 \* @type: $request => Bool;
 ObMissing(r) ==
-    LET known == \/ r.ob \in TodObs /\ Reading("AMB-06") = "b"
-                 \/ r.ob \in DintObs /\ Reading("AMB-06") \in {"b", "delay"}
-    IN  \/ IF Reading("AMB-06") = "c" /\ r.ob \in TodObs \cup DintObs
+    LET known == \/ r.ob \in TodObs /\ MissingNoticedAtActivation
+                 \/ r.ob \in DintObs /\ MissingNoticedAtSrtDint
+    IN  \/ IF MissingIsTimeError /\ r.ob \in TodObs \cup DintObs
            THEN TimeErrorOccurs(RequestsAfterCall(r), RequestsAfterCall(r),
                                 TimeError(UnknownFault, {}, r.ob, r.word))
            ELSE ProgramErrorOccurs(RequestsAfterCall(r), r)
@@ -129,9 +129,9 @@ ObMissing(r) ==
 
 (* [OBS-23] [AMB-75] Asynchronous errors without their OB. *)
 ErrorObsNotMissed ==
-    IF Reading("AMB-75") = "a" THEN {70, 72, 81, 84, 87} ELSE {81}
+    IF ErrorObsAreNotReported THEN {70, 72, 81, 84, 87} ELSE {81}
 ErrorObsAs85 ==
-    IF Reading("AMB-75") = "a" THEN {} ELSE {70, 72, 84, 87}
+    IF ErrorObsAreNotReported THEN {} ELSE {70, 72, 84, 87}
 ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
 
 \* @type: $request => Bool;
@@ -165,7 +165,7 @@ Missing(r) ==
 \* @type: Set(Int) => Bool;
 LoadedAre(obs) ==
     /\ loaded' = obs
-    /\ requests' = IF obs \subseteq loaded /\ obs # loaded /\ Reading("AMB-66") = "b"
+    /\ requests' = IF obs \subseteq loaded /\ obs # loaded /\ DeletedObTakesRequests
                    THEN Close({ r \in requests : r.ob \notin loaded \ obs })
                    ELSE requests
     /\ NothingEntered

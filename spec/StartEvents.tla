@@ -22,7 +22,7 @@ EntryOf(error) == [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE
 (* [AMB-41] (b) Under MODE 8x every blocked event shows as 5380. *)
 \* @type: Int => Set($entry);
 EntriesOfLost(o) ==
-    IF Silenced(o) /\ Reading("AMB-41") = "b" THEN {Entry(EntriesDisabled)} ELSE {}
+    IF Silenced(o) /\ LostEventIsEntered THEN {Entry(EntriesDisabled)} ELSE {}
 
 (* [IRT-09] *)
 \* @type: $request => Set($entry);
@@ -54,16 +54,16 @@ EntriesOfStop(cause) == IF stopCause = NoCause THEN {Entry(cause)} ELSE {}
 TimeErrorOccurs(kept, lost, error) ==
     LET absent == TimeErrorOb \notin loaded
         stops  == absent /\ IF Blocked(TimeErrorOb)
-                            THEN Reading("AMB-23") = "b"
-                            ELSE ~(/\ Reading("AMB-07") = "b"
+                            THEN BlockedErrorStopsTheCpu
+                            ELSE ~(/\ DelaysNeverStopTheCpu
                                    /\ error.cause \in DintObs)
     IN  /\ requests' \in
              IF ~Blocked(TimeErrorOb)
              THEN {IF stops THEN lost  \* what follows OB 80 never comes
                    ELSE IF absent THEN kept ELSE Enter(kept, error)}
-             ELSE CASE Reading("AMB-48") = "a" -> {kept}
-                    [] Reading("AMB-48") = "b" -> {lost}
-                    [] OTHER                   -> {kept, lost}
+             ELSE CASE LateRunOutlivesBlock  -> {kept}
+                    [] LateRunIsLostWithOb80 -> {lost}
+                    [] OTHER                 -> {kept, lost}
         /\ stopCause' = IF stops THEN StopFor(NoTimeErrorOb) ELSE stopCause
         /\ entered'   = EntriesOf(error)
                           \cup (IF stops THEN EntriesOfStop(NoTimeErrorOb) ELSE {})
@@ -77,25 +77,25 @@ TimeErrorOccurs(kept, lost, error) ==
 \* @type: (Set($request), $request) => Bool;
 ProgramErrorOccurs(rest, r) ==
     LET error == [ ExternalRequest(ProgramErrorOb,
-                                   IF Reading("AMB-28") = "a" THEN \hA1 ELSE \hA2)
+                                   IF MissingObIsFaultA1 THEN \hA1 ELSE \hA2)
                    EXCEPT !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
         joins == OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
         absent == ProgramErrorOb \notin loaded
-        stops == \/ Reading("AMB-33") = "b"
-                 \/ Reading("AMB-23") = "b" /\ absent
+        stops == \/ BlockedOb85StopsTheCpu
+                 \/ BlockedErrorStopsTheCpu /\ absent
     IN  IF Blocked(ProgramErrorOb)
         THEN /\ requests' = rest
              /\ stopCause' = IF stops THEN StopFor(NoProgramErrorOb) ELSE stopCause
              /\ entered' = EntriesOf(error)
                              \cup (IF stops THEN EntriesOfStop(NoProgramErrorOb)
                                    ELSE {})
-        ELSE IF absent /\ Reading("AMB-07") = "b" /\ r.ob \in DintObs
+        ELSE IF absent /\ DelaysNeverStopTheCpu /\ r.ob \in DintObs
         THEN requests' = rest /\ UNCHANGED stopCause /\ entered' = {EntryOf(error)}
         ELSE /\ UNCHANGED stopCause
-             /\ \/ /\ ~(joins /\ Reading("AMB-45") = "a")
+             /\ \/ /\ ~(joins /\ OneOb85ForAll)
                    /\ requests' = Enter(rest, error)
                    /\ entered' = {EntryOf(error)}
-                \/ /\ joins /\ Reading("AMB-45") # "b"
+                \/ /\ joins /\ ~OneOb85ForEach
                    /\ requests' = rest
                    /\ entered' = OpenEntries({error})
 
@@ -175,36 +175,36 @@ AgainWhileOpen(new) ==
 (* under (b) the run is kept or the buffer overflows [OBS-08].             *)
 \* @type: $request => Bool;
 AgainWhilePending(new) ==
-    CASE Reading("AMB-18") = "a" -> Overlap(new, StillRunning, FALSE)
-      [] Reading("AMB-18") = "b" -> \/ Ordinary(new)
-                                    \/ Overlap(new, BufferOverflow, FALSE)
-      [] Reading("AMB-18") = "c" -> Nothing
-      [] OTHER                   -> AnyEffect(new)
+    CASE SecondRequestIsTimeError -> Overlap(new, StillRunning, FALSE)
+      [] SecondRequestIsBuffered  -> \/ Ordinary(new)
+                                     \/ Overlap(new, BufferOverflow, FALSE)
+      [] SecondRequestIsMerged    -> Nothing
+      [] OTHER                    -> AnyEffect(new)
 
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs: one run is     *)
 (* kept for later.                                                         *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
     LET again == PendingIn(requests, new.ob)
-    IN  CASE Reading("AMB-19") = "b" -> Overlap(new, StillRunning, TRUE)
-          [] Reading("AMB-19") = "c" /\ again -> Nothing
+    IN  CASE EveryPointRunsLater -> Overlap(new, StillRunning, TRUE)
+          [] OnlyFirstPointIsReported /\ again -> Nothing
           [] OTHER -> Overlap(new, StillRunning, ~again)
 
 (* [DINT-10] [AMB-47] *)
 \* @type: $request => Bool;
 DintWhileRunning(new) ==
-    \E follows \in CASE Reading("AMB-47") = "a" -> {TRUE}
-                     [] Reading("AMB-47") = "b" -> {FALSE}
+    \E follows \in CASE OverlappingDelayRuns    -> {TRUE}
+                     [] OverlappingDelayRunsNot -> {FALSE}
                      [] OTHER                   -> BOOLEAN :
       Overlap(new, StillRunning, follows /\ ~PendingIn(requests, new.ob))
 
 (* [AMB-77] *)
 \* @type: $request => Bool;
 ExternalWhileRunning(new) ==
-    CASE Reading("AMB-77") = "a" ->
+    CASE ExternalAgainIsTimeError ->
            Overlap(new, StillRunning, ~PendingIn(requests, new.ob))
-      [] Reading("AMB-77") = "b" -> Ordinary(new)
-      [] Reading("AMB-77") = "c" -> Nothing
+      [] ExternalAgainIsBuffered -> Ordinary(new)
+      [] ExternalAgainIsLost     -> Nothing
       [] OTHER                   -> AnyEffect(new)
 
 -----------------------------------------------------------------------------
@@ -216,7 +216,7 @@ ExternalWhileRunning(new) ==
 MayOverflow(new) ==
     /\ \/ \E r \in requests : r.class = new.class
        \/ \E i \in DOMAIN stack : stack[i].class = new.class
-    /\ Reading("AMB-18") \in {"b", "d"}
+    /\ BuffersMayOverflow
 
 \* @type: $request => Bool;
 Overflows(new) ==

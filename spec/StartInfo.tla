@@ -45,7 +45,7 @@ LateMask(obs) ==
 \* @type: (Int, Int) => Bool;
 FitsPeriod(given, period) ==
     \/ Fits(given, period)
-    \/ Reading("AMB-01") = "c" /\ given \in Weekly /\ period \in Weekly
+    \/ BothPeriodsAreWeekly /\ given \in Weekly /\ period \in Weekly
 
 (* [CLK-07] [AMB-16] A time-of-day interrupt: its start point or later;     *)
 (* after a skip the first point skipped.  OB 80 after a skip: the new time. *)
@@ -61,7 +61,7 @@ FitsTime(r, time) ==
 \* @type: (Int, Int) => Bool;
 FitsFault(fault, value) ==
     \/ Fits(value, fault)
-    \/ fault \in ObNotLoaded /\ value \in ObNotLoaded /\ Reading("AMB-28") = "c"
+    \/ fault \in ObNotLoaded /\ value \in ObNotLoaded /\ MissingObIsEitherFault
 
 \* @type: ($request, $info) => Bool;
 FitsCause(r, i) ==
@@ -70,7 +70,7 @@ FitsCause(r, i) ==
        /\ r.fault \in FaultsOfStart => i.ev \notin EventsOfCalls
     \/ /\ r.cause # 0
        /\ FitsEvent(i.ev, r.cause)
-       /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ Reading("AMB-27") = "a"
+       /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
                         THEN r.during ELSE r.cause)
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
@@ -93,7 +93,7 @@ FitsError(r, i) ==
 (* [AMB-31] Under (a) the OB may have waited since the delay was over. *)
 \* @type: (Int, Int) => Bool;
 FitsDtime(given, dtime) ==
-    Fits(given, dtime) \/ (Reading("AMB-31") = "a" /\ given > dtime)
+    Fits(given, dtime) \/ (DtimeIsElapsedTime /\ given > dtime)
 
 (* [DINT-03] *)
 \* @type: ($request, $info) => Bool;

@@ -9,7 +9,7 @@ EXTENDS TimeOfDay
 
 (* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
 (* was set back; other CPUs remember which were served [AMB-17].           *)
-Remembers == cpu.family # "S7-300" \/ Reading("AMB-17") = "b"
+Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
 
 (* [CLK-09] The OB is called for point p, which joins the runs of points    *)
 (* beside it.  One that is lost [IRT-18] or skipped without a run of its    *)
@@ -28,9 +28,9 @@ Served(t, p) ==
 \* @type: (Int, $tod) => $tod;
 AfterPoint(o, t) ==
     IF /\ t.period = Once
-       /\ \/ /\ Blocked(o) /\ Reading("AMB-12") = "a"
+       /\ \/ /\ Blocked(o) /\ LostEventEndsItsSource
              /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
-          \/ Reading("AMB-71") = "b"
+          \/ OnceUsedUpAtItsPoint
     THEN UsedUp(t) ELSE t
 
 (* [TINT-09] [TINT-14]; in STARTUP one run is deferred [AMB-35]. *)
@@ -39,13 +39,13 @@ PointReached(o) ==
     LET p == tod[o].next
     IN  /\ Watching
         /\ clock = NextMoment(tod[o])  \* no point is watched unless it is active
-        /\ Reading("AMB-29") = "b" =>
+        /\ PointsComeByNumber =>
              \A q \in TodObs : q < o => clock # NextMoment(tod[q])
         /\ tod' = [tod EXCEPT ![o] =
                       AfterPoint(o, Armed(IF Blocked(o) THEN @ ELSE Served(@, p),
                                           [clock EXCEPT !.ms = @ + 1]))]
         /\ IF mode = "STARTUP" /\ PendingIn(requests, o) /\ ~Idle(o)
-           THEN IF Reading("AMB-35") = "a" THEN Nothing
+           THEN IF StartupDefersOneRun THEN Nothing
                 ELSE Ordinary(TodRequest(o, clock, 0))
            ELSE Occurs(TodRequest(o, clock, 0))
         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack,

@@ -16,7 +16,7 @@ Gone == -1
 (* [AMB-70] (b) In its last millisecond a job counts as elapsed: calls come *)
 (* after that.                                                             *)
 \* @type: Int => Bool;
-Ended(o) == Reading("AMB-70") = "b" /\ o \in DintObs
+Ended(o) == CallsComeAfterTheEnd /\ o \in DintObs
               => ~(dint[o].started /\ dint[o].left \in 0..1)
 
 \* @type: Int => Set(Int);
@@ -37,11 +37,11 @@ SrtErrors(o, dtime) ==
 \* @type: ($job, Int, Int) => $job;
 StartedWith(job, dtime, sign) ==
     [ started |-> TRUE, left |-> dtime, dtime |-> dtime,
-      sign |-> IF job.started /\ Reading("AMB-74") = "b" THEN job.sign ELSE sign ]
+      sign |-> IF job.started /\ RestartedJobKeepsSign THEN job.sign ELSE sign ]
 
 (* [AMB-11] A run that waits stays, but under (b). *)
 \* @type: Int => Set($request);
-DintWithdrawn(o) == IF Reading("AMB-11") = "b" THEN Withdraw(requests, o)
+DintWithdrawn(o) == IF DintCallsWithdrawRuns THEN Withdraw(requests, o)
                                                ELSE requests
 
 (* [DINT-03] [DINT-08]; a missing OB is noticed later, but under AMB-06 (b).  *)
@@ -51,7 +51,7 @@ SrtDint(o, dtime, sign, ret) ==
     /\ ret \in Answers(o, SrtErrors(o, dtime))
     /\ IF ret = OK
        THEN /\ dint' = [dint EXCEPT ![o] = StartedWith(@, dtime, sign)]
-            /\ IF o \notin loaded /\ Reading("AMB-06") \in {"b", "delay"}
+            /\ IF o \notin loaded /\ MissingNoticedAtSrtDint
                THEN ProgramErrorOccurs(DintWithdrawn(o),
                       [ NoRequest EXCEPT !.ob = o, !.word = dint'[o].sign ])
                ELSE /\ requests' = DintWithdrawn(o)
@@ -67,7 +67,7 @@ SrtDint(o, dtime, sign, ret) ==
 CanDintErrors(o) ==
     IF o \notin DintObs THEN {BadOb}
     ELSE IF \/ dint[o].started
-            \/ Reading("AMB-11") = "b" /\ PendingIn(requests, o)
+            \/ DintCallsWithdrawRuns /\ PendingIn(requests, o)
          THEN {} ELSE {NotStarted}
 
 \* @type: (Int, Int) => Bool;
@@ -121,7 +121,7 @@ DelayElapses(o) ==
     /\ o \in Jobs
     /\ dint[o].left <= 1
     /\ dint' = [dint EXCEPT ![o] =
-                  IF Blocked(o) /\ Reading("AMB-12") = "b"
+                  IF Blocked(o) /\ ~LostEventEndsItsSource
                   THEN [@ EXCEPT !.left = Gone] ELSE NoJob]
     /\ Occurs(DintRequest(o))
     /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, irt, stack, delay>>

@@ -15,7 +15,7 @@ NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
 (* points that were served; elsewhere it has no meaning.                   *)
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
-    IF Reading("AMB-57") = "b" /\ clock.min <= old.repeatTo
+    IF MemoryOutlivesSetting /\ clock.min <= old.repeatTo
     THEN [new EXCEPT !.served = old.served, !.repeatTo = old.repeatTo]
     ELSE new
 
@@ -27,7 +27,7 @@ Unset(t) == WithMemory(NoSetting, t)
 
 (* [AMB-08] A once interrupt that has been called is no longer set. *)
 \* @type: $tod => $tod;
-UsedUp(t) == IF Reading("AMB-08") = "a" THEN Unset(t)
+UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
              ELSE [t EXCEPT !.active = FALSE, !.next = Never]
 
 -----------------------------------------------------------------------------
@@ -42,7 +42,7 @@ NextMoment(t) == [min |-> t.next, ms |-> t.offset]
 (* [AMB-37] Equal is not past; under (b) it is. *)
 \* @type: ($moment, $moment) => Bool;
 IsPast(point, now) ==
-    Before(point, now) \/ (point = now /\ Reading("AMB-37") = "b")
+    Before(point, now) \/ (point = now /\ EqualIsPast)
 
 (* The first minute with a point that is not past at moment m. *)
 \* @type: ($tod, $moment) => Int;
@@ -52,8 +52,8 @@ FirstMinute(t, m) == IF IsPast([min |-> m.min, ms |-> t.offset], m)
 (* [AMB-05] [AMB-43] The series that belongs to a PERIOD. *)
 \* @type: Int => Int;
 SeriesOf(period) ==
-    IF period = Monthly /\ Reading("AMB-05") = "c" THEN MonthlyOrLast
-    ELSE IF period = Hourly /\ Reading("AMB-43") = "b" THEN Daily
+    IF period = Monthly /\ MonthlyFallsOnLastDay THEN MonthlyOrLast
+    ELSE IF period = Hourly /\ Period0401IsDaily THEN Daily
     ELSE period
 
 (* [AMB-36] [AMB-39] The first point of the series at or after minute m.    *)
@@ -62,8 +62,8 @@ SeriesOf(period) ==
 \* @type: ($tod, Int) => Int;
 PointFrom(t, m) ==
     IF m > t.start THEN FirstPoint(t.start, SeriesOf(t.period), m)
-    ELSE IF t.period = EndOfMonth /\ Reading("AMB-39") = "b" THEN t.start
-    ELSE IF t.period # Once /\ Reading("AMB-36") = "b"
+    ELSE IF t.period = EndOfMonth /\ EndOfMonthRunsAtStart THEN t.start
+    ELSE IF t.period # Once /\ SeriesBeginsAPeriodLater
     THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
     ELSE FirstPoint(t.start, SeriesOf(t.period), m)
 
@@ -73,11 +73,11 @@ WasServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
 (* The first point at or after moment m that is served.  In an interval     *)
 (* that the clock repeats, points that were served are not served again     *)
 (* [CLK-09]; whether the others are is a matter of reading [AMB-56].       *)
-\* @type: ($tod, $moment, Str) => Int;
-NextPoint(t, m, reading) ==
+\* @type: ($tod, $moment, Bool) => Int;
+NextPoint(t, m, passing) ==
     LET p == PointFrom(t, FirstMinute(t, m))
     IN  IF p > t.repeatTo THEN p
-        ELSE IF reading = "b"
+        ELSE IF passing
         THEN PointFrom(t, t.repeatTo + 1)
         ELSE LET points == {p} \cup { PointFrom(t, i.to + 1)
                                      : i \in { j \in t.served : j.to >= p } }
@@ -85,14 +85,14 @@ NextPoint(t, m, reading) ==
              IN  CHOOSE q \in free : \A r \in free : q <= r
 
 \* @type: ($tod, $moment) => $tod;
-Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, Reading("AMB-56"))]
+Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, UnservedAreOver(cpu))]
 
 -----------------------------------------------------------------------------
 (* Start events that wait are withdrawn with their setting [AMB-11]. *)
 
 \* @type: Int => Set($request);
-Withdrawn(o) == IF Reading("AMB-11") = "a" THEN requests
-                                           ELSE Withdraw(requests, o)
+Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
+                                        ELSE requests
 
 (* A once interrupt of which nothing more is sure to come: its point was     *)
 (* skipped, and no catch-up follows or it is open whether one does [AMB-48] *)
@@ -102,7 +102,7 @@ Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
     /\ tod[o].period = Once /\ tod[o].next = Never
     /\ ~PendingIn(requests, o) /\ ~OnStack(o)
-    /\ Reading("AMB-12") = "a"
+    /\ LostEventEndsItsSource
 
 \* @type: Int => Set(Int);
 ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
@@ -112,17 +112,17 @@ ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 
 (* [TINT-33] [AMB-01] *)
 ValidPeriods ==
-    CASE Reading("AMB-01") = "a" -> PeriodCodes \ {\h1202}
-      [] Reading("AMB-01") = "b" -> PeriodCodes \ {\h1201}
-      [] OTHER                   -> PeriodCodes
+    CASE OnlyPeriod1201IsWeekly -> PeriodCodes \ {\h1202}
+      [] OnlyPeriod1202IsWeekly -> PeriodCodes \ {\h1201}
+      [] OTHER                  -> PeriodCodes
 
 (* [TINT-18] [TINT-39] [AMB-05] *)
 \* @type: ($date, Int) => Bool;
 ValidSdt(sdt, period) ==
     /\ ValidDate(sdt)
-    /\ period = Monthly /\ Reading("AMB-05") = "a" => sdt.day <= 28
-    /\ period = Yearly /\ Reading("AMB-38") = "b" => sdt.month # 2 \/ sdt.day # 29
-    /\ period = EndOfMonth /\ Reading("AMB-39") = "c" =>
+    /\ period = Monthly /\ MonthlyEndsWithDay28 => sdt.day <= 28
+    /\ period = Yearly /\ YearlyNotOnLeapDay => sdt.month # 2 \/ sdt.day # 29
+    /\ period = EndOfMonth /\ EndOfMonthTakesNoOtherDay =>
          sdt.day = DaysInMonth(sdt.year, sdt.month)
 
 \* @type: $date => $moment;
@@ -131,8 +131,8 @@ ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 (* [TINT-35] [TINT-36] [TINT-37]; seconds are dropped first [AMB-14]. *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetErrors(o, sdt, period) ==
-    LET judged == period = Once \/ Reading("AMB-02") = "a"
-        past   == IsPast(IF Reading("AMB-14") = "a" THEN At(MinuteOf(sdt))
+    LET judged == period = Once \/ EveryPastStartIsRefused
+        past   == IsPast(IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt))
                          ELSE ExactMoment(sdt), clock)
     IN  ObErrors(o)
           \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
@@ -150,11 +150,11 @@ SetTint(o, sdt, period, ret) ==
                          [ Unset(tod[o]) EXCEPT
                              !.set    = TRUE,
                              !.start  = MinuteOf(sdt),
-                             !.offset = IF Reading("AMB-14") = "c"
+                             !.offset = IF SecondsAreKept
                                         THEN ExactMoment(sdt).ms ELSE 0,
                              !.period = period ]]
             /\ requests' = Withdrawn(o)
-       ELSE IF o \in TodObs /\ Reading("AMB-20") = "b"
+       ELSE IF o \in TodObs /\ RefusedSetTintCancels
        THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
             /\ requests' = Withdrawn(o)
        ELSE UNCHANGED <<tod, requests>>
@@ -170,13 +170,13 @@ SetTint(o, sdt, period, ret) ==
 CanErrors(o) ==
     IF o \notin TodObs THEN {BadOb}
     ELSE IF \/ ~tod[o].set
-            \/ Reading("AMB-09") = "b" /\ ~tod[o].active
+            \/ CanTintNeedsActive /\ ~tod[o].active
          THEN {NotSet} ELSE {}
 
 \* @type: Int => Set(Int);
 CanAnswers(o) ==
     Answers(o, CanErrors(o))
-      \cup (IF Spent(o) /\ Reading("AMB-08") = "a" THEN {NotSet} ELSE {})
+      \cup (IF Spent(o) /\ OnceIsUnsetByItsRun THEN {NotSet} ELSE {})
 
 (* [TINT-50] [TINT-54]; an OB that runs is not stopped [TINT-53]. *)
 \* @type: (Int, Int) => Bool;
@@ -207,12 +207,12 @@ ActErrors(o) ==
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
     IF Spent(o)
-    THEN Answers(o, {}) \cup {IF Reading("AMB-08") = "a" THEN NotSet ELSE PastStart}
+    THEN Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
     ELSE IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
        /\ PendingIn(requests, o)
-    THEN CASE Reading("AMB-60") = "a" -> Answers(o, {})
-           [] Reading("AMB-60") = "b" -> Answers(o, {PastStart})
-           [] OTHER                   -> Answers(o, {}) \cup {PastStart}
+    THEN CASE WaitingOnceIsAhead -> Answers(o, {})
+           [] WaitingOnceIsPast  -> Answers(o, {PastStart})
+           [] OTHER              -> Answers(o, {}) \cup {PastStart}
     ELSE Answers(o, ActErrors(o))
 
 (* On an active interrupt no effect [TINT-63], but under AMB-10 (b).        *)
@@ -220,12 +220,12 @@ ActAnswers(o) ==
 AfterActivation(t) ==
     IF ~t.active
     THEN Armed(WithMemory([ Forgotten(t) EXCEPT !.active = TRUE ], t), clock)
-    ELSE IF Reading("AMB-10") = "b" THEN Armed(t, clock) ELSE t
+    ELSE IF ActTintComputesAnew THEN Armed(t, clock) ELSE t
 
 (* [AMB-15] (b) In OB 80 it keeps a catch-up from coming [CLK-04]. *)
 \* @type: Int => Set($request);
 RequestsAfterAct(o) ==
-    IF Reading("AMB-15") = "b" /\ Running.ob = TimeErrorOb
+    IF ActTintStopsCatchUp /\ Running.ob = TimeErrorOb
     THEN Close({ r \in requests : r.ob # o \/ r.follows \notin Skips })
     ELSE requests
 
@@ -237,7 +237,7 @@ ActTint(o, ret) ==
     /\ ret \in ActAnswers(o)
     /\ IF ret = OK
        THEN /\ tod' = [tod EXCEPT ![o] = AfterActivation(@)]
-            /\ IF o \notin loaded /\ Reading("AMB-06") = "b"
+            /\ IF o \notin loaded /\ MissingNoticedAtActivation
                THEN ProgramErrorOccurs(RequestsAfterAct(o), TodRequest(o, clock, 0))
                ELSE /\ requests' = RequestsAfterAct(o)
                     /\ UNCHANGED stopCause /\ NothingEntered
@@ -254,11 +254,11 @@ ActiveBit(o) ==
     IF ~tod[o].active THEN {0}
     ELSE IF tod[o].next # Never THEN {4}
     ELSE IF tod[o].period # Once
-    THEN CASE Reading("AMB-68") = "a" -> {4}
-           [] Reading("AMB-68") = "b" -> {0}
-           [] OTHER                   -> {0, 4}
+    THEN CASE EndedSeriesIsActive   -> {4}
+           [] EndedSeriesIsInactive -> {0}
+           [] OTHER                 -> {0, 4}
     ELSE IF Spent(o) THEN {0, 4}
-    ELSE IF Reading("AMB-34") = "a" THEN {4}
+    ELSE IF WaitingOnceIsActive THEN {4}
     ELSE IF OnStack(o) THEN {0, 4} ELSE {0}
 
 \* @type: Int => Set(Int);

@@ -210,14 +210,14 @@ UpAt(a, b, last) ==
 
 (* Start points that equal the clock. *)
 PointsNow ==
-    IF ~Watching \/ (clock.ms # 0 /\ Reading("AMB-14") # "c") THEN {}
+    IF ~Watching \/ (clock.ms # 0 /\ ~SecondsAreKept) THEN {}
     ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
 
 (* Delays that are over now, and those that may be over before the line e.  *)
 (* Under AMB-70 (a) calls in the last millisecond still see the job.       *)
 OverNow == { o \in Jobs : dint[o].left = 0 }
 \* @type: $event => Set(Int);
-OverBefore(e) == IF Reading("AMB-70") = "a" /\ e.event # "start" THEN OverNow
+OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
                  ELSE { o \in Jobs : dint[o].left <= 1 }
 
 \* @type: Int => Bool;
@@ -392,7 +392,7 @@ IsStop(e) ==
     /\ \/ e.cause = -1
        \/ /\ { r \in MissingNow : ~r.open } = {}
           /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
-       \/ delay > 0 /\ Reading("AMB-49") # "a"  \* the rule may come later
+       \/ delay > 0 /\ ~StopIsNotDelayed  \* the rule may come later
 
 (* An entry of the diagnostic buffer has a cause that was not yet reported. *)
 \* @type: $event => Bool;

@@ -74,7 +74,7 @@ SetAndAbsent == IF Unseen("load") THEN SetByCalls ELSE SetByCalls \ loaded
 (* [TINT-11] A point, a whole minute, from now on and before t.             *)
 \* @type: $moment => Bool;
 PassesMinute(t) ==
-    Before(IF Reading("AMB-14") = "c" THEN clock
+    Before(IF SecondsAreKept THEN clock
            ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
 
 (* A clock set forward, or a HOLD, may have passed points that a call set.   *)
@@ -88,7 +88,7 @@ SkipsByCall(e) ==
            \/ e.event = "clock" /\ PassesMinute(to) /\ mode # "STOP"
         /\ mode'  = IF held THEN "RUN" ELSE mode
         /\ clock' = to
-        /\ tod'   = Rearmed(to, "a")
+        /\ tod'   = Rearmed(to, FALSE)
         /\ requests'  = IF TimeErrorOb \in loaded THEN Enter(requests, error)
                         ELSE requests
         /\ stopCause' = IF TimeErrorOb \in loaded THEN stopCause

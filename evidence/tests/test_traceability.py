@@ -210,6 +210,19 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("TINT-77") == 2
 
 
+def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    """A formula looks an ambiguity up by a name of module Readings; a name that none uses is no formula."""
+    readings = '---- MODULE Readings ----\n\nChosen == Reading("AMB-01")\n====\n'
+    (project / "spec" / "Readings.tla").write_text(readings, encoding="utf-8")
+    replace(project / "spec/System.tla", "EXTENDS Integers", "EXTENDS Integers, Readings")
+    replace(project / "spec/System.tla", 'Reading("AMB-01")', "Chosen")
+    assert run("AMB-01") == 0
+    assert capsys.readouterr().out == "AMB-01\n  reading   spec/System.tla:6: Rule\n"
+    replace(project / "spec/System.tla", "Rule == Chosen", "Rule == 1")
+    assert run("--write") == 1
+    assert "AMB-01: no formula that looks its letter up" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("name", "old", "new", "problems"),
     [

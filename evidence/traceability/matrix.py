@@ -9,7 +9,7 @@ from evidence.traceability.entries import Entries, entries
 from evidence.traceability.modules import Definition, Module
 from evidence.traceability.project import Project
 from evidence.traceability.reasons import Column, Reason
-from evidence.traceability.roles import rules
+from evidence.traceability.roles import lookups, rules
 
 COLUMNS: dict[Column, str] = {
     "formula": "formula",
@@ -98,11 +98,10 @@ def build(project: Project) -> Matrix:
     """Put side by side what was read."""
     ruling = rules(project.spec)
     rows = tuple(_row(name, project, ruling) for name in project.requirements)
-    lookups = {
-        name: _definitions([d for m in ruling for d in m.definitions if name in d.readings])
+    readings = {
+        name: _cell(_definitions(lookups(name, ruling)), project.reasons.get((name, READING)))
         for name in project.ambiguities
     }
-    readings = {name: _cell(found, project.reasons.get((name, READING))) for name, found in lookups.items()}
     return Matrix(rows, readings)
 
 

@@ -18,7 +18,7 @@ from evidence.traceability.ids import RangeError, tagged
 
 _DEFINITION = re.compile(r"^(?:LOCAL\s+)?(\w+)[ \t]*(?:\([^=]*?\)|\[[^=]*?\])?\s*==(?!=)", re.MULTILINE)
 _DECLARATION = re.compile(r"^(?:VARIABLES?|CONSTANTS?)\b((?:.*\n)(?:[ \t].*\n|\n)*)", re.MULTILINE)
-_READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
+_READING = re.compile(r'\b\w+\((?:\w+,\s*)?"(AMB-\d+)"\)')
 _MARK = re.compile(r'"(?:\\.|[^"\\\n])*"|\(\*|\*\)|\\\*.*')
 _EXTENDS = re.compile(r"^EXTENDS\s+(\w+(?:\s*,\s*\w+)*)", re.MULTILINE)
 _INSTANCE = re.compile(r"\bINSTANCE\s+(\w+)")

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from evidence.traceability.modules import Module
+from evidence.traceability.modules import Definition, Module
 
 SYSTEM = "System"
 EXPLANATION = "Unrecorded"
+READINGS = "Readings"
+"""The module with a name for each answer to a question that the sources leave open."""
 
 
 def rules(spec: Sequence[Module]) -> list[Module]:
@@ -24,6 +26,13 @@ def statements(spec: Sequence[Module]) -> list[Module]:
     """The modules that say what must hold: properties, and specifications that the rules implement."""
     names = extended({SYSTEM, EXPLANATION}, spec)
     return [m for m in spec if m.name not in names and EXPLANATION not in extended({m.name}, spec)]
+
+
+def lookups(ambiguity: str, ruling: Sequence[Module]) -> list[Definition]:
+    """The definitions that look an ambiguity up, by themselves or by a name of module Readings."""
+    names = {d.name for m in ruling if m.name == READINGS for d in m.definitions if ambiguity in d.readings}
+    others = [d for m in ruling if m.name != READINGS for d in m.definitions]
+    return [d for d in others if ambiguity in d.readings or names & d.words]
 
 
 def extended(names: Iterable[str], modules: Sequence[Module]) -> set[str]:
