@@ -14,9 +14,10 @@ from itertools import count
 from pathlib import Path
 
 from evidence.agreement import tlc_batch
-from evidence.agreement.generate import Generated, Generator
 from evidence.agreement.verdicts import Compared, Judged
-from evidence.models import tlc
+from evidence.common.processes import Processes
+from evidence.random_logs.generate import Generated, Generator
+from evidence.tlc import process as tlc
 from s7check.check import check_log
 from s7check.engine_client import Engine
 from s7check.engine_command import engine_command
@@ -70,12 +71,10 @@ class _Drawn:
     judged: Judged
 
 
-def compare(
-    request: Request, tools: tlc.Toolchain, processes: tlc.Processes, tell: Callable[[str], None]
-) -> Comparison:
+def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: Callable[[str], None]) -> Comparison:
     """Draw logs and have both judge them. `tell` hears how far it is.
 
-    Raises `SoftPlcError`, `EngineError`, `BatchError`, and `tlc.InterruptedRunError` if `processes` are closed.
+    Raises `SoftPlcError`, `EngineError`, `BatchError`, and `InterruptedRunError` if `processes` are closed.
     """
     with tempfile.TemporaryDirectory(prefix="s7check-agree-", ignore_cleanup_errors=True) as temporary:
         folder = Path(temporary).resolve()
@@ -133,7 +132,7 @@ def _readable(content: bytes) -> bool:
 
 
 def _by_tlc(
-    batches: Sequence[list[_Drawn]], jobs: int, tools: tlc.Toolchain, processes: tlc.Processes, spec: Path
+    batches: Sequence[list[_Drawn]], jobs: int, tools: tlc.Toolchain, processes: Processes, spec: Path
 ) -> Iterator[tuple[list[_Drawn], tlc_batch.Batch]]:
     """Yield what TLC says of each batch, as it comes. The end of the iterator, whatever causes it, is that of TLC."""
     with ThreadPoolExecutor(jobs) as pool:

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from evidence.agreement.compare import Comparison
 from evidence.agreement.verdicts import Compared
-from evidence.mutants.report import plain
+from evidence.common.console import plain
 
 VERDICTS = ("accepted", "rejected")
 

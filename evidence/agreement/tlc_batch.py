@@ -12,11 +12,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from evidence import log_as_tla
 from evidence.agreement.verdicts import Judged
-from evidence.models import tlc
-from evidence.models.manifest import HEAP_MB
-from evidence.models.mutate import CONFIG_NAME, Workspace
+from evidence.common.processes import Processes
+from evidence.harness.manifest import HEAP_MB
+from evidence.tlc import log_as_tla
+from evidence.tlc import process as tlc
+from evidence.tlc.workspace import CONFIG_NAME, Workspace
 
 MODULE = "Agreement"
 TIMEOUT = 3600.0
@@ -47,8 +48,8 @@ class Batch:
     seconds: float
 
 
-def judge(tools: tlc.Toolchain, processes: tlc.Processes, spec: Path, files: Sequence[Path]) -> Batch:
-    """Judge the logs by the specification in the folder `spec`. Raises `BatchError`, `tlc.InterruptedRunError`."""
+def judge(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequence[Path]) -> Batch:
+    """Judge the logs by the specification in the folder `spec`. Raises `BatchError`, `InterruptedRunError`."""
     with tempfile.TemporaryDirectory(prefix="s7check-agree-", ignore_cleanup_errors=True) as temporary:
         folder = Path(temporary).resolve()
         scratch = folder / "scratch"
@@ -68,9 +69,7 @@ def judge(tools: tlc.Toolchain, processes: tlc.Processes, spec: Path, files: Seq
     return Batch(verdicts, run.outcome.version, run.seconds)
 
 
-def _apart(
-    tools: tlc.Toolchain, processes: tlc.Processes, spec: Path, files: Sequence[Path], failed: tlc.TlcRun
-) -> Batch:
+def _apart(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequence[Path], failed: tlc.TlcRun) -> Batch:
     """Judge what TLC could not judge together in two halves, down to the log about which there is no verdict."""
     if len(files) == 1:
         return Batch([Judged(f"no verdict: {failed.outcome.detail}")], failed.outcome.version, failed.seconds)

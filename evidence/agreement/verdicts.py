@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from evidence.agreement.generate import Generated
+from evidence.random_logs.generate import Generated
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from evidence.models import tlc
-from evidence.models.messages import Outcome
-from evidence.models.mutate import CONFIG_NAME, Workspace
+from evidence.common.checkout import ROOT
+from evidence.common.processes import Processes
+from evidence.tlc import process as tlc
+from evidence.tlc.messages import Outcome
+from evidence.tlc.workspace import CONFIG_NAME, Workspace
 
 State = Literal["present", "absent", "unknown"]
 
-DIRECTORY = Path(__file__).resolve().parents[2] / "models" / "canaries"
+DIRECTORY = ROOT / "models" / "canaries"
 TIMEOUT = 60.0
 HEAP_MB = 256
 FORMAT = 1
@@ -94,8 +96,8 @@ class Answers:
     answers: tuple[Answer, ...]
 
 
-def run_canaries(tools: tlc.Toolchain, build: Path, processes: tlc.Processes, directory: Path = DIRECTORY) -> Answers:
-    """Return the answers for this TLC, from `build` if they are there. Raises only `tlc.InterruptedRunError`."""
+def run_canaries(tools: tlc.Toolchain, build: Path, processes: Processes, directory: Path = DIRECTORY) -> Answers:
+    """Return the answers for this TLC, from `build` if they are there. Raises only `InterruptedRunError`."""
     kept = build / f"tlc-canaries-{tools.sha256[:16]}.json"
     known = _read(kept)
     if known is not None:
@@ -112,7 +114,7 @@ def run_canaries(tools: tlc.Toolchain, build: Path, processes: tlc.Processes, di
     return result
 
 
-def _ask(canary: Canary, tools: tlc.Toolchain, processes: tlc.Processes, directory: Path) -> tuple[State, str]:
+def _ask(canary: Canary, tools: tlc.Toolchain, processes: Processes, directory: Path) -> tuple[State, str]:
     options = tlc.Options(workers=canary.workers, deadlock=False, heap=HEAP_MB, timeout=TIMEOUT)
     version = ""
     for _ in range(canary.attempts):

@@ -5,7 +5,6 @@ Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Callable
@@ -15,15 +14,18 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from evidence.models import canaries, distributed, report, tlc
-from evidence.models.judge import Result, judge
-from evidence.models.manifest import LANES, Manifest, ManifestError, Model, load
-from evidence.models.runner import Event, Harness, run_all
+from evidence.common.options import json_option, manifest_option, tlc_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from evidence.harness.judge import Result, judge
+from evidence.harness.manifest import LANES, Manifest, ManifestError, Model, find_manifest, load, nearest_manifest
+from evidence.harness.progress import Progress
+from evidence.harness.runner import Event, Harness, run_all
+from evidence.models import canaries, distributed, report
 from evidence.models.update import update
-from evidence.session import session
+from evidence.tlc import process as tlc
 
 DRIFT = 1
-MANIFEST = Path("models/manifest.json")
 
 
 @dataclass(frozen=True)
@@ -46,18 +48,12 @@ class Request:
 @click.option(
     "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models: smoke, also ci, or all."
 )
-@click.option(
-    "--manifest",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="Default: models/manifest.json here or in a directory above.",
-)
-@click.option(
-    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
-)
+@manifest_option
+@tlc_option
 @click.option("--workers", type=click.IntRange(1), help="TLC workers of the models that may have more than one.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
 @click.option("--update", is_flag=True, help="Pin the counts that came (nothing else), and say what changed.")
-@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@json_option
 @click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
 @click.option(
     "--distributed",
@@ -93,14 +89,14 @@ def models_command(
     if spread is not None and update:
         raise click.UsageError("--distributed pins nothing: its counts but the distinct states differ")
     cluster = None if spread is None else distributed.Cluster(spread, host)
-    processes = tlc.Processes()
+    processes = Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
         path = manifest or find_manifest()
         request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
         sys.exit(run_request(request, processes, console))
 
 
-def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+def run_request(request: Request, processes: Processes, console: Console) -> int:
     """Do what was asked for and return the exit code."""
     manifest = load(request.manifest)
     selected = manifest.select(request.lane, request.names)
@@ -120,7 +116,7 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         selected = possible
         if not selected:
             drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
-    with report.Progress(console, len(selected)) as progress:
+    with Progress(console, len(selected)) as progress:
         if request.cluster is None:
             results = run_all(harness, selected, request.jobs, progress)
         else:
@@ -131,10 +127,8 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
     _show(results, drift, request, console)
     lane = None if request.names else request.lane
     report.show_tables(console, results, answers.version, lane, seconds)
-    if request.json is not None:
-        document = report.as_json(tools, answers, lane, results, drift, seconds)
-        request.json.parent.mkdir(parents=True, exist_ok=True)
-        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    document = report.as_json(tools, answers, lane, results, drift, seconds)
+    write_json(request.json, document)
     return DRIFT if drift or not all(r.ok for r in results) else 0
 
 
@@ -157,22 +151,6 @@ def _distribute(harness: Harness, model: Model, cluster: distributed.Cluster, te
     result = distributed.check(harness, model, cluster, lambda text: tell(Event(model, text)))
     tell(Event(model, result=result))
     return result
-
-
-def find_manifest() -> Path:
-    """Return the manifest of the checkout around the current directory. Raises `ManifestError` where there is none."""
-    nearest = _nearest_manifest()
-    if nearest is None:
-        raise ManifestError(
-            f"neither here nor above is there {MANIFEST}: run this in a checkout of the project, or name a manifest "
-            "with --manifest"
-        )
-    return nearest
-
-
-def _nearest_manifest() -> Path | None:
-    here = Path.cwd()
-    return next((d / MANIFEST for d in (here, *here.parents) if (d / MANIFEST).is_file()), None)
 
 
 def _update(manifest: Manifest, results: list[Result], request: Request, console: Console) -> list[Result]:
@@ -202,6 +180,6 @@ def _show(results: list[Result], drift: list[str], request: Request, console: Co
 
 
 def _alone(model: Model, request: Request) -> str:
-    options = "" if request.manifest == _nearest_manifest() else f" --manifest {request.manifest}"
+    options = "" if request.manifest == nearest_manifest() else f" --manifest {request.manifest}"
     options += f" --tlc {request.jar}" if request.jar else ""
     return f"s7check models{options} {model.name} -v"

@@ -18,12 +18,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from subprocess import Popen
 
-from evidence.models import tlc
-from evidence.models.judge import Result
-from evidence.models.manifest import Model
-from evidence.models.messages import Message, Parser, interpret
-from evidence.models.mutate import StaleMutationError, Workspace, prepare
-from evidence.models.runner import Harness
+from evidence.common.processes import InterruptedRunError, kill
+from evidence.harness.judge import Result
+from evidence.harness.manifest import Model
+from evidence.harness.mutate import StaleMutationError, prepare
+from evidence.harness.runner import Harness
+from evidence.tlc import process as tlc
+from evidence.tlc.messages import Message, Parser, interpret
+from evidence.tlc.workspace import Workspace
 
 SERVER = "tlc2.tool.distributed.TLCServer"
 WORKER = "tlc2.tool.distributed.TLCWorker"
@@ -95,7 +97,7 @@ def server_command(tools: tlc.Toolchain, space: Workspace, model: Model, cluster
 
 
 def check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None] = lambda _: None) -> Result:
-    """Run one model and judge it; `tell` has lines for the user. Raises `tlc.InterruptedRunError`."""
+    """Run one model and judge it; `tell` has lines for the user. Raises `InterruptedRunError`."""
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
         root = Path(temporary).resolve()
@@ -110,7 +112,7 @@ def check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str]
         finally:
             run.close()
     if harness.processes.closed:
-        raise tlc.InterruptedRunError
+        raise InterruptedRunError
     run.parser.finish()
     return _result(model, run.parser, code, time.monotonic() - began, cluster, "".join(run.lines), problem)
 
@@ -160,7 +162,7 @@ class _Run:
     def close(self) -> None:
         """End all processes."""
         for process in (self._server, *(worker for worker, _ in self._workers)):
-            tlc.kill(process)
+            kill(process)
         self._reader.join(timeout=5)
         for process in (self._server, *(worker for worker, _ in self._workers)):
             self._harness.processes.end(process)

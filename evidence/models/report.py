@@ -1,23 +1,19 @@
-"""What the user sees: progress, failures, the table at the end, and the results as JSON."""
+"""What the user sees: failures, the table at the end, and the results as JSON."""
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
 from rich.console import Console
-from rich.live import Live
 from rich.table import Table
 from rich.text import Text
 
+from evidence.common.console import plain
+from evidence.harness.judge import Result, exit_codes, expectation
+from evidence.harness.manifest import Mutation, expected_kinds
+from evidence.harness.progress import brief
 from evidence.models.canaries import Answers
-from evidence.models.judge import Result, exit_codes, expectation
-from evidence.models.manifest import Mutation, expected_kinds
-from evidence.models.runner import Event
-from evidence.models.tlc import Toolchain
-
-QUIET_SECONDS = 20
-"""Least time between two progress lines of one model where there is no terminal."""
+from evidence.tlc.process import Toolchain
 
 HEAD_STATES = 3
 TAIL_STATES = 12
@@ -25,82 +21,28 @@ STATE_LINES = 40
 ERROR_LINES = 40
 
 
-class Progress:
-    """Shows what runs: a live table on a terminal, lines elsewhere. A context manager; call it with each event."""
-
-    def __init__(self, console: Console, total: int) -> None:
-        """Show the progress of `total` models on `console`."""
-        self._console = console
-        self._total = total
-        self._done = 0
-        self._running: dict[str, str] = {}
-        self._told: dict[str, float] = {}
-        self._live = Live(console=console, refresh_per_second=4, transient=True) if console.is_terminal else None
-
-    def __enter__(self) -> Progress:
-        """Start showing."""
-        if self._live:
-            self._live.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Stop showing."""
-        if self._live:
-            self._live.stop()
-
-    def __call__(self, event: Event) -> None:
-        """Show one event."""
-        name = event.model.name
-        line = None
-        if event.result is not None:
-            self._done += 1
-            self._running.pop(name, None)
-            line = f"[{self._done}/{self._total}] {name}: {brief(event.result)}, {event.result.seconds:.1f} s"
-        else:
-            self._running[name] = event.text or "started"
-            now = time.monotonic()
-            if not self._live and (not event.text or now - self._told[name] >= QUIET_SECONDS):
-                self._told[name] = now
-                line = f"        {name}: {self._running[name]}"
-        if self._live:
-            self._live.update(Text("\n".join(f"        {n}: {text}" for n, text in self._running.items())))
-        if line:
-            self._line(line)
-
-    def _line(self, text: str) -> None:
-        _plain(self._console, text)
-
-
-def brief(result: Result) -> str:
-    """Return "as pinned: ..." or "DRIFT: ..." with what came."""
-    if result.ok:
-        names = result.model.expect.property if result.outcome.kind != "passed" else None
-        return f"as pinned: {result.outcome.kind}{f' {names}' if names else ''}"
-    return f"DRIFT: {(result.problems + result.count_problems)[0]}"
-
-
 def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
     """Show which TLC this is and what is known of it."""
-    _plain(console, f"TLC {answers.version or '(version unknown)'}, {tools.jar.name} sha256 {tools.sha256[:16]}")
+    plain(console, f"TLC {answers.version or '(version unknown)'}, {tools.jar.name} sha256 {tools.sha256[:16]}")
     for answer in answers.answers:
-        _plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
+        plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
 
 
 def show_failure(console: Console, result: Result, alone: str, *, verbose: bool) -> None:
     """Show a drift: expected, came, how to run it alone, TLC's errors, the trace."""
     model = result.model
     console.rule(f"{model.name}: drift", style="red", align="left")
-    _plain(console, f"what      {model.what}")
-    _plain(console, f"expected  {expectation(model)}")
+    plain(console, f"what      {model.what}")
+    plain(console, f"expected  {expectation(model)}")
     for problem in result.problems + result.count_problems:
-        _plain(console, f"came      {problem}")
+        plain(console, f"came      {problem}")
     came = "not run" if result.exit is None else f"exit {result.exit}, {result.outcome.kind}: {result.outcome.detail}"
-    _plain(console, f"TLC       {came}")
-    _plain(console, f"alone     {alone}")
+    plain(console, f"TLC       {came}")
+    plain(console, f"alone     {alone}")
     if result.problems:
         if result.outcome.kind == "broken":
             for error in result.outcome.errors:
-                _plain(console, _limit(error, None if verbose else ERROR_LINES))
+                plain(console, _limit(error, None if verbose else ERROR_LINES))
         show_trace(console, result.outcome.trace, verbose=verbose)
 
 
@@ -108,13 +50,13 @@ def show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> No
     """Show the states of an error trace as TLC printed them; the middle of a long one only if `verbose`."""
     if not trace:
         return
-    _plain(console, f"trace     {len(trace)} states")
+    plain(console, f"trace     {len(trace)} states")
     skipped = 0 if verbose else max(0, len(trace) - HEAD_STATES - TAIL_STATES)
     for index, state in enumerate(trace):
         if skipped and index == HEAD_STATES:
-            _plain(console, f"          ... {skipped} states left out, -v shows them ...")
+            plain(console, f"          ... {skipped} states left out, -v shows them ...")
         if index < HEAD_STATES or index >= HEAD_STATES + skipped:
-            _plain(console, _limit(state, None if verbose else STATE_LINES))
+            plain(console, _limit(state, None if verbose else STATE_LINES))
 
 
 def show_tables(console: Console, results: list[Result], version: str, lane: str | None, seconds: float) -> None:
@@ -126,7 +68,7 @@ def show_tables(console: Console, results: list[Result], version: str, lane: str
         console.print(_controls(controls))
     good = sum(r.ok for r in results)
     said = f"{good} of {len(results)} models as pinned, TLC {version or 'of unknown version'}, {seconds:.0f} s"
-    _plain(console, f"lane {lane}: {said}" if lane else said)
+    plain(console, f"lane {lane}: {said}" if lane else said)
 
 
 def _models(results: list[Result]) -> Table:
@@ -225,7 +167,3 @@ def _limit(text: str, lines: int | None) -> str:
     if lines is None or len(split) <= lines:
         return text
     return "\n".join([*split[:lines], f"... {len(split) - lines} lines left out, -v shows them ..."])
-
-
-def _plain(console: Console, text: str) -> None:
-    console.print(Text(text), soft_wrap=True)

@@ -1,12 +1,8 @@
-"""Mutation of the specification: does what checks ``spec/`` notice a small change of it?
+"""``s7check mutants``: do the checks of ``spec/`` notice a small change of it?
 
-The modules, each with one concern:
-
-- ``syntax``: modules as syntax trees, and changing a piece of text so that everything else keeps its column
 - ``operators``: the kinds of change
-- ``listing``: all mutants of a specification, with ids that unrelated edits do not alter
-- ``reach``: the modules that a check is built on
-- ``marks``: which expressions a model evaluates
+- ``listing``: all mutants of a specification
+- ``marks``: which mutants change an expression that a model evaluates
 - ``findings``: what a check came to on a mutant, and the findings that are kept
 - ``checks``: what can kill a mutant: a model, the shipped logs
 - ``logs``: the shipped logs judged by a mutated specification, as a process of its own
@@ -14,5 +10,5 @@ The modules, each with one concern:
 - ``bench``: a mutant before its checks
 - ``reasons``: ``models/survivors.json``, why a mutant survives
 - ``report``: what the user sees
-- ``command``: ``s7check mutants``
+- ``command``: the command
 """

@@ -17,7 +17,7 @@ from evidence.mutants.findings import WEAK, Finding, Findings, How
 from evidence.mutants.listing import Mutant
 from evidence.mutants.marks import Marks, mark
 from evidence.mutants.order import Experience
-from evidence.mutants.syntax import Module
+from evidence.tla.syntax import Module
 
 PATIENCE = 6
 """A check that takes this many times what it takes on the unchanged specification does not come to the same."""
@@ -74,7 +74,7 @@ class Bench:
     def calibrate(self, checks: Sequence[Check], mutants: Sequence[Mutant], tell: Callable[[str], None]) -> None:
         """Run each check on the unchanged specification, and find out what of `mutants` it evaluates.
 
-        Raises `UnsoundBaselineError`, `CheckFailedError`, `tlc.InterruptedRunError`.
+        Raises `UnsoundBaselineError`, `CheckFailedError`, `InterruptedRunError`.
         """
         for check in checks:
             finding = self._find(check, UNCHANGED, None)
@@ -96,7 +96,7 @@ class Bench:
         """Judge mutants, `jobs` at a time, and return the verdicts in their order. `tell` is called from threads.
 
         Those of one definition are judged one after the other: each tells which check is best for the next. Raises
-        `CheckFailedError`, `tlc.InterruptedRunError`.
+        `CheckFailedError`, `InterruptedRunError`.
         """
         groups: defaultdict[tuple[str, str], list[Mutant]] = defaultdict(list)
         for mutant in mutants:

@@ -15,15 +15,16 @@ from typing import Protocol
 
 import msgspec
 
-from evidence.models import tlc
-from evidence.models.manifest import Model
-from evidence.models.runner import Harness
-from evidence.models.runner import check as check_model
-from evidence.mutants import reach
+from evidence.common.processes import InterruptedRunError, Processes, kill
+from evidence.harness.manifest import Model
+from evidence.harness.runner import Harness
+from evidence.harness.runner import check as check_model
 from evidence.mutants.findings import Finding, How
 from evidence.mutants.logs import Judged
-from evidence.mutants.marks import evaluated
-from evidence.mutants.syntax import Module
+from evidence.tla.modules import closure
+from evidence.tla.syntax import Module
+from evidence.tlc.cfg import replacements
+from evidence.tlc.marks import evaluated
 
 PARSE_ERROR = 150
 """TLC's exit code for a specification that does not parse or has no meaning."""
@@ -51,7 +52,7 @@ class CheckFailedError(RuntimeError):
     """A check came to nothing, for a reason outside of the specification."""
 
 
-class Processes(tlc.Processes):
+class BriefProcesses(Processes):
     """Java processes that live for seconds: the second compiler would not earn back what it costs."""
 
     def start(self, command: list[str], directory: Path) -> subprocess.Popen[str]:
@@ -82,7 +83,7 @@ class Check(Protocol):
         """Return the marks that it evaluates in a marked specification; None if it cannot tell."""
 
     def run(self, spec: Path, timeout: float) -> Finding:
-        """Try the specification in this directory. Raises `CheckFailedError`, `tlc.InterruptedRunError`."""
+        """Try the specification in this directory. Raises `CheckFailedError`, `InterruptedRunError`."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,7 @@ class ModelCheck:
     @cached_property
     def _all(self) -> list[Module]:
         known = {**self.spec, **self.models}
-        return [known[name] for name in sorted(reach.closure(self.model.module.stem, known))]
+        return [known[name] for name in sorted(closure(self.model.module.stem, known))]
 
     @cached_property
     def modules(self) -> frozenset[str]:
@@ -112,7 +113,7 @@ class ModelCheck:
     @cached_property
     def parameters(self) -> frozenset[str]:
         """The definitions that the configuration replaces."""
-        return frozenset(reach.replacements(self.model.config))
+        return frozenset(replacements(self.model.config))
 
     def key(self, changed: Module | None) -> str:
         """A hash of TLC, the model and the modules."""
@@ -150,7 +151,7 @@ class LogsCheck:
     traces: Path
     engine: str
     spec: Mapping[str, Module]
-    processes: tlc.Processes
+    processes: Processes
 
     name = "logs"
     parameters = frozenset[str]()
@@ -160,7 +161,7 @@ class LogsCheck:
     @cached_property
     def modules(self) -> frozenset[str]:
         """The modules that the engine reads."""
-        return reach.closure(self.root, self.spec)
+        return closure(self.root, self.spec)
 
     def key(self, changed: Module | None) -> str:
         """A hash of the engine, the logs and the modules."""
@@ -179,7 +180,7 @@ class LogsCheck:
 
         def expire() -> None:
             expired.set()
-            tlc.kill(process)
+            kill(process)
 
         watchdog = threading.Timer(timeout, expire)
         watchdog.daemon = True
@@ -190,7 +191,7 @@ class LogsCheck:
             watchdog.cancel()
             self.processes.end(process)
         if self.processes.closed:
-            raise tlc.InterruptedRunError
+            raise InterruptedRunError
         if expired.is_set():
             return Finding("timeout", f"killed after {timeout:.0f} s", _since(began))
         try:

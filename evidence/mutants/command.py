@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import fnmatch
 import hashlib
-import json
 import sys
 import time
 from dataclasses import dataclass
@@ -17,17 +16,21 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from evidence.models import tlc
-from evidence.models.command import find_manifest
-from evidence.models.manifest import LANES, Manifest, ManifestError, load
-from evidence.models.runner import Harness
+from evidence.common.console import plain
+from evidence.common.options import json_option, manifest_option, tlc_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.reasons import ReasonsError, read
+from evidence.common.session import session
+from evidence.harness.manifest import LANES, Manifest, ManifestError, find_manifest, load
+from evidence.harness.runner import Harness
 from evidence.mutants import logs, reasons, report
 from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
-from evidence.mutants.checks import Check, CheckFailedError, LogsCheck, ModelCheck, Processes
+from evidence.mutants.checks import BriefProcesses, Check, CheckFailedError, LogsCheck, ModelCheck
 from evidence.mutants.findings import Findings
-from evidence.mutants.listing import Mutant, mutants, read_modules
-from evidence.mutants.syntax import Module, SyntaxTreeError
-from evidence.session import session
+from evidence.mutants.listing import Mutant, mutants
+from evidence.tla.modules import read_modules
+from evidence.tla.syntax import Module, SyntaxTreeError
+from evidence.tlc import process as tlc
 from s7check.engine_command import EngineError
 
 UNEXPLAINED = 1
@@ -66,14 +69,8 @@ class Request:
 @click.option(
     "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models, with --against models."
 )
-@click.option(
-    "--manifest",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="Default: models/manifest.json here or in a directory above.",
-)
-@click.option(
-    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
-)
+@manifest_option
+@tlc_option
 @click.option("--sample", type=click.IntRange(1), help="Only so many mutants, drawn by --seed.")
 @click.option("--seed", type=int, default=1, show_default=True, help="Another one draws other mutants.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
@@ -81,7 +78,7 @@ class Request:
 @click.option("--fresh", is_flag=True, help="Use nothing that an earlier run found.")
 @click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
 @click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
-@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@json_option
 @click.argument("names", nargs=-1, metavar="[ID]...")
 def mutants_command(
     against: str,
@@ -104,8 +101,8 @@ def mutants_command(
     one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, 1 some have none or
     a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
-    processes = Processes()
-    usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError)
+    processes = BriefProcesses()
+    usage = (ManifestError, SyntaxTreeError, ReasonsError)
     missing = (tlc.ToolMissingError, EngineError, CheckFailedError, UnsoundBaselineError)
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
         request = Request(
@@ -115,7 +112,7 @@ def mutants_command(
         sys.exit(run_request(request, processes, console))
 
 
-def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+def run_request(request: Request, processes: Processes, console: Console) -> int:
     """Do what was asked for and return the exit code."""
     manifest = load(request.manifest)
     modules = read_modules(manifest.spec)
@@ -130,14 +127,14 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         for mutant in chosen:
             report.show_difference(console, mutant, modules[mutant.module])
         return 0
-    why = reasons.read(manifest.directory / "survivors.json", reasons.Reason)
+    why = read(manifest.directory / "survivors.json", reasons.Reason)
     began = time.monotonic()
     findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
     bench = Bench(manifest.spec, modules, findings, request.thorough)
     verdicts: dict[str, Verdict] = {}
     left = chosen
     for stage in stages:
-        bench.calibrate(stage, everything, lambda line: report.plain(console, line))
+        bench.calibrate(stage, everything, lambda line: plain(console, line))
         for verdict in bench.judge_all(left, request.jobs, report.Progress(console, len(left))):
             verdicts[verdict.mutant.id] = verdict
         left = [mutant for mutant in left if not bench.decided(verdicts[mutant.id])]
@@ -145,16 +142,12 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
             break
     explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing))
     report.show(console, explained)
-    if request.json is not None:
-        request.json.parent.mkdir(parents=True, exist_ok=True)
-        document = report.as_json(explained, time.monotonic() - began)
-        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    document = report.as_json(explained, time.monotonic() - began)
+    write_json(request.json, document)
     return UNEXPLAINED if explained.unexplained or explained.stale else 0
 
 
-def _stages(
-    request: Request, manifest: Manifest, spec: dict[str, Module], processes: tlc.Processes
-) -> list[list[Check]]:
+def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], processes: Processes) -> list[list[Check]]:
     """The checks: the logs, which take seconds, and then the models, for what the logs do not notice."""
     stages: list[list[Check]] = []
     if request.against != "models":

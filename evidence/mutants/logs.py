@@ -12,8 +12,8 @@ from pathlib import Path
 
 import msgspec
 
+from evidence.common.shipped import difference, shipped_logs
 from evidence.mutants.findings import How
-from evidence.shipped import difference, shipped_logs
 from s7check.check import check_log
 from s7check.engine_client import Engine
 from s7check.engine_command import EngineError, engine_command

@@ -7,12 +7,13 @@ never dropped, negated or made an alternative, since a state with a missing vari
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
-from evidence.mutants.syntax import At, Module, Piece, code, meaningful, operand, references, symbol, token, walk
+from evidence.tla.actions import Actions, assigns, conjuncts, disjuncts, sides
+from evidence.tla.syntax import At, Module, Piece, code, meaningful, operand, symbol, token, walk
 
 COMPARISONS: Mapping[str, tuple[str, ...]] = {
     "eq": ("#",),
@@ -25,9 +26,6 @@ COMPARISONS: Mapping[str, tuple[str, ...]] = {
     "notin": ("\\in",),
 }
 """What a comparison becomes; its opposite is among it."""
-
-INITIAL = "Init"
-"""The definition in which an equation gives a variable its first value."""
 
 
 @dataclass(frozen=True)
@@ -46,28 +44,10 @@ class Edit:
 
 
 @dataclass(frozen=True)
-class Context:
-    """What a change depends on beside its place: the definitions that determine the next state, the literals."""
+class Context(Actions):
+    """What a change depends on beside its place: also the literals of the module, by the type of their nodes."""
 
-    acting: frozenset[str]
-    literals: Mapping[str, frozenset[str]]
-    initial: bool = False
-
-    def acts(self, node: Node) -> bool:
-        """Whether an expression determines a variable."""
-        if any(n.type in ("prime", "unchanged") for n in walk(node)) or references(node) & self.acting:
-            return True
-        return self.initial and _assigns(node)
-
-
-def acting(modules: Iterable[Module]) -> frozenset[str]:
-    """The definitions with a prime in them, or in what they use."""
-    uses = {name: unit for module in modules for name, unit in module.definitions.items()}
-    found = {name for name, unit in uses.items() if any(n.type in ("prime", "unchanged") for n in walk(unit))}
-    used = {name: references(unit) for name, unit in uses.items()}
-    while more := {name for name, names in used.items() if names & found} - found:
-        found |= more
-    return frozenset(found)
+    literals: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
 
 def literals(module: Module) -> dict[str, frozenset[str]]:
@@ -81,37 +61,6 @@ def edits(definition: Node, context: Context) -> Iterator[Edit]:
     for node in walk(definition):
         for operator in OPERATORS:
             yield from operator(node, context)
-
-
-def _assigns(node: Node) -> bool:
-    return symbol(node) in ("eq", "in") and operand(node, "lhs").type == "identifier_ref"
-
-
-def _members(node: Node, infix: str, bulleted: str) -> list[Node]:
-    """The parts of a conjunction or disjunction; none for a part of a longer one, which is dealt with as a whole."""
-    if node.type == bulleted:
-        return [meaningful(item)[-1] for item in meaningful(node)]
-    parent = node.parent
-    if symbol(node) != infix or (parent is not None and symbol(parent) == infix):
-        return []
-    parts = [node]
-    while any(symbol(part) == infix for part in parts):
-        parts = [p for part in parts for p in (_sides(part) if symbol(part) == infix else [part])]
-    return parts
-
-
-def _sides(node: Node) -> list[Node]:
-    return [operand(node, "lhs"), operand(node, "rhs")]
-
-
-def conjuncts(node: Node) -> list[Node]:
-    """The parts of a conjunction; none for what is no conjunction, or a part of a longer one."""
-    return _members(node, "land", "conj_list")
-
-
-def disjuncts(node: Node) -> list[Node]:
-    """The parts of a disjunction; none for what is no disjunction, or a part of a longer one."""
-    return _members(node, "lor", "disj_list")
 
 
 def _drop_conjunct(node: Node, context: Context) -> Iterator[Edit]:
@@ -154,8 +103,8 @@ def _negate_condition(node: Node, context: Context) -> Iterator[Edit]:
 def _compare(node: Node, context: Context) -> Iterator[Edit]:
     if symbol(node) not in COMPARISONS:
         return
-    left, right = _sides(node)
-    if symbol(left) == "prime" or (context.initial and _assigns(node)):
+    left, right = sides(node)
+    if symbol(left) == "prime" or (context.initial and assigns(node)):
         return
     for other in COMPARISONS[symbol(node)]:
         yield Edit("comparison", node, (left, f" {other} ", right))
@@ -168,7 +117,7 @@ def _connect(node: Node, context: Context) -> Iterator[Edit]:
         pieces: tuple[Piece, ...] = tuple(p for item in items for p in (At(item[0], other), item[-1]))
         pair = len(items) > 1
     elif symbol(node) in ("land", "lor"):
-        left, right = _sides(node)
+        left, right = sides(node)
         other = "\\/" if symbol(node) == "land" else "/\\"
         # The two have the same precedence and need parentheses beside each other.
         pieces = ("((", left, f") {other} (", right, "))")
@@ -211,15 +160,15 @@ def _keep_field(node: Node, _: Context) -> Iterator[Edit]:
 
 def _keep_variable(node: Node, _: Context) -> Iterator[Edit]:
     if symbol(node) in ("eq", "in") and symbol(operand(node, "lhs")) == "prime":
-        left, right = _sides(node)
+        left, right = sides(node)
         variable = token(operand(left, "lhs"))
         if token(right) != variable:
             yield Edit("unchanged", node, (left, f" = {variable}"))
 
 
 def _drop_from_union(node: Node, _: Context) -> Iterator[Edit]:
-    sides = _sides(node) if symbol(node) in ("cup", "setminus") else []
-    for side in sides[1:] if symbol(node) == "setminus" else sides:
+    members = sides(node) if symbol(node) in ("cup", "setminus") else []
+    for side in members[1:] if symbol(node) == "setminus" else members:
         if symbol(side) != "cup":  # its own sides are dropped one by one
             yield Edit("drop-union", side, ("{}",))
 

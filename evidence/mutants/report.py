@@ -11,15 +11,13 @@ from typing import Any
 
 from rich.console import Console
 from rich.table import Table
-from rich.text import Text
 
+from evidence.common.console import plain, short
 from evidence.mutants.bench import Verdict
 from evidence.mutants.findings import KILLS
 from evidence.mutants.listing import Mutant
 from evidence.mutants.reasons import Explained
-from evidence.mutants.syntax import Module
-
-LONGEST_CODE = 100
+from evidence.tla.syntax import Module
 
 
 def show_list(console: Console, mutants: Sequence[Mutant]) -> None:
@@ -161,13 +159,3 @@ def _show_survivor(console: Console, verdict: Verdict, explained: Explained) -> 
 
 def _percent(score: float | None) -> str:
     return "-" if score is None else f"{score:.1%}"
-
-
-def short(text: str) -> str:
-    """Code that is not too long for a line."""
-    return text if len(text) <= LONGEST_CODE else f"{text[: LONGEST_CODE - 4]} ..."
-
-
-def plain(console: Console, text: str, style: str | None = None) -> None:
-    """Print text as it is."""
-    console.print(Text(text, style=style or ""), soft_wrap=True)

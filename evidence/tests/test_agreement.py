@@ -12,14 +12,17 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from evidence.agreement import command, damage, tlc_batch
-from evidence.agreement.command import SOFT_PLC, agree_command
-from evidence.agreement.damage import Log
-from evidence.agreement.generate import UNCHANGED, Generated, Generator, SoftPlcError
-from evidence.agreement.setups import scenario
+from evidence.agreement import command, tlc_batch
+from evidence.agreement.command import agree_command
 from evidence.agreement.verdicts import Compared, Judged
-from evidence.models import tlc
-from evidence.shipped import shipped_logs
+from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
+from evidence.common.processes import Processes
+from evidence.common.shipped import shipped_logs
+from evidence.random_logs import damage
+from evidence.random_logs.damage import Log
+from evidence.random_logs.generate import UNCHANGED, Generated, Generator, SoftPlcError
+from evidence.random_logs.setups import scenario
+from evidence.tlc import process as tlc
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.resources import SPECIFICATION
@@ -135,7 +138,7 @@ def test_verdicts_of_tlc(tools: tlc.Toolchain, tmp_path: Path) -> None:
     blank.write_bytes(b" \n" + wrong.replace(b"\n", b"\r\n"))
     least = tmp_path / "least.ndjson"
     least.write_bytes(log_text(event("SRT_DINT", ob=20, dtime=-(2**31), sign=0, ret="16#8090")))
-    said = tlc_batch.judge(tools, tlc.Processes(), SPECIFICATION, [*files, blank, least])
+    said = tlc_batch.judge(tools, Processes(), SPECIFICATION, [*files, blank, least])
     expected = [Judged(log.verdict, log.line) for log in shipped]
     assert said.verdicts[:-2] == expected
     assert {one.verdict for one in expected} == {"accepted", "rejected"}
@@ -164,7 +167,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
         "mode": "RUN",
     }
     bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=header))
-    said = tlc_batch.judge(tools, tlc.Processes(), spec, [good, bad, good]).verdicts
+    said = tlc_batch.judge(tools, Processes(), spec, [good, bad, good]).verdicts
     assert said[::2] == [Judged("accepted")] * 2
     assert said[1].verdict.startswith("no verdict: error")
 
@@ -172,7 +175,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
 def test_a_specification_that_tlc_cannot_read(tools: tlc.Toolchain, tmp_path: Path) -> None:
     """No log is to blame."""
     with pytest.raises(tlc_batch.BatchError, match="TLC does not begin"):
-        tlc_batch.judge(tools, tlc.Processes(), tmp_path, [TRACES / "accept" / "AIRT-03-nested-delay.ndjson"])
+        tlc_batch.judge(tools, Processes(), tmp_path, [TRACES / "accept" / "AIRT-03-nested-delay.ndjson"])
 
 
 def test_agreement_on_a_sample(tools: tlc.Toolchain, generator: Generator, tmp_path: Path) -> None:
@@ -228,7 +231,7 @@ def test_tools_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, tools: t
     """No TLC, no soft PLC, wrong arguments."""
     code, output = run("--logs", "1", "--tlc", str(tmp_path / "none.jar"))
     assert (code, "TLC's jar is not at" in output) == (3, True)
-    monkeypatch.setattr(command, "SOFT_PLC", tmp_path / "none")
+    monkeypatch.setattr(command, "SOFT_PLC_PROGRAM", tmp_path / "none")
     code, output = run("--logs", "1")
     assert (code, "the soft PLC is not at" in output) == (3, True)
     assert run("--logs", "0")[0] == 2

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from evidence.shipped import difference, shipped_logs
+from evidence.common.shipped import difference, shipped_logs
 from s7check.check import check_log
 from s7check.engine_client import Engine
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from evidence.log_as_tla import read, value
+from evidence.tlc.log_as_tla import read, value
 
 LOG = Path(__file__).parents[2] / "traces" / "accept" / "AIRT-03-nested-delay.ndjson"
 

@@ -8,12 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from evidence.common.reasons import ReasonsError, read
 from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
 from evidence.mutants.findings import Finding, Findings, How
-from evidence.mutants.listing import Mutant, mutants, read_modules
-from evidence.mutants.reasons import Reason, ReasonsError, explain, read
+from evidence.mutants.listing import Mutant, mutants
+from evidence.mutants.reasons import Reason, explain
 from evidence.mutants.report import as_json, numbers
-from evidence.mutants.syntax import Module
+from evidence.tla.modules import read_modules
+from evidence.tla.syntax import Module
 
 TEXT = """---- MODULE M ----
 EXTENDS Integers

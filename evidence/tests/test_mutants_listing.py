@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from evidence.mutants.listing import Mutant, mutants, read_modules
-from evidence.mutants.syntax import Module, SyntaxTreeError
+from evidence.mutants.listing import Mutant, mutants
+from evidence.tla.modules import read_modules
+from evidence.tla.syntax import Module, SyntaxTreeError
 
 SPEC = Path(__file__).parents[2] / "spec"
 

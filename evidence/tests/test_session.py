@@ -7,15 +7,15 @@ import sys
 
 import pytest
 
-from evidence.models import tlc
-from evidence.session import INTERRUPTED, NO_TOOLS, USAGE, session
+from evidence.common.processes import Processes
+from evidence.common.session import INTERRUPTED, NO_TOOLS, USAGE, session
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> None:
     """A signal ends the command as Ctrl-C does, and afterwards it has its old meaning."""
     before = signal.getsignal(number)
-    processes = tlc.Processes()
+    processes = Processes()
     with pytest.raises(SystemExit) as ended, session(processes, (), (), "interrupted, sorry"):
         os.kill(os.getpid(), number)
     assert ended.value.code == INTERRUPTED
@@ -27,11 +27,11 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
 def test_errors(capsys: pytest.CaptureFixture[str]) -> None:
     """An error that is named becomes a sentence and an exit code; another one goes on."""
     for error, code in ((ValueError("this file"), USAGE), (OSError("no Java"), NO_TOOLS)):
-        with pytest.raises(SystemExit) as ended, session(tlc.Processes(), (ValueError,), (OSError,)):
+        with pytest.raises(SystemExit) as ended, session(Processes(), (ValueError,), (OSError,)):
             raise error
         assert ended.value.code == code
         assert str(error) in capsys.readouterr().err
-    with pytest.raises(KeyError), session(tlc.Processes(), (ValueError,), (OSError,)):
+    with pytest.raises(KeyError), session(Processes(), (ValueError,), (OSError,)):
         raise KeyError
 
 
@@ -39,9 +39,9 @@ def test_without_sighup() -> None:
     """Windows has no SIGHUP."""
     program = (
         "import signal; del signal.SIGHUP\n"
-        "from evidence.models import tlc\n"
-        "from evidence.session import session\n"
-        "with session(tlc.Processes(), (), ()): print('here')"
+        "from evidence.common.processes import Processes\n"
+        "from evidence.common.session import session\n"
+        "with session(Processes(), (), ()): print('here')"
     )
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert run.stdout == "here\n"

@@ -9,13 +9,15 @@ from typing import Any
 
 import pytest
 
-from evidence import verify_command as verify
+from evidence.verify import command as verify
 
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty project."""
-    for name, path in (("ROOT", tmp_path), ("BUILD", tmp_path / "verify"), ("PLC", tmp_path / "plc")):
+    plc = tmp_path / "plc"
+    paths = {"ROOT": tmp_path, "BUILD": tmp_path / "verify", "SOFT_PLC": plc}
+    for name, path in (paths | {"SOFT_PLC_PROGRAM": plc / "build" / "soft_plc"}).items():
         monkeypatch.setattr(verify, name, path)
     (tmp_path / "verify").mkdir()
     return tmp_path

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from evidence.models import tlc
-from evidence.mutants.listing import read_modules
-from evidence.mutants.reasons import Excuse
-from evidence.mutants.syntax import Module
-from evidence.shipped import Shipped
+from evidence.common.reasons import Excuse
+from evidence.common.shipped import Shipped
+from evidence.tla.modules import read_modules
+from evidence.tla.syntax import Module
+from evidence.tlc import process as tlc
 from evidence.witnesses import logs
 from evidence.witnesses.collect import Seen
 from evidence.witnesses.command import witnesses_command

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.models.cfg import Cfg, CfgError, parse
-from evidence.models.manifest import Entry, ManifestFile
+from evidence.harness.manifest import Entry, ManifestFile
+from evidence.tlc.cfg import Cfg, CfgError, parse
 from evidence.traceability.entries import Entries, entries
 from evidence.traceability.errors import UnreadableError
 from evidence.traceability.modules import Definition, Module

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.shipped import Shipped, shipped_logs
+from evidence.common.shipped import Shipped, shipped_logs
 from evidence.traceability.entries import Entries, entries
 from evidence.traceability.errors import UnreadableError
 

@@ -9,10 +9,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from evidence.models.manifest import Model
-from evidence.models.runner import Event, Harness, run_all
-from evidence.mutants.marks import Wrapping, evaluated, marked
-from evidence.mutants.syntax import Module, Span
+from evidence.harness.manifest import Model
+from evidence.harness.runner import Event, Harness, run_all
+from evidence.tla.syntax import Module, Span
+from evidence.tlc.marks import Wrapping, evaluated, marked
 from evidence.witnesses import logs
 from evidence.witnesses.conditions import Condition, Side
 

@@ -6,7 +6,6 @@ files, 3 a tool is missing or failed, 130 interrupted.
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from dataclasses import dataclass
@@ -16,16 +15,17 @@ import click
 import msgspec
 from rich.console import Console
 
-from evidence import log_as_tla
-from evidence.models import tlc
-from evidence.models.command import find_manifest
-from evidence.models.manifest import LANES, ManifestError, load
-from evidence.models.report import Progress
-from evidence.models.runner import Harness
-from evidence.mutants import reach, reasons
-from evidence.mutants.listing import read_modules
-from evidence.mutants.syntax import SyntaxTreeError
-from evidence.session import session
+from evidence.common import reasons
+from evidence.common.options import json_option, manifest_option, tlc_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from evidence.harness.manifest import LANES, ManifestError, find_manifest, load
+from evidence.harness.progress import Progress
+from evidence.harness.runner import Harness
+from evidence.tla.modules import closure, read_modules
+from evidence.tla.syntax import SyntaxTreeError
+from evidence.tlc import log_as_tla
+from evidence.tlc import process as tlc
 from evidence.witnesses import logs, report
 from evidence.witnesses.collect import CollectingError, collect
 from evidence.witnesses.conditions import conditions
@@ -58,16 +58,10 @@ class Request:
     help="What has to bear witness.",
 )
 @click.option("--lane", type=click.Choice(LANES), default="ci", show_default=True, help="Which models.")
-@click.option(
-    "--manifest",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="Default: models/manifest.json here or in a directory above.",
-)
-@click.option(
-    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
-)
+@manifest_option
+@tlc_option
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
-@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+@json_option
 @click.argument("names", nargs=-1, metavar="[MODEL]...")
 def witnesses_command(
     against: str,
@@ -84,14 +78,14 @@ def witnesses_command(
     every antecedent have a witness, or a reason in witnesses.json beside the manifest, 1 some have neither or a reason
     is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
-    processes = tlc.Processes()
+    processes = Processes()
     usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError)
     with session(processes, usage, (tlc.ToolMissingError, CollectingError)) as console:
         request = Request(against, lane, manifest or find_manifest(), jar, jobs, json_path, names)
         sys.exit(run_request(request, processes, console))
 
 
-def run_request(request: Request, processes: tlc.Processes, console: Console) -> int:
+def run_request(request: Request, processes: Processes, console: Console) -> int:
     """Do what was asked for and return the exit code."""
     manifest = load(request.manifest)
     why = reasons.read(manifest.directory / "witnesses.json", reasons.Excuse)
@@ -108,16 +102,14 @@ def run_request(request: Request, processes: tlc.Processes, console: Console) ->
         traces = manifest.directory.parent / "traces"
         roots.append(log_as_tla.ROOT)
     known = read_modules(manifest.directory) | spec
-    scope = {name for root in roots for name in reach.closure(root, known)}
+    scope = {name for root in roots for name in closure(root, known)}
     began = time.monotonic()
     with Progress(console, len(roots)) as progress:
         seen = collect(harness, spec, found, models, traces, request.jobs, progress)
     judged = [s for s in seen if s.condition.module in scope]
     explained = report.explain(judged, why, (c.id for c in found))
     report.show(console, explained)
-    if request.json is not None:
-        request.json.parent.mkdir(parents=True, exist_ok=True)
-        ran = [m.name for m in models] + ([logs.NAME] if traces else [])
-        document = report.as_json(explained, ran, time.monotonic() - began)
-        request.json.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    ran = [m.name for m in models] + ([logs.NAME] if traces else [])
+    document = report.as_json(explained, ran, time.monotonic() - began)
+    write_json(request.json, document)
     return 0 if explained.ok else UNEXPLAINED

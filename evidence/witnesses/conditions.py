@@ -20,10 +20,10 @@ from typing import Literal
 
 from tree_sitter import Node
 
-from evidence.mutants.listing import TEMPORAL, Names
-from evidence.mutants.marks import Wrapping, by_value, when_evaluated
-from evidence.mutants.operators import Context, acting, conjuncts, disjuncts
-from evidence.mutants.syntax import Module, Span, code, meaningful, operand, span, symbol, token, walk
+from evidence.tla.actions import TEMPORAL, Actions, acting, conjuncts, disjuncts
+from evidence.tla.names import Names
+from evidence.tla.syntax import Module, Span, code, meaningful, operand, span, symbol, token, walk
+from evidence.tlc.marks import Wrapping, by_value, when_evaluated
 
 SYSTEM, NEXT = "System", "Next"
 """The module and the definition that say which actions there are."""
@@ -92,7 +92,7 @@ class _Place:
 
 def conditions(modules: Mapping[str, Module]) -> list[Condition]:
     """All conditions of these modules. Raises `SyntaxTreeError`."""
-    context = Context(acting(modules.values()), {})
+    context = Actions(acting(modules.values()))
     found: list[Condition] = []
     for name, module in modules.items():
         if name in WORDING:
@@ -109,7 +109,7 @@ def conditions(modules: Mapping[str, Module]) -> list[Condition]:
     return found
 
 
-def _places(module: Module, definition: str, body: Node, context: Context) -> Iterator[_Place]:
+def _places(module: Module, definition: str, body: Node, context: Actions) -> Iterator[_Place]:
     if any(fnmatch.fnmatchcase(module.name, pattern) for pattern in PROPERTIES):
         for node in walk(body):
             if not any(inner.type in TIMES for inner in walk(node)):
@@ -132,7 +132,7 @@ def _of_choice(node: Node) -> Iterator[_Place]:
         yield _Place("case", condition, condition)
 
 
-def _of_action(node: Node, context: Context) -> Iterator[_Place]:
+def _of_action(node: Node, context: Actions) -> Iterator[_Place]:
     for part in conjuncts(node) + disjuncts(node):
         if not context.acts(part) and part.type != "boolean":
             yield _Place("guard", part, part)
@@ -151,7 +151,7 @@ def _of_property(node: Node) -> Iterator[_Place]:
             yield _Place("instance", said, node)
 
 
-def _taken(node: Node, module: Module, context: Context, whole: Node | None = None) -> Iterator[_Place]:
+def _taken(node: Node, module: Module, context: Actions, whole: Node | None = None) -> Iterator[_Place]:
     """What stands last in each action of a next-state relation: it is reached when all before it is true.
 
     An action is what is neither a disjunction, nor a quantifier, nor a definition of the module without parameters.

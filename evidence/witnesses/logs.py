@@ -10,9 +10,9 @@ import re
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
-from evidence import log_as_tla
-from evidence.models.manifest import HEAP_MB, Expect, Model
-from evidence.shipped import Shipped, shipped_logs
+from evidence.common.shipped import Shipped, shipped_logs
+from evidence.harness.manifest import HEAP_MB, Expect, Model
+from evidence.tlc import log_as_tla
 
 NAME = "logs"
 MODULE = "ShippedLogs"

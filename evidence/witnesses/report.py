@@ -9,8 +9,8 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from evidence.mutants.reasons import Excuse, assign
-from evidence.mutants.report import plain, short
+from evidence.common.console import plain, short
+from evidence.common.reasons import Excuse, assign
 from evidence.witnesses.collect import Seen
 
 COLUMNS = ("conditions", "by models", "by logs alone", "with reason", "without")

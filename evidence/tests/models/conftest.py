@@ -13,8 +13,10 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from evidence.models import canaries, tlc
+from evidence.common.processes import Processes
+from evidence.models import canaries
 from evidence.models.command import models_command
+from evidence.tlc import process as tlc
 from s7check import resources
 
 FIXTURES = Path(__file__).parent / "fixtures"
@@ -78,7 +80,7 @@ def jar(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def asked(jar: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, canaries.Answers]:
     """Ask the canaries once for all tests: the directory of the kept answers, and the answers."""
     build = tmp_path_factory.mktemp("build")
-    return build, canaries.run_canaries(tlc.find_toolchain(jar), build, tlc.Processes())
+    return build, canaries.run_canaries(tlc.find_toolchain(jar), build, Processes())
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from evidence.models import distributed, tlc
+from evidence.models import distributed
+from evidence.tlc import process as tlc
 
 if TYPE_CHECKING:
     from evidence.tests.models.conftest import Project

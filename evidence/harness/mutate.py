@@ -8,34 +8,14 @@ from __future__ import annotations
 
 import os
 import shutil
-from dataclasses import dataclass
 from pathlib import Path
 
-from evidence.models.manifest import Model, Mutation
-
-CONFIG_NAME = "harness.cfg"
+from evidence.harness.manifest import Model, Mutation
+from evidence.tlc.workspace import Workspace
 
 
 class StaleMutationError(ValueError):
     """The text that a mutation replaces does not occur exactly once: the manifest is behind the specification."""
-
-
-@dataclass(frozen=True)
-class Workspace:
-    """Where a run takes place: TLC's directory, its module's file name there, where to look for other modules.
-
-    `scratch` is an empty directory for TLC's own files and Java's temporary ones.
-    """
-
-    directory: Path
-    module: str
-    library: tuple[Path, ...]
-    scratch: Path
-
-    @property
-    def config(self) -> Path:
-        """The configuration file, next to the module."""
-        return self.directory / CONFIG_NAME
 
 
 def prepare(root: Path, spec: Path, models: Path, model: Model) -> Workspace:

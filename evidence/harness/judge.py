@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from evidence.models.manifest import Model, expected_kinds
-from evidence.models.messages import Counts, Kind, Outcome
+from evidence.harness.manifest import Model, expected_kinds
+from evidence.tlc.messages import Counts, Kind, Outcome
 
 COUNTS = ("states", "distinct", "depth")
 

@@ -10,11 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from evidence.models import cfg, tlc
-from evidence.models.judge import Result, judge
-from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model
-from evidence.models.messages import Message, Outcome, progress
-from evidence.models.mutate import StaleMutationError, prepare
+from evidence.common.processes import InterruptedRunError, Processes
+from evidence.harness.judge import Result, judge
+from evidence.harness.manifest import PROPERTY_KINDS, Manifest, Model
+from evidence.harness.mutate import StaleMutationError, prepare
+from evidence.tlc import cfg
+from evidence.tlc import process as tlc
+from evidence.tlc.messages import Message, Outcome, progress
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Harness:
 
     manifest: Manifest
     tools: tlc.Toolchain
-    processes: tlc.Processes
+    processes: Processes
     workers: int | None = None
 
     def workers_of(self, model: Model) -> int:
@@ -58,7 +60,7 @@ class Harness:
 
 
 def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
-    """Run one model and judge it. Raises `tlc.InterruptedRunError`.
+    """Run one model and judge it. Raises `InterruptedRunError`.
 
     A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants.
     """
@@ -161,7 +163,7 @@ def _work(harness: Harness, model: Model, events: queue.Queue[Event | BaseExcept
 
     try:
         events.put(Event(model, result=check(harness, model, listen)))
-    except tlc.InterruptedRunError:
+    except InterruptedRunError:
         pass
     except BaseException as error:
         events.put(error)  # the main thread raises it

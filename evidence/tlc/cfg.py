@@ -130,6 +130,11 @@ def replace_section(text: str, keyword: str, names: list[str]) -> str:
     return f"{text.rstrip()}\n{keyword} {' '.join(names)}\n" if names else text
 
 
+def replacements(text: str) -> dict[str, str]:
+    """Return the definitions that a configuration replaces by others."""
+    return {a.name: a.value for a in parse(text).assignments if a.operator == "<-"}
+
+
 def _split(value: str) -> tuple[str | None, str]:
     for operator in ("<-", "="):
         if value.startswith(operator):

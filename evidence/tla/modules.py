@@ -1,11 +1,16 @@
-"""What a model is made of: the modules that it is built on, the definitions that it replaces."""
+"""The modules of a directory, and what each is built on."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
-from evidence.models import cfg
-from evidence.mutants.syntax import Module
+from evidence.tla.syntax import Module
+
+
+def read_modules(directory: Path) -> dict[str, Module]:
+    """The modules of a directory by name."""
+    return {path.stem: Module(path.stem, path.read_bytes()) for path in sorted(directory.rglob("*.tla"))}
 
 
 def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
@@ -17,8 +22,3 @@ def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
         found.add(name)
         waiting |= {n for n in modules[name].imports if n in modules} - found
     return frozenset(found)
-
-
-def replacements(text: str) -> dict[str, str]:
-    """The definitions that a configuration replaces by others."""
-    return {a.name: a.value for a in cfg.parse(text).assignments if a.operator == "<-"}

@@ -11,8 +11,8 @@ from datetime import timedelta
 from pathlib import Path
 from random import Random
 
-from evidence.agreement import damage, setups
-from evidence.agreement.damage import Log
+from evidence.random_logs import damage, setups
+from evidence.random_logs.damage import Log
 
 UNCHANGED = "as it is"
 FAULTY = "a mistake of the soft PLC"

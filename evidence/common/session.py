@@ -11,12 +11,10 @@ from types import FrameType
 import click
 from rich.console import Console
 
-from evidence.models import tlc
+from evidence.common.console import console
+from evidence.common.processes import InterruptedRunError, Processes
 
 USAGE, NO_TOOLS, INTERRUPTED = 2, 3, 130
-
-WIDTH_OF_LOG = 140
-"""Columns of a table where no terminal says how wide it is."""
 
 _ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 """Signals that end the command as Ctrl-C does; Windows has no SIGHUP."""
@@ -24,16 +22,8 @@ _ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(si
 Errors = tuple[type[Exception], ...]
 
 
-def console() -> Console:
-    """The terminal, or a log that is wide enough for a table."""
-    terminal = Console(highlight=False)
-    return terminal if terminal.is_terminal else Console(highlight=False, width=WIDTH_OF_LOG)
-
-
 @contextlib.contextmanager
-def session(
-    processes: tlc.Processes, usage: Errors, tools: Errors, interrupted: str = "interrupted"
-) -> Iterator[Console]:
+def session(processes: Processes, usage: Errors, tools: Errors, interrupted: str = "interrupted") -> Iterator[Console]:
     """Ends the command at an error of `usage` or `tools` and at a signal, and the processes in any case."""
     before = {number: signal.signal(number, _interrupt) for number in _ENDING}
     try:
@@ -42,7 +32,7 @@ def session(
         _end(f"Error: {error}", USAGE)
     except tools as error:
         _end(f"Error: {error}", NO_TOOLS)
-    except (KeyboardInterrupt, tlc.InterruptedRunError):
+    except (KeyboardInterrupt, InterruptedRunError):
         _end(interrupted, INTERRUPTED)
     finally:
         processes.close()

@@ -9,7 +9,7 @@ from datetime import datetime, timedelta
 from random import Random
 from typing import Any
 
-from evidence.agreement.setups import OTHERS, USUAL, execution
+from evidence.random_logs.setups import OTHERS, USUAL, execution
 from s7check.log import tables
 from s7check.log.header import PROFILES
 

@@ -12,15 +12,13 @@ from typing import Any
 import click
 from rich.table import Table
 
-from evidence import session
-from evidence.shipped import difference, shipped_logs
+from evidence.common.checkout import ROOT, SOFT_PLC, SOFT_PLC_PROGRAM
+from evidence.common.console import console
+from evidence.common.shipped import difference, shipped_logs
 from s7check.check import check_log
 from s7check.engine_client import Engine
-from s7check.resources import INSTALLED
 
-ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "verify"
-PLC = ROOT / "examples" / "soft_plc"
 
 
 @dataclass(frozen=True)
@@ -46,11 +44,8 @@ class Row:
 def verify_command() -> int:
     """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants.
 
-    Works in a checkout of the project. Exit codes: 0 all as expected, 1 something failed or a tool is missing, 2 this
-    is no checkout.
+    Exit codes: 0 all as expected, 1 something failed or a tool is missing.
     """
-    if INSTALLED:
-        raise click.ClickException("this is for a checkout of the project: run `make verify` there")
     BUILD.mkdir(parents=True, exist_ok=True)
     rows: list[Row] = []
     for title, step in STEPS.items():
@@ -95,7 +90,7 @@ def _by_kind(models: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
 
 
 def _soft_plc() -> list[Row]:
-    scenarios = sorted((PLC / "scenarios").glob("*.scn"))
+    scenarios = sorted((SOFT_PLC / "scenarios").glob("*.scn"))
     rows = []
     for name, chosen, options in (
         ("soft PLC, simulated clock", [s for s in scenarios if s.stem != "real_time"], []),
@@ -107,7 +102,7 @@ def _soft_plc() -> list[Row]:
             log = BUILD / f"{scenario.stem}.ndjson"
             log.unlink(missing_ok=True)
             run = subprocess.run(
-                [str(PLC / "build" / "soft_plc"), *options, "-o", str(log), str(scenario)],
+                [str(SOFT_PLC_PROGRAM), *options, "-o", str(log), str(scenario)],
                 capture_output=True, text=True, check=False,
             )  # fmt: skip
             if run.returncode:
@@ -115,7 +110,7 @@ def _soft_plc() -> list[Row]:
             else:
                 logs.append(log)
         if not chosen:
-            failures.append(f"{(PLC / 'scenarios').relative_to(ROOT)} has no scenario for it")
+            failures.append(f"{(SOFT_PLC / 'scenarios').relative_to(ROOT)} has no scenario for it")
         events, rejected = _check_all(logs)
         size = f"{len(chosen)} scenarios, {events:,} events"
         rows.append(Row(name, "trace checker", size, time.monotonic() - begun, failures + rejected))
@@ -238,11 +233,11 @@ STEPS: dict[str, Callable[[], list[Row]]] = {
 
 
 def _print(rows: list[Row]) -> None:
-    console = session.console()
+    terminal = console()
     table = Table("checked", "by", "result", "size", "seconds")
     for row in rows:
         table.add_row(row.what, row.tool, row.result, row.size, f"{row.seconds:.1f}" if row.run else "")
-    console.print(table)
+    terminal.print(table)
     for row in rows:
         for failure in row.failures:
-            console.print(f"FAILED {row.what}: {failure}", markup=False, highlight=False)
+            terminal.print(f"FAILED {row.what}: {failure}", markup=False, highlight=False)
