@@ -1,9 +1,10 @@
 -------------------------------- MODULE Words -------------------------------
 (***************************************************************************)
 (* Every construct that the evaluator knows.  The test evaluates all       *)
-(* operators without parameters, those that begin with Act as actions,     *)
-(* and compares with TLC.  Those that begin with Err have no value, those  *)
-(* that begin with Tlc are left to TLC.                                    *)
+(* operators without parameters and compares with TLC.  It evaluates an    *)
+(* operator with a name in Act as an action.  An operator with a name in   *)
+(* Err has no value; the evaluator leaves an operator with a name in Tlc   *)
+(* to TLC.                                                                 *)
 (***************************************************************************)
 EXTENDS Integers, Sequences, FiniteSets
 
@@ -28,7 +29,7 @@ Comparison == <<number < 3, number <= 3, number > 3, number >= 3, number = 3,
 Logic == <<TRUE /\ number = 3, number = 4 \/ number = 3, ~(number = 3),
            number = 4 => FALSE, number = 3 <=> 2 \in set, BOOLEAN>>
 First(a, b) == IF a = 0 THEN b ELSE a
-\* What is not needed is not evaluated.
+\* A part that is not needed is not evaluated.
 Lazily == LET never == CHOOSE x \in {} : TRUE
               first(a, b) == a
           IN  <<IF number < 9 THEN 1 ELSE never, first(2, never), First(3, never),
@@ -61,7 +62,7 @@ Cases == <<CASE number = 1 -> "a" [] number = 3 -> "b" [] OTHER -> "c",
 
 Domains == <<{1, 2} = 1..2, <<1, 2>>, [x \in {1, 2} |-> x], {2, 1}, 1..2>>
 
-\* Larger than what is written out, and called within its own arguments.
+\* Too large to be written out, and called within its own arguments.
 Long(a, b) ==
     LET c == a + b
         d(x) == x + c + a
@@ -109,7 +110,7 @@ ActPrimed ==
            \/ sequence' = <<(number + Twice)', \E x \in set' : x = new>>
         /\ UNCHANGED <<record, function>>
         /\ sequence' = sequence \/ Len(sequence') = 2
-\* What is remembered of one state is not taken for another.
+\* A value remembered of this state is not taken for the next state.
 Evens == {x \in set : x % 2 = 0}
 ActMemo == /\ set' \in {{2, 4}, {6}, {1}}
            /\ number' = Cardinality(Evens') + Cardinality(Evens)

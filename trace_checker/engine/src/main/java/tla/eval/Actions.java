@@ -13,10 +13,10 @@ import tlc2.value.impl.ValueVec;
 
 /**
  * Compiles actions to programs that find all successors. As in TLC, conjuncts are taken in their
- * order, the first that speaks of a variable's next value assigns it, the others are tests.
+ * order: the first that names a variable's next value assigns it, the others are tests.
  */
 final class Actions {
-  /** Finds all ways to satisfy an action, and continues with what comes after it for each. */
+  /** Finds all ways to satisfy an action and, for each, runs the part that comes after it. */
   interface Act {
     void run(Object[] frame);
   }
@@ -30,7 +30,7 @@ final class Actions {
   }
 
   /**
-   * @param then what comes after the action
+   * @param then the part that comes after the action
    */
   Act compile(SemanticNode node, Scope scope, Act then) {
     if (compiler.primes(node)) {

@@ -20,13 +20,13 @@ import util.UniqueString;
 
 /** The operators of TLA+ and of its standard modules on TLC's values. */
 final class Builtins {
-  /** Their operators are defined here, not by what the modules say. */
+  /** Modules whose operators are defined here, not by their TLA+ text. */
   private static final Set<String> STANDARD_MODULES =
       Set.of("Naturals", "Integers", "Sequences", "FiniteSets", "Reals", "TLC", "Bags");
 
   private Builtins() {}
 
-  /** Whether an operator is what its definition says, and not one of TLA+ or a standard module. */
+  /** Whether the specification defines the operator; not TLA+ itself, nor a standard module. */
   static boolean isDefined(OpDefNode operator) {
     return operator.getKind() == ASTConstants.UserDefinedOpKind && !isStandard(operator);
   }
@@ -122,7 +122,7 @@ final class Builtins {
     return function instanceof FcnRcdValue f ? place(f, x) >= 0 : domain(function).member(x);
   }
 
-  /** Where the function has its value for x; -1 if x is not in the domain. */
+  /** The place of x in the function's domain; -1 if x is not in it. */
   private static int place(FcnRcdValue function, Value x) {
     if (function.intv != null) {
       int i = ((IntValue) x).val;
@@ -227,7 +227,7 @@ final class Builtins {
     return new TupleValue(elements);
   }
 
-  /** What TLA+ calls a % b. */
+  /** a % b of TLA+. */
   static int modulo(int a, int b) {
     if (b <= 0) {
       throw new ArithmeticException();
@@ -235,7 +235,7 @@ final class Builtins {
     return Math.floorMod(a, b);
   }
 
-  /** SUBSET; throws for what is not a finite set. */
+  /** SUBSET; a ClassCastException if {@code set} is not a finite set. */
   static Value powerset(Value set) {
     return new tlc2.value.impl.SubsetValue((EnumerableValue) set);
   }

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** A call of an operator. */
 final class Call implements Expr.Via {
-  /** What an argument is in the frame of the called operator: a value or a {@link Thunk}. */
+  /** An argument as the frame of the called operator has it: a value or a {@link Thunk}. */
   interface Argument {
     Object of(Object[] frame);
   }

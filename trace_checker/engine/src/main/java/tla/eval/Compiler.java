@@ -54,8 +54,9 @@ final class Compiler {
   }
 
   /**
-   * Compiles an expression. One that depends on nothing is evaluated once; one that depends on
-   * variables alone is evaluated again only when one of them has another value, if it is worth it.
+   * Compiles an expression. An expression that depends on nothing is evaluated once. An expression
+   * that depends on variables alone is evaluated again only when a variable has another value, if
+   * its size makes that worthwhile.
    */
   Expr compile(SemanticNode node, Scope scope) {
     if (!(node instanceof OpApplNode apply)) {
@@ -117,7 +118,7 @@ final class Compiler {
     return f -> value;
   }
 
-  /** The scope of a LET's body; {@code lazy} gets the slots to be emptied before. */
+  /** The scope of a LET's body; {@code lazy} gets the slots that must be empty before it. */
   Scope let(LetInNode let, Scope scope, List<Integer> lazy) {
     Scope inner = scope;
     for (OpDefNode definition : let.getLets()) {
@@ -132,7 +133,7 @@ final class Compiler {
 
   /** A binding to an expression that is evaluated when it is needed. */
   Scope.Binding delayed(ExprNode node, Scope scope, List<Integer> lazy) {
-    // What is assigned to the next state changes while successors are looked for.
+    // The next state changes while successors are looked for.
     if (isTrivial(node) || primes(node)) {
       return Scope.Binding.everyTime(node, scope);
     }
@@ -141,7 +142,7 @@ final class Compiler {
     return Scope.Binding.lazy(slot, node, scope);
   }
 
-  /** Whether to evaluate it again is as good as to keep its value. */
+  /** Whether evaluating it again is as cheap as keeping its value. */
   private boolean isTrivial(SemanticNode node) {
     if (node instanceof OpApplNode apply) {
       SymbolNode operator = apply.getOperator();
@@ -152,7 +153,7 @@ final class Compiler {
     return node instanceof NumeralNode || node instanceof StringNode;
   }
 
-  /** The scope of an operator's body where it is written out. */
+  /** The scope of an operator's body that is written out at this place. */
   Scope inlined(OpDefNode operator, ExprOrOpArgNode[] arguments, Scope scope, List<Integer> lazy) {
     Scope.Binding local = scope.find(operator);
     Scope inner =
@@ -256,7 +257,7 @@ final class Compiler {
     return new Call(called, Arrays.stream(arguments).map(a -> argument(a, scope)).toList());
   }
 
-  /** Compiles what is put into the frame of a called operator for one of its parameters. */
+  /** Compiles an argument of a called operator. */
   private Call.Argument argument(ExprOrOpArgNode node, Scope scope) {
     Expr expr = compile(node, scope);
     if (node instanceof NumeralNode || node instanceof StringNode || isKnown(node, scope)) {
@@ -265,7 +266,7 @@ final class Compiler {
     return f -> new Thunk(expr, f);
   }
 
-  /** Whether the value is at hand, and certainly there. */
+  /** Whether the value is certainly at hand. */
   private static boolean isKnown(SemanticNode node, Scope scope) {
     if (!(node instanceof OpApplNode apply)) {
       return false;
@@ -390,7 +391,7 @@ final class Compiler {
     };
   }
 
-  /** CASE as a chain of IFs; without a case that holds it has no value. */
+  /** CASE as a chain of IFs; it has no value if no case holds. */
   private Expr choice(OpApplNode node, Scope scope) {
     ExprOrOpArgNode[] arms = node.getArgs();
     Expr chain =
@@ -416,7 +417,7 @@ final class Compiler {
       places[i] = IntValue.gen(i);
       exprs[i] = compile(pair[1], scope);
     }
-    // TLC keeps records in an order of its own: have it sort the names once.
+    // TLC keeps the fields of a record in its own order: it sorts the names once, here.
     var sorted = new RecordValue(names, places, false);
     sorted.normalize();
     var inOrder = new Expr[n];
@@ -448,7 +449,7 @@ final class Compiler {
     return node instanceof OpApplNode apply && apply.getOperator().getName().toString().equals(name);
   }
 
-  /** Whether a set is empty; a subset is not built for that. */
+  /** Whether a set is empty; a subset need not be built to know. */
   private Expr empty(SemanticNode set, Scope scope) {
     if (isOperator(set, "$SubsetOf") && !facts.of(set).closed()) {
       Expr some = new Quantifiers(this).someInSubset((OpApplNode) set, scope);
@@ -458,7 +459,7 @@ final class Compiler {
     return (Expr.Test) f -> Builtins.isEmpty(s.eval(f));
   }
 
-  /** Whether x is in a set, which is not built where that is not necessary. */
+  /** Whether x is in a set; the set is built only where necessary. */
   private Expr member(SemanticNode element, SemanticNode set, Scope scope) {
     Expr x = compile(element, scope);
     if (set instanceof OpApplNode apply && !facts.of(set).closed()) {

@@ -2,7 +2,7 @@ package tla.eval;
 
 import java.util.List;
 
-/** A LET or an operator that is written out: its lazy definitions have no values yet. */
+/** The begin of a LET, or of an operator that is written out: its lazy definitions have no values yet. */
 final class Entering implements Expr.Via {
   private final int[] lazy;
   private final Expr body;

@@ -12,18 +12,17 @@ import tlc2.value.impl.Value;
 /**
  * Evaluates operators of a specification as TLC's interpreter does, several times faster.
  *
- * <p>An operator is compiled when it is first evaluated, from the semantic graph that TLC's parser
- * has built: every expression becomes an object that knows how to evaluate itself ({@link Expr},
- * {@link Actions}). This package knows TLA+, as far as operators of a trace need it, and nothing
- * of any specification. Values are TLC's own.
+ * <p>It compiles an operator at its first evaluation, from the semantic graph of TLC's parser: every
+ * expression becomes an object that evaluates itself ({@link Expr}, {@link Actions}). This package
+ * knows the part of TLA+ that traces need, and no specification. Values are TLC's own.
  *
- * <p>What makes it faster: names are resolved to slots of a frame when an operator is compiled;
- * what depends on no variable is evaluated once, what depends on some only when they have changed
- * ({@link Memo}); successors are found by continuing with the next conjunct, so that nothing is
- * copied before all variables have a value.
+ * <p>It is faster for three reasons. The compiler resolves names to slots of a frame. An expression
+ * that depends on no variable is evaluated once, an expression that depends on some only when they
+ * have changed ({@link Memo}). Successors are found by continuing with the next conjunct, so nothing
+ * is copied before all variables have a value.
  *
- * <p>What it does not support, and what ends in an error, is null here: then TLC's interpreter has
- * the last word. An evaluator is used by one thread.
+ * <p>A result is null where the evaluator does not support a construct, and where evaluation ends in
+ * an error; then TLC's interpreter has the last word. An evaluator serves one thread.
  */
 public final class Evaluator {
   private final Machine machine;
@@ -33,7 +32,7 @@ public final class Evaluator {
   private final Hash.Parts hashes = new Hash.Parts();
   private int leftToTlc;
 
-  /** A compiled operator; {@code act} is null for a state function, both if not supported. */
+  /** A compiled operator; {@code act} is null for a state function, both are if it is not supported. */
   private record Program(Object[] frame, Expr expr, Actions.Act act) {}
 
   /**
@@ -57,7 +56,7 @@ public final class Evaluator {
         return machine.found();
       }
     } catch (RuntimeException e) {
-      // TLC says what is wrong.
+      // TLC names the error.
     }
     leftToTlc++;
     return null;
@@ -73,22 +72,22 @@ public final class Evaluator {
         return program.expr.eval(program.frame);
       }
     } catch (RuntimeException e) {
-      // TLC says what is wrong.
+      // TLC names the error.
     }
     leftToTlc++;
     return null;
   }
 
   /**
-   * A number that is the same for states in which a state function has the same value, and another
-   * one, as good as certainly, where it has not.
+   * A number that is the same for states in which a state function has the same value and, as good
+   * as certainly, another for others.
    */
   public long key(OpDefNode operator, TLCState state) {
     Value value = value(operator, state);
     return value == null ? state.fingerPrint() : hashes.of(value);
   }
 
-  /** How many evaluations were left to TLC. */
+  /** The number of evaluations that were left to TLC. */
   public int leftToTlc() {
     return leftToTlc;
   }

@@ -9,7 +9,7 @@ final class Except implements Expr {
   private final Expr function;
   private final Change[] changes;
 
-  /** The path, the new value, and the slot in which the new value finds the old one. */
+  /** The path, the new value, and the slot of the old value, which {@code @} reads. */
   private record Change(Expr[] path, Expr value, int old) {}
 
   Except(Compiler compiler, OpApplNode node, Scope scope) {

@@ -8,7 +8,7 @@ import tlc2.value.impl.Value;
  * A compiled expression. Its parameters and bound variables are in the frame, the variables of the
  * specification in the {@link Machine}.
  *
- * <p>What cannot be evaluated ends in a RuntimeException of any kind.
+ * <p>An expression without a value ends in a RuntimeException of any kind.
  */
 interface Expr {
   Value eval(Object[] frame);
@@ -45,9 +45,9 @@ interface Expr {
     }
   }
 
-  /** An expression that has the value of another one, evaluated in the frame it chooses. */
+  /** An expression with the value of another expression, evaluated in a frame that it chooses. */
   interface Via extends Expr {
-    /** Prepares the frame; {@link #target} is evaluated in the one returned. */
+    /** Prepares a frame and returns it; {@link #target} is evaluated in it. */
     Object[] enter(Object[] frame);
 
     Expr target();

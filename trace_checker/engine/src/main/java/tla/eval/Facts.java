@@ -17,18 +17,18 @@ import tla2sany.semantic.OpDefNode;
 import tla2sany.semantic.SemanticNode;
 import tla2sany.semantic.SymbolNode;
 
-/** What an expression depends on, through all operators that it uses. */
+/** The things that an expression depends on, through all operators that it uses. */
 final class Facts {
   /** The variables of the specification, by their number. */
   final BitSet variables = new BitSet();
 
-  /** Parameters and bound variables from outside; for an {@code @} the part of its EXCEPT. */
+  /** Parameters and bound variables from outside; for an {@code @}, the part of its EXCEPT. */
   final Set<Object> free = Collections.newSetFromMap(new IdentityHashMap<>());
 
-  /** Whether it speaks of the next state. */
+  /** Whether it refers to the next state. */
   boolean primes;
 
-  /** How many nodes it has when the operators that it uses are written out. */
+  /** The number of its nodes, with the operators that it uses written out. */
   int size = 1;
 
   boolean closed() {
@@ -111,7 +111,7 @@ final class Facts {
       }
     }
 
-    /** The facts of what an operator stands for, its parameters apart. */
+    /** The facts of an operator's body, without its parameters. */
     private Facts of(OpDefNode definition) {
       Facts facts = known.get(definition);
       if (facts == null) {

@@ -4,7 +4,7 @@ import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 import util.UniqueString;
 
-/** A field of a record, looked for first where it was found the last time. */
+/** A field of a record. It looks first in the place where the field was the last time. */
 final class Field implements Expr {
   private final Expr record;
   private final UniqueString name;

@@ -11,8 +11,8 @@ import tlc2.value.impl.Value;
 import tlc2.value.impl.ValueVec;
 
 /**
- * Hashes values to 64 bits, equal ones to the same: cheaper than TLC's fingerprints, since sets and
- * functions need no order.
+ * Hashes values to 64 bits; equal values have the same hash. It is cheaper than TLC's fingerprints,
+ * since sets and functions need no order.
  *
  * <p>Records and tuples are functions. The hash of a set or function is a sum over its elements or
  * pairs, each well mixed.
@@ -87,7 +87,7 @@ final class Hash {
     return z ^ (z >>> 31);
   }
 
-  /** Hashes tuples of which many parts are those of the tuple before. */
+  /** Hashes tuples that share many parts with the tuple before. */
   static final class Parts {
     private Value[] parts = {};
     private long[] hashes = {};

@@ -17,7 +17,7 @@ final class Machine {
 
   final Value[] now;
 
-  /** What is assigned so far; null elsewhere. */
+  /** The values assigned so far; null elsewhere. */
   final Value[] next;
 
   private final UniqueString[] names;

@@ -2,7 +2,7 @@ package tla.eval;
 
 import tlc2.value.impl.Value;
 
-/** Remembers the value of an expression as long as the variables that it depends on have theirs. */
+/** Keeps the value of an expression until a variable that it depends on has another value. */
 final class Memo implements Expr {
   private final Value[] state;
   private final int[] variables;
@@ -12,7 +12,7 @@ final class Memo implements Expr {
 
   /**
    * @param state the values of all variables
-   * @param variables the numbers of those on which the expression depends, at most
+   * @param variables the numbers of all variables that the expression may depend on
    */
   Memo(Value[] state, int[] variables, Expr expr) {
     this.state = state;

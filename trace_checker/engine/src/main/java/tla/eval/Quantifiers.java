@@ -9,10 +9,10 @@ import tlc2.value.impl.ValueVec;
 
 /** Compiles the expressions that bind variables to the elements of sets. */
 final class Quantifiers {
-  /** A variable, by its slot, and the set that it runs through. */
+  /** A bound variable, given by its slot, and its set. */
   record Bound(int slot, Expr set) {}
 
-  /** What is to be done for an assignment to the bound variables; false to go no further. */
+  /** The work for an assignment to the bound variables; false to go no further. */
   interface Step {
     boolean at(Object[] frame);
   }
@@ -63,7 +63,7 @@ final class Quantifiers {
     };
   }
 
-  /** Whether a subset of a set has an element. */
+  /** Whether {@code {x \\in S : P(x)}} has an element; the subset is not built. */
   Expr someInSubset(OpApplNode node, Scope scope) {
     var bounds = new java.util.ArrayList<Bound>();
     Scope inner = bind(node, scope, bounds);
@@ -72,7 +72,7 @@ final class Quantifiers {
     return (Expr.Test) f -> !each(all, 0, f, g -> !body.test(g));
   }
 
-  /** Takes the step for every assignment, until one says no. */
+  /** Takes the step for every assignment, until a step returns false. */
   static boolean each(Bound[] bounds, int from, Object[] frame, Step step) {
     if (from == bounds.length) {
       return step.at(frame);
@@ -111,7 +111,7 @@ final class Quantifiers {
         kept.addElement(elements.elementAt(i));
       }
     }
-    // The same set is the same object: what depends on it need not be evaluated again.
+    // The same set stays the same object, so expressions that depend on it keep their values.
     return kept.size() == elements.size() ? set : new SetEnumValue(kept, true);
   }
 

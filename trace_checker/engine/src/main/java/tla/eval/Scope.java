@@ -3,7 +3,7 @@ package tla.eval;
 import tla2sany.semantic.ExprNode;
 import tla2sany.semantic.OpDefNode;
 
-/** What names stand for at a place of the specification, while it is compiled. */
+/** The names at a place of the specification and their meaning, while it is compiled. */
 final class Scope {
   /** The size of a frame, growing while its expressions are compiled. */
   static final class Slots {
@@ -19,8 +19,8 @@ final class Scope {
   }
 
   /**
-   * What a name stands for. One of: a value in a slot; an expression, evaluated when it is first
-   * needed and then kept in a slot, or (slot -1) evaluated every time; an operator.
+   * The meaning of a name: a value in a slot; an expression, evaluated when it is first needed and
+   * then kept in a slot, or (slot -1) evaluated every time; or an operator.
    */
   static final class Binding {
     final int slot;
@@ -30,7 +30,7 @@ final class Scope {
     final OpDefNode operator;
     /** Where the expression or operator was written. */
     final Scope scope;
-    /** The compiled expression, once it is. */
+    /** The compiled expression; null before it is compiled. */
     Expr compiled;
 
     private Binding(int slot, boolean maybeThunk, ExprNode node, OpDefNode operator, Scope scope) {
@@ -77,7 +77,7 @@ final class Scope {
     this.primed = primed;
   }
 
-  /** No names, in a frame. */
+  /** A scope without names, for expressions in a frame. */
   static Scope empty(Slots slots, boolean primed) {
     return new Scope(null, null, null, slots, primed);
   }

@@ -75,7 +75,7 @@ class ExplanationTest {
   }
 
   @Test
-  @DisplayName("a refusal has what each state allows and what decides, and the states stay")
+  @DisplayName("a refusal has the events that each state allows and the requirements; the states stay")
   void refusal() {
     var explanation = begin("{'first': 10, 'choices': [20]}");
     var refusal = observe(explanation, "{'event': 'read', 'value': 30}");
@@ -89,7 +89,7 @@ class ExplanationTest {
   }
 
   @Test
-  @DisplayName("what decides depends on the lines before, the refused one not among them")
+  @DisplayName("the requirements depend on the lines before the refused one")
   void past() {
     var explanation = begin("{'first': 10}");
     assertNull(observe(explanation, "{'event': 'set', 'value': 3}"));
@@ -138,7 +138,7 @@ class ExplanationTest {
   }
 
   @Test
-  @DisplayName("what the header asks for in vain is named")
+  @DisplayName("a reading that the specification does not have is named")
   void foreignHeader() {
     var error = assertThrows(NotCovered.class, () -> begin("{'foreign': ['AMB-99']}"));
     assertTrue(error.getMessage().contains("AMB-99"));

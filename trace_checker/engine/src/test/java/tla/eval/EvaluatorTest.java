@@ -132,7 +132,7 @@ class EvaluatorTest {
   }
 
   @ParameterizedTest
-  @DisplayName("what TLC cannot evaluate is left to it")
+  @DisplayName("an operator that TLC cannot evaluate is left to TLC")
   @MethodSource("withoutValue")
   void error(String name) {
     assertThrows(RuntimeException.class, () -> byTlc(name, initial));
@@ -141,7 +141,7 @@ class EvaluatorTest {
   }
 
   @ParameterizedTest
-  @DisplayName("an action that TLC cannot evaluate is left to it")
+  @DisplayName("an action that TLC cannot evaluate is left to TLC")
   @MethodSource("withoutSuccessors")
   void errorInAction(String name) {
     assertNull(evaluator.successors(operator(name), initial));
@@ -149,7 +149,7 @@ class EvaluatorTest {
   }
 
   @ParameterizedTest
-  @DisplayName("what is not supported is left to TLC")
+  @DisplayName("a construct that is not supported is left to TLC")
   @MethodSource("leftToTlc")
   void unsupported(String name) {
     assertNull(evaluator.value(operator(name), initial));

@@ -31,7 +31,7 @@ class GuardsTest {
   }
 
   @Test
-  @DisplayName("the first false conjunct is found, with what its operands are, inside operators")
+  @DisplayName("the first false conjunct is found, with the values of its operands, inside operators")
   void conjunct() {
     var failure = failures("Guarded", 5).get(0);
     assertEquals("count + n < 3", failure.conjunct());
