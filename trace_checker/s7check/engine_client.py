@@ -1,6 +1,7 @@
 """The engine's protocol: logs go in, verdicts come out, a JSON object a line either way."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, Literal, Self, TypeVar
 
@@ -30,8 +31,8 @@ class Engine:
     """One engine process for any number of logs, started when the first of them begins.
 
     For each log: ``begin``, ``send`` as often as needed, ``finish``. Every method may raise
-    EngineError; the next ``begin`` then starts a new process. As a context manager it ends the
-    process.
+    EngineError; the process has then ended, and the next ``begin`` starts a new one. As a context
+    manager it ends the process.
 
     A single thread serves both directions. That cannot deadlock: the engine takes every line it is
     sent, decided or not, and its one line of answer fits into the pipe. With ``follow`` it may not:
@@ -59,56 +60,78 @@ class Engine:
         """Begins a log with its normalised header; the answer will have the last ``follow`` steps."""
         if self._at_work is not None:
             # The log before was given up after an error; nobody knows what is still under way.
-            self._at_work.end(at_once=True)
-        self._at_work, self._idle = self._idle, None
-        if self._at_work is None:
-            self._at_work = self._started()
+            self._drop(self._at_work)
+        process = self._ready()
+        self._at_work, self._idle = process, None
         self._answer = None
         message: dict[str, Any] = {"message": "begin", "header": header}
         if follow:
             message["follow"] = follow
-        self._at_work.write(self._encoder.encode(message) + b"\n")
+        with self._dropped_on_error(process):
+            process.write(self._encoder.encode(message) + b"\n")
 
     def alternatives(self) -> Alternatives:
         """What a header may ask for; not while a log is at work."""
         if self._alternatives is None:
-            process = self._idle = self._idle or self._started()
-            process.write(self._encoder.encode({"message": "alternatives"}) + b"\n")
-            self._alternatives = _decode(process.line(), _Alternatives).alternatives
+            process = self._idle = self._ready()
+            with self._dropped_on_error(process):
+                process.write(self._encoder.encode({"message": "alternatives"}) + b"\n")
+                self._alternatives = _decode(process.line(), _Alternatives).alternatives
         return self._alternatives
 
-    def _started(self) -> EngineProcess:
+    def _ready(self) -> EngineProcess:
+        """The idle process, if it still runs, or else a new one."""
+        if self._idle is not None:
+            if self._idle.running:
+                return self._idle
+            self._drop(self._idle)
         process = EngineProcess(self._command())
-        try:
+        with self._dropped_on_error(process):
             _decode(process.line(), _Ready)
-        except EngineError:
-            process.end(at_once=True)
-            raise
+        process.clear()
         return process
+
+    @contextmanager
+    def _dropped_on_error(self, process: EngineProcess) -> Iterator[None]:
+        try:
+            yield
+        except BaseException:
+            self._drop(process)
+            raise
+
+    def _drop(self, process: EngineProcess) -> None:
+        process.end(at_once=True)
+        self._idle = None if self._idle is process else self._idle
+        self._at_work = None if self._at_work is process else self._at_work
 
     def send(self, events: list[dict[str, Any]]) -> None:
         """Sends normalised events; once the log is decided they are dropped."""
-        if self._at_work is not None and self._answer is None and events:
-            self._at_work.write(self._encoder.encode_lines(events))
+        process = self._at_work
+        if process is not None and self._answer is None and events:
+            with self._dropped_on_error(process):
+                process.write(self._encoder.encode_lines(events))
 
     def wait(self, fd: int) -> bool:
         """Waits until ``fd`` can be read. False once the log is decided, whatever ``fd`` does."""
-        if self._at_work is None:
+        process = self._at_work
+        if process is None:
             return wait_for_input(fd)
-        output = self._at_work.output
         while self._answer is None:
-            if output not in readable(fd, output):
+            if process.output not in readable(fd, process.output):
                 return True
-            self._answer = _decode(self._at_work.line(), Answer)
+            with self._dropped_on_error(process):
+                self._answer = _decode(process.line(), Answer)
         return False
 
     def finish(self) -> Answer:
         """Ends the log that was begun and returns the answer to it."""
-        if self._at_work is None:
+        process = self._at_work
+        if process is None:
             raise EngineError("no log was begun")
-        self._at_work.write(self._encoder.encode({"message": "finish"}) + b"\n")
-        answer = self._answer or _decode(self._at_work.line(), Answer)
-        self._idle, self._at_work = self._at_work, None
+        with self._dropped_on_error(process):
+            process.write(self._encoder.encode({"message": "finish"}) + b"\n")
+            answer = self._answer or _decode(process.line(), Answer)
+        self._idle, self._at_work = process, None
         return answer
 
 

@@ -53,6 +53,8 @@ def engine_command() -> list[str]:
         *([] if "-X" in os.environ.get("JDK_JAVA_OPTIONS", "") else _TUNING),
         # Without it a JVM that is out of memory goes on with a thread less and never answers.
         "-XX:+ExitOnOutOfMemoryError",
+        # TLC unpacks its modules there; the current folder is the engine's own.
+        "-Djava.io.tmpdir=.",
         # What the JVM itself has to say, that for instance: standard output belongs to the protocol.
         "-XX:+DisplayVMOutputToStderr",
         "-cp",

@@ -1,6 +1,7 @@
 """The engine as an operating system process: lines in, lines out, and why it ended."""
 
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -19,6 +20,7 @@ _SHOWN = 300
 class EngineProcess:
     """A running engine; ``output`` is the file descriptor on which its lines come.
 
+    Its current folder is a new one, for temporary files; it goes with the process, however that ends.
     Raises EngineError if it cannot be started, and from then on if it has ended.
     """
 
@@ -26,17 +28,26 @@ class EngineProcess:
         # A file for what it says on standard error: a pipe that nobody empties would block it.
         with tempfile.TemporaryFile() as errors:
             self._errors = os.dup(errors.fileno())
+        self._folder = tempfile.mkdtemp(prefix="s7check-")
         self._received = b""
         input_end, self._input = os.pipe()
         self.output, output_end = os.pipe()
         try:
-            self._process = subprocess.Popen(command, stdin=input_end, stdout=output_end, stderr=self._errors)
+            self._process = subprocess.Popen(
+                command, stdin=input_end, stdout=output_end, stderr=self._errors, cwd=self._folder
+            )
         except OSError as error:
             self._close()
+            self.clear()
             raise EngineError(f"the engine could not be started: {error}") from error
         finally:
             os.close(input_end)
             os.close(output_end)
+
+    @property
+    def running(self) -> bool:
+        """Whether the process has not ended yet."""
+        return self._process.poll() is None
 
     def write(self, data: bytes) -> None:
         """Sends ``data``; blocks while the engine is busy with what it was sent before."""
@@ -67,6 +78,11 @@ class EngineProcess:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+        self.clear()
+
+    def clear(self) -> None:
+        """Removes its temporary files. It needs them until it is ready; later the parent may be killed."""
+        shutil.rmtree(self._folder, ignore_errors=True)
 
     def _close(self) -> None:
         for fd in (self._input, self.output, self._errors):

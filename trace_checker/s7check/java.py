@@ -49,4 +49,5 @@ def find_java() -> str:
     if match is None or int(match[1]) < LEAST_JAVA:
         version = match[1] if match else "of an unknown version"
         raise JavaMissingError(f"{java} is Java {version}: {advice}")
-    return java
+    # The engine runs in a folder of its own.
+    return str(Path(java).absolute())

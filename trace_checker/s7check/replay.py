@@ -7,6 +7,7 @@ from typing import Any
 
 from s7check.engine_answer import Alternatives, Answer
 from s7check.engine_client import Engine
+from s7check.engine_command import EngineError
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
@@ -50,8 +51,11 @@ class Replay:
         return engine.finish()
 
     def reading(self, engine: Engine, reading: Reading, changes: dict[str, Any]) -> Reading:
-        """``reading`` with the verdict about the log when its header is changed."""
-        answer = self.judge(engine, self.header | changes)
+        """``reading`` with the verdict about the log when its header is changed; none if the engine fails."""
+        try:
+            answer = self.judge(engine, self.header | changes)
+        except EngineError:
+            return replace(reading, verdict="no verdict")
         if answer.verdict == "rejected":
             return replace(reading, verdict="rejected", line=answer.line)
         if answer.verdict == "error":

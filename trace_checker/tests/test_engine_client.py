@@ -2,18 +2,24 @@
 
 import json
 import os
+import signal
+import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from s7check.check import check_log
 from s7check.engine_answer import Allowed, Answer, Frame
 from s7check.engine_client import Engine
 from s7check.engine_command import EngineError
 from s7check.log.reader import Batch, read_log
-from tests.logs import BEGIN, event, log_text
+from s7check.replay import Replay, with_readings
+from tests.conftest import FAKE_ENGINE
+from tests.logs import BEGIN, HEADER, event, log_text
 
 
 @pytest.fixture
@@ -111,6 +117,55 @@ def test_failures(engine: Engine, cause: int, message: str) -> None:
         with pytest.raises(EngineError, match=message):
             feed(engine, event("stop", cause=cause))
         assert feed(engine, event("run")) == Answer("accepted", events=1)
+
+
+def test_log_after_a_failure(engine: Engine) -> None:
+    """A reader that waits before the log begins does not meet the process of the log before."""
+    with pytest.raises(EngineError, match="SIGKILL"):
+        feed(engine, event("stop", cause=0x0009))
+    silent, other = os.pipe()
+    os.write(other, b"x")
+    assert engine.wait(silent)
+    assert feed(engine, event("run")) == Answer("accepted", events=1)
+    os.close(silent)
+    os.close(other)
+
+
+def test_killed_between_logs(engine: Engine) -> None:
+    """The log after has a new process, and so has a question."""
+    for ask in (False, True):
+        assert feed(engine, event("run")) == Answer("accepted", events=1)
+        assert engine._idle is not None
+        os.kill(engine._idle._process.pid, signal.SIGKILL)
+        engine._idle._process.wait()
+        if ask:
+            assert engine.alternatives().families
+    assert feed(engine, event("run")) == Answer("accepted", events=1)
+
+
+@pytest.mark.parametrize("event_before", [event("run"), event("stop", cause=0x0009), event("stop", cause=0x0003)])
+def test_folder(event_before: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A process has a folder for temporary files until it is ready, and leaves none however it ends."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    write = f"import pathlib; pathlib.Path('left').touch(); exec(open({str(FAKE_ENGINE)!r}).read())"
+    with Engine(lambda: [sys.executable, "-c", write]) as engine, suppress(EngineError):
+        feed(engine, event_before)
+        assert list(tmp_path.iterdir()) == []
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_readings_after_a_failure(engine: Engine, tmp_path: Path) -> None:
+    """Where the engine fails under a reading, that one has no verdict, and the next a new process."""
+    log = tmp_path / "log"
+    log.write_bytes(log_text(event("stop", cause=0x0009), header=HEADER | {"readings": {"AMB-12": "b"}}))
+    report = check_log(str(log), engine, lambda _, __: None)
+    for _ in range(2):
+        readings = with_readings(report, engine, Replay(str(log), [])).readings
+        assert readings is not None
+        assert [(one.change, one.verdict) for one in readings if one.kind == "letter"] == [
+            ("AMB-01 a", "accepted"),
+            ("AMB-12 a", "no verdict"),
+        ]
 
 
 def test_failure_while_waiting(engine: Engine) -> None:

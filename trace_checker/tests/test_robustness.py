@@ -1,9 +1,12 @@
 """Hostile logs, streams without an end, little memory, failing engines, disks that are full."""
 
 import gzip
+import os
 import resource
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -110,6 +113,36 @@ def test_out_of_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: 
     assert line.endswith(
         ": no verdict: the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance"
     )
+
+
+def test_killed_engine(tmp_path: Path) -> None:
+    """The log at which the engine was killed has no verdict, the next one has, and no folder is left."""
+    logs = tmp_path / "logs"
+    logs.mkdir()
+    (logs / "after").write_bytes(log_text(event("restart", type="warm")))
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    with subprocess.Popen(
+        [*RUNNER, "trace", "-", "after"],
+        cwd=logs,
+        env=ENVIRONMENT | {"TMPDIR": str(scratch)},
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as run:
+        assert run.stdin is not None
+        assert run.stdout is not None
+        run.stdin.write(log_text(event("restart", type="warm")).decode())
+        run.stdin.flush()
+        children = Path(f"/proc/{run.pid}/task/{run.pid}/children")
+        while not (engines := children.read_text().split()):
+            time.sleep(0.05)
+        os.kill(int(engines[0]), signal.SIGKILL)
+        run.stdin.close()
+        first, second = run.stdout.read().splitlines()
+    assert first.startswith("-: no verdict: the engine ended (killed by SIGKILL)")
+    assert second.startswith("after: accepted")
+    assert list(scratch.iterdir()) == []
 
 
 @pytest.mark.parametrize("old", [None, "old"])

@@ -1,13 +1,11 @@
 package s7.trace;
 
-import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 
@@ -67,7 +65,6 @@ public final class Engine {
       System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION");
       System.exit(2);
     }
-    useOwnTemporaryFolder();
     endWithParent();
     // Standard output belongs to the protocol; TLC's own messages go elsewhere.
     var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
@@ -82,28 +79,11 @@ public final class Engine {
     engine.serve(new FileInputStream(FileDescriptor.in));
   }
 
-  /** TLC unpacks its modules into the temporary folder, where engines would disturb each other. */
-  private static void useOwnTemporaryFolder() throws IOException {
-    Path own = Files.createTempDirectory("s7-trace-engine");
-    System.setProperty("java.io.tmpdir", own.toString());
-    Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(own.toFile())));
-  }
-
   /** Ends with the parent, since an engine at work on an event does not see its input end. */
   private static void endWithParent() {
     ProcessHandle.current()
         .parent()
         .ifPresent(parent -> parent.onExit().thenRun(() -> System.exit(NOBODY_LEFT)));
-  }
-
-  private static void delete(File file) {
-    File[] inside = file.listFiles();
-    if (inside != null) {
-      for (File each : inside) {
-        delete(each);
-      }
-    }
-    file.delete();
   }
 
   /** The file name of the TLC at hand; its version is not kept at one place in all releases. */
