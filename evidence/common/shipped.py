@@ -8,7 +8,10 @@ from s7check.verdict import Report
 
 
 class Shipped(msgspec.Struct, frozen=True):
-    """An entry of ``traces/index.json``; ``line`` is absent where the log is accepted."""
+    """An entry of ``traces/AREA/index.json``; ``line`` is absent where the log is accepted.
+
+    ``file`` is counted from the area's folder in the index, and from ``traces`` in what `shipped_logs` returns.
+    """
 
     file: str
     verdict: str
@@ -17,12 +20,31 @@ class Shipped(msgspec.Struct, frozen=True):
     line: int | None = None
 
 
-def shipped_logs(traces: Path) -> list[Shipped]:
-    """The entries of ``index.json`` in the folder ``traces``.
+def index_files(traces: Path) -> list[Path]:
+    """The ``index.json`` of each area. Raises FileNotFoundError if there is none."""
+    found = sorted(traces.glob("*/index.json"))
+    if not found:
+        raise FileNotFoundError(f"{traces}: no folder with an index.json")
+    return found
 
-    Raises OSError or msgspec.MsgspecError if there is no such index.
+
+def shipped_logs(traces: Path) -> list[Shipped]:
+    """The entries of all areas below the folder ``traces``.
+
+    Raises OSError or msgspec.MsgspecError, which name the index.
     """
-    return msgspec.json.decode((traces / "index.json").read_bytes(), type=list[Shipped])
+    return [
+        msgspec.structs.replace(log, file=f"{index.parent.name}/{log.file}")
+        for index in index_files(traces)
+        for log in _entries(index)
+    ]
+
+
+def _entries(index: Path) -> list[Shipped]:
+    try:
+        return msgspec.json.decode(index.read_bytes(), type=list[Shipped])
+    except msgspec.MsgspecError as error:
+        raise msgspec.DecodeError(f"{index}: {error}") from error
 
 
 def difference(expected: Shipped, report: Report) -> str | None:

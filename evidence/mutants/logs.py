@@ -12,7 +12,7 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.common.shipped import difference, shipped_logs
+from evidence.common.shipped import difference, index_files, shipped_logs
 from evidence.mutants.findings import How
 from s7check.check import check_log
 from s7check.engine_client import Engine
@@ -33,7 +33,7 @@ class Judged(msgspec.Struct, frozen=True):
 
 
 def judge(spec: Path, traces: Path) -> Judged:
-    """Judge the logs of the index in its order, up to the first difference.
+    """Judge the shipped logs, up to the first difference.
 
     Raises `EngineError` where the engine fails for a reason outside of the specification.
     """
@@ -56,7 +56,7 @@ def fingerprint(traces: Path) -> str:
     """A hash of the engine and the shipped logs. Raises `EngineError` if there is no engine."""
     command = engine_command()
     classpath = command[command.index("-cp") + 1].split(os.pathsep)
-    files = [Path(jar) for jar in classpath] + sorted(traces.rglob("*.ndjson")) + [traces / "index.json"]
+    files = [Path(jar) for jar in classpath] + sorted(traces.rglob("*.ndjson")) + index_files(traces)
     digest = hashlib.sha256()
     for file in files:
         digest.update(hashlib.sha256(file.read_bytes()).digest())

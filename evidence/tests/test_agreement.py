@@ -175,7 +175,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
 def test_a_specification_that_tlc_cannot_read(tools: tlc.Toolchain, tmp_path: Path) -> None:
     """No log is to blame."""
     with pytest.raises(tlc_batch.BatchError, match="TLC does not begin"):
-        tlc_batch.judge(tools, Processes(), tmp_path, [TRACES / "accept" / "AIRT-03-nested-delay.ndjson"])
+        tlc_batch.judge(tools, Processes(), tmp_path, [TRACES / "AIRT" / "accept" / "AIRT-03-nested-delay.ndjson"])
 
 
 def test_agreement_on_a_sample(tools: tlc.Toolchain, generator: Generator, tmp_path: Path) -> None:

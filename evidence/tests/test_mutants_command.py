@@ -155,11 +155,9 @@ def test_mutants_with_the_shipped_logs(copy: Path, tmp_path: Path, by: str, how:
     """A wrong answer is noticed by a log; an unknown name is no specification."""
     airt = copy / "Airt.tla"
     airt.write_text(airt.read_text().replace("ret = delay + 1", by))
-    shipped = json.loads((ROOT / "traces" / "index.json").read_bytes())
-    index = [log for log in shipped if log["file"].startswith("accept/AIRT-")]
-    (tmp_path / "index.json").write_text(json.dumps(index))
-    (tmp_path / "accept").symlink_to(ROOT / "traces" / "accept")
-    judged = logs.judge(copy, tmp_path)
+    (tmp_path / "traces").mkdir()
+    (tmp_path / "traces" / "AIRT").symlink_to(ROOT / "traces" / "AIRT")
+    judged = logs.judge(copy, tmp_path / "traces")
     assert judged.how in how
     assert judged.detail
 

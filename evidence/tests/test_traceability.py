@@ -82,7 +82,7 @@ FILES = {
     "models/MCRules.tla": MODEL,
     "models/MCRules.cfg": "SPECIFICATION Spec\nINVARIANTS RuleInv OwnInv\n",
     "models/manifest.json": json.dumps(MANIFEST),
-    "traces/index.json": json.dumps(LOGS),
+    "traces/TINT/index.json": json.dumps(LOGS),
 }
 
 Run = Callable[..., int]
@@ -93,7 +93,7 @@ def project(tmp_path: Path) -> Path:
     """A small project in which nothing is missing, but for the generated pages."""
     for name, text in FILES.items():
         path = tmp_path / name
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     return tmp_path
 
@@ -127,11 +127,11 @@ def test_page(project: Path, run: Run) -> None:
     page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
     assert (
         "| TINT-01 | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
-        " [a](../traces/accept/a.ndjson) | [c](../traces/reject/c.ndjson) |\n"
+        " [a](../traces/TINT/accept/a.ndjson) | [c](../traces/TINT/reject/c.ndjson) |\n"
     ) in page
     assert (
         "| TINT-02 | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
-        " *[a](../traces/accept/a.ndjson)* | [b](../traces/reject/b.ndjson) |\n"
+        " *[a](../traces/TINT/accept/a.ndjson)* | [b](../traces/TINT/reject/b.ndjson) |\n"
     ) in page
     assert "| OBS-09 | [module] | [module] | [module] | [module] | [module] |\n" in page
     assert "| 01 | Which? | System: Rule |\n| 02 | When? | [unseen] |\n" in page
@@ -197,8 +197,8 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
         "  property  models/MCRules.tla:5: OwnInv",
         "  property  spec/Properties.tla:5: Part",
         "  model     models: neg-rule",
-        "  accepted  traces/accept/a.ndjson",
-        "  rejected  traces/reject/b.ndjson",
+        "  accepted  traces/TINT/accept/a.ndjson",
+        "  rejected  traces/TINT/reject/b.ndjson",
         "OBS-09",
         *(
             f"  {column:9} [module] sizes of buffers [OBS-09]."
@@ -246,8 +246,8 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
                 "OBS-09: no rejected log",
             ],
         ),
-        ("traces/index.json", '["TINT-01", "TINT-02"]', '["TINT-01"]', ["TINT-02: no accepted log"]),
-        ("traces/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
+        ("traces/TINT/index.json", '["TINT-01", "TINT-02"]', '["TINT-01"]', ["TINT-02: no accepted log"]),
+        ("traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
         (
             "docs/requirements.md",
             "| OBS-09 |",
@@ -283,7 +283,7 @@ def test_gap(
         ("spec/System.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
-        ("traces/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
+        ("traces/TINT/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
         ("docs/readings.md", "| 01 | anything |", "| 01 | see AMB-17 |", "AMB-17"),
     ],
 )
@@ -337,19 +337,19 @@ def test_void_reason(
 
 def test_reason_that_points_nowhere(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """The properties, negative controls and logs that a reason names have to be there."""
-    reason = "see RuleInv, neg-rule, accept/a, OtherProp, neg-other, reject/other and Part"
+    reason = "see RuleInv, neg-rule, TINT/accept/a, OtherProp, neg-other, TINT/reject/other and Part"
     (project / "docs/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
     assert run("--write") == 1
     lines = capsys.readouterr().out.splitlines()
     assert lines[7:] == [
         f"docs/left_out.json: AMB-02: {name} does not exist, or no model checks it"
-        for name in ("OtherProp", "neg-other", "reject/other")
+        for name in ("OtherProp", "neg-other", "TINT/reject/other")
     ] + ["problems: 3"]
 
 
 def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """A reason that only says so is a reason, and shows in the summary."""
-    replace(project / "traces/index.json", '["TINT-02"]', '["TINT-01"]')
+    replace(project / "traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]')
     more = {"ids": ["TINT-02"], "columns": ["rejected"], "kind": "not done", "reason": "no such log is written yet"}
     (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
     assert run("--write") == 0
@@ -392,9 +392,9 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
             "manifest*.json: no models",
         ),
         ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
-        ("traces/index.json", "[]", "index.json: no accepted log names a requirement"),
-        ("traces/index.json", json.dumps(LOGS[:1]), "index.json: no rejected log names a requirement"),
-        ("traces/index.json", "{", "index.json"),
+        ("traces/TINT/index.json", "[]", "traces: no accepted log names a requirement"),
+        ("traces/TINT/index.json", json.dumps(LOGS[:1]), "traces: no rejected log names a requirement"),
+        ("traces/TINT/index.json", "{", "index.json"),
     ],
 )
 def test_unreadable(

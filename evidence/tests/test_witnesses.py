@@ -199,11 +199,12 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     except tlc.ToolMissingError as missing:
         pytest.skip(str(missing))
     file = "accept/AIRT-03-nested-delay.ndjson"
-    traces = tmp_path / "traces"
-    traces.mkdir()
-    (traces / "accept").symlink_to(ROOT / "traces" / "accept")
-    shipped = [log for log in json.loads((ROOT / "traces" / "index.json").read_bytes()) if log["file"] == file]
-    (traces / "index.json").write_text(json.dumps(shipped))
+    area = tmp_path / "traces" / "AIRT"
+    area.mkdir(parents=True)
+    (area / "accept").symlink_to(ROOT / "traces" / "AIRT" / "accept")
+    index = ROOT / "traces" / "AIRT" / "index.json"
+    shipped = [log for log in json.loads(index.read_bytes()) if log["file"] == file]
+    (area / "index.json").write_text(json.dumps(shipped))
     (tmp_path / "models").mkdir()
     manifest = {"version": 1, "models": [], "spec": str(ROOT / "spec")}
     (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))

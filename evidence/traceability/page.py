@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from itertools import groupby
+from pathlib import PurePosixPath
 
 from evidence.traceability.entries import Entries
 from evidence.traceability.matrix import COLUMNS, MODULE, Cell, Matrix, Row, counts
@@ -26,8 +27,8 @@ requirement with files and lines.
 | model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \
 specification of which the whole fails |
-| accepted, rejected | a log of `traces/index.json`, and how many more there are. In *italics*: it plays a part, and \
-another requirement decides |
+| accepted, rejected | a log of `traces/`, and how many more there are. In *italics*: it plays a part, and another \
+requirement decides |
 
 A comment that names several requirements is an entry for each of them, also where a negative control breaks only a part
 of what stands below it: the columns say where to look, not how much of a requirement is checked there.
@@ -108,7 +109,7 @@ def _controls(found: Entries) -> str:
 
 
 def _logs(found: Entries) -> str:
-    return _first(1, found, lambda file: f"[{file.partition('/')[2].partition('.')[0]}](../traces/{file})")
+    return _first(1, found, lambda file: f"[{PurePosixPath(file).name.partition('.')[0]}](../traces/{file})")
 
 
 def _first(most: int, found: Entries, show: Callable[[str], str]) -> str:

@@ -36,7 +36,7 @@ class Reason(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     reason: Annotated[str, msgspec.Meta(min_length=20)]
 
 
-_NAME = re.compile(r"\bneg-[\w-]+|\b(?:accept|reject)/[\w-]+|\b[A-Z]\w*(?:Prop|Inv)\b")
+_NAME = re.compile(r"\bneg-[\w-]+|\b[A-Z]+/(?:accept|reject)/[\w-]+|\b[A-Z]\w*(?:Prop|Inv)\b")
 
 
 def named(reason: str) -> list[str]:

@@ -141,7 +141,7 @@ def _shipped_logs() -> list[Row]:
             if failure:
                 failures.append(failure)
     if not shipped:
-        failures.append("traces/index.json names no logs")
+        failures.append("no index in traces/ names a log")
     size = f"{len(shipped)} logs, {events:,} events"
     return [Row("shipped logs, as their index says", "trace checker", size, time.monotonic() - begun, failures)]
 

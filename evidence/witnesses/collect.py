@@ -61,7 +61,7 @@ def collect(
         if event.result.problems:
             raise CollectingError(f"{event.model.name}: {event.result.problems[0]}: {event.result.outcome.detail}")
         if event.model.name == logs.NAME and (wrong := logs.differences(event.result.output, shipped)):
-            raise CollectingError(f"TLC and {traces}/index.json differ in {len(wrong)} logs, {wrong[0]} among them")
+            raise CollectingError(f"TLC and the index of {traces} differ in {len(wrong)} logs, {wrong[0]} among them")
         # Of a disjunction between marks TLC takes one side only: its counts are not those that are pinned.
         tell(replace(event, result=replace(event.result, count_problems=())))
 

@@ -191,7 +191,7 @@ class Tally:
 def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
     """Judges the damaged logs with these numbers, all by one engine."""
     signal.signal(signal.SIGALRM, _too_long)
-    logs = [log for log in sorted(TRACES.glob("*/*.ndjson")) if log.stat().st_size]
+    logs = [log for log in sorted(TRACES.glob("*/*/*.ndjson")) if log.stat().st_size]
     with Engine() as engine:
         for number in inputs:
             random = Random(f"{seed}/{number}")  # noqa: S311

@@ -12,7 +12,7 @@ from s7check import cli
 from s7check.log.source import open_log
 from s7check.log.values import instant, iso
 from s7check.verdict import Report
-from tests.test_shipped_logs import INDEX, TRACES
+from tests.shipped import INDEX, TRACES
 
 Judge = Callable[[Path], Report]
 REJECTED = [TRACES / entry["file"] for entry in INDEX if entry["verdict"] == "rejected"]
@@ -108,7 +108,7 @@ def test_message_of_a_late_line(rejections: list[tuple[Path, Report]]) -> None:
 @pytest.mark.parametrize("form", ["text", "html", "json", "junit", "sarif"])
 def test_late_in_every_form(form: str, capsys: pytest.CaptureFixture[str]) -> None:
     """An OB 40 that starts a millisecond too late is expected before the line, not in its place."""
-    log = TRACES / "reject" / "OBS-01-hardware-interrupt-one-millisecond-late.ndjson"
+    log = TRACES / "OBS" / "reject" / "OBS-01-hardware-interrupt-one-millisecond-late.ndjson"
     assert cli.main(["trace", "--format", form, "--readings", "none", str(log)]) == 1
     out = capsys.readouterr().out
     assert "something had to come before this line" in out

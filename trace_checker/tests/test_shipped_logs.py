@@ -12,11 +12,10 @@ import pytest
 
 from s7check import cli
 from s7check.verdict import Report
+from tests.shipped import INDEX, TRACES
 
 PROJECT = Path(cli.__file__).parents[2]
-TRACES = PROJECT / "traces"
-CATALOGUE = PROJECT / "docs" / "requirements.md"
-INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
+DOCS = PROJECT / "docs"
 
 Lines = list[str]
 
@@ -51,11 +50,26 @@ def test_requirements_decide(reports: dict[str, dict[str, Any]]) -> None:
 
 
 def test_index_is_complete() -> None:
-    """Every log is in the index once, in the folder of its verdict."""
+    """Every log is in the index of its area once, in the folder of its verdict."""
     folders = {"accepted": "accept", "rejected": "reject", "unusable": "unusable"}
-    files = [str(path.relative_to(TRACES)) for folder in folders.values() for path in (TRACES / folder).iterdir()]
+    files = [path.relative_to(TRACES).as_posix() for path in TRACES.glob("*/*/*")]
     assert sorted(entry["file"] for entry in INDEX) == sorted(files)
-    assert all(entry["file"].startswith(folders[entry["verdict"]] + "/") for entry in INDEX)
+    assert all(entry["file"].split("/")[1] == folders[entry["verdict"]] for entry in INDEX)
+
+
+def test_names() -> None:
+    """A log is named after the first of its requirements and stands in the area of that one.
+
+    Only logs about the format have no requirement.
+    """
+    for entry in INDEX:
+        area, _, name = entry["file"].split("/")
+        if area == "FORMAT":
+            assert not entry["requirements"], entry
+            continue
+        first = entry["requirements"][0]
+        assert name.startswith(f"{first}-"), entry
+        assert first.startswith(f"{area}-"), entry
 
 
 @pytest.mark.parametrize("verdict", ["accepted", "rejected"])
@@ -65,10 +79,10 @@ def test_enough_logs(verdict: str) -> None:
 
 
 def test_requirements_exist() -> None:
-    """The requirements of the index are in the catalogue."""
-    if not CATALOGUE.is_file():
-        pytest.skip("docs/requirements.md is not there")
-    known = set(re.findall(r"\b[A-Z]+-[0-9]+\b", CATALOGUE.read_text(encoding="utf-8")))
+    """The requirements and ambiguities of the index have a row in the documents."""
+    rows = "".join((DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md"))
+    known = set(re.findall(r"^\| ([A-Z]+-[0-9]+) \|", rows, re.MULTILINE))
+    known |= {f"AMB-{number}" for number in re.findall(r"^\| ([0-9]{2}) \|", rows, re.MULTILINE)}
     assert {name for entry in INDEX for name in entry["requirements"]} <= known
 
 
@@ -138,14 +152,14 @@ def test_changed_log_is_rejected(
 ) -> None:
     """One change to an accepted log is found at the line where it shows."""
     changed = tmp_path / "changed.ndjson"
-    lines = (TRACES / "accept" / f"{log}.ndjson").read_text(encoding="utf-8").splitlines()
+    lines = (TRACES / log.partition("-")[0] / "accept" / f"{log}.ndjson").read_text(encoding="utf-8").splitlines()
     changed.write_text("\n".join(change(lines)) + "\n", encoding="utf-8")
     report = judge(changed)
     assert (report.verdict, report.line) == ("rejected", line), report
     assert report.requirements
 
 
-HEADER, SECOND, *_ = (TRACES / "accept" / "TINT-33-once-0000.ndjson").read_text(encoding="utf-8").splitlines()
+HEADER, SECOND, *_ = (TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson").read_text(encoding="utf-8").splitlines()
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,8 @@ import pytest
 from packaging.requirements import Requirement
 
 from s7check import __version__, resources
-from tests.test_shipped_logs import PROJECT, TRACES
+from tests.shipped import TRACES
+from tests.test_shipped_logs import PROJECT
 
 PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check", "--no-cache-dir"]
 OFFLINE = ["--no-index", "--no-deps"]
@@ -95,8 +96,8 @@ def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.usefixtures("bare")
 def test_logs_are_judged(s7check: Path) -> None:
     """An accepted and a rejected log, by the specification and the engine of the wheel."""
-    accepted = TRACES / "accept" / "TINT-33-once-0000.ndjson"
-    rejected = TRACES / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson"
+    accepted = TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson"
+    rejected = TRACES / "AIRT" / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson"
     run = subprocess.run([s7check, "trace", accepted, rejected], capture_output=True, text=True, check=False)
     assert (run.returncode, run.stderr) == (1, "")
     first, second, *_ = run.stdout.splitlines()

@@ -1,7 +1,6 @@
 """The JSON Schema of the format: it takes the lines that the reader takes and refuses those that it refuses."""
 
 import json
-from pathlib import Path
 from typing import Any
 
 import jsonschema_rs
@@ -13,9 +12,8 @@ from s7check.log.events import read_event
 from s7check.log.source import open_log
 from tests.log import test_events, test_header
 from tests.logs import HEADER, event
+from tests.shipped import INDEX, TRACES
 
-TRACES = Path(__file__).parents[3] / "traces"
-INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
 SCHEMA = jsonschema_rs.validator_for(
     json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_text(encoding="utf-8"))
 )

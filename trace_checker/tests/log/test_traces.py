@@ -1,7 +1,5 @@
 """The project's example logs, read without judging them."""
 
-import json
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -9,9 +7,7 @@ import pytest
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
-
-TRACES = Path(__file__).parents[3] / "traces"
-INDEX: list[dict[str, Any]] = json.loads((TRACES / "index.json").read_text(encoding="utf-8"))
+from tests.shipped import INDEX, TRACES
 
 
 @pytest.mark.parametrize("entry", INDEX, ids=lambda entry: entry["file"])
