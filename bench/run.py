@@ -40,7 +40,7 @@ TLC_SAMPLE = 5
 POLL = 0.02
 
 MODULE = """---- MODULE Bench ----
-EXTENDS Unrecorded, TraceLog
+EXTENDS PartialLogs, TraceLog
 Out == INSTANCE TLC
 VARIABLE index
 BenchInit == Init /\\ index = 0

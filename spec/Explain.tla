@@ -1,14 +1,14 @@
 ------------------------------- MODULE Explain ------------------------------
 (***************************************************************************)
-(* What the trace checker reports of a line that has no explanation: what  *)
-(* the specification allows in its place, and the situation of the CPU.    *)
-(* Module Reasons has the requirements that decide.  The engine evaluates  *)
-(* these operators in the states before the line; they say what the guards *)
-(* of the actions say, and no action uses them.                            *)
+(* The report of a line that has no explanation: the lines that the        *)
+(* specification allows in its place, and the situation of the CPU.        *)
+(* Module Reasons has the requirements that decide.                        *)
 (*                                                                         *)
-(* Left out: which conjunct of an action is false; the engine finds it in  *)
-(* the action itself.                                                      *)
-(* Source: docs/log-format.md, `expected' and `state' of a verdict.        *)
+(* The engine evaluates these operators in the states before the line.     *)
+(* They repeat the guards of the actions, and no action uses them.         *)
+(* Source: docs/reports.md, `expected' and `state' of a verdict.           *)
+(* Left out: the conjunct of an action that is false; the engine finds it  *)
+(* in the action itself.                                                   *)
 (***************************************************************************)
 EXTENDS Reasons
 
@@ -28,7 +28,7 @@ NotCovered(h) ==
 \* @type: Str => <<Str, Str>>;
 DefaultOf(a) == <<a, Defaults[a]>>
 
-(* What a header may ask for: CPUs, profiles, and the letters of each        *)
+(* What a header may ask for: CPUs, profiles, and the letters of each      *)
 (* ambiguity.                                                              *)
 Alternatives ==
     [ families |-> {"S7-300", "S7-400", "CPU 318"},
@@ -95,7 +95,7 @@ WaitingAs(r) ==
 \* @type: Int => <<Int, Int>>;
 WaitedFor(c) == <<c, waiting[c]>>
 
-(* What is set, armed, started, blocked, pending; what runs.                *)
+(* What is set, armed, started, blocked, pending; what runs.               *)
 Situation ==
     [ mode     |-> mode,
       clock    |-> clock,

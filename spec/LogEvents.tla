@@ -1,14 +1,14 @@
 ------------------------------ MODULE LogEvents -------------------------------
 (***************************************************************************)
-(* The records that stand for the lines of a log: header and events, with  *)
-(* the value that a field has where the line does not give it (-1).  The   *)
-(* trace checker's engine fills them from the log.                         *)
+(* The records that stand for the lines of a log: the header and the       *)
+(* events.  A field that a line does not give has the value -1 or, as a    *)
+(* moment, NoMoment.  The trace checker's engine fills the records from    *)
+(* the log.                                                                *)
+(*                                                                         *)
 (* Source: docs/log-format.md, the fields of header and events.            *)
-(* Left out: `source', `comment' and fields that the format does not know. *)
+(* Left out: fields whose name begins with x_.                             *)
 (***************************************************************************)
-EXTENDS Modes
-
-(* Event records: the fields of a log line; -1 where a value is not given *)
+EXTENDS Integers, Typedefs
 
 \* @type: $moment;
 NoMoment == [min |-> -1, ms |-> 0]
@@ -29,6 +29,8 @@ NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
              type |-> "", cause |-> -1, flt_id |-> -1, id |-> -1,
              priority |-> -1, info |-> NoInfo ]
 
+(* The values that a field may have: the one that is given, or any that    *)
+(* is possible.                                                            *)
 \* @type: (Int, Set(Int)) => Set(Int);
 Given(value, possible) == IF value = -1 THEN possible ELSE {value}
 
@@ -40,6 +42,7 @@ NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
               latency |-> 0, cycle |-> FALSE, priority |-> {}, step7 |-> {},
               readings |-> {}, profile |-> "", records |-> {} ]
 
+(* STEP 7 has set nothing.                                                 *)
 NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
                   deselected |-> FALSE ]
 =============================================================================

@@ -1,17 +1,19 @@
 ------------------------------ MODULE StartInfo -------------------------------
 (***************************************************************************)
-(* The start information of an OB, as far as table 7.2 determines it: does *)
-(* what a log says of a start fit the request that led to it?  And the     *)
-(* entries of the diagnostic buffer, which say the same (table 7.7).       *)
+(* The start information of an OB: does the information of a line fit the  *)
+(* request by which the OB starts?                                         *)
 (*                                                                         *)
-(* Left out: what the table leaves open is not judged.                     *)
+(* Source: requirements, table 7.2 (start information), table 7.5 (event   *)
+(* ids).                                                                   *)
+(* Left out: the bytes that table 7.2 leaves open are not judged.          *)
 (***************************************************************************)
-EXTENDS LogEvents
+EXTENDS Requests, LogEvents
 
-(* Start information, table 7.2; what the table leaves open is not judged *)
+-----------------------------------------------------------------------------
+(* Events of an OB *)
 
-(* The events of an OB, table 7.5.  Which of the four lines leads to which   *)
-(* of OB 40 to 47 is a matter of parameters.                               *)
+(* Table 7.5.  Parameters decide which of the four lines leads to which of *)
+(* OB 40 to 47.                                                            *)
 \* @type: Int => Set(Int);
 EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 20..23 -> {\h1121 + o - 20}
@@ -19,10 +21,11 @@ EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 40..47 -> \h1141..\h1144
                  [] OTHER        -> {}
 EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
-(* Those that calls set; what comes of them is never without its cause. *)
+(* OBs that calls start.  An error that such an event causes is the CPU's  *)
+(* own, not one from outside.                                              *)
 EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 
-(* An OB whose event the table does not name has none that it names. *)
+(* The table names no event for the other OBs: they have none of these.    *)
 \* @type: (Int, Int) => Bool;
 FitsEvent(given, o) ==
     given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
@@ -31,6 +34,9 @@ FitsEvent(given, o) ==
 \* @type: (Int, Int) => Bool;
 FitsNumber(given, o) ==
     EventsOf(o) # {} => given \in {-1} \cup { ev % 256 : ev \in EventsOf(o) }
+
+-----------------------------------------------------------------------------
+(* Fields of the start information *)
 
 \* @type: (Int, Int) => Bool;
 Fits(given, value) == given = -1 \/ value = -1 \/ given = value
@@ -47,8 +53,9 @@ FitsPeriod(given, period) ==
     \/ Fits(given, period)
     \/ BothPeriodsAreWeekly /\ given \in Weekly /\ period \in Weekly
 
-(* [CLK-07] [AMB-16] A time-of-day interrupt: its start point or later;     *)
-(* after a skip the first point skipped.  OB 80 after a skip: the new time. *)
+(* [CLK-07] [AMB-16] A catch-up shows the first point that was skipped, an *)
+(* OB 80 for skipped points the new time.  Another start shows the moment  *)
+(* of its start event or a later one.                                      *)
 \* @type: ($request, $moment) => Bool;
 FitsTime(r, time) ==
     LET exact == IF r.ob \in TodObs THEN r.follows \in Skips
@@ -57,12 +64,21 @@ FitsTime(r, time) ==
         \/ time = r.since
         \/ ~exact /\ ~Before(time, r.since) /\ ~Before(clock, time)
 
-(* Of OB 80 and OB 85 the fault, and the OB that caused it [AMB-27] [AMB-28]. *)
+(* [AMB-31] Under (a) the OB may have waited since the delay was over.     *)
+\* @type: (Int, Int) => Bool;
+FitsDtime(given, dtime) ==
+    Fits(given, dtime) \/ (DtimeIsElapsedTime /\ given > dtime)
+
+-----------------------------------------------------------------------------
+(* Errors: OB 80 and OB 85 *)
+
+(* [AMB-28] *)
 \* @type: (Int, Int) => Bool;
 FitsFault(fault, value) ==
     \/ Fits(value, fault)
     \/ fault \in ObNotLoaded /\ value \in ObNotLoaded /\ MissingObIsEitherFault
 
+(* [AMB-27] The OB that caused the error.                                  *)
 \* @type: ($request, $info) => Bool;
 FitsCause(r, i) ==
     \/ /\ r.cause = 0
@@ -75,13 +91,13 @@ FitsCause(r, i) ==
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
 
-(* [CLK-06] Where the OBs that are late are not known, there is one at least. *)
+(* [CLK-06] One OB at least is late, also where it is not known which.     *)
 \* @type: ($request, Int) => Bool;
 FitsMask(r, given) ==
     r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
                                         ELSE given \in {-1} \cup (1..255)
 
-(* What the start information and the entry of an error both say. *)
+(* What the start information and the entry of an error both say.          *)
 \* @type: ($request, $info) => Bool;
 FitsError(r, i) ==
     /\ Fits(i.priority, r.class)
@@ -90,10 +106,7 @@ FitsError(r, i) ==
     /\ FitsCause(r, i)
     /\ FitsMask(r, i.error_info)
 
-(* [AMB-31] Under (a) the OB may have waited since the delay was over. *)
-\* @type: (Int, Int) => Bool;
-FitsDtime(given, dtime) ==
-    Fits(given, dtime) \/ (DtimeIsElapsedTime /\ given > dtime)
+-----------------------------------------------------------------------------
 
 (* [DINT-03] *)
 \* @type: ($request, $info) => Bool;
@@ -108,23 +121,4 @@ FitsRequest(r, i) ==
     /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, i)
                                                  ELSE FitsInterrupt(r, i)
     /\ FitsTime(r, i.time)
-
------------------------------------------------------------------------------
-(* Entries of the diagnostic buffer *)
-
-(* Those that a log must show if it has entries at all, and 454A. *)
-DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
-                     \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
-JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
-
-(* 0 and 16#FF: no OB. *)
-\* @type: ($entry, $event) => Bool;
-FitsEntry(entry, e) ==
-    /\ \/ e.id = entry.id
-       \/ /\ e.id - ErrorEntry \in ObNotLoaded
-          /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
-    /\ \/ entry.of.ob = 0
-       \/ /\ e.ob \in {0, 255, entry.of.ob}
-          /\ Fits(e.priority, entry.of.class)
-          /\ FitsError(entry.of, e.info)
 =============================================================================

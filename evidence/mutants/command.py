@@ -28,14 +28,14 @@ from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
 from evidence.mutants.checks import BriefProcesses, Check, CheckFailedError, LogsCheck, ModelCheck
 from evidence.mutants.findings import Findings
 from evidence.mutants.listing import Mutant, mutants
-from evidence.tla.modules import read_modules
+from evidence.tla.modules import WORDING, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError
 from evidence.tlc import process as tlc
 from s7check.engine_command import EngineError
 
 UNEXPLAINED = 1
 
-NOT_MUTATED = ("Properties*", "Typedefs", "Explain", "Reasons")
+NOT_MUTATED = ("Properties*", "Typedefs", *WORDING)
 """What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
 
 

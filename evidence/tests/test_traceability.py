@@ -152,10 +152,10 @@ def test_modules_that_word_rejections(project: Path, run: Run) -> None:
     """What builds on the explanation of a log names and looks up no rule, and states no property."""
     assert run("--write") == 0
     page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
-    (project / "spec" / "Unrecorded.tla").write_text(
-        "---- MODULE Unrecorded ----\nEXTENDS System\nA == 1\n====\n", encoding="utf-8"
+    (project / "spec" / "PartialLogs.tla").write_text(
+        "---- MODULE PartialLogs ----\nEXTENDS System\nA == 1\n====\n", encoding="utf-8"
     )
-    explain = SPEC.replace("MODULE System", "MODULE Explain").replace("EXTENDS Integers", "EXTENDS Unrecorded")
+    explain = SPEC.replace("MODULE System", "MODULE Explain").replace("EXTENDS Integers", "EXTENDS PartialLogs")
     (project / "spec" / "Explain.tla").write_text(explain, encoding="utf-8")
     assert run("--write") == 0
     assert (project / "docs" / "traceability.md").read_text(encoding="utf-8") == page

@@ -210,8 +210,10 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))
     code, _, document = run(tmp_path, "--against", "logs")
     assert code == 1
-    seen = {c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Trace/Shows/"))}
-    assert seen['e . event = "EN_AIRT"'] == {"TRUE": ["logs"]}
+    seen = {
+        c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "CallLines/Answered/"))
+    }
+    assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
     assert seen["ret = delay + 1"]["TRUE"] == ["logs"]
 
 

@@ -7,6 +7,9 @@ from pathlib import Path
 
 from evidence.tla.syntax import Module
 
+WORDING = ("PastLines", "*Reasons", "Explain")
+"""Modules of spec/ that only word a rejection."""
+
 
 def read_modules(directory: Path) -> dict[str, Module]:
     """The modules of a directory by name."""

@@ -9,7 +9,7 @@ from typing import Any
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 
-ROOT = "Unrecorded"
+ROOT = "PartialLogs"
 """The module of the specification that takes a log."""
 
 CONFIGURATION = "INIT LogsInit\nNEXT LogsNext\nVIEW LogsView\nCHECK_DEADLOCK FALSE\n"

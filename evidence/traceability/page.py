@@ -22,7 +22,7 @@ requirement with files and lines.
 
 | column | comes from |
 |---|---|
-| formula | the definitions whose comment names the requirement, of the modules that `System` and `Unrecorded` extend |
+| formula | the definitions whose comment names the requirement, of the modules that `System` and `PartialLogs` extend |
 | property | those of the other modules of `spec/` (not `Explain`, `Reasons`) and of `models/`, if a model checks them |
 | model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \

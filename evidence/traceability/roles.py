@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from evidence.traceability.modules import Definition, Module
 
 SYSTEM = "System"
-EXPLANATION = "Unrecorded"
+EXPLANATION = "PartialLogs"
 READINGS = "Readings"
 """The module with a name for each answer to a question that the sources leave open."""
 

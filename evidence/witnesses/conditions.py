@@ -21,6 +21,7 @@ from typing import Literal
 from tree_sitter import Node
 
 from evidence.tla.actions import TEMPORAL, Actions, acting, conjuncts, disjuncts
+from evidence.tla.modules import WORDING
 from evidence.tla.names import Names
 from evidence.tla.syntax import Module, Span, code, meaningful, operand, span, symbol, token, walk
 from evidence.tlc.marks import Wrapping, by_value, when_evaluated
@@ -30,9 +31,6 @@ SYSTEM, NEXT = "System", "Next"
 
 PROPERTIES = ("Properties*", "Inductive")
 """Modules that say what must hold."""
-
-WORDING = ("Explain", "Reasons")
-"""Modules that only word a rejection."""
 
 TIMES = TEMPORAL | {"always", "eventually", "leads_to"}
 """What TLC reads as a formula of time and does not evaluate."""
@@ -95,7 +93,7 @@ def conditions(modules: Mapping[str, Module]) -> list[Condition]:
     context = Actions(acting(modules.values()))
     found: list[Condition] = []
     for name, module in modules.items():
-        if name in WORDING:
+        if any(fnmatch.fnmatchcase(name, pattern) for pattern in WORDING):
             continue
         names = Names(name)
         for definition, unit in module.definitions.items():

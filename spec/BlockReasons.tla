@@ -1,0 +1,70 @@
+---------------------------- MODULE BlockReasons ----------------------------
+(***************************************************************************)
+(* Reasons for a rejection that SFC 39 and SFC 40 give: an OB is blocked,  *)
+(* or a start event was lost.                                              *)
+(*                                                                         *)
+(* Source: requirements, section 3.                                        *)
+(* Left out: wrong answers of the two calls (CallReasons).                 *)
+(***************************************************************************)
+EXTENDS PastLines
+
+(* Line e blocks or enables OB o.                                          *)
+\* @type: ($event, Int) => Bool;
+Means(e, o) == /\ e.event \in {"DIS_IRT", "EN_IRT"} /\ Worked(e)
+               /\ CASE Level(e.mode) = 0 -> TRUE
+                    [] Level(e.mode) = 1 -> ClassNumber(o) = e.ob
+                    [] OTHER             -> o = e.ob
+
+\* @type: (Seq($event), Int) => Set(Int);
+IrtLines(past, o) == { i \in DOMAIN past : Means(past[i], o) }
+
+\* @type: $event => Set(Str);
+OfMode(e) ==
+    IF e.event = "EN_IRT"
+    THEN {"IRT-13"} \cup When(Level(e.mode) = 1, {"IRT-14"})
+    ELSE CASE Level(e.mode) = 0 -> {"IRT-06"}
+           [] Level(e.mode) = 1 -> {"IRT-07"}
+           [] OTHER             -> {"IRT-08"}
+
+(* Whether the OB is blocked follows from these requirements.              *)
+\* @type: (Seq($event), Int) => Set(Str);
+BlockRequirements(past, o) ==
+    LET lines == IrtLines(past, o)
+        last  == LastIn(lines)
+        dis   == { i \in lines : past[i].event = "DIS_IRT" }
+    IN  IF lines = {} THEN {"IRT-01"}
+        ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
+        ELSE OfMode(past[last])
+               \cup When(LastOf(past, {"end", "hold"}) > last, {"IRT-02", "IRT-03"})
+               \cup When(Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
+                         {"IRT-20"})
+               \cup When(Cardinality(dis) > 1 /\ last \notin dis, {"IRT-16"})
+
+(* The OB is blocked and starts all the same. *)
+\* @type: (Seq($event), Int) => Set(Str);
+ThoughBlocked(past, o) ==
+    IF DisIrtStopsCatchUp /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
+    ELSE {"IRT-01", "IRT-04"} \cup BlockRequirements(past, o)
+           \cup When(o = TimeErrorOb, {"OBS-33"})
+
+(* What came while the OB was blocked is lost, and nothing else has come.  *)
+\* @type: (Seq($event), Int) => Bool;
+LostMeanwhile(past, o) ==
+    LET last == LastIn(IrtLines(past, o))
+    IN  /\ last > 0 /\ past[last].event = "EN_IRT"
+        /\ last > LastStart(past, o)
+        /\ last > LastWith(past, {"interrupt", "SRT_DINT", "ACT_TINT"}, o)
+
+(* A start event of an OB that is not blocked has had no effect.           *)
+\* @type: (Seq($event), Int) => Set(Str);
+ThoughNotBlocked(past, o) ==
+    LET lines == IrtLines(past, o)
+        last  == LastIn(lines)
+        other == LastOf(past, {"DIS_IRT"})
+    IN  IF Blocked(o) THEN {"IRT-01"}  \* it came before
+        ELSE IF last > LastStart(past, o)
+        THEN {"IRT-15"} \cup BlockRequirements(past, o)
+        ELSE IF lines = {} /\ irt.blocked # {} /\ other > 0
+        THEN OfMode(past[other]) \cup {"IRT-11"}
+        ELSE {}
+=============================================================================

@@ -1,0 +1,107 @@
+------------------------------ MODULE Elapsing ------------------------------
+(***************************************************************************)
+(* Time elapses from one line of a log to the next.  On the way start      *)
+(* points are reached, delays end, and missing OBs are noticed.            *)
+(*                                                                         *)
+(* Two clocks run: `up' decides durations, the CPU clock decides moments.  *)
+(* They need not agree.                                                    *)
+(* Source: docs/log-format.md, fine points 1 and 2.                        *)
+(* Left out: the clock that is set between two lines (PartialLogs).        *)
+(***************************************************************************)
+EXTENDS Scheduler, Waiting
+
+-----------------------------------------------------------------------------
+(* What is due now *)
+
+(* Start points that equal the clock. *)
+PointsNow ==
+    IF ~Watching \/ (clock.ms # 0 /\ ~SecondsAreKept) THEN {}
+    ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
+
+(* Delays that are over now, and delays that may be over before line e.    *)
+(* Under AMB-70 (a) calls in the last millisecond still see the job.       *)
+OverNow == { o \in Jobs : dint[o].left = 0 }
+\* @type: $event => Set(Int);
+OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
+                 ELSE { o \in Jobs : dint[o].left <= 1 }
+
+MissingNow ==
+    { r \in requests : r.ob \notin loaded /\ MayStart(r) }
+
+FindMissing ==
+    \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
+
+-----------------------------------------------------------------------------
+(* How far time can elapse in one step *)
+
+\* @type: ($moment, Int) => $moment;
+After(t, ms) == [ min |-> t.min + ((t.ms + ms) \div 60000),
+                  ms  |-> (t.ms + ms) % 60000 ]
+
+(* The next start point, on the CPU clock. *)
+NextPointDue ==
+    LET n == { NextMoment(tod[o]) : o \in { p \in DOMAIN tod : tod[p].active } }
+    IN  CHOOSE m \in n : \A k \in n : ~Before(k, m)
+
+(* The end of the next delay, on the clock of `up'.                        *)
+NextDelayOver ==
+    LET n == { dint[o].left : o \in Jobs }
+    IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
+
+(* The moment on the clock of `up' when the CPU clock, now at a, is at b;  *)
+(* `last' at the latest.                                                   *)
+\* @type: ($moment, $moment, $moment) => $moment;
+UpAt(a, b, last) ==
+    LET t == Shifted(up, a, b) IN IF Before(t, last) THEN t ELSE last
+
+-----------------------------------------------------------------------------
+(* Steps *)
+
+(* Time elapses to `until' on the clock of `up', and to `to' on the CPU    *)
+(* clock.                                                                  *)
+\* @type: ($moment, $moment) => Bool;
+ElapseTo(until, to) ==
+    LET d == Span(up, until)
+    IN  /\ InTime(d)
+        /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
+        /\ reports' = ReportsAfter(d)
+        /\ UNCHANGED first
+        /\ up' = until
+        /\ IF to # clock THEN TimePasses(to, d)
+           ELSE /\ dint' = JobsAfter(d)
+                /\ NothingEntered
+                /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, irt,
+                               requests, stack, delay, stopCause>>
+
+(* Time elapses towards line e, but not beyond the next start point or the *)
+(* next end of a delay.                                                    *)
+\* @type: $event => Bool;
+Advance(e) ==
+    LET straight == clock = e.at \/ PassesNoPoint(e.at)
+        point == IF straight THEN e.at ELSE NextPointDue
+        there == IF straight THEN e.up ELSE UpAt(clock, point, e.up)
+        over  == IF Jobs = {} THEN there ELSE NextDelayOver
+        until == IF Before(over, there) THEN over ELSE there
+        by    == After(clock, Span(up, until))
+        to    == IF until = there \/ clock = e.at \/ ~Before(by, point)
+                 THEN point ELSE by
+        stale == IF requests = {} THEN {} ELSE Stale(Span(up, until))
+    IN  IF stale # {} THEN Expire(stale) ELSE ElapseTo(until, to)
+
+\* @type: $event => Bool;
+Arrived(e) == clock = e.at /\ up = e.up
+
+\* @type: Set(Int) => Int;
+Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
+
+(* One step towards line e.                                                *)
+\* @type: $event => Bool;
+Towards(e) ==
+    /\ UNCHANGED terms
+    /\ IF PointsNow # {} /\ clock # e.at
+       THEN PointReached(Least(PointsNow)) /\ Rewait /\ UNCHANGED up
+       ELSE IF OverNow # {} /\ up # e.up
+       THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up
+       ELSE \/ FindMissing /\ UNCHANGED up
+            \/ Advance(e)
+=============================================================================

@@ -1,0 +1,80 @@
+------------------------------ MODULE LogHeader -----------------------------
+(***************************************************************************)
+(* The header of a log: the CPU as it is when the log begins.              *)
+(*                                                                         *)
+(* Source: docs/log-format.md, fields of the header.                       *)
+(* Left out: nothing.                                                      *)
+(***************************************************************************)
+EXTENDS Modes, LogState
+
+(* The state before a header is read.                                      *)
+Init ==
+    /\ cpu = [ family |-> "", priority |-> [o \in {} |-> 0],
+               step7 |-> [o \in {} |-> NoParameters],
+               readings |-> [a \in {} |-> ""] ]
+    /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
+    /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
+    /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
+    /\ entered = {}
+    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {}]
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ first = "unknown" /\ reports = {}
+
+(* A letter of the header goes before that of its profile.                 *)
+\* @type: $header => Set(<<Str, Str>>);
+ReadingsOf(h) ==
+    h.readings \cup { p \in Profile(h.profile) :
+                        ~\E r \in h.readings : r[1] = p[1] }
+
+\* @type: $header => $cpu;
+CpuOf(h) ==
+    [ family   |-> h.cpu,
+      priority |-> [ o \in { p[1] : p \in h.priority } |->
+                       (CHOOSE p \in h.priority : p[1] = o)[2] ],
+      readings |-> [ a \in { r[1] : r \in ReadingsOf(h) } |->
+                       (CHOOSE r \in ReadingsOf(h) : r[1] = a)[2] ],
+      step7    |-> [ o \in TodObs |->
+                       IF \E p \in h.step7 : p.ob = o
+                       THEN LET s == CHOOSE p \in h.step7 : p.ob = o
+                            IN  [ execution |-> s.execution,
+                                  start |-> s.start, active |-> s.active,
+                                  deselected |-> s.deselected ]
+                       ELSE NoParameters ] ]
+
+(* In RUN a once that STEP 7 set in the past has been called already.  A   *)
+(* point that equals the clock may have been reached or not.               *)
+\* @type: ($header, Int, Int) => $tod;
+TodAtBegin(h, o, called) ==
+    LET t == Configured(CpuOf(h).step7[o])
+        n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
+    IN  IF ~t.active THEN t
+        ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN UsedUp(t)
+        ELSE [t EXCEPT !.next = n]
+
+(* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU  *)
+(* has just been restarted; the type of the restart is not known.  The     *)
+(* letters of this header decide how STEP 7's parameters are read: hence   *)
+(* the primes.                                                             *)
+\* @type: $header => Bool;
+Begin(h) ==
+    /\ cpu'    = CpuOf(h)
+    /\ loaded' = h.obs
+    /\ mode'   = h.mode
+    /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
+    /\ clock'  = h.clock
+    /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
+         tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
+                                   ELSE TodAtBegin(h, o, called)' ]
+    /\ dint' = NoJobs
+    /\ irt' = NoneBlocked
+    /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
+    /\ stack'  = IF h.mode = "RUN" THEN <<Frame(CycleOb, 1)>> ELSE <<>>
+    /\ delay'  = 0
+    /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
+    /\ NothingEntered
+    /\ terms'  = [latency |-> h.latency, records |-> h.records,
+                  cycle |-> h.cycle /\ "ob" \in h.records]
+    /\ up'     = At(0)
+    /\ waiting' = [c \in {} |-> 0]
+    /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"
+    /\ reports' = {}
+=============================================================================

@@ -1,0 +1,44 @@
+------------------------------ MODULE LogState ------------------------------
+(***************************************************************************)
+(* What the explanation of a log keeps beside the state of the CPU.        *)
+(*                                                                         *)
+(* Source: docs/log-format.md, header and fine points 1, 2 and 9.          *)
+(* Left out: nothing.                                                      *)
+(***************************************************************************)
+EXTENDS Cpu, LogEvents
+
+VARIABLES
+    (* latency: an OB starts at most so many ms after it may.  cycle: the   *)
+    (* log has every start and end of OB 1.  records: the kinds of event    *)
+    (* that the log has completely.                                         *)
+    \* @type: $terms;
+    terms,
+    (* The time elapsed since the log began, on a clock that nobody sets.   *)
+    \* @type: $moment;
+    up,
+    (* The ms that an OB which may start has waited, for each priority      *)
+    (* class; the ms that a STOP has been due, for StopDuty.                *)
+    \* @type: Int -> Int;
+    waiting,
+    (* "warm" or "cold": the first OB 1 after this restart is still to      *)
+    (* come.  "none": it has come.  "unknown": the log begins in RUN.       *)
+    \* @type: Str;
+    first,
+    (* Entries of the diagnostic buffer that the log has not shown yet: how *)
+    (* often each, and, if the log has such lines, the ms since its cause.  *)
+    \* @type: Set($report);
+    reports
+
+-----------------------------------------------------------------------------
+(* Kinds of event that the log has completely *)
+
+(* All kinds that a header without `records' names. *)
+Kinds == {"call", "ob", "clock", "mode", "interrupt", "load"}
+
+(* Events of this kind may be missing in the log.                          *)
+\* @type: Str => Bool;
+Unseen(kind) == kind \notin terms.records
+
+Partial == ~(Kinds \subseteq terms.records)
+DiagRecorded == "diag" \in terms.records
+=============================================================================

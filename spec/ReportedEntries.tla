@@ -1,0 +1,99 @@
+--------------------------- MODULE ReportedEntries --------------------------
+(***************************************************************************)
+(* Entries of the diagnostic buffer in a log: each entry that a line shows *)
+(* has a cause, and each cause leads to an entry within the latency if the *)
+(* log has such lines.                                                     *)
+(*                                                                         *)
+(* Source: docs/log-format.md, fine point 9; requirements, table 7.5.      *)
+(* Left out: entries for other events than those of table 7.5 that belong  *)
+(* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
+(***************************************************************************)
+EXTENDS StartInfo, LogState
+
+(* Entries that have to come, if the log has entries at all.               *)
+DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
+                     \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
+(* Entries that need a cause: these, and 454A.                             *)
+JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
+
+(* The number 0 or 16#FF stands for no OB.                                 *)
+\* @type: ($entry, $event) => Bool;
+FitsEntry(entry, e) ==
+    /\ \/ e.id = entry.id
+       \/ /\ e.id - ErrorEntry \in ObNotLoaded
+          /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
+    /\ \/ entry.of.ob = 0
+       \/ /\ e.ob \in {0, 255, entry.of.ob}
+          /\ Fits(e.priority, entry.of.class)
+          /\ FitsError(entry.of, e.info)
+
+(* An unseen event may have caused this entry.  DIS_IRT alone causes that  *)
+(* of disabled entries.                                                    *)
+\* @type: Int => Bool;
+CauseUnseen(id) == ~((IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"})
+                       \subseteq terms.records)
+
+-----------------------------------------------------------------------------
+(* Entries that the log has not shown yet *)
+
+(* An entry as a line can tell it.  Where the log has no such lines, no    *)
+(* line has to tell the OB that was active, nor whether the entry was      *)
+(* certain.                                                                *)
+\* @type: $entry => $entry;
+AsReported(entry) ==
+    LET told == [entry EXCEPT !.of.since = At(0), !.of.rank = 0, !.of.open = FALSE]
+    IN  IF DiagRecorded THEN told
+        ELSE [told EXCEPT !.open = FALSE, !.of.during = -1]
+
+(* Where the log has no such lines, three entries that are alike count as  *)
+(* any number.                                                             *)
+Many == 3
+
+\* @type: Int => Int;
+OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
+\* @type: Int => Int;
+OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
+
+(* The entries of this step are still to be shown; their cause was `age'   *)
+(* ms ago.  An entry that an unseen event may have caused is not kept.     *)
+\* @type: Int => Bool;
+Report(age) ==
+    LET new == { AsReported(n) : n \in { m \in entered' : /\ m.id \in JudgedEntries
+                                                           /\ ~CauseUnseen(m.id) } }
+        a   == IF DiagRecorded THEN age ELSE 0
+        same(n) == { r \in reports : r.entry = n /\ r.age = a }
+        times(n) == IF same(n) = {} THEN 1 ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
+    IN  reports' = IF new = {} THEN reports
+                   ELSE (reports \ UNION { same(n) : n \in new })
+                          \cup { [entry |-> n, age |-> a, times |-> times(n)]
+                                 : n \in new }
+
+(* d ms from now an entry would be too late.                               *)
+\* @type: Int => Set($report);
+EntriesLate(d) ==
+    IF reports = {} \/ ~DiagRecorded THEN {}
+    ELSE { r \in reports : /\ ~r.entry.open
+                           /\ r.entry.id \in DemandedEntries
+                           /\ r.age + d > terms.latency }
+
+(* The entries grow older.  One that need not come is forgotten.           *)
+\* @type: Int => Set($report);
+ReportsAfter(d) ==
+    IF reports = {} \/ ~DiagRecorded THEN reports
+    ELSE { [r EXCEPT !.age = @ + d]
+           : r \in { q \in reports : q.age + d <= terms.latency } }
+
+-----------------------------------------------------------------------------
+
+(* A line shows an entry: it has a cause that no line has shown yet.       *)
+\* @type: $event => Bool;
+IsEntry(e) ==
+    LET fits == { r \in reports : FitsEntry(r.entry, e) }
+    IN  /\ UNCHANGED cpuVars
+        /\ NothingEntered
+        /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
+           ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
+                  reports' = (reports \ {r}) \cup
+                               IF OneLess(r.times) = 0 THEN {}
+                               ELSE {[r EXCEPT !.times = OneLess(@)]}
+=============================================================================
