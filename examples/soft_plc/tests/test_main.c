@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cpu.h"
+#include "plc.h"
 #include "random_program.h"
 #include "scenario.h"
 
@@ -23,21 +23,20 @@ void test_check(bool ok, const char *file, int line, const char *text)
     fprintf(stderr, "%s:%d: failed: %s\n", file, line, text);
 }
 
-static char *run(const struct config *config, struct program *program)
+static char *run(const struct plc_config *config, struct program *program)
 {
     char *text = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
-    struct cpu *cpu = malloc(sizeof *cpu);
+    struct plc *plc = malloc(sizeof *plc);
     struct log *log = malloc(sizeof *log);
-    if (out == NULL || cpu == NULL || log == NULL)
+    if (out == NULL || plc == NULL || log == NULL)
         abort();
     log_open(log, out, false);
-    cpu_begin(cpu, config, program, log, false);
-    cpu_run(cpu);
+    plc_run(plc, config, program, log, false);
     CHECK(log_close(log));
     fclose(out);
-    free(cpu);
+    free(plc);
     free(log);
     return text;
 }
@@ -90,13 +89,13 @@ char *test_error(const char *text)
 char *test_random(uint64_t seed, uint64_t events, enum fault fault)
 {
     struct random_program r;
-    struct config c;
+    struct plc_config c;
     memset(&c, 0, sizeof c);
     random_program(&r, seed);
-    random_config(&r, &c, NULL);
-    c.log_diag = true;
+    random_config(&r, &c.cpu, NULL);
+    c.log.diag = true;
     c.cycle_ms = 10;
-    c.latency_ms = 10;
+    c.log.latency_ms = 10;
     c.duration = INT64_MAX;
     c.max_events = events;
     c.faults.has[fault] = true;

@@ -1,0 +1,85 @@
+#include "actions.h"
+
+void actions_step(struct s7cpu *cpu, const struct step *s)
+{
+    int status;
+    switch (s->kind) {
+    case STEP_BUSY:
+        break;
+    case STEP_SET_CLOCK:
+        s7cpu_set_clock(cpu, s->ms);
+        break;
+    case STEP_MOVE_CLOCK:
+        s7cpu_set_clock(cpu, s7cpu_clock(cpu) + s->ms);
+        break;
+    case STEP_SET_TINT:
+        s7cpu_set_tint(cpu, s->ob, &s->sdt, s->period);
+        break;
+    case STEP_CAN_TINT:
+        s7cpu_can_tint(cpu, s->ob);
+        break;
+    case STEP_ACT_TINT:
+        s7cpu_act_tint(cpu, s->ob);
+        break;
+    case STEP_QRY_TINT:
+        s7cpu_qry_tint(cpu, s->ob, &status);
+        break;
+    case STEP_SRT_DINT:
+        s7cpu_srt_dint(cpu, s->ob, s->ms, s->sign);
+        break;
+    case STEP_CAN_DINT:
+        s7cpu_can_dint(cpu, s->ob);
+        break;
+    case STEP_QRY_DINT:
+        s7cpu_qry_dint(cpu, s->ob, &status);
+        break;
+    case STEP_DIS_IRT:
+        s7cpu_dis_irt(cpu, s->mode, s->ob);
+        break;
+    case STEP_EN_IRT:
+        s7cpu_en_irt(cpu, s->mode, s->ob);
+        break;
+    case STEP_DIS_AIRT:
+        s7cpu_dis_airt(cpu);
+        break;
+    case STEP_EN_AIRT:
+        s7cpu_en_airt(cpu);
+        break;
+    }
+}
+
+void actions_act(struct s7cpu *cpu, const struct action *a)
+{
+    switch (a->kind) {
+    case ACTION_SET_CLOCK:
+        s7cpu_set_clock(cpu, a->ms);
+        break;
+    case ACTION_MOVE_CLOCK:
+        s7cpu_set_clock(cpu, s7cpu_clock(cpu) + a->ms);
+        break;
+    case ACTION_INTERRUPT:
+        s7cpu_interrupt(cpu, a->ob, a->flt_id);
+        break;
+    case ACTION_STOP:
+        s7cpu_stop(cpu);
+        break;
+    case ACTION_RESTART_WARM:
+        s7cpu_restart(cpu, false);
+        break;
+    case ACTION_RESTART_COLD:
+        s7cpu_restart(cpu, true);
+        break;
+    case ACTION_HOLD:
+        s7cpu_hold(cpu);
+        break;
+    case ACTION_RELEASE:
+        s7cpu_release(cpu);
+        break;
+    case ACTION_LOAD:
+        s7cpu_load(cpu, a->ob);
+        break;
+    case ACTION_DELETE:
+        s7cpu_delete(cpu, a->ob);
+        break;
+    }
+}

@@ -1,0 +1,223 @@
+#include "log.h"
+
+static int write_line(void *context, const char *line, size_t length)
+{
+    struct log *log = context;
+    if (s7log_to_file(log->out, line, length) != 0)
+        return -1;
+    return log->flush_lines ? fflush(log->out) : 0;
+}
+
+void log_open(struct log *log, FILE *out, bool flush_lines)
+{
+    log->out = out;
+    log->flush_lines = flush_lines;
+    s7log_open(&log->s7, write_line, log);
+}
+
+bool log_close(struct log *log)
+{
+    return fflush(log->out) == 0 && !log->s7.failed;
+}
+
+static int or_none(int value)
+{
+    return value == S7CPU_NONE ? S7LOG_NONE : value;
+}
+
+static struct s7log_info convert(const struct s7cpu_info *i)
+{
+    return (struct s7log_info){.priority = i->priority,
+                               .strt_info = or_none(i->strt_info),
+                               .flt_id = or_none(i->flt_id),
+                               .period = or_none(i->period),
+                               .sign = or_none(i->sign),
+                               .dtime = or_none(i->dtime),
+                               .error_info = or_none(i->error_info),
+                               .ev = or_none(i->ev),
+                               .ev_ob = or_none(i->ev_ob),
+                               .time = i->time};
+}
+
+static void log_call(struct s7log *l, struct s7log_now t, const struct s7cpu_event *e)
+{
+    const struct s7log_dt sdt = {e->sdt.year,   e->sdt.month,  e->sdt.day, e->sdt.hour,
+                                 e->sdt.minute, e->sdt.second, e->sdt.ms};
+    const int status = e->ret == 0 ? e->status : S7LOG_NONE; /* [TINT-71] */
+    switch (e->kind) {
+    case S7CPU_SET_TINT:
+        s7log_set_tint(l, t, e->ob, &sdt, e->period, e->ret);
+        break;
+    case S7CPU_CAN_TINT:
+        s7log_can_tint(l, t, e->ob, e->ret);
+        break;
+    case S7CPU_ACT_TINT:
+        s7log_act_tint(l, t, e->ob, e->ret);
+        break;
+    case S7CPU_QRY_TINT:
+        s7log_qry_tint(l, t, e->ob, e->ret, status);
+        break;
+    case S7CPU_SRT_DINT:
+        s7log_srt_dint(l, t, e->ob, e->dtime, e->sign, e->ret);
+        break;
+    case S7CPU_CAN_DINT:
+        s7log_can_dint(l, t, e->ob, e->ret);
+        break;
+    case S7CPU_QRY_DINT:
+        s7log_qry_dint(l, t, e->ob, e->ret, status);
+        break;
+    case S7CPU_DIS_IRT:
+        s7log_dis_irt(l, t, e->mode, e->ob, e->ret);
+        break;
+    case S7CPU_EN_IRT:
+        s7log_en_irt(l, t, e->mode, e->ob, e->ret);
+        break;
+    case S7CPU_DIS_AIRT:
+        s7log_dis_airt(l, t, e->ret);
+        break;
+    default:
+        s7log_en_airt(l, t, e->ret);
+        break;
+    }
+}
+
+static void log_start(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
+{
+    const struct s7log_info i = convert(e->info);
+    if (e->ob != 1 || log->config.cycle)
+        s7log_start(&log->s7, t, e->ob, &i);
+}
+
+static void log_end(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
+{
+    if (e->ob != 1 || log->config.cycle)
+        s7log_end(&log->s7, t, e->ob);
+}
+
+static void log_diag(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
+{
+    if (!log->config.diag)
+        return;
+    if (e->info != NULL) {
+        const struct s7log_info i = convert(e->info);
+        s7log_diag(&log->s7, t, e->id, e->ob, e->info->priority, &i);
+    } else {
+        s7log_diag(&log->s7, t, e->id, or_none(e->ob), S7LOG_NONE, NULL);
+    }
+}
+
+void log_event(void *context, const struct s7cpu_event *e)
+{
+    struct log *log = context;
+    struct s7log *l = &log->s7;
+    const struct s7log_now t = {.at = e->at, .up = log->config.up ? e->up : S7LOG_NONE};
+    switch (e->kind) {
+    case S7CPU_OB_START:
+        log_start(log, t, e);
+        break;
+    case S7CPU_OB_END:
+        log_end(log, t, e);
+        break;
+    case S7CPU_CLOCK:
+        s7log_clock(l, t, e->to);
+        break;
+    case S7CPU_RESTART:
+        s7log_restart(l, t, e->cold ? S7LOG_COLD : S7LOG_WARM);
+        break;
+    case S7CPU_TO_RUN:
+        s7log_run(l, t);
+        break;
+    case S7CPU_TO_STOP:
+        s7log_stop(l, t, or_none(e->id));
+        break;
+    case S7CPU_TO_HOLD:
+        s7log_hold(l, t);
+        break;
+    case S7CPU_RELEASE:
+        s7log_release(l, t);
+        break;
+    case S7CPU_INTERRUPT:
+        s7log_interrupt(l, t, e->ob, or_none(e->flt_id));
+        break;
+    case S7CPU_LOAD:
+        s7log_load(l, t, e->ob);
+        break;
+    case S7CPU_DELETE:
+        s7log_delete(l, t, e->ob);
+        break;
+    case S7CPU_DIAG:
+        log_diag(log, t, e);
+        break;
+    default:
+        log_call(l, t, e);
+        break;
+    }
+}
+
+static size_t loaded_obs(const struct s7cpu_config *c, int *obs)
+{
+    size_t n = 0;
+    for (int ob = 0; ob < S7CPU_OBS; ob++)
+        if (c->loaded[ob])
+            obs[n++] = ob;
+    return n;
+}
+
+static size_t set_priorities(const struct s7cpu_config *c, struct s7log_priority *priorities)
+{
+    size_t n = 0;
+    for (int ob = 0; ob < S7CPU_OBS; ob++)
+        if (c->priority[ob] != 0)
+            priorities[n++] = (struct s7log_priority){ob, c->priority[ob]};
+    return n;
+}
+
+static size_t step7_tods(const struct s7cpu_config *c, struct s7log_tod *tods)
+{
+    static const enum s7log_execution executions[] = {
+        [S7CPU_NOT_CONFIGURED] = S7LOG_NOT_GIVEN, [S7CPU_NO_EXECUTION] = S7LOG_NO_EXECUTION,
+        [S7CPU_ONCE] = S7LOG_ONCE,                [S7CPU_EVERY_MINUTE] = S7LOG_MINUTE,
+        [S7CPU_HOURLY] = S7LOG_HOURLY,            [S7CPU_DAILY] = S7LOG_DAILY,
+        [S7CPU_WEEKLY] = S7LOG_WEEKLY,            [S7CPU_MONTHLY] = S7LOG_MONTHLY,
+        [S7CPU_YEARLY] = S7LOG_YEARLY,            [S7CPU_END_OF_MONTH] = S7LOG_END_OF_MONTH};
+    size_t n = 0;
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        const struct s7cpu_step7 *s = &c->step7[k];
+        if (s->execution != S7CPU_NOT_CONFIGURED || s->deselected)
+            tods[n++] = (struct s7log_tod){.ob = S7CPU_TOD_FIRST + k,
+                                           .execution = executions[s->execution],
+                                           .start = s->start == S7CPU_NEVER ? S7LOG_NONE : s->start,
+                                           .active = s->active,
+                                           .deselected = s->deselected};
+    }
+    return n;
+}
+
+void log_header(struct log *log, const struct s7cpu_config *c, const struct log_config *config)
+{
+    static const enum s7log_cpu cpus[] = {[S7CPU_S7_300] = S7LOG_S7_300,
+                                          [S7CPU_S7_400] = S7LOG_S7_400,
+                                          [S7CPU_CPU_318] = S7LOG_CPU_318};
+    static const enum s7log_mode modes[] = {[S7CPU_STOP] = S7LOG_STOP,
+                                            [S7CPU_STARTUP] = S7LOG_STARTUP,
+                                            [S7CPU_RUN] = S7LOG_RUN};
+    int obs[S7CPU_OBS];
+    struct s7log_priority priorities[S7CPU_OBS];
+    struct s7log_tod tods[S7CPU_TODS];
+    const struct s7log_header h = {
+        .cpu = cpus[c->family],
+        .obs = obs,
+        .ob_count = loaded_obs(c, obs),
+        .clock = c->clock,
+        .mode = modes[c->mode],
+        .latency_ms = config->latency_ms,
+        .records = S7LOG_CALL | S7LOG_OB | S7LOG_CLOCK | S7LOG_MODE | S7LOG_INTERRUPT | S7LOG_LOAD |
+                   (config->diag ? S7LOG_DIAG : 0u),
+        .cycle = config->cycle,
+        .priorities = priorities,
+        .priority_count = set_priorities(c, priorities),
+        .tods = tods,
+        .tod_count = step7_tods(c, tods)};
+    log->config = *config;
+    s7log_header(&log->s7, &h);
+}

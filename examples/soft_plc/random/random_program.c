@@ -1,0 +1,382 @@
+#include "random_program.h"
+
+#include <stddef.h>
+
+/* xorshift64*: small, fast and the same on every machine. */
+static uint64_t draw(struct random_program *r)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    return r->state * UINT64_C(2685821657736338717);
+}
+
+/* 0 to n-1 */
+static int below(struct random_program *r, int n)
+{
+    return (int)((draw(r) >> 33) % (uint64_t)n);
+}
+
+static int between(struct random_program *r, int low, int high)
+{
+    return low + below(r, high - low + 1);
+}
+
+static bool percent(struct random_program *r, int n)
+{
+    return below(r, 100) < n;
+}
+
+/* Mostly OB 10 to 13, so that calls meet each other; now and then a number that is wrong. */
+static int draw_ob_nr(struct random_program *r)
+{
+    static const int wrong[] = {-1, 0, 1, 9, 18, 20, 80, 99};
+    if (percent(r, 4))
+        return wrong[below(r, 8)];
+    return percent(r, 75) ? between(r, 10, 12) : between(r, 10, 17);
+}
+
+static int draw_period(struct random_program *r)
+{
+    static const int codes[] = {0x0000, 0x0000, 0x0201, 0x0201, 0x0201, 0x0401, 0x0401,
+                                0x1001, 0x1201, 0x1202, 0x1401, 0x1801, 0x2001};
+    static const int wrong[] = {0x0001, 0x0200, 0x0400, 0x1002, 0x2000, 0xFFFF};
+    return percent(r, 4) ? wrong[below(r, 6)] : codes[below(r, 13)];
+}
+
+/* Time-delay interrupts: right operands mostly, with delays that meet each other and OB 1's. */
+static int draw_dint_ob_nr(struct random_program *r)
+{
+    static const int wrong[] = {-20, 0, 2, 19, 24, 10, 35, 85};
+    return percent(r, 4) ? wrong[below(r, 8)] : between(r, 20, 23);
+}
+
+static int64_t draw_dtime(struct random_program *r)
+{
+    static const int edges[] = {0, -1, -5, 60001, INT32_MAX, INT32_MIN, 1, 60000};
+    if (percent(r, 8))
+        return edges[below(r, 8)];
+    return percent(r, 60) ? between(r, 1, 400) : between(r, 1, 60000);
+}
+
+/* MODE and OB_NR of SFC 39 and 40. Single OBs mostly, as a block for all hides everything. */
+static void draw_irt(struct random_program *r, struct step *step)
+{
+    static const int modes[] = {0x02, 0x82, 0x02, 0x82, 0x02, 0x01, 0x81, 0x00, 0x80};
+    static const int wrong_modes[] = {0x03, 0x7F, 0x83, 0xFF};
+    static const int classes[] = {10, 20, 30, 40, 50, 60, 70, 80};
+    static const int wrong_obs[] = {-1, 0, 1, 15, 19, 61, 73, 88, 90, 100, 121, 99};
+    static const int obs[] = {10, 11, 12, 20, 21, 35, 40, 55, 60, 70, 72, 80, 80, 85, 85, 82};
+    step->mode = percent(r, 5) ? wrong_modes[below(r, 4)] : modes[below(r, 9)];
+    if (step->kind == STEP_EN_IRT && percent(r, 95))
+        step->mode = percent(r, 50) ? 0 : step->mode & 0x0F;
+    if (percent(r, 4))
+        step->ob = wrong_obs[below(r, 12)];
+    else if ((step->mode & 0x0F) == 1)
+        step->ob = classes[below(r, 8)];
+    else if ((step->mode & 0x0F) != 0 || percent(r, 10))
+        step->ob = obs[below(r, 16)];
+}
+
+static int64_t clamp(int64_t t)
+{
+    const int64_t margin = 400 * S7CPU_DAY;
+    return t < margin ? margin : t > S7CPU_LAST - margin ? S7CPU_LAST - margin : t;
+}
+
+static void draw_sdt(struct random_program *r, int64_t now, struct s7cpu_date *c)
+{
+    int64_t t = now;
+    if (percent(r, 80))
+        t += between(r, -2, 3) * S7CPU_MINUTE;
+    else
+        t += between(r, -400, 400) * S7CPU_DAY;
+    *c = s7cpu_date(clamp(t));
+    if (percent(r, 60))
+        c->second = c->ms = 0;
+    switch (below(r, 40)) {
+    case 0:
+        c->month = 2;
+        c->day = between(r, 28, 31);
+        break;
+    case 1:
+        c->year = percent(r, 50) ? 1989 : 2090;
+        break;
+    case 2:
+        c->month = between(r, 0, 13);
+        break;
+    case 3:
+        c->day = between(r, 29, 31);
+        break;
+    default:
+        break;
+    }
+}
+
+/* A reading in front of an instant that calendars get wrong. */
+static int64_t draw_instant(struct random_program *r)
+{
+    static const int years[] = {1999, 2000, 2026, 2027, 2028, 2087, 2088};
+    static const struct {
+        int month, day;
+    } days[] = {{2, 28}, {2, 28}, {12, 31}, {4, 30}, {3, 31}, {1, 1}};
+    int i = below(r, 6);
+    struct s7cpu_date c = {.year = years[below(r, 7)], .month = days[i].month, .day = days[i].day,
+                      .hour = 23, .minute = between(r, 56, 59), .second = below(r, 60)};
+    return s7cpu_ms(&c);
+}
+
+static int64_t draw_move(struct random_program *r)
+{
+    int64_t by = between(r, 1, 300) * INT64_C(1000);
+    switch (below(r, 6)) {
+    case 0:
+        by = between(r, 1, 48) * S7CPU_HOUR;
+        break;
+    case 1:
+        by = between(r, 1, 60) * S7CPU_DAY;
+        break;
+    default:
+        break;
+    }
+    return percent(r, 50) ? by : -by;
+}
+
+static void draw_clock_change(struct random_program *r, int64_t now, int64_t *to)
+{
+    if (percent(r, 15)) {
+        *to = draw_instant(r);
+        return;
+    }
+    int64_t t = now + draw_move(r);
+    *to = clamp(t - t % 1000); /* [CLK-17] */
+}
+
+static void begin(struct program *p, const struct s7cpu *cpu, struct activation *a)
+{
+    struct random_program *r = (struct random_program *)p;
+    (void)cpu;
+    a->step = (uint32_t)(a->ob == 1 ? between(r, 1, 12) : between(r, 0, 4));
+}
+
+static int64_t draw_busy(struct random_program *r, int ob)
+{
+    if (ob == 1)
+        return percent(r, 75) ? between(r, 1000, 40000) : between(r, 1, 800);
+    if (ob >= S7CPU_DINT_FIRST && ob < S7CPU_DINT_FIRST + S7CPU_DINTS && percent(r, 30))
+        return between(r, 200, 2000);
+    bool tod = ob >= S7CPU_TOD_FIRST && ob < S7CPU_TOD_FIRST + S7CPU_TODS;
+    if ((tod || ob >= 100) && percent(r, 8))
+        return between(r, 30, 130) * INT64_C(1000);
+    return between(r, 1, 200);
+}
+
+static enum step_kind draw_kind(struct random_program *r)
+{
+    static const struct {
+        enum step_kind kind;
+        int weight;
+    } mix[] = {{STEP_BUSY, 360},    {STEP_SET_TINT, 65}, {STEP_ACT_TINT, 110},
+               {STEP_CAN_TINT, 30}, {STEP_QRY_TINT, 50}, {STEP_SRT_DINT, 70},
+               {STEP_CAN_DINT, 20}, {STEP_QRY_DINT, 40}, {STEP_DIS_IRT, 20},
+               {STEP_EN_IRT, 50},   {STEP_DIS_AIRT, 70}, {STEP_EN_AIRT, 90},
+               {STEP_SET_CLOCK, 5}};
+    int n = below(r, 1000);
+    const int last = (int)(sizeof mix / sizeof mix[0]) - 1;
+    int i = 0;
+    while (i < last && n >= mix[i].weight)
+        n -= mix[i++].weight;
+    return mix[i].kind;
+}
+
+static bool next(struct program *p, const struct s7cpu *cpu, struct activation *a,
+                 struct step *step)
+{
+    struct random_program *r = (struct random_program *)p;
+    if (a->step == 0)
+        return false;
+    a->step--;
+    *step = (struct step){.kind = draw_kind(r)};
+    switch (step->kind) {
+    case STEP_BUSY:
+        step->ms = draw_busy(r, a->ob);
+        break;
+    case STEP_SET_TINT:
+        step->ob = r->last_set = draw_ob_nr(r);
+        step->period = draw_period(r);
+        draw_sdt(r, s7cpu_clock(cpu), &step->sdt);
+        break;
+    case STEP_ACT_TINT:
+        step->ob = percent(r, 60) ? r->last_set : draw_ob_nr(r);
+        break;
+    case STEP_CAN_TINT:
+    case STEP_QRY_TINT:
+        step->ob = draw_ob_nr(r);
+        break;
+    case STEP_SRT_DINT:
+        step->ob = draw_dint_ob_nr(r);
+        step->ms = draw_dtime(r);
+        step->sign = below(r, 0x10000);
+        break;
+    case STEP_CAN_DINT:
+    case STEP_QRY_DINT:
+        step->ob = draw_dint_ob_nr(r);
+        break;
+    case STEP_DIS_IRT:
+    case STEP_EN_IRT:
+        draw_irt(r, step);
+        break;
+    case STEP_SET_CLOCK:
+        draw_clock_change(r, s7cpu_clock(cpu), &step->ms);
+        break;
+    default: /* SFC 41 and 42 have no operands */
+        break;
+    }
+    return true;
+}
+
+static bool idle(struct program *p, uint32_t cycle)
+{
+    (void)p;
+    (void)cycle;
+    return false;
+}
+
+static int64_t action_time(struct program *p)
+{
+    return ((struct random_program *)p)->next_action;
+}
+
+/* An OB with a start event from outside: some often, so that they meet, and each now and then. */
+static int draw_interrupt_ob(struct random_program *r)
+{
+    static const int often[] = {35, 35, 35, 40, 40, 41, 80, 85};
+    int ob = between(r, 30, 87);
+    if (percent(r, 65))
+        return often[below(r, 8)];
+    while (!s7cpu_ob_from_outside(ob))
+        ob = between(r, 30, 87);
+    return ob;
+}
+
+/* An event whose OB is missing is rare: it may well stop the CPU. */
+static void draw_interrupt(struct random_program *r, const struct s7cpu *cpu, struct action *a)
+{
+    static const int time_errors[] = {0x01, 0x03, 0x08, 0x09, 0x0A, 0x0B};
+    a->kind = ACTION_INTERRUPT;
+    a->ob = draw_interrupt_ob(r);
+    if (!s7cpu_is_loaded(cpu, 35) && percent(r, 30)) {
+        a->kind = ACTION_LOAD;
+        a->ob = 35;
+        return;
+    }
+    if (!s7cpu_is_loaded(cpu, a->ob) && !percent(r, 15))
+        a->ob = 35;
+    if (a->ob == 80)
+        a->flt_id = time_errors[below(r, 6)];
+    if (a->ob == 85)
+        a->flt_id = 0xA3;
+}
+
+/* An event burst fills the request buffer of a class, which only the long OBs allow. */
+static int64_t draw_pause(struct random_program *r)
+{
+    if (percent(r, 15))
+        return between(r, 0, 50);
+    return between(r, 50, percent(r, 15) ? 2000 : 25000);
+}
+
+/* Deletes a block, or brings back one that is missing: OB 80 and 85 soon. */
+static void draw_block(struct random_program *r, const struct s7cpu *cpu, struct action *a)
+{
+    static const int obs[] = {80, 85, 10, 11, 12, 20, 21, 35};
+    a->ob = obs[below(r, 8)];
+    if (!s7cpu_is_loaded(cpu, 80) || !s7cpu_is_loaded(cpu, 85))
+        a->ob = s7cpu_is_loaded(cpu, 80) ? 85 : 80;
+    a->kind = s7cpu_is_loaded(cpu, a->ob) ? ACTION_DELETE : ACTION_LOAD;
+}
+
+static bool take_action(struct program *p, const struct s7cpu *cpu, struct action *action)
+{
+    struct random_program *r = (struct random_program *)p;
+    int n = below(r, 1000);
+    *action = (struct action){.flt_id = S7CPU_NONE};
+    r->next_action = s7cpu_up(cpu) + draw_pause(r);
+    if (s7cpu_mode(cpu) == S7CPU_STOP && n < 100) {
+        action->kind = ACTION_SET_CLOCK;
+        draw_clock_change(r, s7cpu_clock(cpu), &action->ms);
+    } else if (s7cpu_mode(cpu) == S7CPU_STOP) {
+        action->kind = percent(r, 80) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+    } else if (s7cpu_mode(cpu) == S7CPU_HOLD) {
+        action->kind = ACTION_RELEASE;
+    } else if (n < 10) {
+        draw_block(r, cpu, action);
+    } else if (n < 950) {
+        draw_interrupt(r, cpu, action);
+    } else if (n < 980) {
+        action->kind = ACTION_SET_CLOCK;
+        draw_clock_change(r, s7cpu_clock(cpu), &action->ms);
+    } else if (n < 985) {
+        action->kind = ACTION_STOP;
+    } else if (n < 993) {
+        action->kind = ACTION_HOLD; /* long enough for start points to pass */
+        r->next_action = s7cpu_up(cpu) + between(r, 1000, 200000);
+    } else {
+        action->kind = percent(r, 50) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+    }
+    return true;
+}
+
+void random_program(struct random_program *r, uint64_t seed)
+{
+    *r = (struct random_program){
+        .program = {.begin = begin,
+                    .next = next,
+                    .idle = idle,
+                    .action_time = action_time,
+                    .take_action = take_action},
+        .state = seed * UINT64_C(0x9E3779B97F4A7C15) + 0x2545F4914F6CDD1D,
+        .next_action = 100,
+    };
+    for (int i = 0; i < 8; i++)
+        draw(r);
+}
+
+/* Classes that differ from the default, where the CPU allows it: OBs that meet get to share one
+ * [OBS-05]. */
+static void draw_priorities(struct random_program *r, struct s7cpu_config *c)
+{
+    static const int obs[] = {10, 11, 12, 20, 21, 35, 40, 81, 82};
+    int shared = between(r, 2, 23);
+    for (unsigned i = 0; i < sizeof obs / sizeof obs[0]; i++) {
+        int low, high;
+        if (!s7cpu_class_range(c->family, obs[i], &low, &high) || percent(r, 60))
+            continue;
+        c->priority[obs[i]] = percent(r, 50) ? shared : between(r, low, high);
+    }
+}
+
+void random_config(struct random_program *r, struct s7cpu_config *c,
+                   const enum s7cpu_family *family)
+{
+    static const int always[] = {1, 10, 11, 12, 20, 21, 35, 80, 85, 100, 102};
+    static const int often[] = {13, 14, 15, 22, 23, 30, 32, 38, 40, 41, 47, 55, 57, 60, 70, 72,
+                                81, 82, 83, 84, 86, 87};
+    c->family = (enum s7cpu_family)below(r, 3);
+    if (family != NULL)
+        c->family = *family;
+    for (unsigned i = 0; i < sizeof always / sizeof always[0]; i++)
+        c->loaded[always[i]] = true;
+    for (unsigned i = 0; i < sizeof often / sizeof often[0]; i++)
+        c->loaded[often[i]] = percent(r, 75);
+    c->clock = draw_instant(r);
+    c->mode = percent(r, 50) ? S7CPU_RUN : percent(r, 70) ? S7CPU_STOP : S7CPU_STARTUP;
+    c->buffer = percent(r, 50) ? 64 : between(r, 1, 3);
+    if (percent(r, 70))
+        draw_priorities(r, c);
+    c->step7[0] = (struct s7cpu_step7){.execution = percent(r, 50) ? S7CPU_EVERY_MINUTE
+                                                                   : S7CPU_HOURLY,
+                                       .active = true,
+                                       .start = c->clock - c->clock % S7CPU_HOUR};
+    c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
+}

@@ -1,0 +1,90 @@
+/* Requests of OB 80 and OB 85, and OBs that are missing. */
+#include "internal.h"
+
+static struct s7cpu_request error(const struct s7cpu *cpu, int ob, int flt_id)
+{
+    struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
+    r.info.flt_id = flt_id;
+    return r;
+}
+
+void s7_error_overlap(struct s7cpu *cpu, int ob, int z1)
+{
+    struct s7cpu_request r = error(cpu, 80, FLT_OVERLAP);
+    r.info.error_info = z1;
+    r.info.ev = s7_ob_start_event(ob);
+    r.info.ev_ob = ob; /* AMB-27: the OB that was requested */
+    s7_time_error(cpu, &r);
+}
+
+/* AMB-16, reading a: with the clock after the change. */
+void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
+{
+    struct s7cpu_request r = error(cpu, 80, flt_id);
+    r.info.error_info = (int)late;
+    s7_time_error(cpu, &r);
+}
+
+void s7_error_overflow(struct s7cpu *cpu, int ob)
+{
+    struct s7cpu_request r = error(cpu, 80, FLT_OVERFLOW);
+    r.rank = r.info.priority = 28; /* AMB-13, reading d */
+    r.info.ev = s7_ob_start_event(ob);
+    r.info.ev_ob = ob;
+    s7_time_error(cpu, &r);
+}
+
+void s7_error_missing_async(struct s7cpu *cpu, int ob)
+{
+    switch (ob) {
+    case 80:
+        s7_stop(cpu, CAUSE_OB80_MISSING);
+        break;
+    case 85:
+        s7_stop(cpu, CAUSE_OB85_MISSING);
+        break;
+    case 82:
+    case 83:
+    case 86:
+        s7_stop(cpu, CAUSE_NONE);
+        break;
+    default: /* OB 81, 84, 87: nothing (AMB-75, reading a; OB 84: either) */
+        break;
+    }
+}
+
+/* AMB-45, either: one OB 85 for each missing OB (reading b). AMB-28, either: A2 where an SFC or
+ * the configuration has started the OB, else A1. */
+static void priority_class_error(struct s7cpu *cpu, int missing)
+{
+    bool by_sfc = s7_ob_kind(missing) == OB_TOD || s7_ob_kind(missing) == OB_DELAY;
+    struct s7cpu_request r = error(cpu, 85, by_sfc ? FLT_MISSING_BY_SFC : FLT_MISSING);
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    r.info.ev = s7_ob_start_event(missing);
+    r.info.ev_ob = top != NULL ? top->ob : 1; /* the OB active at the error */
+    s7_diag_error(cpu, &r);
+    if (s7_irt_blocks(cpu, 85))
+        return; /* AMB-33, reading a: disabled is not missing */
+    if (cpu->loaded[85])
+        s7_queue_put(cpu, &r);
+    else
+        s7_stop(cpu, CAUSE_OB85_MISSING); /* [OBS-21] */
+}
+
+void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    switch (s7_ob_kind(r->ob)) {
+    case OB_ASYNC_ERROR:
+        s7_error_missing_async(cpu, r->ob); /* deleted while it waited (AMB-66) */
+        break;
+    case OB_REDUNDANCY: /* AMB-75, reading a */
+        break;
+    case OB_TOD:
+        s7_tod_called(cpu, r->ob); /* AMB-46: periodic stays active, once is used up */
+        priority_class_error(cpu, r->ob);
+        break;
+    default:
+        priority_class_error(cpu, r->ob);
+        break;
+    }
+}

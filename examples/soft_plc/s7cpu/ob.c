@@ -1,0 +1,167 @@
+/* The organization blocks: numbers, kinds and priority classes (table 8.1). */
+#include "internal.h"
+
+static bool within(int ob, int low, int high)
+{
+    return ob >= low && ob <= high;
+}
+
+enum ob_kind s7_ob_kind(int ob)
+{
+    if (ob == 1)
+        return OB_CYCLE;
+    if (within(ob, 10, 17))
+        return OB_TOD;
+    if (within(ob, 20, 23))
+        return OB_DELAY;
+    if (within(ob, 30, 38))
+        return OB_CYCLIC;
+    if (within(ob, 40, 47))
+        return OB_HARDWARE;
+    if (within(ob, 55, 57))
+        return OB_DPV1;
+    if (ob == 60)
+        return OB_MULTICOMPUTING;
+    if (ob == 70 || ob == 72)
+        return OB_REDUNDANCY;
+    if (within(ob, 80, 87))
+        return OB_ASYNC_ERROR;
+    if (ob == 100 || ob == 102)
+        return OB_STARTUP;
+    if (within(ob, 61, 65) || ob == 73 || ob == 88 || ob == 90 || ob == 101 || ob == 121 ||
+        ob == 122)
+        return OB_OTHER;
+    return OB_NONE;
+}
+
+bool s7cpu_ob_exists(int ob)
+{
+    return s7_ob_kind(ob) != OB_NONE;
+}
+
+bool s7cpu_ob_from_outside(int ob)
+{
+    switch (s7_ob_kind(ob)) {
+    case OB_CYCLIC:
+    case OB_HARDWARE:
+    case OB_DPV1:
+    case OB_MULTICOMPUTING:
+    case OB_REDUNDANCY:
+    case OB_ASYNC_ERROR:
+        return true;
+    default:
+        return false;
+    }
+}
+
+int s7_ob_irt_class(int ob)
+{
+    switch (s7_ob_kind(ob)) {
+    case OB_TOD:
+        return 10;
+    case OB_DELAY:
+        return 20;
+    case OB_CYCLIC:
+        return 30;
+    case OB_HARDWARE:
+        return 40;
+    case OB_DPV1:
+        return 50;
+    case OB_MULTICOMPUTING:
+        return 60;
+    case OB_REDUNDANCY:
+        return 70;
+    case OB_ASYNC_ERROR:
+        return 80;
+    default:
+        return 0;
+    }
+}
+
+int s7_ob_default_class(enum s7cpu_family family, int ob)
+{
+    switch (s7_ob_kind(ob)) {
+    case OB_CYCLE:
+        return 1;
+    case OB_TOD:
+    case OB_DPV1:
+        return 2;
+    case OB_DELAY:
+        return 3 + ob - 20;
+    case OB_CYCLIC:
+        return 7 + ob - 30;
+    case OB_HARDWARE:
+        return 16 + ob - 40;
+    case OB_MULTICOMPUTING:
+        return 25;
+    case OB_REDUNDANCY:
+        return ob == 72 ? 28 : 25;
+    case OB_ASYNC_ERROR: /* [OBS-11]: on S7-400 and CPU 318 OB 80 stands above its fellows */
+        return ob == 80 || family == S7CPU_S7_300 ? 26 : 25;
+    case OB_STARTUP:
+        return 27;
+    default:
+        return 0;
+    }
+}
+
+bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high)
+{
+    if (family == S7CPU_S7_300)
+        return false;
+    *low = 2;
+    if (within(ob, 10, 47)) {
+        *high = 23;
+        return s7_ob_kind(ob) != OB_NONE;
+    }
+    if (ob == 70 || ob == 72) {
+        *high = 28;
+        return true;
+    }
+    if (within(ob, 81, 87)) {
+        *low = ob == 85 ? 24 : 2;
+        *high = 26;
+        return true;
+    }
+    return false;
+}
+
+int s7_ob_class(const struct s7cpu *cpu, int ob)
+{
+    if (cpu->mode == S7CPU_STARTUP && s7_ob_kind(ob) == OB_ASYNC_ERROR)
+        return 28; /* [OBS-31, OBS-43], AMB-13 */
+    if (cpu->config.priority[ob] != 0)
+        return cpu->config.priority[ob];
+    return s7_ob_default_class(cpu->config.family, ob);
+}
+
+bool s7_ob_is_running(const struct s7cpu *cpu, int ob)
+{
+    for (int i = 0; i < cpu->depth; i++)
+        if (cpu->stack[i].ob == ob)
+            return true;
+    return false;
+}
+
+int s7_ob_strt_info(int ob)
+{
+    if (s7_ob_kind(ob) == OB_DELAY)
+        return 0x21 + ob - S7CPU_DINT_FIRST;
+    return s7_ob_kind(ob) == OB_TOD ? 0x11 + ob - S7CPU_TOD_FIRST : S7CPU_NONE;
+}
+
+int s7_ob_start_event(int ob)
+{
+    switch (s7_ob_kind(ob)) {
+    case OB_TOD:
+        return 0x1111 + ob - 10;
+    case OB_DELAY:
+        return 0x1121 + ob - 20;
+    case OB_CYCLIC:
+        return 0x1131 + ob - 30;
+    case OB_HARDWARE: /* the table knows four lines */
+        return ob < 44 ? 0x1141 + ob - 40 : S7CPU_NONE;
+    default:
+        return S7CPU_NONE;
+    }
+}

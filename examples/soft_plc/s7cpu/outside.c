@@ -1,0 +1,57 @@
+/* The clock is set, start events reach the CPU, blocks come and go. */
+#include "internal.h"
+
+void s7cpu_set_clock(struct s7cpu *cpu, int64_t to)
+{
+    const int64_t before = s7cpu_clock(cpu);
+    const enum s7cpu_mode mode = cpu->mode;
+    if (to < 0 || to > S7CPU_LAST)
+        return;
+    s7_tod_poll(cpu); /* what is due in this millisecond has been reached, not skipped */
+    if (cpu->mode != mode)
+        return; /* an overlap without OB 80 has stopped the CPU */
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_CLOCK, .to = to});
+    cpu->offset = to - cpu->up;
+    s7_tod_clock_changed(cpu, before);
+}
+
+/* AMB-77, either: an OB that is requested again while it runs is buffered and runs again, without
+ * OB 80 (reading b). AMB-67, either: an event that comes in STARTUP or HOLD is kept until RUN
+ * (reading a); only OB 80 to 87 run in STARTUP [OBS-43]. */
+void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id)
+{
+    if (cpu->mode == S7CPU_STOP)
+        return; /* outputs and modules are disabled: nothing reaches the CPU [OBS-41] */
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_INTERRUPT, .ob = ob, .flt_id = flt_id});
+    struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
+    r.info.flt_id = flt_id;
+    if (flt_id != S7CPU_NONE)
+        s7_diag_error(cpu, &r);
+    if (s7_irt_blocks(cpu, ob))
+        return;
+    if (!cpu->loaded[ob] && s7_ob_kind(ob) == OB_ASYNC_ERROR && cpu->mode != S7CPU_HOLD)
+        s7_error_missing_async(cpu, ob);
+    else if (ob != 80 && s7_queue_held(cpu, r.rank) >= cpu->config.buffer)
+        s7_error_overflow(cpu, ob); /* [OBS-08]: the new request is lost */
+    else
+        s7_queue_put(cpu, &r);
+}
+
+/* AMB-66: an OB that runs goes on, one that waits will be missing. */
+static void set_loaded(struct s7cpu *cpu, int ob, bool loaded)
+{
+    if (cpu->loaded[ob] == loaded)
+        return;
+    cpu->loaded[ob] = loaded;
+    s7_emit(cpu, (struct s7cpu_event){.kind = loaded ? S7CPU_LOAD : S7CPU_DELETE, .ob = ob});
+}
+
+void s7cpu_load(struct s7cpu *cpu, int ob)
+{
+    set_loaded(cpu, ob, true);
+}
+
+void s7cpu_delete(struct s7cpu *cpu, int ob)
+{
+    set_loaded(cpu, ob, false);
+}

@@ -1,0 +1,74 @@
+/* Start events that wait for their OB, in the order in which they happened [OBS-07]. */
+#include <string.h>
+
+#include "internal.h"
+
+struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
+{
+    int class = s7_ob_class(cpu, ob);
+    return (struct s7cpu_request){.ob = ob,
+                                  .rank = class,
+                                  .info = {.priority = class,
+                                           .strt_info = s7_ob_strt_info(ob),
+                                           .period = S7CPU_NONE,
+                                           .sign = S7CPU_NONE,
+                                           .dtime = S7CPU_NONE,
+                                           .flt_id = S7CPU_NONE,
+                                           .error_info = S7CPU_NONE,
+                                           .ev = S7CPU_NONE,
+                                           .ev_ob = S7CPU_NONE,
+                                           .time = time}};
+}
+
+void s7_queue_put(struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    if (cpu->queue_length == S7CPU_WAITING)
+        s7_stop(cpu, CAUSE_CLASS_SYSTEM);
+    else
+        cpu->queue[cpu->queue_length++] = *r;
+}
+
+struct s7cpu_request s7_queue_take(struct s7cpu *cpu, int index)
+{
+    const struct s7cpu_request r = cpu->queue[index];
+    cpu->queue_length--;
+    memmove(&cpu->queue[index], &cpu->queue[index + 1],
+            (size_t)(cpu->queue_length - index) * sizeof cpu->queue[0]);
+    return r;
+}
+
+void s7_queue_withdraw(struct s7cpu *cpu, int ob)
+{
+    for (int i = cpu->queue_length - 1; i >= 0; i--)
+        if (cpu->queue[i].ob == ob)
+            s7_queue_take(cpu, i);
+}
+
+bool s7_queue_has(const struct s7cpu *cpu, int ob)
+{
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (cpu->queue[i].ob == ob)
+            return true;
+    return false;
+}
+
+/* The highest class, within it the oldest request [OBS-02, OBS-03]. */
+int s7_queue_choose(const struct s7cpu *cpu)
+{
+    int best = -1;
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (s7_may_start(cpu, &cpu->queue[i]) &&
+            (best < 0 || cpu->queue[i].rank > cpu->queue[best].rank))
+            best = i;
+    return best;
+}
+
+int s7_queue_held(const struct s7cpu *cpu, int rank)
+{
+    int n = 0;
+    for (int i = 0; i < cpu->queue_length; i++)
+        n += cpu->queue[i].rank == rank;
+    for (int i = 0; i < cpu->depth; i++)
+        n += cpu->stack[i].rank == rank;
+    return n;
+}

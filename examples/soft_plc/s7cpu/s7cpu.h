@@ -1,0 +1,287 @@
+/* s7cpu - the interrupt functions of an S7-300, S7-400 or CPU 318 in C11: SFC 28 to 34 and 39 to
+ * 42, OB 10 to 17, OB 20 to 23, start events from outside, the settable clock, OB 80, OB 85, the
+ * diagnostic buffer, HOLD, STOP and restart.
+ *
+ * The library runs no user program and reads no clock. Its caller, an interpreter for the blocks
+ * of a program, has one loop:
+ *
+ *     s7cpu_tick(cpu, elapsed_ms());        time passes: what falls due is noted
+ *     ... what comes from outside: s7cpu_interrupt(), s7cpu_set_clock(), s7cpu_stop(), ...
+ *     if (s7cpu_dispatch(cpu))              the operating system goes first: it starts an OB,
+ *         continue;                         reports a missing one, begins a cycle
+ *     run one instruction of the OB that s7cpu_top() names; an SFC is a call of s7cpu_set_tint(),
+ *     ...; at the end of the OB s7cpu_end_ob()
+ *
+ * Everything that happens goes to the sink as an event, in the order in which it happens.
+ *
+ * All state is in struct s7cpu, which the caller owns: no globals, no allocation, no locks. Calls
+ * for one struct come from one thread at a time, and not from inside the sink.
+ *
+ * Units: times are int64_t milliseconds. A reading of the CPU clock counts from 1990-01-01T00:00.
+ * Elapsed time counts from s7cpu_init(); nobody sets it, and it runs on in HOLD and STOP. */
+#ifndef S7CPU_H
+#define S7CPU_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    S7CPU_OBS = 128,      /* OB numbers are below this */
+    S7CPU_TOD_FIRST = 10, /* OB 10 to 17 */
+    S7CPU_TODS = 8,
+    S7CPU_DINT_FIRST = 20, /* OB 20 to 23 */
+    S7CPU_DINTS = 4,
+    S7CPU_DEPTH = 32,   /* OBs that have interrupted one another */
+    S7CPU_WAITING = 512 /* start events that wait; with more the CPU stops (4541) */
+};
+
+#define S7CPU_NONE (-1) /* a field that does not apply */
+#define S7CPU_MINUTE INT64_C(60000)
+#define S7CPU_HOUR (60 * S7CPU_MINUTE)
+#define S7CPU_DAY (24 * S7CPU_HOUR)
+#define S7CPU_LAST (36525 * S7CPU_DAY - 1) /* 2089-12-31T23:59:59.999 */
+#define S7CPU_NEVER INT64_MAX
+
+enum s7cpu_family { S7CPU_S7_300, S7CPU_S7_400, S7CPU_CPU_318 };
+enum s7cpu_mode { S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN, S7CPU_HOLD };
+
+/* ---- dates -------------------------------------------------------------------------------- */
+
+/* A date and time as a program writes it; it need not exist. */
+struct s7cpu_date {
+    int year, month, day, hour, minute, second, ms;
+};
+
+/* True where the date exists, from 1990 to 2089. */
+bool s7cpu_date_exists(const struct s7cpu_date *date);
+/* ms since 1990-01-01, of a date that exists. */
+int64_t s7cpu_ms(const struct s7cpu_date *date);
+/* The other way round, for 0 to S7CPU_LAST. */
+struct s7cpu_date s7cpu_date(int64_t ms);
+
+/* ---- configuration ------------------------------------------------------------------------ */
+
+enum s7cpu_execution {
+    S7CPU_NOT_CONFIGURED,
+    S7CPU_NO_EXECUTION, /* "none" */
+    S7CPU_ONCE,
+    S7CPU_EVERY_MINUTE,
+    S7CPU_HOURLY,
+    S7CPU_DAILY,
+    S7CPU_WEEKLY,
+    S7CPU_MONTHLY,
+    S7CPU_YEARLY,
+    S7CPU_END_OF_MONTH
+};
+
+/* What is assigned to a time-of-day interrupt with STEP 7. */
+struct s7cpu_step7 {
+    enum s7cpu_execution execution;
+    int64_t start; /* a whole minute; S7CPU_NEVER where none is assigned */
+    bool active;
+    bool deselected;
+};
+
+struct s7cpu_config {
+    enum s7cpu_family family;
+    bool loaded[S7CPU_OBS];
+    int priority[S7CPU_OBS]; /* 0: default class; s7cpu_class_range() says which may differ */
+    struct s7cpu_step7 step7[S7CPU_TODS]; /* OB 10 + index */
+    int64_t clock;
+    /* STOP, STARTUP or RUN. In RUN OB 1 is running and its past STEP 7 once is over; in STARTUP
+     * OB 100 is running, if it is loaded. */
+    enum s7cpu_mode mode;
+    int buffer; /* start events from outside that a class holds, 1 or more */
+};
+
+/* True where such an OB exists on some CPU. */
+bool s7cpu_ob_exists(int ob);
+/* True where s7cpu_interrupt() takes this OB. */
+bool s7cpu_ob_from_outside(int ob);
+/* The classes that may be assigned to an OB; false where it has a fixed one. */
+bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high);
+
+/* ---- events ------------------------------------------------------------------------------- */
+
+enum s7cpu_event_kind {
+    S7CPU_SET_TINT, /* ob, sdt, period, ret */
+    S7CPU_CAN_TINT, /* ob, ret */
+    S7CPU_ACT_TINT, /* ob, ret */
+    S7CPU_QRY_TINT, /* ob, ret, status */
+    S7CPU_SRT_DINT, /* ob, dtime, sign, ret */
+    S7CPU_CAN_DINT, /* ob, ret */
+    S7CPU_QRY_DINT, /* ob, ret, status */
+    S7CPU_DIS_IRT,  /* mode, ob, ret */
+    S7CPU_EN_IRT,   /* mode, ob, ret */
+    S7CPU_DIS_AIRT, /* ret */
+    S7CPU_EN_AIRT,  /* ret */
+    S7CPU_OB_START, /* ob, info */
+    S7CPU_OB_END,   /* ob */
+    S7CPU_CLOCK,    /* to; at is the reading before */
+    S7CPU_RESTART,  /* cold */
+    S7CPU_TO_RUN,
+    S7CPU_TO_STOP, /* id: the cause, or S7CPU_NONE */
+    S7CPU_TO_HOLD,
+    S7CPU_RELEASE,
+    S7CPU_INTERRUPT, /* ob, flt_id: for OB 80 and 85, else S7CPU_NONE */
+    S7CPU_LOAD,      /* ob */
+    S7CPU_DELETE,    /* ob */
+    S7CPU_DIAG       /* id, ob or S7CPU_NONE, info or NULL: an entry of the diagnostic buffer */
+};
+
+/* Start information of an OB. A field that does not apply is S7CPU_NONE. */
+struct s7cpu_info {
+    int priority;
+    int strt_info;
+    int period;
+    int sign;
+    int dtime;
+    int flt_id;
+    int error_info;
+    int ev;
+    int ev_ob;
+    int64_t time;
+};
+
+/* Only the fields that its kind names are set. */
+struct s7cpu_event {
+    enum s7cpu_event_kind kind;
+    int64_t at; /* the CPU clock */
+    int64_t up; /* elapsed time */
+    int ob;
+    struct s7cpu_date sdt;
+    int period, sign, mode;
+    int64_t dtime;
+    int ret, status;
+    int flt_id, id;
+    int64_t to;
+    bool cold;
+    const struct s7cpu_info *info; /* valid until the sink returns */
+};
+
+typedef void s7cpu_sink(void *context, const struct s7cpu_event *event);
+
+/* ---- state: the library's own, to be read by the functions below ----------------------------- */
+
+/* A time-of-day interrupt, OB 10 + index. */
+struct s7cpu_tod {
+    bool set, active;
+    int64_t start;
+    int period;
+    int64_t next; /* the point that is due next; S7CPU_NEVER where none is left */
+};
+
+/* The job of a time-delay interrupt, OB 20 + index. */
+struct s7cpu_dint {
+    bool started;
+    int64_t end; /* elapsed time */
+    int dtime;
+    int sign;
+};
+
+/* What SFC 39 has done to an OB. */
+struct s7cpu_mask {
+    bool blocked;
+    bool silent; /* its events are not entered in the diagnostic buffer */
+};
+
+/* A start event that waits for its OB. */
+struct s7cpu_request {
+    int ob;
+    int rank; /* the class it is dispatched in */
+    struct s7cpu_info info;
+};
+
+/* An OB that has been started and not processed to its end. */
+struct s7cpu_frame {
+    int ob;
+    int rank;
+    uint32_t run; /* how often this OB has been started, this time included */
+};
+
+struct s7cpu {
+    struct s7cpu_config config;
+    s7cpu_sink *sink;
+    void *context;
+    int64_t up;
+    int64_t offset; /* CPU clock minus elapsed time */
+    enum s7cpu_mode mode;
+    int64_t hold_began; /* elapsed time */
+    bool loaded[S7CPU_OBS];
+    struct s7cpu_tod tod[S7CPU_TODS];
+    struct s7cpu_dint dint[S7CPU_DINTS];
+    struct s7cpu_mask mask[S7CPU_OBS];
+    int delay_count; /* of the running OB; one is enough [AIRT-12] */
+    struct s7cpu_request queue[S7CPU_WAITING]; /* oldest first [OBS-07] */
+    int queue_length;
+    struct s7cpu_frame stack[S7CPU_DEPTH];
+    int depth;
+    uint32_t runs[S7CPU_OBS];
+};
+
+/* ---- the CPU -------------------------------------------------------------------------------- */
+
+/* Elapsed time is 0. The sink may be NULL. */
+void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink *sink,
+                void *context);
+
+/* Elapsed time is `up` now; it never goes back. Start points that the clock has reached and
+ * delays that have ended become start events. */
+void s7cpu_tick(struct s7cpu *cpu, int64_t up);
+/* Elapsed time of the next start point or end of a delay; S7CPU_NEVER where there is none. */
+int64_t s7cpu_next_up(const struct s7cpu *cpu);
+
+/* Does the next thing that the operating system has to do before the running OB goes on: starts
+ * an OB, reports one that is missing, changes to RUN, begins a cycle of OB 1. False where there
+ * is none: the OB of s7cpu_top() goes on, or in STOP and HOLD nothing happens. */
+bool s7cpu_dispatch(struct s7cpu *cpu);
+/* The running OB; NULL where none runs. */
+const struct s7cpu_frame *s7cpu_top(const struct s7cpu *cpu);
+/* The running OB and those that it has interrupted. */
+int s7cpu_depth(const struct s7cpu *cpu);
+/* The running OB has been processed to its end. */
+void s7cpu_end_ob(struct s7cpu *cpu);
+
+enum s7cpu_mode s7cpu_mode(const struct s7cpu *cpu);
+bool s7cpu_is_loaded(const struct s7cpu *cpu, int ob);
+/* Reading of the CPU clock. */
+int64_t s7cpu_clock(const struct s7cpu *cpu);
+/* Elapsed time, as of the last s7cpu_tick(). */
+int64_t s7cpu_up(const struct s7cpu *cpu);
+/* Delays that SFC 41 has set and SFC 42 has not taken back. */
+int s7cpu_delay_count(const struct s7cpu *cpu);
+
+/* ---- SFCs, called by the running OB --------------------------------------------------------- */
+
+/* Operands are what the program passes, right or wrong. The result is RET_VAL as a word, 16#8090
+ * for instance. */
+int s7cpu_set_tint(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period);
+int s7cpu_can_tint(struct s7cpu *cpu, int ob_nr);
+int s7cpu_act_tint(struct s7cpu *cpu, int ob_nr);
+/* *status is set where the result is 0. */
+int s7cpu_qry_tint(struct s7cpu *cpu, int ob_nr, int *status);
+int s7cpu_srt_dint(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign);
+int s7cpu_can_dint(struct s7cpu *cpu, int ob_nr);
+int s7cpu_qry_dint(struct s7cpu *cpu, int ob_nr, int *status);
+int s7cpu_dis_irt(struct s7cpu *cpu, int mode, int ob_nr);
+int s7cpu_en_irt(struct s7cpu *cpu, int mode, int ob_nr);
+int s7cpu_dis_airt(struct s7cpu *cpu);
+int s7cpu_en_airt(struct s7cpu *cpu);
+
+/* ---- from outside --------------------------------------------------------------------------- */
+
+/* The clock is set, by SFC 0, an operator or a clock master [CLK-01]; 0 to S7CPU_LAST. */
+void s7cpu_set_clock(struct s7cpu *cpu, int64_t to);
+/* A start event for an OB that s7cpu_ob_from_outside() takes. flt_id: for OB 80 and 85, one that
+ * no rule of the CPU makes; else S7CPU_NONE. */
+void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id);
+/* A block is loaded into the CPU or deleted. */
+void s7cpu_load(struct s7cpu *cpu, int ob);
+void s7cpu_delete(struct s7cpu *cpu, int ob);
+/* The switch; each does nothing where the mode does not allow it. A restart leads through STOP. */
+void s7cpu_stop(struct s7cpu *cpu);
+void s7cpu_restart(struct s7cpu *cpu, bool cold);
+void s7cpu_hold(struct s7cpu *cpu);
+void s7cpu_release(struct s7cpu *cpu);
+
+#endif

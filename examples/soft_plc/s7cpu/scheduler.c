@@ -1,0 +1,87 @@
+/* Which OB runs: dispatch by priority class, start and end of OBs. */
+#include "internal.h"
+
+/* In STARTUP only OB 80 to 87 may run beside the startup OB [OBS-42 to OBS-44, TINT-13]. */
+static bool mode_allows(const struct s7cpu *cpu, int ob)
+{
+    return cpu->mode == S7CPU_RUN ||
+           (cpu->mode == S7CPU_STARTUP && s7_ob_kind(ob) == OB_ASYNC_ERROR);
+}
+
+/* Only a strictly higher class interrupts [OBS-01, OBS-02], and nothing a delayed OB. */
+bool s7_may_start(const struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    if (!mode_allows(cpu, r->ob))
+        return false;
+    if (top == NULL)
+        return true;
+    return r->rank > top->rank && cpu->depth < S7CPU_DEPTH && !s7_airt_delays(cpu);
+}
+
+const struct s7cpu_frame *s7cpu_top(const struct s7cpu *cpu)
+{
+    return cpu->depth > 0 ? &cpu->stack[cpu->depth - 1] : NULL;
+}
+
+static void push(struct s7cpu *cpu, int ob, int rank)
+{
+    cpu->stack[cpu->depth++] =
+        (struct s7cpu_frame){.ob = ob, .rank = rank, .run = ++cpu->runs[ob]};
+}
+
+void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    if (s7_ob_kind(r->ob) == OB_TOD)
+        s7_tod_called(cpu, r->ob);
+    s7_emit_start(cpu, r->ob, &r->info);
+    push(cpu, r->ob, r->rank);
+}
+
+void s7_enter(struct s7cpu *cpu, int ob)
+{
+    push(cpu, ob, s7_ob_class(cpu, ob));
+}
+
+/* AMB-06 and AMB-44: a missing OB is noticed when it would be called. */
+static void call(struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    if (cpu->loaded[r->ob])
+        s7_start(cpu, r);
+    else
+        s7_error_missing(cpu, r);
+}
+
+static void start_cycle(struct s7cpu *cpu)
+{
+    const struct s7cpu_request r = s7_request(cpu, 1, s7cpu_clock(cpu));
+    s7_start(cpu, &r);
+}
+
+bool s7cpu_dispatch(struct s7cpu *cpu)
+{
+    if (!s7_time_runs(cpu))
+        return false;
+    int first = s7_queue_choose(cpu);
+    if (first >= 0) {
+        const struct s7cpu_request r = s7_queue_take(cpu, first);
+        call(cpu, &r);
+    } else if (cpu->depth > 0) {
+        return false;
+    } else if (cpu->mode == S7CPU_STARTUP) {
+        s7_to_run(cpu);
+    } else {
+        start_cycle(cpu);
+    }
+    return true;
+}
+
+void s7cpu_end_ob(struct s7cpu *cpu)
+{
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    if (top == NULL)
+        return;
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_OB_END, .ob = top->ob});
+    cpu->depth--;
+    s7_airt_ob_ended(cpu);
+}

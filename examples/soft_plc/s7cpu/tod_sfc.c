@@ -1,0 +1,89 @@
+/* SFC 28 to 31. An error changes nothing (AMB-20, reading a). Of several wrong arguments the
+ * first in the order OB_NR, SDT, PERIOD, past is reported (AMB-63: any of them is right). */
+#include "internal.h"
+
+enum { MONTHLY_LAST_DAY = 28 };
+
+/* AMB-61, either: a deselected OB is no valid OB_NR here (reading a). */
+static bool is_offered(const struct s7cpu *cpu, int ob_nr) /* [TINT-01] */
+{
+    return s7_ob_kind(ob_nr) == OB_TOD && !cpu->config.step7[ob_nr - S7CPU_TOD_FIRST].deselected;
+}
+
+/* [TINT-18, TINT-39], AMB-05 */
+static bool sdt_is_right(const struct s7cpu_date *sdt, int period)
+{
+    return s7cpu_date_exists(sdt) && (period != PERIOD_MONTHLY || sdt->day <= MONTHLY_LAST_DAY);
+}
+
+/* Seconds are cut off [TINT-11], before anything is compared (AMB-14, reading a). */
+static int64_t start_point(const struct s7cpu_date *sdt)
+{
+    const struct s7cpu_date start = {sdt->year, sdt->month, sdt->day, sdt->hour, sdt->minute, 0, 0};
+    return s7cpu_ms(&start);
+}
+
+/* [TINT-36, TINT-37, TINT-61, TINT-62], AMB-02: only a once interrupt can be past; equal is not
+ * (AMB-37). */
+static bool is_past(const struct s7cpu *cpu, int64_t start, int period)
+{
+    return period == PERIOD_ONCE && start < s7cpu_clock(cpu);
+}
+
+int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period)
+{
+    if (!is_offered(cpu, ob_nr))
+        return RET_BAD_OB;
+    if (!sdt_is_right(sdt, period))
+        return RET_BAD_SDT;
+    if (!s7_period_known(period))
+        return RET_BAD_PERIOD;
+    int64_t start = start_point(sdt);
+    if (is_past(cpu, start, period))
+        return RET_PAST;
+
+    s7_queue_withdraw(cpu, ob_nr); /* [TINT-31] */
+    cpu->tod[ob_nr - S7CPU_TOD_FIRST] = (struct s7cpu_tod){
+        .set = true, .active = false, /* [TINT-05, TINT-30] */
+        .start = start, .period = period, .next = S7CPU_NEVER};
+    return RET_OK;
+}
+
+int s7_tod_cancel(struct s7cpu *cpu, int ob_nr)
+{
+    if (!is_offered(cpu, ob_nr))
+        return RET_BAD_OB;
+    struct s7cpu_tod *t = &cpu->tod[ob_nr - S7CPU_TOD_FIRST];
+    if (!t->set)
+        return RET_NOT_SET; /* [TINT-51] */
+    s7_queue_withdraw(cpu, ob_nr); /* AMB-11; a running OB goes on [TINT-53] */
+    t->set = t->active = false;    /* [TINT-50]: SET must come before ACT */
+    t->next = S7CPU_NEVER;
+    return RET_OK;
+}
+
+int s7_tod_activate(struct s7cpu *cpu, int ob_nr)
+{
+    if (!is_offered(cpu, ob_nr))
+        return RET_BAD_OB;
+    int k = ob_nr - S7CPU_TOD_FIRST;
+    struct s7cpu_tod *t = &cpu->tod[k];
+    if (!t->set)
+        return RET_NOT_SET;
+    if (t->active)
+        return RET_OK; /* [TINT-63], AMB-10; AMB-60, either: also while a once waits (reading a) */
+    if (is_past(cpu, t->start, t->period))
+        return RET_PAST;
+    t->active = true;
+    t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu)); /* [TINT-10] */
+    return RET_OK;
+}
+
+int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status)
+{
+    if (!is_offered(cpu, ob_nr))
+        return RET_BAD_OB;
+    /* A once is active until its OB starts (AMB-34, AMB-71). */
+    *status = s7_status(cpu, ob_nr, cpu->tod[ob_nr - S7CPU_TOD_FIRST].active);
+    return RET_OK;
+}
