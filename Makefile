@@ -100,6 +100,6 @@ $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/ma
 	cd trace_checker/engine && mvn -q -B package -DskipTests
 	@touch $@
 
-$(PLC): $(wildcard examples/soft_plc/*/*.[ch] instrumentation/*.h)
+$(PLC): $(filter-out examples/soft_plc/build/%,$(wildcard examples/soft_plc/*/*.[ch] instrumentation/*.h))
 	@echo "building the soft PLC"
 	$(MAKE) -s -C examples/soft_plc
