@@ -41,7 +41,7 @@ controls: setup  ## the negative controls: of which model, what is changed, exit
 
 WORKERS ?= 2
 MODELS  ?= airt queue hold
-models-distributed: setup  ## TLC's distributed mode: MODELS="airt queue" on WORKERS=2 workers here (docs/distributed.md)
+models-distributed: setup  ## TLC's distributed mode: MODELS="airt queue" on WORKERS=2 workers here (docs/project/distributed.md)
 	$(BIN)/s7check models --distributed $(WORKERS) $(MODELS)
 
 mutants: setup  ## mutate the specification: every mutant before the shipped logs and the models of the CI lane

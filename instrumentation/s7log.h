@@ -1,4 +1,4 @@
-/* s7log.h - writes logs of the format s7-interrupt-log/1 (docs/log-format.md).
+/* s7log.h - writes logs of the format s7-interrupt-log/1 (docs/checking/log-format.md).
  *
  * One header, C99 or later, no dependency but the standard headers, no memory of its own but the
  * struct s7log of the caller: one line is put together in its buffer and handed over whole.

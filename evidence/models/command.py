@@ -102,7 +102,9 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     selected = manifest.select(request.lane, request.names)
     tools = tlc.find_toolchain(request.jar)
     if request.cluster is not None and not distributed.works(tools):
-        raise tlc.ToolMissingError(f"the distributed mode of {tools.jar} does not work: see docs/distributed.md")
+        raise tlc.ToolMissingError(
+            f"the distributed mode of {tools.jar} does not work: see docs/project/distributed.md"
+        )
     began = time.monotonic()
     answers = canaries.run_canaries(tools, manifest.directory.parent / "build", processes)
     report.show_canaries(console, tools, answers)

@@ -1,4 +1,4 @@
-"""docs/commands.md describes every option of every command, and no other."""
+"""docs/checking/commands.md and docs/project/commands.md describe every option of every command, and no other."""
 
 import re
 from pathlib import Path
@@ -10,14 +10,20 @@ import evidence
 import s7check
 from s7check import cli
 
-PAGE = (Path(cli.__file__).parents[2] / "docs" / "commands.md").read_text(encoding="utf-8")
+DOCS = Path(cli.__file__).parents[2] / "docs"
+CHECKING, PROJECT = ((DOCS / name / "commands.md").read_text(encoding="utf-8") for name in ("checking", "project"))
 EVERY_COMMAND = {"-h", "--help"}
 COMMANDS = cli.cli.list_commands(click.Context(cli.cli))
 
 
+def page(name: str) -> str:
+    """The page with the commands of s7check itself, or the page with those of a checkout."""
+    return CHECKING if name in cli.COMMANDS else PROJECT
+
+
 def section(name: str) -> str:
     """What the page says of a command."""
-    return PAGE.partition(f"\n## `s7check {name}")[2].partition("\n## ")[0]
+    return page(name).partition(f"\n## `s7check {name}")[2].partition("\n## ")[0]
 
 
 def options(name: str) -> dict[str, str]:
@@ -51,10 +57,10 @@ def test_defaults_are_named(name: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_its_exit_codes(name: str) -> None:
     """The table of exit codes has a column for each command; only 1 is a code that some never end with."""
-    table = [[cell.strip() for cell in line.split("|")] for line in PAGE.splitlines() if line.startswith("|")]
+    table = [[cell.strip() for cell in line.split("|")] for line in page(name).splitlines() if line.startswith("|")]
     column = table[0].index(f"`{name}`")
     assert all(row[column] for row in table[2:6] if row[1] != "1")
-    assert set(re.findall(r"`(--?[a-z]+)`", PAGE.partition("\n## ")[0])) >= EVERY_COMMAND
+    assert set(re.findall(r"`(--?[a-z]+)`", CHECKING.partition("\n## ")[0])) >= EVERY_COMMAND
 
 
 def test_environment_variables() -> None:
@@ -65,10 +71,10 @@ def test_environment_variables() -> None:
     used = set(re.findall(r"environ(?:\.get\(|\[)?\s*\"([A-Z0-9_]+)\"|\"([A-Z0-9_]+)\" (?:not )?in os\.environ", text))
     names = {name for pair in used for name in pair if name}
     assert names
-    assert all(f"`{name}`" in PAGE for name in names)
+    assert all(f"`{name}`" in CHECKING + PROJECT for name in names)
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_completion_is_described(shell: str) -> None:
     """The line for each shell."""
-    assert f"_S7CHECK_COMPLETE={shell}_source s7check" in PAGE
+    assert f"_S7CHECK_COMPLETE={shell}_source s7check" in CHECKING

@@ -74,9 +74,9 @@ LOGS = [
 REASONS = [{"ids": ["AMB-02"], "columns": ["reading"], "kind": "unseen", "reason": "no line of a log can show it"}]
 
 FILES = {
-    "docs/requirements.md": REQUIREMENTS,
-    "docs/readings.md": READINGS,
-    "docs/left_out.json": json.dumps(REASONS),
+    "docs/rules/requirements.md": REQUIREMENTS,
+    "docs/rules/readings.md": READINGS,
+    "docs/rules/left_out.json": json.dumps(REASONS),
     "spec/System.tla": SPEC,
     "spec/Properties.tla": PROPERTIES,
     "models/MCRules.tla": MODEL,
@@ -114,24 +114,26 @@ def replace(path: Path, old: str, new: str) -> None:
 def test_nothing_is_missing(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """The pages are written, and then are up to date; writing them again changes nothing."""
     assert run("--write") == 0
-    written = {name: (project / "docs" / name).read_bytes() for name in ("traceability.md", "requirements.md")}
+    written = {
+        name: (project / "docs" / "rules" / name).read_bytes() for name in ("traceability.md", "requirements.md")
+    }
     assert run() == 0
     assert capsys.readouterr().out.endswith("nothing is missing\n")
     assert run("--write") == 0
-    assert written == {name: (project / "docs" / name).read_bytes() for name in written}
+    assert written == {name: (project / "docs" / "rules" / name).read_bytes() for name in written}
 
 
 def test_page(project: Path, run: Run) -> None:
     """What each requirement has stands on the page, what only touches it in italics."""
     assert run("--write") == 0
-    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     assert (
         "| TINT-01 | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
-        " [a](../traces/TINT/accept/a.ndjson) | [c](../traces/TINT/reject/c.ndjson) |\n"
+        " [a](../../traces/TINT/accept/a.ndjson) | [c](../../traces/TINT/reject/c.ndjson) |\n"
     ) in page
     assert (
         "| TINT-02 | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
-        " *[a](../traces/TINT/accept/a.ndjson)* | [b](../traces/TINT/reject/b.ndjson) |\n"
+        " *[a](../../traces/TINT/accept/a.ndjson)* | [b](../../traces/TINT/reject/b.ndjson) |\n"
     ) in page
     assert "| OBS-09 | [module] | [module] | [module] | [module] | [module] |\n" in page
     assert "| 01 | Which? | System: Rule |\n| 02 | When? | [unseen] |\n" in page
@@ -142,7 +144,7 @@ def test_page(project: Path, run: Run) -> None:
 def test_specified_in(project: Path, run: Run) -> None:
     """The last column of the requirements is generated, the others stay."""
     assert run("--write") == 0
-    table = (project / "docs" / "requirements.md").read_text(encoding="utf-8")
+    table = (project / "docs" / "rules" / "requirements.md").read_text(encoding="utf-8")
     assert "| TINT-01 | Something. | S | H | System; property: Properties |\n" in table
     assert "| TINT-02 | Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
     assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
@@ -151,14 +153,14 @@ def test_specified_in(project: Path, run: Run) -> None:
 def test_modules_that_word_rejections(project: Path, run: Run) -> None:
     """What builds on the explanation of a log names and looks up no rule, and states no property."""
     assert run("--write") == 0
-    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     (project / "spec" / "PartialLogs.tla").write_text(
         "---- MODULE PartialLogs ----\nEXTENDS System\nA == 1\n====\n", encoding="utf-8"
     )
     explain = SPEC.replace("MODULE System", "MODULE Explain").replace("EXTENDS Integers", "EXTENDS PartialLogs")
     (project / "spec" / "Explain.tla").write_text(explain, encoding="utf-8")
     assert run("--write") == 0
-    assert (project / "docs" / "traceability.md").read_text(encoding="utf-8") == page
+    assert (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8") == page
 
 
 def test_specification_that_the_rules_implement(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
@@ -176,7 +178,7 @@ Unused == FALSE
     replace(project / "models/MCRules.tla", "OwnInv == TRUE", "A == INSTANCE Abstract\nOwnInv == A!Next")
     assert run("--write") == 0
     assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
-    page = (project / "docs" / "traceability.md").read_text(encoding="utf-8")
+    page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
 
 
@@ -249,7 +251,7 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
         ("traces/TINT/index.json", '["TINT-01", "TINT-02"]', '["TINT-01"]', ["TINT-02: no accepted log"]),
         ("traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
         (
-            "docs/requirements.md",
+            "docs/rules/requirements.md",
             "| OBS-09 |",
             "| OBS-08 | New. | S | H | |\n| OBS-09 |",
             [
@@ -260,8 +262,8 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
                 "OBS-08: no rejected log",
             ],
         ),
-        ("docs/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula that looks its letter up"]),
-        ("docs/readings.md", "| 01 | Which? | (a), (b) | a |\n", "", ["docs/readings.md: no AMB-01"]),
+        ("docs/rules/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula that looks its letter up"]),
+        ("docs/rules/readings.md", "| 01 | Which? | (a), (b) | a |\n", "", ["docs/rules/readings.md: no AMB-01"]),
     ],
 )
 def test_gap(
@@ -284,7 +286,7 @@ def test_gap(
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
         ("traces/TINT/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
-        ("docs/readings.md", "| 01 | anything |", "| 01 | see AMB-17 |", "AMB-17"),
+        ("docs/rules/readings.md", "| 01 | anything |", "| 01 | see AMB-17 |", "AMB-17"),
     ],
 )
 def test_id_that_does_not_exist(
@@ -330,19 +332,19 @@ def test_void_reason(
 ) -> None:
     """A reason for something that is not missing has to go."""
     more = {"ids": ids, "columns": columns, "kind": "not done", "reason": "a reason of some length"}
-    (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
+    (project / "docs/rules/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
     assert run("--write") == 1
-    assert f"\ndocs/left_out.json: {problem}\n" in capsys.readouterr().out
+    assert f"\ndocs/rules/left_out.json: {problem}\n" in capsys.readouterr().out
 
 
 def test_reason_that_points_nowhere(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """The properties, negative controls and logs that a reason names have to be there."""
     reason = "see RuleInv, neg-rule, TINT/accept/a, OtherProp, neg-other, TINT/reject/other and Part"
-    (project / "docs/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
+    (project / "docs/rules/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
     assert run("--write") == 1
     lines = capsys.readouterr().out.splitlines()
     assert lines[7:] == [
-        f"docs/left_out.json: AMB-02: {name} does not exist, or no model checks it"
+        f"docs/rules/left_out.json: AMB-02: {name} does not exist, or no model checks it"
         for name in ("OtherProp", "neg-other", "TINT/reject/other")
     ] + ["problems: 3"]
 
@@ -351,13 +353,13 @@ def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys:
     """A reason that only says so is a reason, and shows in the summary."""
     replace(project / "traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]')
     more = {"ids": ["TINT-02"], "columns": ["rejected"], "kind": "not done", "reason": "no such log is written yet"}
-    (project / "docs/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
+    (project / "docs/rules/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
     assert run("--write") == 0
     (line,) = (line for line in capsys.readouterr().out.splitlines() if "rejected log" in line)
     assert line.split()[2:] == ["1", "0", "2", "1", "0"]
 
 
-@pytest.mark.parametrize("name", ["docs/traceability.md", "docs/requirements.md"])
+@pytest.mark.parametrize("name", ["docs/rules/traceability.md", "docs/rules/requirements.md"])
 def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """A page that was changed by hand, and one that is missing, is named."""
     assert run() == 1
@@ -371,13 +373,21 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
 @pytest.mark.parametrize(
     ("name", "text", "error"),
     [
-        ("docs/requirements.md", "# Requirements\n", "requirements.md: no rows"),
-        ("docs/requirements.md", REQUIREMENTS + "| TINT-01 | Again. | S | H | |\n", "TINT-01 has more than one row"),
-        ("docs/readings.md", "# Readings\n", "readings.md: no rows"),
-        ("docs/left_out.json", "{}", "left_out.json: Expected `array`"),
-        ("docs/left_out.json", '[{"ids": ["TINT-01"], "columns": ["formulas"]}]', "Invalid enum value 'formulas'"),
-        ("docs/left_out.json", json.dumps([*REASONS, *REASONS]), "AMB-02, reading: two reasons"),
-        ("docs/left_out.json", None, "left_out.json"),
+        ("docs/rules/requirements.md", "# Requirements\n", "requirements.md: no rows"),
+        (
+            "docs/rules/requirements.md",
+            REQUIREMENTS + "| TINT-01 | Again. | S | H | |\n",
+            "TINT-01 has more than one row",
+        ),
+        ("docs/rules/readings.md", "# Readings\n", "readings.md: no rows"),
+        ("docs/rules/left_out.json", "{}", "left_out.json: Expected `array`"),
+        (
+            "docs/rules/left_out.json",
+            '[{"ids": ["TINT-01"], "columns": ["formulas"]}]',
+            "Invalid enum value 'formulas'",
+        ),
+        ("docs/rules/left_out.json", json.dumps([*REASONS, *REASONS]), "AMB-02, reading: two reasons"),
+        ("docs/rules/left_out.json", None, "left_out.json"),
         ("spec/System.tla", SPEC.replace("[TINT-01] .. [TINT-02]", ""), "spec: no comment of a formula names"),
         ("spec/System.tla", SPEC.replace("[TINT-01] ..", "[TINT-03] .."), "is no range"),
         ("spec/Properties.tla", PROPERTIES.replace("[", ""), "spec: no comment of a property names"),

@@ -18,7 +18,9 @@ GAPS, UNREADABLE = 1, 2
 
 
 @click.command("requirements", short_help="Trace each requirement to formula, property, model and logs.")
-@click.option("--write", is_flag=True, help="Write docs/traceability.md and the last column of docs/requirements.md.")
+@click.option(
+    "--write", is_flag=True, help="Write traceability.md and the last column of requirements.md in docs/rules/."
+)
 @click.option(
     "--project",
     "folder",

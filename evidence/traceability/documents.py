@@ -1,4 +1,4 @@
-"""The lists of what there is: the tables of docs/requirements.md and docs/readings.md."""
+"""The lists of what there is: the tables of docs/rules/requirements.md and docs/rules/readings.md."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _distinct(path: Path, ids: list[str]) -> tuple[str, ...]:
 
 
 def with_places(text: str, place: Callable[[str], str]) -> str:
-    """The text of docs/requirements.md with another last cell in the row of each requirement."""
+    """The text of docs/rules/requirements.md with another last cell in the row of each requirement."""
 
     def row(found: re.Match[str]) -> str:
         cells = found[0].split(" | ")

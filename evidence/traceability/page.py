@@ -1,4 +1,4 @@
-"""docs/traceability.md, and the last column of docs/requirements.md, as text."""
+"""docs/rules/traceability.md, and the last column of docs/rules/requirements.md, as text."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ requirement decides |
 A comment that names several requirements is an entry for each of them, also where a negative control breaks only a part
 of what stands below it: the columns say where to look, not how much of a requirement is checked there.
 
-A word in brackets says why there is no entry. The reasons, from the modules and from `docs/left_out.json`, are
+A word in brackets says why there is no entry. The reasons, from the modules and from `docs/rules/left_out.json`, are
 [below](#reasons).
 """
 
@@ -61,7 +61,7 @@ def page(matrix: Matrix, project: Project) -> str:
 
 
 def place(row: Row) -> str:
-    """Where a requirement is specified: the last cell of its row in docs/requirements.md."""
+    """Where a requirement is specified: the last cell of its row in docs/rules/requirements.md."""
     modules = ", ".join(_modules(row.formulas))
     properties = ", ".join(_modules(row.properties))
     if modules and properties:
@@ -109,7 +109,7 @@ def _controls(found: Entries) -> str:
 
 
 def _logs(found: Entries) -> str:
-    return _first(1, found, lambda file: f"[{PurePosixPath(file).name.partition('.')[0]}](../traces/{file})")
+    return _first(1, found, lambda file: f"[{PurePosixPath(file).name.partition('.')[0]}](../../traces/{file})")
 
 
 def _first(most: int, found: Entries, show: Callable[[str], str]) -> str:

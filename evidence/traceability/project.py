@@ -14,15 +14,15 @@ from evidence.traceability.modules import Module, read_modules
 from evidence.traceability.reasons import Reasons, read_reasons
 from evidence.traceability.roles import rules, statements
 
-REQUIREMENTS = Path("docs/requirements.md")
-READINGS = Path("docs/readings.md")
-REASONS = Path("docs/left_out.json")
-PAGE = Path("docs/traceability.md")
+REQUIREMENTS = Path("docs/rules/requirements.md")
+READINGS = Path("docs/rules/readings.md")
+REASONS = Path("docs/rules/left_out.json")
+PAGE = Path("docs/rules/traceability.md")
 MODELS = Path("models")
 TRACES = Path("traces")
 
 CITING = (
-    "README.md", "docs/*.md", "docs/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
+    "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
     "traces/README.md", "traces/*/index.json", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
     "examples/soft_plc/scenarios/*.scn",
 )  # fmt: skip

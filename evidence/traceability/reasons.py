@@ -1,4 +1,4 @@
-"""Why a requirement lacks a formula, a property, a model or a log: docs/left_out.json.
+"""Why a requirement lacks a formula, a property, a model or a log: docs/rules/left_out.json.
 
 The file is a list of ``{"ids": [...], "columns": [...], "kind": ..., "reason": ...}``.
 """

@@ -54,7 +54,7 @@ def test_script(shell: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="bash is not there")
 def test_bash(tmp_path: Path) -> None:
-    """As docs/commands.md says it: bash reads the script, then completes."""
+    """As docs/checking/commands.md says it: bash reads the script, then completes."""
     (tmp_path / "s7check").write_text(f'#!/bin/sh\nexec {sys.executable} -m s7check "$@"\n', encoding="utf-8")
     (tmp_path / "s7check").chmod(0o755)
     script = (

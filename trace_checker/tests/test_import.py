@@ -341,7 +341,7 @@ COLUMNS = {"columns": {"at": "t", "event": "e", "ob": "o"}}
         (
             "t,e,o\n",
             {"columns": {}, "colour": 1},
-            "column map: expected a JSON object with columns, see docs/import.md",
+            "column map: expected a JSON object with columns, see docs/checking/import.md",
         ),
         ("t,e,o\n", COLUMNS | {"delimiter": ", "}, 'column map: expected a delimiter of one character; found ", "'),
     ],

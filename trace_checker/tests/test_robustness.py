@@ -19,7 +19,7 @@ from tests.logs import event, log_text
 from tests.test_cli import ENVIRONMENT, RUNNER
 
 MEMORY = 300 * 1024 * 1024
-"""Bytes of address space that s7check itself must do with, as docs/commands.md says."""
+"""Bytes of address space that s7check itself must do with, as docs/checking/commands.md says."""
 
 REJECTED = log_text(event("run"), event("EN_AIRT", ret=1))
 UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))

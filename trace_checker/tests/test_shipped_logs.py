@@ -15,7 +15,7 @@ from s7check.verdict import Report
 from tests.shipped import INDEX, TRACES
 
 PROJECT = Path(cli.__file__).parents[2]
-DOCS = PROJECT / "docs"
+DOCS = PROJECT / "docs" / "rules"
 
 Lines = list[str]
 

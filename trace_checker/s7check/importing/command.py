@@ -79,7 +79,7 @@ Exit codes:
     "--readings",
     type=Letters(),
     metavar="AMB-NN=LETTER,...",
-    help="How open questions of the manuals are answered, where not by the default (docs/readings.md).",
+    help="How open questions of the manuals are answered, where not by the default (docs/rules/readings.md).",
 )
 @click.option("--step7", type=JsonFile(), metavar="FILE", help="STEP 7 parameters of the OBs, as in the header, JSON.")
 @click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
@@ -91,7 +91,7 @@ Exit codes:
     "columns",
     type=click.Path(exists=True, dir_okay=False),
     metavar="FILE",
-    help="For csv: which column is which field of the log, JSON (docs/import.md).",
+    help="For csv: which column is which field of the log, JSON (docs/checking/import.md).",
 )
 @click.option("--db", type=click.IntRange(1, 65535), help="Number of the ring's data block in the CPU.")
 @click.option(

@@ -50,7 +50,9 @@ def read_map(content: bytes) -> ColumnMap:
     try:
         columns = msgspec.json.decode(content, type=ColumnMap)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise SourceError("column map", "a JSON object with columns, see docs/import.md", str(error)) from error
+        raise SourceError(
+            "column map", "a JSON object with columns, see docs/checking/import.md", str(error)
+        ) from error
     for field in ("at", "event"):
         if field not in columns.columns:
             raise SourceError("column map", f'"{field}" among the columns', "none")

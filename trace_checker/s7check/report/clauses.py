@@ -1,7 +1,7 @@
 """The requirements: what the IDs in a report stand for.
 
-``requirements.json`` beside this module is made from the tables of docs/requirements.md and
-docs/readings.md: ``python -m s7check.report.clauses``.
+``requirements.json`` beside this module is made from the tables of docs/rules/requirements.md and
+docs/rules/readings.md: ``python -m s7check.report.clauses``.
 """
 
 import re
@@ -59,7 +59,7 @@ def _encoded(clauses: list[Clause]) -> bytes:
 
 def main() -> None:
     """Writes the file from the documents of the checkout."""
-    docs = Path(__file__).resolve().parents[3] / "docs"
+    docs = Path(__file__).resolve().parents[3] / "docs" / "rules"
     texts = [(docs / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
     Path(str(files(__package__) / _FILE)).write_bytes(_encoded(read_catalogue(*texts)))
 
