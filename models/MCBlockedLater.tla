@@ -1,0 +1,23 @@
+---------------------------- MODULE MCBlockedLater ---------------------------
+(***************************************************************************)
+(* Time errors and program errors that wait, held back by SFC 41, while    *)
+(* SFC 39 blocks their OB, which is missing or is deleted meanwhile        *)
+(* (sections 3, 4 and 5.2).  They came before they were blocked [AMB-72].  *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCBlockable == {80, 85}
+MCFamilies == TwoFamilies
+MCLoads == {{80}, {80, 85}}
+MCChangingObs == {80}
+MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
+MCObNumbers == {80, 85}
+MCIrtModes == {2}
+MCMoments == {Moment(0, 0)}
+MCInterrupts == {<<80, 1>>, <<85, 1>>}
+MCRestartTypes == {"warm"}
+MCRetVals == {0, 1, NotDelayed}
+
+Bounded == delay <= 1 /\ Waiting(2)
+=============================================================================
