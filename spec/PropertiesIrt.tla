@@ -73,10 +73,14 @@ LostProp ==
     [][ step'.event \in {"reached", "elapsed", "interrupt"} /\ step'.ob \in irt.blocked
           => UNCHANGED <<requests, stopCause>> ]_vars
 
-(* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU. *)
+(* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU, but  *)
+(* one that came before it was blocked, when its OB turns out to be missing *)
+(* [AMB-72].                                                               *)
 NoStopProp ==
-    [][ stopCause' # stopCause => /\ stopCause' = \h4568 => 80 \notin irt.blocked
-                                  /\ stopCause' = \h456D => 85 \notin irt.blocked ]_vars
+    [][ \A o \in {80, 85} :
+          /\ stopCause' # stopCause /\ o \in irt.blocked
+          /\ stopCause' = (IF o = 80 THEN \h4568 ELSE \h456D)
+          => Did("missing") /\ step'.ob = o ]_vars
 
 (* [IRT-01] [OBS-33] Nothing new waits for an OB that is blocked. *)
 NothingNewProp ==
