@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample typecheck apalache prove fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -59,6 +59,10 @@ agreement: setup  ## LOGS=10000 random logs: the engine and TLC give the same ve
 
 agreement-sample: setup  ## the same for 200 logs
 	$(BIN)/s7check agree --logs 200
+
+REV ?= HEAD^
+since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
+	$(BIN)/s7check since $(REV) --json build/since/report.json
 
 typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck

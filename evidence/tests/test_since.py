@@ -1,0 +1,185 @@
+"""``s7check since``: two revisions of a small project, whose command reads its verdict in the log."""
+
+import json
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
+from evidence.since import command
+from evidence.since.command import since_command
+from evidence.since.revision import Checkout
+
+S7CHECK = """#!/usr/bin/env python3
+import json, sys
+output, *logs = sys.argv[sys.argv.index("--output") + 1:]
+with open(output, "w") as file:
+    for log in logs:
+        verdict, line, *ids = open(log).read().split()
+        report = {"verdict": verdict.replace("_", " "), "line": int(line) or None, "requirements": ids, "message": "so"}
+        print(json.dumps(report), file=file)
+"""
+MANIFEST = {"models": [{"name": "airt", "expect": {"exit": 0, "states": 7}}, {"name": "neg", "expect": {"exit": 12}}]}
+SURVIVORS = [{"id": "A/B/constant/01", "reason": "Out of reach."}, {"id": "A/C/constant/02", "reason": "As good."}]
+
+Since = Callable[..., tuple[int, str]]
+
+
+def git(root: Path, *arguments: str) -> None:
+    """Run git as somebody."""
+    who = ["-c", "user.name=Somebody", "-c", "user.email=somebody@example.org", "-c", "commit.gpgsign=false"]
+    subprocess.run(["git", "-C", str(root), *who, *arguments], check=True, capture_output=True)
+
+
+def write(path: Path, content: Any) -> None:
+    """Write a text, or JSON."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project with two logs, two models and two reasons, committed, and built in its own folder."""
+    root = tmp_path / "project"
+    write(root / "Makefile", "setup:\n\tmkdir -p .venv/bin\n\tcp s7check .venv/bin/\n\tchmod +x .venv/bin/s7check\n")
+    write(root / "s7check", S7CHECK)
+    write(root / ".gitignore", "/build/\n/.venv/\n")
+    write(root / "traces" / "accept" / "one.ndjson", "accepted 0")
+    write(root / "traces" / "reject" / "two.ndjson", "rejected 3 TINT-01")
+    write(root / "models" / "manifest.json", MANIFEST)
+    write(root / "models" / "survivors.json", SURVIVORS)
+    write(root / "models" / "witnesses.json", [])
+    git(root, "init", "--initial-branch", "main")
+    git(root, "add", ".")
+    git(root, "commit", "--message", "First")
+    subprocess.run(["make", "setup"], cwd=root, check=True, capture_output=True)
+    monkeypatch.setattr(command, "ROOT", root)
+    return root
+
+
+@pytest.fixture
+def since(project: Path) -> Since:
+    """The command without random logs: its exit code and all that it says."""
+
+    def run(*arguments: str) -> tuple[int, str]:
+        ran = CliRunner().invoke(since_command, ["--logs", "0", *(arguments or ["main"])])
+        return ran.exit_code, ran.output
+
+    return run
+
+
+def test_nothing_differs(since: Since, project: Path) -> None:
+    """Also not if a log and a model are new, and a log is in another folder or has another name."""
+    write(project / "traces" / "accept" / "new.ndjson", "accepted 0")
+    write(project / "models" / "manifest.json", {"models": [*MANIFEST["models"], {"name": "dint", "expect": {}}]})
+    (project / "traces" / "TINT" / "reject").mkdir(parents=True)
+    (project / "traces" / "reject" / "two.ndjson").rename(project / "traces" / "TINT" / "reject" / "two.ndjson")
+    (project / "traces" / "accept" / "one.ndjson").rename(project / "traces" / "accept" / "uno.ndjson")
+    code, said = since()
+    assert code == 0, said
+    assert "no unexpected difference" in said
+    assert [line.split() for line in said.splitlines() if line.startswith(("shipped", "models"))] == [
+        ["shipped", "logs", "2", "1", "0", "0", "1"],
+        ["models", "and", "negative", "controls,", "pinned", "2", "0", "0", "0", "1"],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("file", "content", "difference"),
+    [
+        ("traces/accept/one.ndjson", "rejected 2", "log/accept/one.ndjson: accepted; now rejected at line 2: so"),
+        ("traces/reject/two.ndjson", "rejected 4", "rejected at line 3; now rejected at line 4: so"),
+        ("traces/reject/two.ndjson", "no_verdict 0", "rejected at line 3; now no verdict: so"),
+        ("models/manifest.json", {"models": MANIFEST["models"][:1]}, "model/neg: exit 12; the model is gone"),
+        ("models/manifest.json", {"models": [{"name": "airt", "expect": {"exit": 0, "states": 8}}]}, "now exit 0, sta"),
+        ("models/survivors.json", SURVIVORS[:1], "survivor/A/C/constant/02: gone: As good."),
+    ],
+)
+def test_a_difference(since: Since, project: Path, file: str, content: Any, difference: str) -> None:
+    """Each is named, and fails the command unless it is expected."""
+    write(project / file, content)
+    code, said = since()
+    assert code == 1
+    assert difference in said
+    assert "UNEXPECTED" in said
+    expected = project / "expected.json"
+    write(expected, [{"id": "*", "reason": "Wanted."}])
+    code, said = since("main", "--expected", str(expected))
+    assert code == 0, said
+    assert "(Wanted.)" in said
+
+
+def test_a_log_that_is_gone(since: Since, project: Path) -> None:
+    """It is not passed over."""
+    (project / "traces" / "accept" / "one.ndjson").unlink()
+    code, said = since()
+    assert code == 1
+    assert "log/accept/one.ndjson: accepted; the log is gone" in said
+
+
+def test_no_verdict_is_none(since: Since, project: Path) -> None:
+    """Two checkers that fail alike do not agree."""
+    write(project / "traces" / "accept" / "one.ndjson", "no_verdict 0")
+    git(project, "commit", "--all", "--message", "Second")
+    code, said = since()
+    assert code == 1
+    assert "log/accept/one.ndjson: no verdict: so" in said
+
+
+def test_notes(since: Since, project: Path) -> None:
+    """Other requirements, a reason that moved with its text, and an expectation that nothing meets are no failures."""
+    write(project / "traces" / "reject" / "two.ndjson", "rejected 3 TINT-02")
+    write(project / "models" / "survivors.json", [SURVIVORS[0], SURVIVORS[1] | {"id": "A/D/constant/03"}])
+    write(project / "expected.json", [{"id": "model/*", "reason": "Perhaps."}])
+    code, said = since("main", "--expected", str(project / "expected.json"))
+    assert code == 0, said
+    assert "note: log/reject/two.ndjson: requirements TINT-01; now TINT-02" in said
+    assert "note: survivor/A/C/constant/02: now A/D/constant/03" in said
+    assert "note: model/*: expected to differ, and nothing does" in said
+
+
+def test_json(since: Since, project: Path, tmp_path: Path) -> None:
+    """The same for programs."""
+    write(project / "traces" / "accept" / "one.ndjson", "rejected 2")
+    assert since("main", "--json", str(tmp_path / "out.json"))[0] == 1
+    document = json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))
+    assert document["ok"] is False
+    assert [one["differences"][0]["id"] for one in document["compared"] if one["differences"]] == [
+        "log/accept/one.ndjson"
+    ]
+
+
+def test_wrong_arguments_and_failures(since: Since, project: Path) -> None:
+    """A revision that is none, a manifest that is none, and a checkout that cannot be built or run."""
+    assert since("nothing-of-the-kind") == (2, f"Error: nothing-of-the-kind: {NO_REVISION.format(project)}\n")
+    write(project / "models" / "manifest.json", "[]")
+    code, said = since()
+    assert code == 2
+    assert f"Error: {project}/models/manifest.json: " in said
+    write(project / ".venv" / "bin" / "s7check", "#!/bin/sh\necho no Java >&2; exit 3\n")
+    code, said = since()
+    assert code == 3
+    assert "reported about 0 of 2 logs (exit code 3): no Java" in said
+    write(project / "Makefile", "setup:\n\techo no Maven >&2; exit 1\n")
+    git(project, "commit", "--all", "--message", "Second")
+    code, said = since()
+    assert code == 3
+    assert "ended with exit code 2: no Maven" in said
+
+
+NO_REVISION = "no such revision in {}: name a commit, a tag or a branch that is fetched"
+
+
+def test_random_logs() -> None:
+    """Both checkers get the same ones; here both are this checkout's."""
+    this = Checkout(ROOT)
+    if not this.s7check.is_file() or not SOFT_PLC_PROGRAM.is_file():
+        pytest.skip("`make setup` was not run")
+    found = command._random(this, this, 8, 1, lambda _: None)
+    assert found.same + len(found.undecided) == 8
+    assert found.same > 0
+    assert found.differences == []
