@@ -17,8 +17,8 @@ from pathlib import Path
 
 import click
 
-from evidence import log_as_tla
-from evidence.models.tlc import Toolchain, find_toolchain
+from evidence.tlc import log_as_tla
+from evidence.tlc.process import Toolchain, find_toolchain
 from s7check.java import find_java
 
 PROJECT = Path(__file__).resolve().parents[1]
