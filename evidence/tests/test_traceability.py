@@ -13,20 +13,21 @@ REQUIREMENTS = """# Requirements
 
 | ID | requirement | sources | confidence | specified in |
 |---|---|---|---|---|
-| TINT-01 | Something. | S | H | not yet |
-| TINT-02 | Something else (see TINT-01). | S | H | not yet |
-| OBS-09 | The rest. | S | H | not yet |
+| <a id="TINT-01"></a>TINT-01 | Something. | S | H | not yet |
+| <a id="TINT-02"></a>TINT-02 | Something else (see TINT-01). | S | H | not yet |
+| <a id="OBS-09"></a>OBS-09 | The rest. | S | H | not yet |
 """
-READINGS = """# Readings
+AMB_01 = '| <a id="AMB-01"></a>AMB-01 | Which? | (a), (b) | a |'
+READINGS = f"""# Readings
 
-| AMB | question | readings | default |
+| ID | question | readings | default |
 |---|---|---|---|
-| 01 | Which? | (a), (b) | a |
-| 02 | When? | (a), (b) | a |
+{AMB_01}
+| <a id="AMB-02"></a>AMB-02 | When? | (a), (b) | a |
 
-| AMB | what a log may show |
+| ID | a log may show |
 |---|---|
-| 01 | anything |
+| AMB-01 | anything |
 """
 SPEC = r"""---- MODULE System ----
 (* Rules.  Left out: sizes of buffers [OBS-09]. *)
@@ -128,15 +129,16 @@ def test_page(project: Path, run: Run) -> None:
     assert run("--write") == 0
     page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     assert (
-        "| TINT-01 | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
+        "| [TINT-01](requirements.md#TINT-01) | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
         " [a](../../traces/TINT/accept/a.ndjson) | [c](../../traces/TINT/reject/c.ndjson) |\n"
     ) in page
     assert (
-        "| TINT-02 | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
+        "| [TINT-02](requirements.md#TINT-02) | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
         " *[a](../../traces/TINT/accept/a.ndjson)* | [b](../../traces/TINT/reject/b.ndjson) |\n"
     ) in page
-    assert "| OBS-09 | [module] | [module] | [module] | [module] | [module] |\n" in page
-    assert "| 01 | Which? | System: Rule |\n| 02 | When? | [unseen] |\n" in page
+    assert "| [OBS-09](requirements.md#OBS-09) | [module] | [module] | [module] | [module] | [module] |\n" in page
+    assert "| [AMB-01](readings.md#AMB-01) | Which? | System: Rule |  |  |\n" in page
+    assert "| [AMB-02](readings.md#AMB-02) | When? | [unseen] |  |  |\n" in page
     assert "| AMB-02 | reading | unseen | no line of a log can show it |\n" in page
     assert "| model that would fail without it | 2 | 1 | 1 | 0 | 0 |\n" in page
 
@@ -145,9 +147,9 @@ def test_specified_in(project: Path, run: Run) -> None:
     """The last column of the requirements is generated, the others stay."""
     assert run("--write") == 0
     table = (project / "docs" / "rules" / "requirements.md").read_text(encoding="utf-8")
-    assert "| TINT-01 | Something. | S | H | System; property: Properties |\n" in table
-    assert "| TINT-02 | Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
-    assert "| OBS-09 | The rest. | S | H | no formula: module |\n" in table
+    assert '| <a id="TINT-01"></a>TINT-01 | Something. | S | H | System; property: Properties |\n' in table
+    assert "| Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
+    assert '| <a id="OBS-09"></a>OBS-09 | The rest. | S | H | no formula: module |\n' in table
 
 
 def test_modules_that_word_rejections(project: Path, run: Run) -> None:
@@ -179,7 +181,7 @@ Unused == FALSE
     assert run("--write") == 0
     assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
     page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
-    assert "| TINT-01 | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
+    assert "#TINT-01) | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
 
 
 def test_several_manifests(project: Path, run: Run) -> None:
@@ -252,8 +254,8 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
         ("traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
         (
             "docs/rules/requirements.md",
-            "| OBS-09 |",
-            "| OBS-08 | New. | S | H | |\n| OBS-09 |",
+            '| <a id="OBS-09">',
+            '| <a id="OBS-08"></a>OBS-08 | New. | S | H | |\n| <a id="OBS-09">',
             [
                 "OBS-08: no formula",
                 "OBS-08: no property that a model checks",
@@ -263,7 +265,7 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
             ],
         ),
         ("docs/rules/left_out.json", json.dumps(REASONS), "[]", ["AMB-02: no formula that looks its letter up"]),
-        ("docs/rules/readings.md", "| 01 | Which? | (a), (b) | a |\n", "", ["docs/rules/readings.md: no AMB-01"]),
+        ("docs/rules/readings.md", f"{AMB_01}\n", "", ["docs/rules/readings.md: no AMB-01"]),
     ],
 )
 def test_gap(
@@ -286,7 +288,7 @@ def test_gap(
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
         ("traces/TINT/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
-        ("docs/rules/readings.md", "| 01 | anything |", "| 01 | see AMB-17 |", "AMB-17"),
+        ("docs/rules/readings.md", "| AMB-01 | anything |", "| AMB-01 | see AMB-17 |", "AMB-17"),
     ],
 )
 def test_id_that_does_not_exist(
@@ -376,7 +378,7 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
         ("docs/rules/requirements.md", "# Requirements\n", "requirements.md: no rows"),
         (
             "docs/rules/requirements.md",
-            REQUIREMENTS + "| TINT-01 | Again. | S | H | |\n",
+            REQUIREMENTS + '| <a id="TINT-01"></a>TINT-01 | Again. | S | H | |\n',
             "TINT-01 has more than one row",
         ),
         ("docs/rules/readings.md", "# Readings\n", "readings.md: no rows"),

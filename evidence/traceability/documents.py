@@ -9,9 +9,8 @@ from pathlib import Path
 from evidence.traceability.errors import UnreadableError
 from evidence.traceability.ids import AMBIGUITY, PREFIXES
 
-_REQUIREMENT = re.compile(rf"^\| ((?:{'|'.join(PREFIXES)})-\d+) \|.*\|$", re.MULTILINE)
-_QUESTIONS = re.compile(r"^\| AMB \| question \|.*\n((?:\|.*\n?)+)", re.MULTILINE)
-_QUESTION = re.compile(r"^\| (\d+) \| ([^|]*) \|", re.MULTILINE)
+_REQUIREMENT = re.compile(rf'^\| <a id="((?:{"|".join(PREFIXES)})-\d+)"></a>\1 \|.*\|$', re.MULTILINE)
+_QUESTION = re.compile(rf'^\| <a id="({AMBIGUITY}-\d+)"></a>\1 \| ([^|]*) \|', re.MULTILINE)
 
 
 def read(path: Path) -> str:
@@ -29,10 +28,9 @@ def requirements(path: Path) -> tuple[str, ...]:
 
 def ambiguities(path: Path) -> dict[str, str]:
     """The ambiguities and their questions. Raises `UnreadableError`, also where there are none."""
-    table = _QUESTIONS.search(read(path))
-    rows = _QUESTION.findall(table[1]) if table else []
-    ids = _distinct(path, [f"{AMBIGUITY}-{number}" for number, _ in rows])
-    return dict(zip(ids, (question for _, question in rows), strict=True))
+    rows: list[tuple[str, str]] = _QUESTION.findall(read(path))
+    _distinct(path, [name for name, _ in rows])
+    return dict(rows)
 
 
 def _distinct(path: Path, ids: list[str]) -> tuple[str, ...]:

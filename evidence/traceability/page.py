@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import PurePosixPath
 
 from evidence.traceability.entries import Entries
-from evidence.traceability.matrix import COLUMNS, MODULE, Cell, Matrix, Row, counts
+from evidence.traceability.matrix import COLUMNS, MODULE, NOTHING, Cell, Matrix, Row, counts
 from evidence.traceability.modules import Definition
 from evidence.traceability.project import Project
 from evidence.traceability.reasons import KINDS
@@ -51,9 +51,12 @@ def page(matrix: Matrix, project: Project) -> str:
     for prefix, rows in groupby(matrix.rows, key=lambda row: row.id.partition("-")[0]):
         parts.append(f"\n## {prefix}\n\n| ID | {' | '.join(COLUMNS)} |\n|{'---|' * (len(COLUMNS) + 1)}\n")
         parts += [_row(row) for row in rows]
-    parts.append("\n## AMB\n\n| AMB | question | looked up in |\n|---|---|---|\n")
+    parts.append("\n## AMB\n\n| ID | question | looked up in | accepted | rejected |\n|---|---|---|---|---|\n")
     for name, cell in matrix.readings.items():
-        parts.append(f"| {name.partition('-')[2]} | {project.ambiguities[name]} | {_cell(cell, _places)} |\n")
+        logs = " | ".join(_logs(found.get(name, NOTHING)) for found in (project.logs.accepted, project.logs.rejected))
+        parts.append(
+            f"| [{name}](readings.md#{name}) | {project.ambiguities[name]} | {_cell(cell, _places)} | {logs} |\n"
+        )
     parts += [_REASONS, f"| {MODULE} | the box at the top of a module leaves it out |\n"]
     parts += [f"| {kind} | {meaning} |\n" for kind, meaning in KINDS.items()]
     parts += ["\n| ID | without | word | reason |\n|---|---|---|---|\n", *_reasons(matrix)]
@@ -90,7 +93,7 @@ def _row(row: Row) -> str:
         "accepted": _cell(row.cells["accepted"], _logs),
         "rejected": _cell(row.cells["rejected"], _logs),
     }
-    return f"| {row.id} | {' | '.join(cells.values())} |\n"
+    return f"| [{row.id}](requirements.md#{row.id}) | {' | '.join(cells.values())} |\n"
 
 
 def _cell(cell: Cell, show: Callable[[Entries], str]) -> str:

@@ -14,7 +14,7 @@ DOCS = Path(cli.__file__).parents[2] / "docs" / "rules"
 def test_agrees_with_the_documents() -> None:
     """The shipped file is what the documents say now; `python -m s7check.report.clauses` makes it."""
     texts = [(DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
-    stated = clauses.read_catalogue(*texts)
+    stated = clauses.read_documents(*texts)
     assert [clauses.clause(one.id) for one in stated] == stated
     assert len(stated) > 200
     assert all(one.text for one in stated)
@@ -25,3 +25,16 @@ def test_one() -> None:
     assert clauses.clause("AIRT-07").confidence == "H"
     assert set(clauses.clause("AMB-13").letters) == {"a", "b", "c", "d"}
     assert clauses.clause("AIRT-99").text == ""
+
+
+@pytest.mark.skipif(not DOCS.is_dir(), reason="no checkout: docs/rules is not there")
+@pytest.mark.parametrize("name", ["AIRT-07", "AMB-49"])
+def test_place(name: str) -> None:
+    """The anchor to which reports point is in the page that they name."""
+    page, _, anchor = clauses.clause(name).place.partition("#")
+    assert f'<a id="{anchor}">' in (DOCS.parents[1] / page).read_text(encoding="utf-8")
+
+
+def test_named() -> None:
+    """The IDs in a text, without those that are none and those that do not exist."""
+    assert clauses.named("AIRT-07, AMB-49 b and AIRT-07; UTF-16, AIRT-99") == ["AIRT-07", "AMB-49"]

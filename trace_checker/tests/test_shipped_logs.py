@@ -81,8 +81,7 @@ def test_enough_logs(verdict: str) -> None:
 def test_requirements_exist() -> None:
     """The requirements and ambiguities of the index have a row in the documents."""
     rows = "".join((DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md"))
-    known = set(re.findall(r"^\| ([A-Z]+-[0-9]+) \|", rows, re.MULTILINE))
-    known |= {f"AMB-{number}" for number in re.findall(r"^\| ([0-9]{2}) \|", rows, re.MULTILINE)}
+    known = set(re.findall(r'^\| <a id="([A-Z]+-[0-9]+)">', rows, re.MULTILINE))
     assert {name for entry in INDEX for name in entry["requirements"]} <= known
 
 

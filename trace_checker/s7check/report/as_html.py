@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from importlib.resources import files
 
 from s7check.report import words
-from s7check.report.clauses import clause
+from s7check.report.clauses import clause, named
 from s7check.report.lines import message, place, readings, source
-from s7check.report.markup import Node, document, node
+from s7check.report.markup import Node, add, document, node
 from s7check.report.timeline import timeline
 from s7check.verdict import Report, Verdict
 
@@ -41,6 +41,7 @@ def to_html(reports: Sequence[Report]) -> bytes:
         node("ul", *summary, class_="chips"),
         *([_contents(ordered)] if len(reports) > 1 else []),
         *(_section(number, report) for number, report in ordered),
+        *_clauses(reports),
     )
 
 
@@ -50,7 +51,7 @@ def _contents(ordered: list[tuple[int, Report]]) -> Node:
             "tr",
             node("td", _badge(report)),
             node("td", node("a", place(report), href=f"#log{number}")),
-            node("td", ", ".join(report.requirements)),
+            _with_links("td", ", ".join(report.requirements)),
         )
         for number, report in ordered
     ]
@@ -85,7 +86,7 @@ def _explanation(report: Report) -> Iterator[Node]:
         found = clause(name)
         origin = ", ".join(part for part in (found.source, found.confidence) if part)
         text = node("td", found.text, " ", node("span", origin, class_="origin"))
-        rows.append(node("tr", node("td", name, class_="id"), text))
+        rows.append(node("tr", _with_links("td", name, class_="id"), text))
     yield node("h3", "Requirements that decide")
     yield node("table", *rows)
     yield node("div", node("div", *_situations(report)), node("div", *_candidates(report)), class_="two")
@@ -111,7 +112,7 @@ def _candidates(report: Report) -> Iterator[Node]:
                 "td",
                 node("code", f"~({one.conjunct})"),
                 f" {one.values} ",
-                node("span", ", ".join([*one.requirements, one.place]), class_="origin"),
+                _with_links("span", ", ".join([*one.requirements, one.place]), class_="origin"),
             ),
         )
         for one in report.candidates
@@ -123,4 +124,30 @@ def _candidates(report: Report) -> Iterator[Node]:
 def _readings(report: Report) -> Iterator[Node]:
     for part in readings(report):
         yield node("h3", part.heading)
-        yield node("ul", *(node("li", line) for line in part.lines))
+        yield node("ul", *(_with_links("li", line) for line in part.lines))
+
+
+def _with_links(tag: str, text: str, **attributes: str) -> Node:
+    """A text in which each requirement and each ambiguity leads to its place at the end of the page."""
+    made = node(tag, **attributes)
+    for name in named(text):
+        before, _, text = text.partition(name)
+        add(made, before, node("a", name, href=f"#{name}"))
+    return add(made, text)
+
+
+def _clauses(reports: Sequence[Report]) -> Iterator[Node]:
+    """The requirements and ambiguities that the page names, with their place in the documents."""
+    names: dict[str, None] = {}
+    for report in reports:
+        lines = [line for part in readings(report) for line in part.lines]
+        tags = [name for one in report.candidates for name in one.requirements]
+        names |= dict.fromkeys(named(" ".join([*report.requirements, *tags, *lines])))
+    rows = []
+    for found in map(clause, sorted(names)):
+        answers = (f" ({letter}) {answer}" for letter, answer in found.letters.items())
+        origin = "; ".join(part for part in (found.source, found.confidence, found.place) if part)
+        text = node("td", found.text, *answers, " ", node("span", origin, class_="origin"))
+        rows.append(node("tr", node("td", found.id, class_="id", id=found.id), text))
+    if rows:
+        yield node("section", node("h2", "Requirements and readings"), node("table", *rows))

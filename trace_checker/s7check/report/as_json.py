@@ -5,7 +5,7 @@ from typing import Any
 import msgspec
 
 from s7check.report import words
-from s7check.report.clauses import clause
+from s7check.report.clauses import clause, named
 from s7check.verdict import Report
 
 
@@ -31,12 +31,25 @@ def _explanation(report: Report) -> dict[str, Any]:
     return {
         "prefix": {"first": 1, "last": report.line},
         "late": report.late,
-        "clauses": [clause(name) for name in report.requirements],
+        "clauses": [_clause(name) for name in report.requirements],
         "candidates": report.candidates,
         "states": report.states,
         "situations": [[list(said) for said in words.situation(state)] for state in report.situations],
     }
 
 
+def _clause(name: str) -> dict[str, Any]:
+    found = clause(name)
+    return {**msgspec.to_builtins(found), "place": found.place}
+
+
 def _readings(report: Report) -> list[dict[str, Any]]:
-    return [{"change": one.change, "verdict": one.verdict, "line": one.line} for one in report.readings or []]
+    return [
+        {
+            "change": one.change,
+            "verdict": one.verdict,
+            "line": one.line,
+            "place": next((clause(name).place for name in named(one.change)), None),
+        }
+        for one in report.readings or []
+    ]

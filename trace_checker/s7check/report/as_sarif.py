@@ -51,12 +51,13 @@ def _rule_of(report: Report) -> str:
 
 
 def _rule(name: str) -> dict[str, Any]:
-    text = _OWN_RULES.get(name) or clause(name).text or name
-    origin = clause(name).source
+    found = clause(name)
+    text = _OWN_RULES.get(name) or found.text or name
     return {
         "id": name,
         "shortDescription": {"text": text},
-        "fullDescription": {"text": f"{text} ({origin})" if origin else text},
+        "fullDescription": {"text": f"{text} ({found.source})" if found.source else text},
+        **({"help": {"text": f"{text} See {found.place}."}} if found.text else {}),
     }
 
 

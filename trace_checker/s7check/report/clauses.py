@@ -1,7 +1,7 @@
 """The requirements: what the IDs in a report stand for.
 
 ``requirements.json`` beside this module is made from the tables of docs/rules/requirements.md and
-docs/rules/readings.md: ``python -m s7check.report.clauses``.
+docs/rules/readings.md, where each row has an anchor with its ID: ``python -m s7check.report.clauses``.
 """
 
 import re
@@ -12,10 +12,9 @@ from pathlib import Path
 import msgspec
 
 _FILE = "requirements.json"
-_ROW = re.compile(r"^\| ((?:TINT|DINT|IRT|AIRT|OBS|CLK)-[0-9]+) \| (.*) \|$", re.MULTILINE)
-_AMBIGUITY = re.compile(r"^\| ([0-9]{2}) \| (.*) \|$", re.MULTILINE)
+_ROW = re.compile(r'^\| <a id="([A-Z]+-[0-9]+)"></a>\1 \| (.*) \|$', re.MULTILINE)
+_NAMED = re.compile(r"\b[A-Z]+-[0-9]{2,}\b")
 _LETTER = re.compile(r"\(([a-d])\) (.*?)(?=;? \([a-d]\) |$)")
-_CELLS_OF_AMBIGUITY = 4
 _CELL = re.compile(r"(?<!\\)\|")
 
 
@@ -27,6 +26,12 @@ class Clause(msgspec.Struct, frozen=True):
     source: str = ""
     confidence: str = ""
     letters: dict[str, str] = {}
+
+    @property
+    def place(self) -> str:
+        """Where the project's documents have it."""
+        page = "readings" if self.id.startswith("AMB-") else "requirements"
+        return f"docs/rules/{page}.md#{self.id}"
 
 
 @cache
@@ -40,16 +45,20 @@ def clause(name: str) -> Clause:
     return _clauses().get(name, Clause(name, ""))
 
 
-def read_catalogue(requirements: str, readings: str) -> list[Clause]:
+def named(text: str) -> list[str]:
+    """The IDs in a text that stand for a clause, each once."""
+    return [name for name in dict.fromkeys(_NAMED.findall(text)) if name in _clauses()]
+
+
+def read_documents(requirements: str, readings: str) -> list[Clause]:
     """The clauses of the two documents."""
     found: list[Clause] = []
     for name, row in _ROW.findall(requirements):
         text, source, confidence = (cell.strip() for cell in _CELL.split(row)[:3])
         found.append(Clause(name, text, source, confidence))
-    for number, row in _AMBIGUITY.findall(readings):
-        question, *cells = (cell.strip() for cell in _CELL.split(row))
-        if len(cells) == _CELLS_OF_AMBIGUITY:
-            found.append(Clause(f"AMB-{number}", question, letters=dict(_LETTER.findall(cells[0]))))
+    for name, row in _ROW.findall(readings):
+        question, letters = (cell.strip() for cell in _CELL.split(row)[:2])
+        found.append(Clause(name, question, letters=dict(_LETTER.findall(letters))))
     return found
 
 
@@ -61,7 +70,7 @@ def main() -> None:
     """Writes the file from the documents of the checkout."""
     docs = Path(__file__).resolve().parents[3] / "docs" / "rules"
     texts = [(docs / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md")]
-    Path(str(files(__package__) / _FILE)).write_bytes(_encoded(read_catalogue(*texts)))
+    Path(str(files(__package__) / _FILE)).write_bytes(_encoded(read_documents(*texts)))
 
 
 if __name__ == "__main__":

@@ -56,10 +56,10 @@ def parts(report: Report) -> Iterator[Part]:
 
 
 def clause_text(name: str) -> str:
-    """Such as ``AIRT-03 Calls are counted (SF06ru, H)``."""
+    """Such as ``AIRT-03 Calls are counted (SF06ru, H; docs/rules/requirements.md#AIRT-03)``."""
     found = clause(name)
     origin = ", ".join(part for part in (found.source, found.confidence) if part)
-    return f"{name} {found.text}" + (f" ({origin})" if origin else "")
+    return f"{name} {found.text}" + (f" ({origin}; {found.place})" if origin else "")
 
 
 def readings(report: Report) -> Iterator[Part]:
@@ -85,7 +85,7 @@ def reading_text(one: Reading) -> str:
     name, letter = one.change.split()
     found = clause(name)
     answer = found.letters.get(letter, "")
-    return f"{one.change}: {found.text} {answer}".rstrip() if found.text else one.change
+    return f"{one.change}: {found.text} {answer} ({found.place})" if found.text else one.change
 
 
 def _outcome(one: Reading) -> str:
