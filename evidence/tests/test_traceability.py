@@ -393,7 +393,7 @@ def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pyte
         ("spec/System.tla", SPEC.replace("[TINT-01] .. [TINT-02]", ""), "spec: no comment of a formula names"),
         ("spec/System.tla", SPEC.replace("[TINT-01] ..", "[TINT-03] .."), "is no range"),
         ("spec/Properties.tla", PROPERTIES.replace("[", ""), "spec: no comment of a property names"),
-        ("spec/System.tla", "nothing", "System.tla: no module"),
+        ("spec/System.tla", "nothing", "System.tla:1: the grammar cannot read this"),
         ("models/MCRules.tla", None, "models: no module"),
         ("models/MCRules.cfg", None, "MCRules.cfg"),
         ("models/manifest.json", "[]", "manifest.json: Expected `object`"),

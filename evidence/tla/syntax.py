@@ -63,15 +63,27 @@ class Module:
         return root
 
     @cached_property
+    def units(self) -> list[Node]:
+        """What the module consists of, without LOCAL."""
+        units = [unit for module in self.root.children if module.type == "module" for unit in module.children]
+        return [unit.children[-1] if unit.type == "local_definition" else unit for unit in units]
+
+    @cached_property
     def definitions(self) -> dict[str, Node]:
         """The definitions of the module itself, not those inside of LET."""
-        units = [unit for module in self.root.children for unit in module.children]
         found = {}
-        for unit in units:
+        for unit in self.units:
             name = unit.child_by_field_name("name")
             if unit.type in ("operator_definition", "function_definition") and name is not None:
                 found[token(name)] = unit
         return found
+
+    @cached_property
+    def extends(self) -> tuple[str, ...]:
+        """The modules that it extends."""
+        return tuple(
+            token(n) for u in self.units if u.type == "extends" for n in u.children if n.type == "identifier_ref"
+        )
 
     @cached_property
     def imports(self) -> frozenset[str]:

@@ -132,7 +132,7 @@ def _changed(folder: Path, entry: Entry, modules: Sequence[Module]) -> list[Defi
     changed = []
     for mutation in mutations:
         module = next((m for m in modules if f"{m.name}.tla" == mutation.module), None)
-        if module is None or mutation.replace not in module.text:
+        if module is None or mutation.replace.encode() not in module.text:
             raise UnreadableError(f"{folder}: {entry.name}: its text is not in {mutation.module}")
         changed += module.at(mutation.replace)
     return changed

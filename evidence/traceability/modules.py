@@ -13,26 +13,26 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 
+from tree_sitter import Node
+
+from evidence.tla import syntax
+from evidence.tla.syntax import COMMENTS, SyntaxTreeError, meaningful, operand, token, walk
 from evidence.traceability.errors import UnreadableError
 from evidence.traceability.ids import RangeError, tagged
 
-_DEFINITION = re.compile(r"^(?:LOCAL\s+)?(\w+)[ \t]*(?:\([^=]*?\)|\[[^=]*?\])?\s*==(?!=)", re.MULTILINE)
-_DECLARATION = re.compile(r"^(?:VARIABLES?|CONSTANTS?)\b((?:.*\n)(?:[ \t].*\n|\n)*)", re.MULTILINE)
-_READING = re.compile(r'\b\w+\((?:\w+,\s*)?"(AMB-\d+)"\)')
-_MARK = re.compile(r'"(?:\\.|[^"\\\n])*"|\(\*|\*\)|\\\*.*')
-_EXTENDS = re.compile(r"^EXTENDS\s+(\w+(?:\s*,\s*\w+)*)", re.MULTILINE)
-_INSTANCE = re.compile(r"\bINSTANCE\s+(\w+)")
-_WORD = re.compile(r"\w+(?:!\w+)?")
+_AMBIGUITY = re.compile(r'"(AMB-\d+)"')
 _LEFT_OUT = re.compile(r"Left out:(.*)", re.DOTALL)
+_FRAME = re.compile(r"^\s*(?:\(\*|\\\*)?\s*|\s*(?:\*\))?\s*$")
+_BOX_LINE = 2
 
 
 @dataclass(frozen=True)
 class Definition:
     """A definition or a variable.
 
-    `start` and `end` are where its text stands in the module. `tags` are the IDs in its comments, `readings` the
-    ambiguities whose letter it looks up. `words` are the words of its code, among them ``Instance!Word`` for what
-    belongs to an instance of a module; `instance_of` is that module where the definition is an instance.
+    Its text stands between the bytes `start` and `end` of the module. `tags` are the IDs in its comments, `readings`
+    the ambiguities whose letter it looks up. `words` are the names that it uses, among them ``Instance!Word`` for the
+    name that an instance of a module has; `instance_of` is that module where the definition is an instance.
     """
 
     module: str
@@ -51,7 +51,7 @@ class Module:
     """A module; `tags` are those of its box that it does not leave out, `left_out` says why the others are missing."""
 
     name: str
-    text: str
+    text: bytes
     extends: tuple[str, ...]
     definitions: tuple[Definition, ...]
     tags: tuple[str, ...]
@@ -59,8 +59,9 @@ class Module:
 
     def at(self, text: str) -> list[Definition]:
         """The definitions in which the first occurrence of a piece of text stands."""
-        start = self.text.find(text)
-        return [d for d in self.definitions if start >= 0 and d.start < start + len(text) and start < d.end]
+        sought = text.encode()
+        start = self.text.find(sought)
+        return [d for d in self.definitions if start >= 0 and d.start < start + len(sought) and start < d.end]
 
 
 @dataclass
@@ -79,6 +80,9 @@ class _Block:
         return "\n".join(self.texts)
 
 
+_NO_BOX = _Block(0, 0, 0, 0, own_line=True)
+
+
 def read_modules(directory: Path, pattern: str = "*.tla") -> list[Module]:
     """Read the modules of a directory. Raises `UnreadableError`, also where there are none."""
     paths = sorted(directory.glob(pattern))
@@ -90,22 +94,21 @@ def read_modules(directory: Path, pattern: str = "*.tla") -> list[Module]:
 def read_module(path: Path) -> Module:
     """Read one module. Raises `UnreadableError`."""
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+        read = syntax.Module(path.stem, path.read_bytes())
+        root = read.root
+    except OSError as error:
         raise UnreadableError(f"{path}: {error}") from error
-    if "MODULE" not in text:
-        raise UnreadableError(f"{path}: no module")
-    code, blocks = _comments(text)
-    definitions = _definitions(path.stem, code)
-    header, *others = blocks or [_Block(0, 0, 0, 0, own_line=True)]
-    if header.line != 2:
-        others = blocks
-        header = _Block(0, 0, 0, 0, own_line=True)
+    except SyntaxTreeError as error:
+        raise UnreadableError(f"{path.parent}/{error}") from error
+    definitions = _definitions(read)
+    header, *others = blocks = _blocks(read.text, root) or [_NO_BOX]
+    if header.line != _BOX_LINE:
+        header, others = _NO_BOX, blocks
     left_out = _left_out(header.text)
     try:
         tags: dict[Definition, list[str]] = {}
         for block in others:
-            owner = _owner(block, definitions, code)
+            owner = _owner(block, definitions, read.text)
             if owner:
                 tags.setdefault(owner, []).extend(tagged(block.text))
         own = [tag for tag in tagged(header.text) if tag not in left_out]
@@ -113,39 +116,78 @@ def read_module(path: Path) -> Module:
         raise UnreadableError(f"{path}: {error}") from error
     return Module(
         path.stem,
-        text,
-        tuple(re.findall(r"\w+", "".join(_EXTENDS.findall(code)))),
+        read.text,
+        read.extends,
         tuple(replace(d, tags=tuple(dict.fromkeys(tags.get(d, [])))) for d in definitions),
         tuple(own),
         left_out,
     )
 
 
-def _definitions(module: str, code: str) -> list[Definition]:
-    starts = {match.start(): match[1] for match in _DEFINITION.finditer(code)}
-    for block in _DECLARATION.finditer(code):
-        starts |= {block.start(1) + name.start(): name[0] for name in re.finditer(r"\b[A-Za-z]\w*", block[1])}
+def _definitions(module: syntax.Module) -> list[Definition]:
+    named = [(name, unit) for unit in module.units for name in _names(unit)]
+    starts = [name.start_byte for name, _ in named]
     return [
         Definition(
-            module,
-            starts[start],
-            code.count("\n", 0, start) + 1,
+            module.name,
+            token(name),
+            name.start_point.row + 1,
             start,
             end,
-            readings=tuple(dict.fromkeys(_READING.findall(code, start, end))),
-            words=frozenset(_WORD.findall(code, start, end)),
-            instance_of="".join(_INSTANCE.findall(code, start, end)[:1]),
+            readings=tuple(dict.fromkeys(_readings(unit))),
+            words=frozenset(_words(unit)),
+            instance_of=_instance(unit),
         )
-        for start, end in pairwise([*sorted(starts), len(code)])
+        for (name, unit), (start, end) in zip(named, pairwise([*starts, len(module.text)]), strict=True)
     ]
 
 
-def _owner(block: _Block, definitions: list[Definition], code: str) -> Definition | None:
+def _instance(unit: Node) -> str:
+    """The module of which a definition is an instance, or nothing."""
+    instances = [node for node in unit.children if node.type == "instance"]
+    return next((token(n) for instance in instances for n in instance.children if n.type == "identifier_ref"), "")
+
+
+def _names(unit: Node) -> list[Node]:
+    """What a unit of a module defines or declares."""
+    if unit.type in ("variable_declaration", "constant_declaration"):
+        return [node for node in unit.children if node.type == "identifier"]
+    name = unit.child_by_field_name("name")
+    return [name] if name is not None and unit.type in _DEFINING else []
+
+
+_DEFINING = ("operator_definition", "function_definition", "module_definition")
+
+
+def _words(node: Node) -> Iterator[str]:
+    if node.type == "prefixed_op":
+        inner = operand(node, "op")
+        name, *arguments = [inner] if inner.type == "identifier_ref" else meaningful(inner)
+        yield f"{token(operand(node, 'prefix')).rstrip('!')}!{token(name)}"
+        for argument in arguments:
+            yield from _words(argument)
+    elif node.type == "identifier_ref":
+        yield token(node)
+    else:
+        for child in node.children:
+            yield from _words(child)
+
+
+def _readings(unit: Node) -> Iterator[str]:
+    """The ambiguities that are the argument of an operator."""
+    for node in walk(unit):
+        if node.type == "bound_op":
+            for argument in node.children:
+                if argument.type == "string" and (found := _AMBIGUITY.fullmatch(token(argument))):
+                    yield found[1]
+
+
+def _owner(block: _Block, definitions: list[Definition], text: bytes) -> Definition | None:
     around = next((d for d in reversed(definitions) if d.start < block.start), None)
     following = next((d for d in definitions if d.start > block.start), None)
     if not block.own_line:
         return around
-    declared = following is not None and code[code.rfind("\n", 0, following.start) + 1 : following.start].isspace()
+    declared = following is not None and text[text.rfind(b"\n", 0, following.start) + 1 : following.start].isspace()
     return following if block.column == 0 or declared else around
 
 
@@ -158,44 +200,23 @@ def _left_out(header: str) -> dict[str, str]:
     return found
 
 
-def _comments(text: str) -> tuple[str, list[_Block]]:
-    """The text with spaces for its comments, and the comments."""
-    code = list(text)
+def _blocks(text: bytes, root: Node) -> list[_Block]:
+    """The comments, those together that stand below each other."""
     blocks: list[_Block] = []
-    for start, end in _spans(text):
-        for index in range(start, end):
-            if text[index] != "\n":
-                code[index] = " "
-        begin = text.rfind("\n", 0, start) + 1
-        line = text.count("\n", 0, start) + 1
-        last_line = line + text.count("\n", start, end)
-        own_line = not "".join(code[begin:start]).strip()
-        inner = _inner(text[start:end])
+    for comment in (node for node in walk(root) if node.type in COMMENTS):
+        line, column = comment.start_point.row + 1, comment.start_point.column
+        own_line = not text[comment.start_byte - column : comment.start_byte].strip()
+        inner = _inner(token(comment))
         before = blocks[-1] if blocks else None
-        if before and own_line and before.own_line and before.last_line == line - 1 and before.column == start - begin:
+        if before and own_line and before.own_line and before.last_line == line - 1 and before.column == column:
             before.texts.append(inner)
-            before.last_line = last_line
+            before.last_line = comment.end_point.row + 1
         else:
-            blocks.append(_Block(start, line, last_line, start - begin, own_line, [inner]))
-    return "".join(code), blocks
+            blocks.append(_Block(comment.start_byte, line, comment.end_point.row + 1, column, own_line, [inner]))
+    return blocks
 
 
 def _inner(comment: str) -> str:
-    """What a comment says, without its frame."""
-    said = comment.removeprefix("\\*") if comment.startswith("\\*") else comment[2:-2]
-    return "\n".join("" if set(line) <= set("*") else line for line in map(str.strip, said.split("\n")))
-
-
-def _spans(text: str) -> Iterator[tuple[int, int]]:
-    """Where the comments begin and end; those between ``(*`` and ``*)`` may be nested."""
-    depth = start = 0
-    for mark in _MARK.finditer(text):
-        if mark[0] == "(*":
-            start = start if depth else mark.start()
-            depth += 1
-        elif mark[0] == "*)" and depth:
-            depth -= 1
-            if not depth:
-                yield start, mark.end()
-        elif mark[0].startswith("\\*") and not depth:
-            yield mark.span()
+    """What comments say, without their frames; the grammar takes those below each other as one."""
+    lines = [_FRAME.sub("", line) for line in comment.split("\n")]
+    return "\n".join("" if set(line) <= set("*") else line for line in lines)
