@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from evidence.tla.syntax import Module
+from evidence.tla.syntax import Module, SyntaxTreeError
 
 WORDING = ("PastLines", "*Reasons", "Explain")
 """Modules of spec/ that only word a rejection."""
@@ -17,11 +17,19 @@ def read_modules(directory: Path) -> dict[str, Module]:
 
 
 def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
-    """The module and those of `modules` that it is built on."""
+    """The module and those of `modules` that it is built on. Raises `SyntaxTreeError` if it is not among them."""
+    if root not in modules:
+        raise SyntaxTreeError(f"{root}.tla: no such module")
+    return reached([root], {name: module.imports for name, module in modules.items()})
+
+
+def reached(names: Iterable[str], uses: Mapping[str, Iterable[str]]) -> frozenset[str]:
+    """Those of these names that `uses` has, and all that they use, directly or not."""
     found: set[str] = set()
-    waiting = {root}
+    waiting = list(names)
     while waiting:
         name = waiting.pop()
-        found.add(name)
-        waiting |= {n for n in modules[name].imports if n in modules} - found
+        if name in uses and name not in found:
+            found.add(name)
+            waiting += uses[name]
     return frozenset(found)

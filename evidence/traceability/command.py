@@ -12,14 +12,16 @@ from evidence.traceability.errors import UnreadableError
 from evidence.traceability.matrix import Matrix, build, counts
 from evidence.traceability.page import page, place
 from evidence.traceability.problems import notes, problems
-from evidence.traceability.project import PAGE, REQUIREMENTS, Project, find_project, read_project
+from evidence.traceability.project import CLAUSES, PAGE, REQUIREMENTS, Project, find_project, read_project
 
 GAPS, UNREADABLE = 1, 2
 
 
 @click.command("requirements", short_help="Trace each requirement to formula, property, model and logs.")
 @click.option(
-    "--write", is_flag=True, help="Write traceability.md and the last column of requirements.md in docs/rules/."
+    "--write",
+    is_flag=True,
+    help="Write docs/rules/traceability.md, the last column of requirements.md there, and the texts of reports.",
 )
 @click.option(
     "--project",
@@ -62,9 +64,11 @@ def _pages(root: Path, project: Project, matrix: Matrix, *, write: bool) -> list
     texts = {
         PAGE: page(matrix, project),
         REQUIREMENTS: documents.with_places(table, lambda name: place(rows[name])),
+        CLAUSES: documents.encoded([*project.requirements.values(), *project.ambiguities.values()]),
     }
     if write:
         for path, text in texts.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(text, encoding="utf-8")
     return [p for p, text in texts.items() if not (root / p).is_file() or documents.read(root / p) != text]
 

@@ -55,7 +55,7 @@ def page(matrix: Matrix, project: Project) -> str:
     for name, cell in matrix.readings.items():
         logs = " | ".join(_logs(found.get(name, NOTHING)) for found in (project.logs.accepted, project.logs.rejected))
         parts.append(
-            f"| [{name}](readings.md#{name}) | {project.ambiguities[name]} | {_cell(cell, _places)} | {logs} |\n"
+            f"| [{name}](readings.md#{name}) | {project.ambiguities[name].text} | {_cell(cell, _places)} | {logs} |\n"
         )
     parts += [_REASONS, f"| {MODULE} | the box at the top of a module leaves it out |\n"]
     parts += [f"| {kind} | {meaning} |\n" for kind, meaning in KINDS.items()]

@@ -13,11 +13,14 @@ from evidence.traceability.logs import Logs, read_logs
 from evidence.traceability.modules import Module, read_modules
 from evidence.traceability.reasons import Reasons, read_reasons
 from evidence.traceability.roles import rules, statements
+from s7check.report.clauses import Clause
 
 REQUIREMENTS = Path("docs/rules/requirements.md")
 READINGS = Path("docs/rules/readings.md")
 REASONS = Path("docs/rules/left_out.json")
 PAGE = Path("docs/rules/traceability.md")
+CLAUSES = Path("trace_checker/s7check/report/requirements.json")
+"""The texts that reports of ``s7check trace`` show."""
 MODELS = Path("models")
 TRACES = Path("traces")
 
@@ -33,8 +36,8 @@ CITING = (
 class Project:
     """What was read; `cited` are the IDs that each of the files names."""
 
-    requirements: tuple[str, ...]
-    ambiguities: dict[str, str]
+    requirements: dict[str, Clause]
+    ambiguities: dict[str, Clause]
     spec: tuple[Module, ...]
     controls: Controls
     logs: Logs
@@ -62,8 +65,8 @@ def read_project(root: Path) -> Project:
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
     paths = sorted({path for pattern in CITING for path in root.glob(pattern)} - {root / PAGE})
     return Project(
-        documents.requirements(root / REQUIREMENTS),
-        documents.ambiguities(root / READINGS),
+        {clause.id: clause for clause in documents.requirements(root / REQUIREMENTS)},
+        {clause.id: clause for clause in documents.ambiguities(root / READINGS)},
         tuple(spec),
         read_controls(root / MODELS, spec, models),
         read_logs(root / TRACES),

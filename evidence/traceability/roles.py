@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from evidence.tla.modules import reached
 from evidence.traceability.modules import Definition, Module
 
 SYSTEM = "System"
@@ -35,14 +36,6 @@ def lookups(ambiguity: str, ruling: Sequence[Module]) -> list[Definition]:
     return [d for d in others if ambiguity in d.readings or names & d.words]
 
 
-def extended(names: Iterable[str], modules: Sequence[Module]) -> set[str]:
+def extended(names: Iterable[str], modules: Sequence[Module]) -> frozenset[str]:
     """These modules and all that they extend."""
-    extends = {module.name: module.extends for module in modules}
-    found: set[str] = set()
-    todo = list(names)
-    while todo:
-        name = todo.pop()
-        if name in extends and name not in found:
-            found.add(name)
-            todo += extends[name]
-    return found
+    return reached(names, {module.name: module.extends for module in modules})
