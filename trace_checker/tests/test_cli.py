@@ -15,10 +15,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from s7check import __version__, check, cli, trace_command
-from s7check.engine_answer import Allowed
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check import __version__, cli, trace_command
+from s7check.engine.answer import Allowed
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging import check
 from s7check.report.clauses import clause
 from s7check.report.expected import format_allowed
 from tests.fake_engine import CANDIDATE
@@ -35,6 +36,7 @@ REJECTED = log_text(event("run"), event("EN_AIRT", ret="16#0001", x_who="me"), e
 UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))
 WRONG_RET = 'field "ret": expected a word such as "W#16#8090" or an integer -32768..65535, or null; found "abc"'
 NO_VERDICT = log_text(event("hold"))
+PLACE = "docs/rules/requirements.md#AIRT-07"
 
 
 @pytest.fixture
@@ -95,7 +97,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
             "message": "no behaviour of the specification explains this line",
             "prefix": {"first": 1, "last": 3},
             "late": [],
-            "clauses": [msgspec.to_builtins(clause("AIRT-07"))],
+            "clauses": [msgspec.to_builtins(clause("AIRT-07")) | {"place": PLACE}],
             "candidates": [CANDIDATE],
             "states": 2,
             "situations": [
@@ -143,7 +145,7 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         '    {"event": "EN_AIRT", "at": "2026-11-21T05:59:31.000", "ret": "16#0001", "x_who": "me"}',
         "  expected: EN_AIRT ret=16#0000",
         "  requirements: AIRT-07",
-        f"    AIRT-07 {clause('AIRT-07').text} (SF06ru TIA, H)",
+        f"    AIRT-07 {clause('AIRT-07').text} (SF06ru TIA, H; {PLACE})",
         "  shortest prefix that fails: lines 1 to 3",
         "  why not: EnAirt(1): not ret = delay - 1; delay - 1 = 0 [AIRT-07, Airt:30]",
         "  before the line 1 of 2:",
