@@ -30,7 +30,7 @@ class BuildWithData(build_py):
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
         for jar in (JAR, *TARGET.glob("lib/*.jar")):
-            copy = package / "engine" / jar.relative_to(TARGET)
+            copy = package / "jars" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(jar, copy)
 

@@ -19,7 +19,7 @@ import click
 
 from evidence.tlc import log_as_tla
 from evidence.tlc.process import Toolchain, find_toolchain
-from s7check.java import find_java
+from s7check.engine.java import find_java
 
 PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"

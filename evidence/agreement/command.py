@@ -20,7 +20,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.random_logs.generate import SoftPlcError
 from evidence.tlc import process as tlc
-from s7check.engine_command import EngineError
+from s7check.engine.command import EngineError
 from s7check.resources import SPECIFICATION
 
 DIFFER = 1

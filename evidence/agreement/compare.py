@@ -18,9 +18,9 @@ from evidence.agreement.verdicts import Compared, Judged
 from evidence.common.processes import Processes
 from evidence.random_logs.generate import Generated, Generator
 from evidence.tlc import process as tlc
-from s7check.check import check_log
-from s7check.engine_client import Engine
-from s7check.engine_command import engine_command
+from s7check.engine.client import Engine
+from s7check.engine.command import engine_command
+from s7check.judging.check import check_log
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.resources import SPECIFICATION

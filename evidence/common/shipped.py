@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from s7check.verdict import Report
+from s7check.judging.verdict import Report
 
 
 class Shipped(msgspec.Struct, frozen=True):

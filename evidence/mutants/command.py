@@ -31,7 +31,7 @@ from evidence.mutants.listing import Mutant, mutants
 from evidence.tla.modules import WORDING, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError
 from evidence.tlc import process as tlc
-from s7check.engine_command import EngineError
+from s7check.engine.command import EngineError
 
 UNEXPLAINED = 1
 

@@ -14,9 +14,9 @@ import msgspec
 
 from evidence.common.shipped import difference, index_files, shipped_logs
 from evidence.mutants.findings import How
-from s7check.check import check_log
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError, engine_command
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError, engine_command
+from s7check.judging.check import check_log
 
 UNREADABLE = "arsing or semantic analysis failed"
 """What TLC says of a specification that does not parse or has no meaning."""

@@ -22,8 +22,8 @@ from evidence.random_logs.generate import Generator, SoftPlcError
 from evidence.since import compare, pins, report
 from evidence.since.judging import judge
 from evidence.since.revision import BuildError, Checkout, RevisionError, checkout, find
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
 
 DIFFERENT = 1
 

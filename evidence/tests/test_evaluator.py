@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from evidence.common.shipped import difference, shipped_logs
-from s7check.check import check_log
-from s7check.engine_client import Engine
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 
 TRACES = Path(__file__).resolve().parents[2] / "traces"
 

@@ -14,7 +14,7 @@ from evidence.mutants import command, logs
 from evidence.mutants.command import mutants_command
 from evidence.tests.test_mutants_bench import TEXT, FakeCheck
 from evidence.tlc import process as tlc
-from s7check.engine_command import EngineError, engine_command
+from s7check.engine.command import EngineError, engine_command
 
 ROOT = Path(__file__).parents[2]
 

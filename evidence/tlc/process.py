@@ -15,7 +15,7 @@ from evidence.common.processes import InterruptedRunError, Processes, kill
 from evidence.tlc.messages import Message, Outcome, Parser, interpret
 from evidence.tlc.workspace import Workspace
 from s7check import resources
-from s7check.java import JavaMissingError, find_java
+from s7check.engine.java import JavaMissingError, find_java
 
 JAR_VARIABLE = "TLA2TOOLS_JAR"
 PROGRESS_SECONDS = 10

@@ -15,8 +15,8 @@ from rich.table import Table
 from evidence.common.checkout import ROOT, SOFT_PLC, SOFT_PLC_PROGRAM
 from evidence.common.console import console
 from evidence.common.shipped import difference, shipped_logs
-from s7check.check import check_log
-from s7check.engine_client import Engine
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 
 BUILD = ROOT / "build" / "verify"
 

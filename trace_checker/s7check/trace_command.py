@@ -9,21 +9,21 @@ from pathlib import Path
 
 import click
 
-from s7check.check import check_log
 from s7check.completion import complete_files
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.check import check_log
+from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
+from s7check.judging.verdict import Report
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
 from s7check.output import write_whole
-from s7check.replay import Replay, TooLongError, with_readings, with_steps
 from s7check.report.as_html import to_html
 from s7check.report.as_json import to_json
 from s7check.report.as_junit import to_junit
 from s7check.report.as_sarif import to_sarif
 from s7check.report.as_text import to_text
 from s7check.report.progress import ProgressBar
-from s7check.verdict import Report
 
 _WHOLE: dict[str, Callable[[Sequence[Report]], bytes]] = {"junit": to_junit, "sarif": to_sarif, "html": to_html}
 """Formats that are one document for all logs."""

@@ -4,7 +4,7 @@ import sys
 from unittest import mock
 
 from s7check.cli import main
-from s7check.engine_client import Engine
+from s7check.engine.client import Engine
 from tests.conftest import FAKE_ENGINE
 
 if __name__ == "__main__":

@@ -12,12 +12,12 @@ from typing import Any
 
 import pytest
 
-from s7check.check import check_log
-from s7check.engine_answer import Allowed, Answer, Frame
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check.engine.answer import Allowed, Answer, Frame
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.check import check_log
+from s7check.judging.replay import Replay, with_readings
 from s7check.log.reader import Batch, read_log
-from s7check.replay import Replay, with_readings
 from tests.conftest import FAKE_ENGINE
 from tests.logs import BEGIN, HEADER, event, log_text
 
@@ -191,14 +191,14 @@ def test_failure_while_waiting(engine: Engine) -> None:
 )
 def test_no_engine(command: list[str], message: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """What does not get ready is an error."""
-    monkeypatch.setattr("s7check.engine_process._PATIENCE", 0.1)
+    monkeypatch.setattr("s7check.engine.process._PATIENCE", 0.1)
     with Engine(lambda: command) as engine, pytest.raises(EngineError, match=message):
         feed(engine)
 
 
 def test_end_by_force(monkeypatch: pytest.MonkeyPatch) -> None:
     """A process that does not end is killed."""
-    monkeypatch.setattr("s7check.engine_process._PATIENCE", 0.1)
+    monkeypatch.setattr("s7check.engine.process._PATIENCE", 0.1)
     begun = time.monotonic()
     ready = """echo '{"engine": "ready"}'; echo '{"verdict": "accepted"}'; cat > /dev/null; sleep 60"""
     with Engine(lambda: ["sh", "-c", ready]) as engine:

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from s7check import engine_command as module
-from s7check.engine_command import EngineError, engine_command
+from s7check.engine import command as module
+from s7check.engine.command import EngineError, engine_command
 
 
 @pytest.fixture

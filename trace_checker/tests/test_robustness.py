@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from s7check import check, cli
+from s7check import cli
+from s7check.judging import check
 from s7check.log.lines import Lines
 from tests import fuzz
 from tests.logs import event, log_text

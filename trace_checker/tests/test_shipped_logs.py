@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from s7check import cli
-from s7check.verdict import Report
+from s7check.judging.verdict import Report
 from tests.shipped import INDEX, TRACES
 
 PROJECT = Path(cli.__file__).parents[2]

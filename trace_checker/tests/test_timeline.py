@@ -1,8 +1,8 @@
 """The picture of a log."""
 
-from s7check.engine_answer import Frame, Pending, Situation, Step
+from s7check.engine.answer import Frame, Pending, Situation, Step
+from s7check.judging.verdict import Report
 from s7check.report.timeline import timeline
-from s7check.verdict import Report
 from tests.logs import event, log_text
 
 

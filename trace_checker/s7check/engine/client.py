@@ -7,9 +7,9 @@ from typing import Any, Literal, Self, TypeVar
 
 import msgspec
 
-from s7check.engine_answer import Alternatives, Answer
-from s7check.engine_command import EngineError, engine_command
-from s7check.engine_process import EngineProcess
+from s7check.engine.answer import Alternatives, Answer
+from s7check.engine.command import EngineError, engine_command
+from s7check.engine.process import EngineProcess
 from s7check.log.errors import printable
 from s7check.log.source import wait_for_input
 from s7check.readable import readable

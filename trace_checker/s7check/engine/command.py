@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from s7check.java import JavaMissingError, find_java
+from s7check.engine.java import JavaMissingError, find_java
 from s7check.resources import ENGINE, REMEDY, SPECIFICATION
 
 _MAIN_CLASS = "s7.trace.Engine"

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import tempfile
 
-from s7check.engine_command import EngineError
+from s7check.engine.command import EngineError
 from s7check.log.errors import printable
 from s7check.resources import REMEDY
 

@@ -6,15 +6,15 @@ from itertools import islice
 
 import click
 
-from s7check.engine_answer import NOTHING_TO_CHOOSE, Answer, Candidate
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import Lines
 from s7check.log.reader import read_log
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
-from s7check.verdict import Report
 
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""

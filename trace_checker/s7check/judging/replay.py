@@ -5,14 +5,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from s7check.engine_answer import Alternatives, Answer
-from s7check.engine_client import Engine
-from s7check.engine_command import EngineError
+from s7check.engine.answer import Alternatives, Answer
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.verdict import Reading, Report, Verdict
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 from s7check.log.tables import PRIORITY_CPUS
-from s7check.verdict import Reading, Report, Verdict
 
 LONGEST = 4 * 1024 * 1024
 """Bytes of a log that is judged again."""

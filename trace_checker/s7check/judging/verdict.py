@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Literal
 
-from s7check.engine_answer import Candidate, Situation, Step
+from s7check.engine.answer import Candidate, Situation, Step
 
 Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
 

@@ -4,12 +4,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 
+from s7check.judging.verdict import Report, Verdict
 from s7check.report import words
 from s7check.report.clauses import clause, named
 from s7check.report.lines import message, place, readings, source
 from s7check.report.markup import Node, add, document, node
 from s7check.report.timeline import timeline
-from s7check.verdict import Report, Verdict
 
 _SCRIPT = (
     'for (const box of document.querySelectorAll(".scroll")) '

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from xml.etree import ElementTree as Xml
 
+from s7check.judging.verdict import Report
 from s7check.report.lines import message, parts, place, source
-from s7check.verdict import Report
 
 _KINDS = {"rejected": "failure", "unusable": "error", "no verdict": "error"}
 

@@ -2,8 +2,8 @@
 
 import click
 
+from s7check.judging.verdict import Report
 from s7check.report.lines import message, parts, place, source
-from s7check.verdict import Report
 
 COLOURS = {"accepted": "green", "rejected": "red", "unusable": "yellow", "no verdict": "magenta"}
 

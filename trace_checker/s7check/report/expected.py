@@ -1,6 +1,6 @@
 """What the specification allows, in the words of the log format."""
 
-from s7check.engine_answer import Allowed, Situation
+from s7check.engine.answer import Allowed, Situation
 from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from s7check.judging.verdict import Reading, Report
 from s7check.log.errors import printable
 from s7check.report import words
 from s7check.report.clauses import clause
-from s7check.verdict import Reading, Report
 
 LONGEST_LINE = 400
 MOST_EXPECTED = 12

@@ -1,6 +1,6 @@
 """The situation of a CPU in words."""
 
-from s7check.engine_answer import Candidate, Moment, Pending, Situation
+from s7check.engine.answer import Candidate, Moment, Pending, Situation
 from s7check.log.errors import ranges
 from s7check.log.values import MS_PER_MINUTE, iso
 

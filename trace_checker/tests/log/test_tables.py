@@ -1,6 +1,6 @@
 """The tables of the format say what the specification says."""
 
-from s7check.engine_client import Engine
+from s7check.engine.client import Engine
 from s7check.log.header import PROFILES, read_header
 from s7check.log.tables import READINGS
 from s7check.report.clauses import clause
