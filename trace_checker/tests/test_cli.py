@@ -110,10 +110,10 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
                 ]
             ],
             "readings": [
-                {"change": "cpu S7-300", "verdict": "rejected", "line": 3},
-                {"change": "profile 2006", "verdict": "rejected", "line": 3},
-                {"change": "AMB-01 a", "verdict": "rejected", "line": 3},
-                {"change": "AMB-12 b", "verdict": "accepted", "line": None},
+                {"change": "cpu S7-300", "verdict": "rejected", "line": 3, "place": None},
+                {"change": "profile 2006", "verdict": "rejected", "line": 3, "place": None},
+                {"change": "AMB-01 a", "verdict": "rejected", "line": 3, "place": clause("AMB-01").place},
+                {"change": "AMB-12 b", "verdict": "accepted", "line": None, "place": clause("AMB-12").place},
             ],
         },
         nothing
@@ -154,7 +154,8 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "    delayed: 1 DIS_AIRT not taken back",
         "    pending: OB 81 (class 25) since 2026-11-21T05:59:31.000",
         "    loaded: OB 1, 40, 80-81",
-        f"  would pass with: AMB-12 b: {clause('AMB-12').text} {clause('AMB-12').letters['b']}",
+        f"  would pass with: AMB-12 b: {clause('AMB-12').text} {clause('AMB-12').letters['b']} "
+        f"({clause('AMB-12').place})",
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
     ]
