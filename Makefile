@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench clean
+.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -85,10 +85,12 @@ lint: setup  ## ruff and mypy
 	$(BIN)/mypy
 	$(BIN)/mypy bench/run.py
 
-bench: setup  ## speed of the trace checker beside TLC on the same logs: bench/RESULTS.md
-	@mkdir -p build
-	$(BIN)/python bench/run.py > build/bench.md
-	mv build/bench.md bench/RESULTS.md
+bench: setup  ## speed of the trace checker beside TLC on the same logs; keeps the result for docs/project/results.md
+	$(BIN)/s7check results bench
+
+RUNS ?= --write
+results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
+	$(BIN)/s7check results $(RUNS)
 
 clean:  ## remove what was built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build

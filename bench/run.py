@@ -1,25 +1,24 @@
-"""Measures the trace checker and TLC on the same logs, and prints the tables as Markdown.
+"""Measures the trace checker and TLC on the same logs, and writes the tables as JSON.
 
 Run it with the Python of the virtual environment; README.md says what is measured.
 """
 
+import json
 import os
-import platform
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TextIO
 
 import click
 
 from evidence.tlc import log_as_tla
 from evidence.tlc.process import Toolchain, find_toolchain
-from s7check.engine.java import find_java
 
 PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"
@@ -59,6 +58,10 @@ NEXT BenchNext
 INVARIANT Consumed
 CHECK_DEADLOCK FALSE
 """
+
+
+Cell = str | int | float | None
+Table = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -187,74 +190,85 @@ def write_modules(log: Path, folder: Path) -> None:
     (folder / "Bench.cfg").write_text(CONFIGURATION)
 
 
-def row(*cells: str) -> str:
-    """A row of a table."""
-    return f"| {' | '.join(cells)} |"
+def table(title: str, columns: str, rows: list[list[Cell]]) -> Table:
+    """A table; the columns are separated by bars."""
+    return {"title": title, "columns": columns.split(" | "), "rows": rows}
 
 
-def long_log(log: Path, events: int) -> list[str]:
+def tenths(number: float) -> float:
+    """A number with one digit behind the point."""
+    return round(number, 1)
+
+
+def long_log(log: Path, events: int) -> Table:
     """The table of the long log."""
     say(f"s7check, {events} events")
     ran = check(log)
-    return [
-        "| events | MB | seconds | CPU seconds | events/s | JVM, MB | Python, MB |",
-        "|---:|---:|---:|---:|---:|---:|---:|",
-        row(
-            f"{events:,}",
-            f"{log.stat().st_size / 1024**2:.0f}",
-            f"{ran.seconds:.1f}",
-            f"{ran.cpu:.1f}",
-            f"{events / ran.seconds:,.0f}",
-            f"{ran.jvm:.0f}",
-            f"{ran.python:.0f}",
-        ),
-    ]
+    return table(
+        "One long log",
+        "events | MB | seconds | CPU seconds | events/s | JVM, MB | Python, MB",
+        [
+            [
+                events,
+                round(log.stat().st_size / 1024**2),
+                tenths(ran.seconds),
+                tenths(ran.cpu),
+                round(events / ran.seconds),
+                round(ran.jvm),
+                round(ran.python),
+            ]
+        ],
+    )
 
 
-def compare(logs: dict[int, Path], folder: Path, limit: float) -> list[str]:
-    """The table of TLC and the checker at the same lengths."""
+def compare(logs: dict[int, Path], folder: Path, limit: float) -> Table:
+    """The table of TLC and the checker at the same lengths; a run of TLC that did not end has no speed."""
     tools = find_toolchain(None)
-    rows = [
-        "| events | TLC, s | CPU | reading the log, s | events/s | MB | s7check, s | CPU | events/s | ratio | of CPU |",
-        "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
-    ]
+    rows: list[list[Cell]] = []
     for length, log in sorted(logs.items()):
         say(f"s7check and TLC, {length} events")
         checked = check(log)
         explored = explore(tools, log, folder, limit)
         ended = explored.end == "consumed"
         rows.append(
-            row(
-                f"{length:,}",
-                f"{explored.seconds:.1f}",
-                f"{explored.cpu:.1f}",
-                f"{explored.reading:.1f}",
-                f"{length / explored.seconds:,.0f}" if ended else explored.end,
-                f"{explored.memory:,.0f}",
-                f"{checked.seconds:.1f}",
-                f"{checked.cpu:.1f}",
-                f"{length / checked.seconds:,.0f}",
-                f"{explored.seconds / checked.seconds:.1f}" if ended else "",
-                f"{explored.cpu / checked.cpu:.1f}" if ended else "",
-            )
+            [
+                length,
+                tenths(explored.seconds),
+                tenths(explored.cpu),
+                tenths(explored.reading),
+                round(length / explored.seconds) if ended else explored.end,
+                round(explored.memory),
+                tenths(checked.seconds),
+                tenths(checked.cpu),
+                round(length / checked.seconds),
+                tenths(explored.seconds / checked.seconds) if ended else None,
+                tenths(explored.cpu / checked.cpu) if ended else None,
+            ]
         )
-    return rows
+    return table(
+        "TLC on the same log",
+        "events | TLC, s | CPU | reading the log, s | events/s | MB | s7check, s | CPU | events/s | ratio | of CPU",
+        rows,
+    )
 
 
-def memory(logs: dict[int, Path]) -> list[str]:
+def memory(logs: dict[int, Path]) -> Table:
     """The table of the memory at different lengths."""
-    rows = ["| events | heap | JVM, MB | Python, MB | seconds |", "|---:|---|---:|---:|---:|"]
+    rows: list[list[Cell]] = []
     runs = [(length, "448 MB, as usual", "") for length in sorted(logs)]
     runs += [(length, SMALL_HEAP, SMALL_HEAP) for length in SMALL_HEAP_LENGTHS]
     for length, heap, options in runs:
         say(f"memory, {length} events, heap {heap}")
         ran = check(logs[length], options)
-        rows.append(row(f"{length:,}", heap, f"{ran.jvm:.0f}", f"{ran.python:.0f}", f"{ran.seconds:.1f}"))
-    return rows
+        rows.append([length, heap, round(ran.jvm), round(ran.python), tenths(ran.seconds)])
+    return table("Memory does not grow with the log", "events | heap | JVM, MB | Python, MB | seconds", rows)
 
 
-def small_logs(folder: Path, count: int, limit: float) -> list[str]:
-    """The table of what the start of the programs decides: one short log, and many small ones."""
+def small_logs(folder: Path, count: int, limit: float) -> Table:
+    """The table in which the start of the programs counts most: one short log, and many small ones.
+
+    Medians of `TLC_SAMPLE` runs; for many logs as many times TLC's median of `TLC_SAMPLE` of them.
+    """
     say(f"{count} small logs")
     tools = find_toolchain(None)
     shortest = soft_plc(folder / "shortest.ndjson", str(SCENARIO), "--events", str(SHORTEST - 1))
@@ -271,44 +285,26 @@ def small_logs(folder: Path, count: int, limit: float) -> list[str]:
 
     by_tlc = [count * statistics.median(times) for times in ([x.seconds for x in each], [x.cpu for x in each])]
     accepted = of_many.said.count(": accepted:")
-    return [
-        "| | s7check, s | CPU | TLC, s | CPU |",
-        "|---|---:|---:|---:|---:|",
-        row(
+    rows: list[list[Cell]] = [
+        [
             f"a log of {SHORTEST} lines",
-            f"{statistics.median(x.seconds for x in checked):.2f}",
-            f"{statistics.median(x.cpu for x in checked):.2f}",
-            f"{statistics.median(x.seconds for x in started):.2f}",
-            f"{statistics.median(x.cpu for x in started):.2f}",
-        ),
-        row("TLC until its first state", "", "", f"{statistics.median(x.reading for x in started):.2f}", ""),
-        row(
-            f"{count:,} logs of {SMALL} lines",
-            f"{of_many.seconds:.1f}",
-            f"{of_many.cpu:.1f}",
-            *(f"{times:,.0f}" for times in by_tlc),
-        ),
-        "",
-        f"Medians of {TLC_SAMPLE} runs; for many logs {count:,} times TLC's median of {TLC_SAMPLE} of them.",
-        f"Accepted are {accepted:,} of the {count:,}.",
+            *(hundredths(times) for times in ([x.seconds for x in checked], [x.cpu for x in checked])),
+            *(hundredths(times) for times in ([x.seconds for x in started], [x.cpu for x in started])),
+        ],
+        ["TLC until its first state", None, None, hundredths([x.reading for x in started]), None],
+        [
+            f"{count:,} logs of {SMALL} lines, {accepted:,} of them accepted",
+            tenths(of_many.seconds),
+            tenths(of_many.cpu),
+            *(round(times) for times in by_tlc),
+        ],
     ]
+    return table("Short and small logs", " | s7check, s | CPU | TLC, s | CPU", rows)
 
 
-def machine(tools_name: str) -> str:
-    """The machine and the versions in a sentence."""
-    models = [
-        line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line
-    ]
-    memory_gb = int(Path("/proc/meminfo").read_text().split()[1]) / 1024**2
-    load = os.getloadavg()[0]
-    said = subprocess.run([find_java(), "-version"], capture_output=True, text=True, check=True).stderr
-    java = said.splitlines()[0].split('"')[1]
-    cores = len(os.sched_getaffinity(0))
-    return (
-        f"Machine: {models[0] if models else platform.machine()}, {cores} cores, {memory_gb:.0f} GB. "
-        f"Java {java}, Python {platform.python_version()}, TLC of {tools_name}.\n"
-        f"Load when the run began: {load:.1f}; what other programs take lengthens the seconds, hardly those of the CPU."
-    )
+def hundredths(numbers: list[float]) -> float:
+    """The median with two digits behind the point."""
+    return round(statistics.median(numbers), 2)
 
 
 @click.command()
@@ -316,8 +312,9 @@ def machine(tools_name: str) -> str:
 @click.option("--endless", default=10_000_000, show_default=True, help="Events of the longest log of the memory table.")
 @click.option("--small", default=1_000, show_default=True, help="Number of small logs.")
 @click.option("--tlc-limit", default=600.0, show_default=True, help="Seconds after which a run of TLC is ended.")
-def main(events: int, endless: int, small: int, tlc_limit: float) -> None:
-    """Measure and print."""
+@click.option("--json", "output", type=click.File("w"), default="-", help="Write the tables there, not to the output.")
+def main(events: int, endless: int, small: int, tlc_limit: float, output: TextIO) -> None:
+    """Measure, and write the tables as JSON."""
     subprocess.run(["make", "-s", "-C", str(SOFT_PLC)], check=True, stdout=sys.stderr)  # noqa: S607
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -325,15 +322,13 @@ def main(events: int, endless: int, small: int, tlc_limit: float) -> None:
             length: soft_plc(folder / f"{length}.ndjson", str(SCENARIO), "--events", str(length))
             for length in {*COMPARED, *MEMORY_LENGTHS, events, endless}
         }
-        click.echo(f"# Results of one run\n\n{machine(find_toolchain(None).jar.name)}\n")
-        tables: tuple[tuple[str, Callable[[], list[str]]], ...] = (
-            ("One long log", lambda: long_log(logs[events], events)),
-            ("Short and small logs", lambda: small_logs(folder, small, tlc_limit)),
-            ("TLC on the same log", lambda: compare({n: logs[n] for n in COMPARED}, folder, tlc_limit)),
-            ("Memory does not grow with the log", lambda: memory({n: logs[n] for n in {*MEMORY_LENGTHS, endless}})),
-        )
-        for title, rows in tables:
-            click.echo(f"## {title}\n\n" + "\n".join(rows()) + "\n")
+        tables = [
+            long_log(logs[events], events),
+            small_logs(folder, small, tlc_limit),
+            compare({n: logs[n] for n in COMPARED}, folder, tlc_limit),
+            memory({n: logs[n] for n in {*MEMORY_LENGTHS, endless}}),
+        ]
+        output.write(json.dumps({"tables": tables}, indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -59,9 +59,9 @@ def show(console: Console, explained: Explained) -> None:
     plain(console, f"{witnessed} of {total['conditions']} conditions witnessed, {total['without']} without a reason")
 
 
-def numbers(explained: Explained, module: str | None = None) -> dict[str, int]:
-    """Count the conditions of a module, or all, by the headings of the table."""
-    seen = [s for s in explained.seen if module in (None, s.condition.module)]
+def numbers(explained: Explained, module: str | None = None, kind: str | None = None) -> dict[str, int]:
+    """Count the conditions of a module, of a kind, or all, by the headings of the table."""
+    seen = [s for s in explained.seen if module in (None, s.condition.module) and kind in (None, s.condition.kind)]
     missing = [s for s in seen if s.missing]
     by_logs = sum(s.by_logs_alone for s in seen)
     reasons = sum(s.condition.id in explained.reasons for s in missing)
@@ -72,12 +72,14 @@ def numbers(explained: Explained, module: str | None = None) -> dict[str, int]:
 def as_json(explained: Explained, models: Sequence[str], seconds: float) -> dict[str, Any]:
     """Return everything as a JSON document."""
     modules = sorted({s.condition.module for s in explained.seen})
+    kinds = dict.fromkeys(s.condition.kind for s in explained.seen)
     return {
         "ok": explained.ok,
         "seconds": round(seconds, 1),
         "models": list(models),
         "all": numbers(explained),
         "modules": {module: numbers(explained, module) for module in modules},
+        "kinds": {kind: numbers(explained, kind=kind) for kind in kinds},
         "stale": explained.stale,
         "conditions": [_condition_as_json(s, explained.reasons.get(s.condition.id)) for s in explained.seen],
     }

@@ -274,7 +274,8 @@ def run_sources(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
 @click.command()
 @click.option("--inputs", type=click.IntRange(8), default=24_000, show_default=True, help="An eighth are sources.")
 @click.option("--seed", type=int, default=1, show_default=True, help="Other inputs.")
-def main(inputs: int, seed: int) -> None:
+@click.option("--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there.")
+def main(inputs: int, seed: int, json_path: Path | None) -> None:
     """Damage logs and sources and see that each gets its verdict or its refusal."""
     tally = Tally()
     begun = time.monotonic()
@@ -292,6 +293,9 @@ def main(inputs: int, seed: int) -> None:
     click.echo(f"{inputs} inputs, {time.monotonic() - begun:.0f} s, the slowest {tally.slowest:.1f} s")
     for fault in tally.faults:
         click.echo(fault)
+    if json_path is not None:
+        report = {"outcomes": tally.counts, "faults": tally.faults, "slowest": round(tally.slowest, 1)}
+        json_path.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     sys.exit(1 if tally.faults else 0)
 
 

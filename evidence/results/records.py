@@ -1,0 +1,104 @@
+"""Reports of runs, kept in docs/project/results/: from these the page can be written without a run."""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import subprocess
+from datetime import UTC, datetime
+from pathlib import Path
+
+import msgspec
+
+from evidence.common.checkout import ROOT
+from s7check.engine.java import find_java
+
+Cell = str | int | float | None
+
+
+class Table(msgspec.Struct, frozen=True):
+    """Numbers under their headings; a title where a run has several tables."""
+
+    columns: list[str]
+    rows: list[list[Cell]]
+    title: str = ""
+
+
+class Record(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What a run came to, and on what: `load` is that of the machine when the run began, None where it is not known."""
+
+    command: str
+    date: str
+    revision: str
+    tools: list[str]
+    machine: str
+    load: float | None
+    seconds: float | None
+    exit: int
+    tables: list[Table]
+    remarks: list[str] = []
+
+
+class RecordError(Exception):
+    """A kept report that cannot be read; the text names the file."""
+
+
+def read(folder: Path) -> dict[str, Record]:
+    """All kept reports, by the name of their run. Raises `RecordError`."""
+    found = {}
+    for file in sorted(folder.glob("*.json")):
+        try:
+            found[file.stem] = msgspec.json.decode(file.read_bytes(), type=Record)
+        except (OSError, msgspec.MsgspecError) as error:
+            raise RecordError(f"{file}: {error}") from error
+    return found
+
+
+def write(folder: Path, name: str, record: Record) -> None:
+    """Keep a report. Raises OSError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f"{name}.json").write_bytes(msgspec.json.format(msgspec.json.encode(record), indent=1) + b"\n")
+
+
+def today() -> str:
+    """The day of a run."""
+    return datetime.now(UTC).date().isoformat()
+
+
+def revision() -> str:
+    """The commit of the checkout, with ``+`` where files differ from it, but for the kept reports themselves."""
+
+    def git(*arguments: str) -> str:
+        run = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=True)  # noqa: S607
+        return run.stdout.strip()
+
+    changed = git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs")
+    return git("rev-parse", "--short=7", "HEAD") + ("+" if changed else "")
+
+
+def tools() -> list[str]:
+    """Java and Python. Raises `s7check.java.JavaMissingError`."""
+    said = subprocess.run([find_java(), "-version"], capture_output=True, text=True, check=True).stderr
+    version = re.search(r'"([^"]+)"', said)
+    return [f"Java {version[1] if version else said}", f"Python {platform.python_version()}"]
+
+
+def machine() -> str:
+    """Processor, cores and memory."""
+    processors = re.findall(r"^model name\s*: (.*)$", _text("/proc/cpuinfo"), re.MULTILINE)
+    memory = re.search(r"^MemTotal:\s*(\d+) kB", _text("/proc/meminfo"), re.MULTILINE)
+    parts = [processors[0] if processors else platform.machine(), f"{len(os.sched_getaffinity(0))} cores"]
+    return ", ".join([*parts, *([f"{int(memory[1]) / 1024**2:.0f} GB"] if memory else [])])
+
+
+def load() -> float:
+    """The load of the machine over the last minute."""
+    return round(os.getloadavg()[0], 1)
+
+
+def _text(path: str) -> str:
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except OSError:
+        return ""

@@ -1,0 +1,143 @@
+"""The runs of which the documentation has numbers: their commands, and the summary that is kept of their reports."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from evidence.common.checkout import ROOT
+from evidence.results import records, summaries
+from evidence.results.records import Record, Table
+from evidence.tlc.process import find_toolchain
+
+SECOND = "-second-tlc"
+"""End of the name of a run on another TLC than the one that the project brings."""
+
+_REPORT = "REPORT"
+
+
+class RunError(Exception):
+    """A run that gave no report; the text says how it ended."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run: its heading on the page, its command as it is typed, and the arguments of the process.
+
+    ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
+    With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
+    """
+
+    title: str
+    about: str
+    typed: str
+    arguments: tuple[str, ...]
+    summary: Callable[[str], list[Table]]
+    codes: tuple[int, ...] = (0, 1)
+    tlc: bool = False
+
+
+def _s7check(title: str, about: str, arguments: str, summary: Callable[[str], list[Table]], *, tlc: bool = True) -> Run:
+    process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
+    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc)
+
+
+RUNS = {
+    "models": _s7check(
+        "Models",
+        "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
+        "models --lane ci",
+        summaries.models,
+    ),
+    "models-full": _s7check(
+        "Models of the full lane", "The large models as well.", "models --lane full", summaries.models
+    ),
+    "logs": Run(
+        "Logs",
+        "The logs of `traces/`, judged by the trace checker. A test compares verdict and line with the index.",
+        "s7check trace --readings none --format json traces",
+        (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "traces"),
+        summaries.logs,
+        codes=(0, 1, 2),
+    ),
+    "agreement": _s7check(
+        "Agreement",
+        "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
+        "agree --logs 10000",
+        summaries.agreement,
+    ),
+    "mutation": _s7check(
+        "Mutation",
+        "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
+        "mutants --against all --lane smoke --sample 600 --seed 1",
+        summaries.mutants,
+    ),
+    "witnesses": _s7check(
+        "Witnesses",
+        "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
+        "witnesses",
+        summaries.witnesses,
+    ),
+    "fuzz": Run(
+        "Damaged logs and sources",
+        "Each gets its verdict or its refusal in one sentence; anything else is a fault ([checks](checks.md#by-hand)).",
+        "make fuzz",
+        (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
+        summaries.fuzz,
+    ),
+    "bench": Run(
+        "Speed",
+        "The trace checker and TLC on the same logs ([benchmark](../../bench/README.md)).",
+        "bench/run.py",
+        (sys.executable, "bench/run.py", "--json", _REPORT),
+        summaries.bench,
+    ),
+    "proofs": Run(
+        "Proofs",
+        "Inductive invariants of two abstract specifications, by Apalache ([checks](checks.md#by-hand)).",
+        "make prove",
+        ("models/apalache.sh", "prove"),
+        summaries.claims,
+    ),
+}
+
+
+def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
+    """Run the command of this name and summarise its report.
+
+    Raises `RunError`, `evidence.tlc.process.ToolMissingError`, `s7check.java.JavaMissingError`, OSError.
+    """
+    run = RUNS[name]
+    options = [] if jar is None else ["--tlc", str(jar)]
+    tools = [*records.tools(), *([f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else [])]
+    state = records.today(), records.revision(), records.machine(), records.load()
+    began = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="s7check-results-") as folder:
+        report = Path(folder) / "report.json"
+        arguments = [str(report) if argument == _REPORT else argument for argument in run.arguments]
+        tell(f"running {run.typed}")
+        ended = subprocess.run([*arguments, *options], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
+        text = report.read_text(encoding="utf-8") if report.exists() else ended.stdout
+    if ended.returncode not in run.codes or not text:
+        raise RunError(f"{run.typed} ended with exit code {ended.returncode}: {_end(ended.stdout.splitlines())}")
+    date, revision, machine, load = state
+    return Record(
+        command=" ".join([run.typed, *(["--tlc", jar.name] if jar else [])]),
+        date=date,
+        revision=revision,
+        tools=tools,
+        machine=machine,
+        load=load,
+        seconds=round(time.monotonic() - began, 1),
+        exit=ended.returncode,
+        tables=run.summary(text),
+    )
+
+
+def _end(lines: Iterable[str]) -> str:
+    return " / ".join([line for line in lines if line.strip()][-3:])

@@ -1,0 +1,123 @@
+"""The numbers of a command's JSON report that the documentation shows."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import PurePath
+from typing import Any
+
+from evidence.results.records import Cell, Table
+
+VERDICTS = ("accepted", "rejected", "unusable", "no verdict")
+
+
+def models(text: str) -> list[Table]:
+    """Models by kind, then each model but the negative controls, as TLC found them."""
+    report: dict[str, Any] = json.loads(text)
+    found: list[dict[str, Any]] = report["models"]
+    kinds = {kind: [m for m in found if m["kind"] == kind] for kind in dict.fromkeys(m["kind"] for m in found)}
+    rows: list[list[Cell]] = [
+        [
+            kind,
+            len(some),
+            sum(not m["ok"] for m in some),
+            sum(m["distinct"] or 0 for m in some),
+            round(sum(m["seconds"] for m in some), 1),
+        ]
+        for kind, some in kinds.items()
+    ]
+    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, 5))])
+    each = [
+        [m["name"], m["lane"], m["states"], m["distinct"], m["depth"], m["seconds"]]
+        for m in found
+        if m["kind"] != "negative"
+    ]
+    return [
+        Table(["kind", "models", "not as pinned", "distinct states", "seconds"], rows),
+        Table(["model", "lane", "states", "distinct", "depth", "seconds"], each, "Each model"),
+    ]
+
+
+def mutants(text: str) -> list[Table]:
+    """The score, by module, and how mutants were killed."""
+    report: dict[str, Any] = json.loads(text)
+    columns = ("mutants", "invalid", "equivalent", "killed", "survived", "score")
+    groups = {**report["modules"], "all": report["all"]}
+    score: list[list[Cell]] = [[name, *(numbers[column] for column in columns)] for name, numbers in groups.items()]
+    counted = {*columns, "counted"}
+    kills: list[list[Cell]] = [[how, number] for how, number in report["all"].items() if how not in counted]
+    return [Table(["module", *columns], score), Table(["killed by", "mutants"], kills)]
+
+
+def witnesses(text: str) -> list[Table]:
+    """Conditions by kind, and how they are met."""
+    report: dict[str, Any] = json.loads(text)
+    groups: dict[str, dict[str, int]] = {**report["kinds"], "all": report["all"]}
+    columns = list(report["all"])
+    return [Table(["kind", *columns], [[name, *numbers.values()] for name, numbers in groups.items()])]
+
+
+def agreement(text: str) -> list[Table]:
+    """Random logs by verdict, and how many were judged differently."""
+    report: dict[str, Any] = json.loads(text)
+    counts = {
+        "logs": report["logs"],
+        "accepted": report["accepted"],
+        "rejected": report["rejected"],
+        "lines": report["lines"],
+        "differ": report["differ"],
+        "unusable, replaced": report["unreadable"],
+        "too many explanations, replaced": report["endless"],
+        "engine, s": report["engine_seconds"],
+        "TLC, s": report["tlc_seconds"],
+    }
+    return [Table(list(counts), [list(counts.values())])]
+
+
+def logs(text: str) -> list[Table]:
+    """Shipped logs by area and verdict."""
+    areas: dict[str, Counter[str]] = {}
+    events: Counter[str] = Counter()
+    for report in map(json.loads, text.splitlines()):
+        area = PurePath(report["log"]).parts[-3]
+        areas.setdefault(area, Counter())[report["verdict"]] += 1
+        events[area] += report["events"]
+    verdicts = [verdict for verdict in VERDICTS if any(counts[verdict] for counts in areas.values())]
+    rows: list[list[Cell]] = [
+        [area, counts.total(), *(counts[verdict] for verdict in verdicts), events[area]]
+        for area, counts in sorted(areas.items())
+    ]
+    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, len(verdicts) + 3))])
+    return [Table(["area", "logs", *verdicts, "events explained"], rows)]
+
+
+def fuzz(text: str) -> list[Table]:
+    """Damaged inputs by what was done to them, and what came of them."""
+    report: dict[str, Any] = json.loads(text)
+    kinds: dict[str, dict[str, int]] = report["outcomes"]
+    outcomes = list(dict.fromkeys(outcome for counts in kinds.values() for outcome in counts))
+    rows: list[list[Cell]] = [
+        [kind, *(counts.get(outcome, 0) for outcome in outcomes)] for kind, counts in kinds.items()
+    ]
+    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, len(outcomes) + 1))])
+    numbers = Table(["faults", "slowest, s"], [[len(report["faults"]), report["slowest"]]])
+    return [Table(["damage", *outcomes], rows), numbers]
+
+
+def bench(text: str) -> list[Table]:
+    """The tables of the benchmark, as they are."""
+    report: dict[str, Any] = json.loads(text)
+    return [Table(table["columns"], table["rows"], table["title"]) for table in report["tables"]]
+
+
+def claims(text: str) -> list[Table]:
+    """Lines such as ``claim: holds``."""
+    rows: list[list[Cell]] = [list(line.rsplit(": ", 1)) for line in text.splitlines() if ": " in line]
+    return [Table(["claim", "result"], rows)]
+
+
+def _sum(cells: Iterable[Cell]) -> int | float:
+    total = sum(cell for cell in cells if isinstance(cell, int | float))
+    return total if isinstance(total, int) else round(total, 1)
