@@ -138,6 +138,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.usefixtures("logs")
 def test_text(capsys: pytest.CaptureFixture[str]) -> None:
     """The verdict with its place, the line, what was expected; no colours in a file."""
+    letters = clause("AMB-12")
     cli.main(["trace", "accepted", "rejected", "unusable", "no"])
     assert capsys.readouterr().out.splitlines() == [
         "accepted: accepted: the specification explains every event (2 events)",
@@ -154,8 +155,7 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "    delayed: 1 DIS_AIRT not taken back",
         "    pending: OB 81 (class 25) since 2026-11-21T05:59:31.000",
         "    loaded: OB 1, 40, 80-81",
-        f"  would pass with: AMB-12 b: {clause('AMB-12').text} {clause('AMB-12').letters['b']} "
-        f"({clause('AMB-12').place})",
+        f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
     ]
