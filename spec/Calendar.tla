@@ -106,6 +106,10 @@ Shifted(t, a, b) ==
     IN  [ min |-> t.min + b.min - a.min + (ms \div 60000) - 1,
           ms  |-> ms % 60000 ]
 
+\* @type: ($moment, Int) => $moment;
+After(t, ms) == [ min |-> t.min + ((t.ms + ms) \div 60000),
+                  ms  |-> (t.ms + ms) % 60000 ]
+
 Aeon == 1000000000
 
 (* ms from a to b, at most an aeon (11 days): TLC's integers have 32 bits. *)

@@ -57,6 +57,8 @@ BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
 (* Those whose cause is the start event of an OB. *)
 FaultsOfStart   == {StillRunning, BufferOverflow} \cup ObNotLoaded
+(* Faults that follow from the rules here, and never come from outside.    *)
+FaultsOfRules == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
 (* Which one, no source says. *)
 UnknownFault    == -1
 
@@ -72,4 +74,6 @@ NoProgramErrorOb == \h456D
 DeselectedLoaded == \h454A
 OtherErrorOb     == 0
 NoCause          == -1
+(* Causes that follow from the rules here alone.                           *)
+CausesOfRules == {NoTimeErrorOb, NoProgramErrorOb, DeselectedLoaded}
 =============================================================================

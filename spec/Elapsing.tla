@@ -34,10 +34,6 @@ FindMissing ==
 -----------------------------------------------------------------------------
 (* How far time can elapse in one step *)
 
-\* @type: ($moment, Int) => $moment;
-After(t, ms) == [ min |-> t.min + ((t.ms + ms) \div 60000),
-                  ms  |-> (t.ms + ms) % 60000 ]
-
 (* The next start point, on the CPU clock. *)
 NextPointDue ==
     LET n == { NextMoment(tod[o]) : o \in { p \in DOMAIN tod : tod[p].active } }
@@ -65,7 +61,7 @@ ElapseTo(until, to) ==
     IN  /\ InTime(d)
         /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
         /\ reports' = ReportsAfter(d)
-        /\ UNCHANGED first
+        /\ UNCHANGED eventVars
         /\ up' = until
         /\ IF to # clock THEN TimePasses(to, d)
            ELSE /\ dint' = JobsAfter(d)
@@ -97,7 +93,7 @@ Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 (* One step towards line e.                                                *)
 \* @type: $event => Bool;
 Towards(e) ==
-    /\ UNCHANGED terms
+    /\ UNCHANGED lineVars
     /\ IF PointsNow # {} /\ clock # e.at
        THEN PointReached(Least(PointsNow)) /\ Rewait /\ UNCHANGED up
        ELSE IF OverNow # {} /\ up # e.up

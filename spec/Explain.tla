@@ -39,7 +39,8 @@ Alternatives ==
 -----------------------------------------------------------------------------
 (* What may be observed in this state *)
 
-Startable == { r \in requests : MayStart(r) /\ r.ob \in loaded }
+Startable ==
+    { r \in requests : MayStart(r) /\ r.ob \in loaded /\ HighestFirst(r) }
 
 \* @type: $request => $allowed;
 StartOf(r) == IF r.fault = 0 THEN Allowed("start", r.ob, "", 0)
@@ -59,9 +60,25 @@ Possible ==
       \cup (IF mode = "HOLD" THEN {Allowed("release", 0, "", 0)} ELSE {})
       \cup (IF stopCause = NoCause /\ ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
 
+(* What the CPU might say in the place of each field that is wrong.        *)
+\* @type: $event => Set($allowed);
+ExpectedState(e) ==
+    LET truth(field, given, value) ==
+          IF FitsTruth(given, value) THEN {}
+          ELSE {Allowed("state", e.ob, field, IF value THEN 1 ELSE 0)}
+    IN  truth("loaded", e.loaded, e.ob \in loaded)
+          \cup truth("blocked", e.blocked, Blocked(e.ob))
+          \cup truth("entries_off", e.entries_off, Silenced(e.ob))
+          \cup (IF FitsActive(e) THEN {}
+                ELSE {Allowed("state", e.ob, "active", 1 - e.active)})
+          \cup (IF FitsLeft(e) THEN {}
+                ELSE {Allowed("state", e.ob, "left", dint[e.ob].left)})
+
 \* @type: $event => Set($allowed);
 Expected(e) ==
     IF BeforeItsEnd(e) THEN {}
+    ELSE IF ~KeepsPace(e) THEN {Allowed("clock", 0, "", 0)}
+    ELSE IF e.event = "state" THEN ExpectedState(e)
     ELSE IF e.event \in CallEvents /\ Called
     THEN IF AnswerRight(e)
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }

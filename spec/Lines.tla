@@ -20,7 +20,7 @@ IsStart(e) ==
     CASE e.ob = CycleOb ->
            /\ Fits(e.info.priority, 1)
            /\ e.info.strt_info \in {-1} \cup CycleEvents
-           /\ ~Before(clock, e.info.time)
+           /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ \/ CycleStarts
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
@@ -31,34 +31,112 @@ IsStart(e) ==
            /\ Fits(e.info.priority, 27)
            /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
                                                           ELSE \h85..\h86)
-           /\ ~Before(clock, e.info.time)
+           /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ StartupStarts(e.ob)
       [] OTHER ->
-           \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e.info) } :
-             Start(r)
+           \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e) } :
+             HighestFirst(r) /\ Start(r)
 
 (* A line that sets the clock to its own reading changes nothing.          *)
 \* @type: $event => Bool;
 IsClock(e) ==
     IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered ELSE ClockSet(e.to)
 
-(* The switch may be turned at any time; in STOP it has no effect.  A      *)
-(* cause is that of the rule, if a rule stops the CPU.                     *)
+(* An error whose cause the rules make has its cause in the log.           *)
+\* @type: $event => Bool;
+IsInterrupt(e) ==
+    /\ e.flt_id \in FaultsOfRules => Partial
+    /\ Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
+
+(* The rule that names this cause stops the CPU.  [OBS-26] The cycle time  *)
+(* may be exceeded twice in a cycle where OB 80 is loaded.                 *)
+\* @type: Int => Bool;
+CauseHolds(cause) ==
+    \/ stopCause = cause
+    \/ cause = NoTimeErrorOb /\ overruns = 2
+    \/ Partial /\ stopCause \in {NoCause, OtherErrorOb}
+
+(* The switch may be turned at any time; in STOP it has no effect.         *)
 \* @type: $event => Bool;
 IsStop(e) ==
+    /\ e.cause \in CausesOfRules => CauseHolds(e.cause)
     /\ IF mode = "STOP" THEN UNCHANGED cpuVars /\ NothingEntered ELSE Stop
-    /\ \/ e.cause = -1
-       \/ /\ { r \in MissingNow : ~r.open } = {}
-          /\ stopCause \in {NoCause, OtherErrorOb, e.cause}
-       \/ delay > 0 /\ ~StopIsNotDelayed  \* the rule may come later
+
+-----------------------------------------------------------------------------
+(* Lines that show the state of an OB *)
+
+\* @type: (Int, Bool) => Bool;
+FitsTruth(given, value) == given \in {-1, IF value THEN 1 ELSE 0}
+
+(* [OBS-60] As bit 2 of STATUS.                                            *)
+\* @type: $event => Bool;
+FitsActive(e) ==
+    CASE e.active = -1     -> TRUE
+      [] e.ob \in TodObs  -> e.active \in { (s \div 4) % 2 : s \in Statuses(e.ob) }
+      [] e.ob \in DintObs ->
+           /\ Ended(e.ob)
+           /\ e.active \in { (s \div 4) % 2 : s \in DintStatuses(e.ob) }
+      [] OTHER            -> TRUE
+
+(* [DINT-17] While a delay runs; as exact as its end [DINT-06].            *)
+\* @type: $event => Bool;
+FitsLeft(e) ==
+    \/ e.left = -1 \/ e.ob \notin DintObs
+    \/ ~dint[e.ob].started \/ dint[e.ob].left < 0
+    \/ e.left \in {dint[e.ob].left, dint[e.ob].left - 1}
+
+(* [OBS-60] [IRT-20] What the CPU says of an OB.                           *)
+\* @type: $event => Bool;
+FitsState(e) ==
+    /\ FitsTruth(e.loaded, e.ob \in loaded)
+    /\ mode # "STOP" /\ ~Unseen("call") =>
+         /\ FitsTruth(e.blocked, Blocked(e.ob))
+         /\ FitsTruth(e.entries_off, Silenced(e.ob))
+         /\ FitsActive(e)
+         /\ FitsLeft(e)
+
+\* @type: $event => Bool;
+IsState(e) == FitsState(e) /\ UNCHANGED cpuVars /\ NothingEntered
+
+-----------------------------------------------------------------------------
+(* The clock and the counter of elapsed time *)
+
+(* Two oscillators differ by 1 % and a second at the most, and by one step *)
+(* of the clock where it is written in seconds or minutes.                 *)
+\* @type: (Int, Int, Int) => Bool;
+Agree(a, b, step) ==
+    /\ a - b <= a \div 100 + 1000 + step
+    /\ b - a <= b \div 100 + 1000 + step
+
+(* [CLK-01] Nothing but a `clock' event makes the clock jump.  Beyond 11   *)
+(* days minutes are compared: TLC's integers have 32 bits.                 *)
+\* @type: $event => Bool;
+KeepsPace(e) ==
+    \/ e.counter = NoMoment \/ pace.up = NoMoment \/ Unseen("clock")
+    \/ LET step == IF pace.step > e.step THEN pace.step ELSE e.step
+           ms   == Agree(Span(pace.clock, e.at), Span(pace.up, e.counter),
+                         IF step = 1 THEN 0 ELSE step)
+           a    == e.at.min - pace.clock.min
+           b    == e.counter.min - pace.up.min
+       IN  IF a <= 16000 /\ b <= 16000 THEN ms
+           ELSE a - b <= a \div 100 + 1 /\ b - a <= b \div 100 + 1
+
+\* @type: $event => Bool;
+NextPace(e) ==
+    pace' = IF e.counter # NoMoment
+            THEN [clock |-> clock', up |-> e.counter, step |-> e.step]
+            ELSE IF e.event = "clock" /\ pace.up # NoMoment
+            THEN [pace EXCEPT !.clock = Shifted(@, e.at, e.to)]
+            ELSE pace
+
+-----------------------------------------------------------------------------
 
 \* @type: $event => Bool;
 Shows(e) ==
     /\ CASE e.event \in CallEvents -> IsCall(e)
          [] e.event = "start"      -> IsStart(e)
          [] e.event = "end"        -> End(e.ob)
-         [] e.event = "interrupt"  ->
-              Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
+         [] e.event = "interrupt"  -> IsInterrupt(e)
          [] e.event = "clock"      -> IsClock(e)
          [] e.event = "load"       -> LoadedAre(loaded \cup {e.ob})
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
@@ -68,6 +146,7 @@ Shows(e) ==
          [] e.event = "release"    -> Release
          [] e.event = "stop"       -> IsStop(e)
          [] e.event = "diag"       -> IsEntry(e)
-    /\ IF e.event = "diag" THEN UNCHANGED <<waiting, first>> ELSE Rewait
+         [] e.event = "state"      -> IsState(e)
+    /\ IF e.event = "diag" THEN UNCHANGED <<waiting, eventVars>> ELSE Rewait
     /\ UNCHANGED <<terms, up>>
 =============================================================================

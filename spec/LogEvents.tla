@@ -5,6 +5,10 @@
 (* moment, NoMoment.  The trace checker's engine fills the records from    *)
 (* the log.                                                                *)
 (*                                                                         *)
+(* Every event has the time that has elapsed, `up'; `counter' is the field *)
+(* `up' of the line itself.  `step' is the unit in which `at' is written,  *)
+(* in ms.  In `state' lines 0 is false and 1 is true.                      *)
+(*                                                                         *)
 (* Source: docs/log-format.md, the fields of header and events.            *)
 (* Left out: fields whose name begins with x_.                             *)
 (***************************************************************************)
@@ -23,11 +27,13 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
             ev_ob |-> -1, time |-> NoMoment ]
 
 \* @type: $event;
-NoEvent == [ event |-> "", at |-> NoMoment, up |-> NoMoment, ob |-> 0,
-             sdt |-> NoDate, period |-> -1, dtime |-> -1, sign |-> -1,
-             mode |-> -1, ret |-> -1, status |-> -1, to |-> NoMoment,
-             type |-> "", cause |-> -1, flt_id |-> -1, id |-> -1,
-             priority |-> -1, info |-> NoInfo ]
+NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
+             counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
+             dtime |-> -1, sign |-> -1, mode |-> -1, ret |-> -1,
+             status |-> -1, to |-> NoMoment, type |-> "", cause |-> -1,
+             flt_id |-> -1, id |-> -1, priority |-> -1, info |-> NoInfo,
+             active |-> -1, blocked |-> -1, loaded |-> -1,
+             entries_off |-> -1, left |-> -1 ]
 
 (* The values that a field may have: the one that is given, or any that    *)
 (* is possible.                                                            *)

@@ -17,7 +17,9 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {}]
-    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ first = "unknown" /\ reports = {}
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
+    /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
+    /\ arrivals = [r \in {} |-> At(0)]
 
 (* A letter of the header goes before that of its profile.                 *)
 \* @type: $header => Set(<<Str, Str>>);
@@ -76,5 +78,9 @@ Begin(h) ==
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
     /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"
+    /\ overruns' = 0
+    /\ arrivals' = [r \in { AsItCame(q) : q \in requests' } |-> At(0)]
+    /\ changes' = {}
+    /\ pace' = NoReading
     /\ reports' = {}
 =============================================================================

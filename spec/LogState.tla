@@ -24,10 +24,35 @@ VARIABLES
     (* come.  "none": it has come.  "unknown": the log begins in RUN.       *)
     \* @type: Str;
     first,
+    (* How often the cycle time was exceeded in this cycle, twice at most.  *)
+    \* @type: Int;
+    overruns,
+    (* When each request that waits came, on the clock of `up'.             *)
+    \* @type: $request -> $moment;
+    arrivals,
+    (* Where the clock was set within the last `latency' ms: its reading    *)
+    (* before, and the moment on the clock of `up'.                         *)
+    \* @type: Set($change);
+    changes,
+    (* Both clocks at the last line that has `up'; a CPU clock that is set  *)
+    (* takes this reading along.                                            *)
+    \* @type: $reading;
+    pace,
     (* Entries of the diagnostic buffer that the log has not shown yet: how *)
     (* often each, and, if the log has such lines, the ms since its cause.  *)
     \* @type: Set($report);
     reports
+
+(* Only lines change these variables, ...                                  *)
+lineVars == <<terms, pace>>
+(* ... and only events these: they stay as they are while time elapses.    *)
+eventVars == <<first, overruns, arrivals, changes>>
+
+NoReading == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
+
+(* A request without the fields that change while it waits.                *)
+\* @type: $request => $request;
+AsItCame(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
 
 -----------------------------------------------------------------------------
 (* Kinds of event that the log has completely *)

@@ -36,7 +36,7 @@ DependsOn(e) ==
     CASE e.event = "start"  ->
            {e.ob} \cup (IF e.ob = ProgramErrorOb THEN { r.ob : r \in requests }
                         ELSE {})
-      [] e.event \in {"QRY_TINT", "QRY_DINT"} -> {e.ob}
+      [] e.event \in {"QRY_TINT", "QRY_DINT", "state"} -> {e.ob}
       [] e.event \in {"stop", "diag"} ->
            { r.ob : r \in requests } \cup {TimeErrorOb, ProgramErrorOb}
       [] e.event = "run"    -> StartupObs
@@ -80,7 +80,7 @@ MayHaveOccurred(e) ==
 
 \* @type: $event => Bool;
 StartsUnseen(e) ==
-    \E r \in { q \in MayHaveOccurred(e) : FitsRequest(q, e.info) } :
+    \E r \in { q \in MayHaveOccurred(e) : FitsRequest(q, e) } :
       /\ ModeAllows(r) /\ Undelayed /\ Preempts(r)
       /\ r.ob \in loaded /\ ~Idle(r.ob)
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
@@ -98,7 +98,7 @@ EntersUnseen(e) ==
     /\ e.id = NoTimeErrorOb => TimeErrorOb \notin loaded \/ Unseen("load")
     /\ e.id = NoProgramErrorOb => ProgramErrorOb \notin loaded \/ Unseen("load")
     /\ NothingEntered
-    /\ UNCHANGED <<cpuVars, waiting, first, reports>>
+    /\ UNCHANGED <<cpuVars, waiting, eventVars, reports>>
 
 \* @type: $event => Bool;
 ShowsPartly(e) ==
@@ -144,7 +144,7 @@ Elapse(e) ==
                \/ Unseen("ob") /\ UnseenOb
                \/ Unseen("mode") /\ UnseenMode
             /\ Rewait
-            /\ UNCHANGED <<terms, up>>
+            /\ UNCHANGED <<lineVars, up>>
 
 \* @type: $event => Bool;
 Silent(e) ==
@@ -155,14 +155,16 @@ Silent(e) ==
           \/ Unseen("load") /\ UnseenLoad(e)
           \/ Unseen("call") /\ UnseenCall(e)
        /\ Rewait
-       /\ UNCHANGED <<terms, up>>
+       /\ UNCHANGED <<lineVars, up>>
 
 (* Cheap to evaluate: may a silent step be possible? *)
 \* @type: $event => Bool;
 Stirs(e) == HidesBefore(e) \/ Partial
 
 \* @type: $event => Bool;
-Observe(e) == IF Partial THEN ShowsPartly(e) ELSE Shows(e)
+Observe(e) == /\ KeepsPace(e)
+              /\ IF Partial THEN ShowsPartly(e) ELSE Shows(e)
+              /\ NextPace(e)
 
 Next == Silent(NoEvent)
 =============================================================================

@@ -26,9 +26,23 @@ OfEntry(e, past) ==
           [] fault = BufferOverflow     -> {"OBS-30", "OBS-08"}
           [] OTHER                      -> {"OBS-30"} \cup When(quiet, {"IRT-09"})
 
+(* The fields that are wrong.                                              *)
+\* @type: $event => Set(Str);
+OfState(e) ==
+    {"OBS-60"}
+      \cup When(~FitsTruth(e.blocked, Blocked(e.ob)), {"IRT-17"})
+      \cup When(~FitsTruth(e.entries_off, Silenced(e.ob)), {"IRT-20"})
+      \cup When(~FitsActive(e),
+                IF e.ob \in TodObs THEN {"TINT-74"} ELSE {"DINT-16"})
+      \cup When(~FitsLeft(e), {"DINT-17"})
+
 \* @type: ($event, Seq($event)) => Set(Str);
 Deciding(e, past) ==
-    CASE e.event \in CallEvents -> OfCall(e, past)
+    CASE ~KeepsPace(e)           -> {"CLK-01"}
+      [] e.event \in CallEvents -> OfCall(e, past)
+      [] e.event = "state"       -> OfState(e)
+      [] e.event = "interrupt"   -> IF e.ob = TimeErrorOb THEN {"OBS-30"}
+                                    ELSE {"OBS-20"}
       [] e.event = "start"   ->
            OfStart(e, past) \cup When(stopCause # NoCause, StopRequirements)
       [] e.event = "diag"    -> OfEntry(e, past)
@@ -42,6 +56,8 @@ Deciding(e, past) ==
                                 ELSE {"OBS-40"}
       [] e.event = "stop"    -> IF mode = "STOP" THEN {"OBS-40"}
                                 ELSE {"OBS-21", "OBS-22"}
+                                       \cup When(e.cause = DeselectedLoaded, {"OBS-25"})
+                                       \cup When(e.cause = NoTimeErrorOb, {"OBS-26"})
       [] OTHER               -> {"OBS-40"}
 
 (* The states that come nearest to the line count: the least number.       *)
@@ -53,9 +69,9 @@ Distance(e) ==
            ELSE IF AnswerRight(e) THEN 0 ELSE 1
       [] e.event = "start" ->
            LET all == { Depth(r, e.info.flt_id) : r \in Candidates(e) }
-           IN  IF mode = "STOP" THEN 10
-               ELSE IF all = {} THEN IF mode = "RUN" THEN 8 ELSE 9
-               ELSE 8 - (CHOOSE d \in all : \A k \in all : k <= d)
+           IN  IF mode = "STOP" THEN 11
+               ELSE IF all = {} THEN IF mode = "RUN" THEN 9 ELSE 10
+               ELSE 9 - (CHOOSE d \in all : \A k \in all : k <= d)
       [] e.event = "end" -> IF OnStack(e.ob) THEN 0 ELSE 1
       [] OTHER -> 0
 =============================================================================

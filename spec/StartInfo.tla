@@ -7,7 +7,7 @@
 (* ids).                                                                   *)
 (* Left out: the bytes that table 7.2 leaves open are not judged.          *)
 (***************************************************************************)
-EXTENDS Requests, LogEvents
+EXTENDS Requests, LogState
 
 -----------------------------------------------------------------------------
 (* Events of an OB *)
@@ -53,16 +53,38 @@ FitsPeriod(given, period) ==
     \/ Fits(given, period)
     \/ BothPeriodsAreWeekly /\ given \in Weekly /\ period \in Weekly
 
+(* The line e, whose `at' may be written in seconds or minutes, stands for *)
+(* a moment up to this one.                                                *)
+\* @type: $event => $moment;
+Latest(e) == After(clock, e.step - 1)
+
+(* So many ms after `time' the clock shows `to', at the most.              *)
+\* @type: ($moment, $moment, Int) => Bool;
+Within(time, to, ms) == Before(time, to) => Span(time, to) <= ms
+
+(* [OBS-10] A time within the latency before line e, by the clock as it is *)
+(* or as it was before it was set.                                         *)
+\* @type: ($moment, $event) => Bool;
+JustBefore(time, e) ==
+    \/ ~Before(Latest(e), time) /\ Within(time, clock, terms.latency)
+    \/ \E c \in changes :
+         LET ago == Span(c.up, up)
+         IN  /\ ago <= terms.latency
+             /\ ~Before(c.from, time) /\ Within(time, c.from, terms.latency - ago)
+
 (* [CLK-07] [AMB-16] A catch-up shows the first point that was skipped, an *)
 (* OB 80 for skipped points the new time.  Another start shows the moment  *)
-(* of its start event or a later one.                                      *)
-\* @type: ($request, $moment) => Bool;
-FitsTime(r, time) ==
-    LET exact == IF r.ob \in TodObs THEN r.follows \in Skips
+(* of its start event or a later one [OBS-10].                             *)
+\* @type: ($request, $event) => Bool;
+FitsTime(r, e) ==
+    LET time  == e.info.time
+        exact == IF r.ob \in TodObs THEN r.follows \in Skips
                                     ELSE r.fault \in Skips /\ r.late # {}
     IN  \/ time = NoMoment
         \/ time = r.since
-        \/ ~exact /\ ~Before(time, r.since) /\ ~Before(clock, time)
+        \/ /\ ~exact
+           /\ \/ ~Before(time, r.since) /\ ~Before(Latest(e), time)
+              \/ JustBefore(time, e)
 
 (* [AMB-31] Under (a) the OB may have waited since the delay was over.     *)
 \* @type: (Int, Int) => Bool;
@@ -116,9 +138,9 @@ FitsInterrupt(r, i) ==
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
     /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)
 
-\* @type: ($request, $info) => Bool;
-FitsRequest(r, i) ==
-    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, i)
-                                                 ELSE FitsInterrupt(r, i)
-    /\ FitsTime(r, i.time)
+\* @type: ($request, $event) => Bool;
+FitsRequest(r, e) ==
+    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, e.info)
+                                                 ELSE FitsInterrupt(r, e.info)
+    /\ FitsTime(r, e)
 =============================================================================

@@ -10,26 +10,27 @@ EXTENDS UncausedReasons
 -----------------------------------------------------------------------------
 (* Start information that the request does not fit *)
 
-\* @type: ($request, $info) => Set(Str);
-InterruptInfo(r, i) ==
-    When(~Fits(i.priority, r.class),
-         IF r.ob = TimeErrorOb THEN {"OBS-31"}
-         ELSE {"OBS-04"} \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
-                \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP", {"OBS-43"}))
-      \cup When(r.ob \notin AsyncErrorObs /\ ~FitsNumber(i.strt_info, r.ob),
-                {"OBS-10"} \cup When(r.ob \in TodObs, {"TINT-23"})
-                  \cup When(r.ob \in DintObs, {"DINT-03"})
-                  \cup When(r.ob \in ExternalObs, {"OBS-04"}))
-      \cup When(r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word),
-                {"TINT-25", "TINT-33"})
-      \cup When(/\ r.ob \in DintObs
-                /\ ~(Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)),
-                {"DINT-03", "DINT-07", "DINT-22"})
-      \cup When(~FitsTime(r, i.time),
-                CASE r.follows \in Skips -> {"CLK-07"}
-                  [] r.fault \in Skips   -> {"CLK-06"}
-                  [] r.ob \in TodObs     -> {"TINT-09", "TINT-24"}
-                  [] OTHER               -> {"OBS-10"})
+\* @type: ($request, $event) => Set(Str);
+InterruptInfo(r, e) ==
+    LET i == e.info
+    IN  When(~Fits(i.priority, r.class),
+             IF r.ob = TimeErrorOb THEN {"OBS-31"}
+             ELSE {"OBS-04"} \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
+                    \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP", {"OBS-43"}))
+          \cup When(r.ob \notin AsyncErrorObs /\ ~FitsNumber(i.strt_info, r.ob),
+                    {"OBS-10"} \cup When(r.ob \in TodObs, {"TINT-23"})
+                      \cup When(r.ob \in DintObs, {"DINT-03"})
+                      \cup When(r.ob \in ExternalObs, {"OBS-04"}))
+          \cup When(r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word),
+                    {"TINT-25", "TINT-33"})
+          \cup When(/\ r.ob \in DintObs
+                    /\ ~(Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)),
+                    {"DINT-03", "DINT-07", "DINT-22"})
+          \cup When(~FitsTime(r, e),
+                    CASE r.follows \in Skips -> {"CLK-07"}
+                      [] r.fault \in Skips   -> {"CLK-06"}
+                      [] r.ob \in TodObs     -> {"TINT-09", "TINT-24"}
+                      [] OTHER               -> {"OBS-10"})
 
 (* OB 80 and OB 85. *)
 \* @type: ($request, $info) => Set(Str);
@@ -50,9 +51,10 @@ ErrorInfo(r, i) ==
                     {"CLK-06", "OBS-32"}
                       \cup When(r.fault = SkippedInHold, {"OBS-46"}))
 
-\* @type: ($request, $info) => Set(Str);
-InfoRequirements(r, i) ==
-    LET ids == InterruptInfo(r, i) \cup When(r.ob \in AsyncErrorObs, ErrorInfo(r, i))
+\* @type: ($request, $event) => Set(Str);
+InfoRequirements(r, e) ==
+    LET ids == InterruptInfo(r, e)
+                 \cup When(r.ob \in AsyncErrorObs, ErrorInfo(r, e.info))
     IN  IF ids = {} THEN {"OBS-10"} ELSE ids
 
 -----------------------------------------------------------------------------
@@ -87,7 +89,8 @@ StartRequirements(r, e, past) ==
     ELSE IF ~InTurn(r)
     THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})
                     \cup When(r.follows \in Skips, {"CLK-03"})
-    ELSE InfoRequirements(r, e.info)
+    ELSE IF ~HighestFirst(r) THEN {"AIRT-08", "OBS-03"}
+    ELSE InfoRequirements(r, e)
 
 (* How many of these conditions the request meets. *)
 \* @type: ($request, Int) => Int;
@@ -95,7 +98,8 @@ Depth(r, fault) ==
     IF ~ModeAllows(r) THEN 1 ELSE IF r.ob \notin loaded THEN 2
     ELSE IF ~Undelayed THEN 3 ELSE IF ~Preempts(r) THEN 4
     ELSE IF ~Reported(r) THEN 5 ELSE IF ~InTurn(r) THEN 6
-    ELSE IF ~FitsFault(r.fault, fault) THEN 7 ELSE 8
+    ELSE IF ~HighestFirst(r) THEN 7
+    ELSE IF ~FitsFault(r.fault, fault) THEN 8 ELSE 9
 
 (* The requests by which the OB of the line might start; one may have come *)
 (* unseen.                                                                 *)

@@ -4,7 +4,7 @@
 (* that elapses (catalogue section 2).  Elapsed time is apart from the CPU *)
 (* clock, which may be set [DINT-18].                                      *)
 (*                                                                         *)
-(* Left out: the remaining time in an SZL [DINT-17].                       *)
+(* Left out: nothing.                                                      *)
 (***************************************************************************)
 EXTENDS StartPoints
 

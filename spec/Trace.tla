@@ -23,7 +23,7 @@ HiddenBoundary ==
 
 \* @type: $event => Bool;
 HiddenBefore(e) ==
-    /\ UNCHANGED <<terms, up>>
+    /\ UNCHANGED <<lineVars, up>>
     /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
        \/ \E o \in OverBefore(e) : DelayElapses(o) /\ Rewait
        \/ FindMissing
@@ -40,5 +40,6 @@ HidesBefore(e) == \/ stack = <<>>
 
 (* Two explanations of a log differ if these values differ.                *)
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
-              requests, stack, delay, stopCause, up, waiting, first, reports>>
+              requests, stack, delay, stopCause, up, waiting, first, overruns,
+              arrivals, changes, reports>>
 =============================================================================

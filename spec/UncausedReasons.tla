@@ -133,7 +133,8 @@ WithoutRequest(e, past) ==
           [] o = TimeErrorOb              -> NoTimeError(e, past)
           [] o = ProgramErrorOb           -> NoProgramError(past)
           [] o \in {CycleOb} \cup StartupObs ->
-               IF mode = "STARTUP" THEN {"OBS-42"}
+               IF mode = "STARTUP"
+               THEN {"OBS-42"} \cup When(e.info.time # NoMoment, {"OBS-10"})
                ELSE {"OBS-03"} \cup When(stack = <<>>, {"OBS-10"})
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
           [] OTHER                        ->

@@ -1,8 +1,9 @@
 ------------------------------- MODULE Waiting ------------------------------
 (***************************************************************************)
 (* Latency.  In System an OB that may start starts before anything else.   *)
-(* A log shows its start up to `latency_ms' later, and inside this window  *)
-(* a lower class may start first (AMB-69).                                 *)
+(* A log shows its start up to `latency_ms' later.  A lower class may      *)
+(* start first only while the higher start event is no older than that     *)
+(* (AMB-69).                                                               *)
 (*                                                                         *)
 (* Source: docs/log-format.md, fine point 1; AMB-69.                       *)
 (* Left out: requests of one class are not timed apart from each other.    *)
@@ -25,15 +26,37 @@ Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
 Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
            \/ {"ob", "interrupt"} \cap terms.records = {}
 
-(* OB 1 starts, or a restart begins.                                       *)
-NextFirst ==
-    first' = IF mode = "STOP" /\ mode' = "STARTUP" THEN startup'
-             ELSE IF stack = <<>> /\ OnStack(CycleOb)' THEN "none" ELSE first
+-----------------------------------------------------------------------------
+(* What an event leaves for later lines *)
+
+(* [OBS-26] OB 1 starts, a restart begins, the cycle time is exceeded.     *)
+NextCycle ==
+    LET restarts == mode = "STOP" /\ mode' = "STARTUP"
+        begins   == stack = <<>> /\ OnStack(CycleOb)'
+        exceeded == \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
+    IN  /\ first' = IF restarts THEN startup'
+                    ELSE IF begins THEN "none" ELSE first
+        /\ overruns' = IF restarts \/ begins THEN 0
+                       ELSE IF exceeded THEN Earlier(overruns + 1, 2)
+                       ELSE overruns
+
+NextArrivals ==
+    arrivals' = IF requests' = {} THEN [r \in {} |-> up]
+                ELSE [ r \in { AsItCame(q) : q \in requests' } |->
+                         IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
+
+(* Changes that are older than the latency are forgotten.                  *)
+NextChanges ==
+    changes' = IF clock' = clock THEN changes
+               ELSE { c \in changes : Span(c.up, up) <= terms.latency }
+                      \cup {[from |-> clock, up |-> up]}
+
+NextEvent == NextCycle /\ NextArrivals /\ NextChanges
 
 (* After a step an OB goes on waiting if it still may start, and begins to *)
 (* wait if it now may.                                                     *)
 Rewait ==
-    /\ NextFirst
+    /\ NextEvent
     /\ waiting' = IF Unbound \/ (requests' = {} /\ stopCause' = NoCause)
                   THEN [c \in {} |-> 0]
                   ELSE [ c \in Awaited' |->
@@ -44,13 +67,25 @@ Rewait ==
 \* @type: $request => Bool;
 RewaitMissing(r) ==
     LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)] ELSE 0
-    IN  /\ UNCHANGED first
+    IN  /\ NextEvent
         /\ waiting' = [ c \in Awaited' |->
                           LET before == IF c \in DOMAIN waiting THEN waiting[c]
                                                                 ELSE 0
                           IN  IF c > r.class /\ since > before THEN since
                                                                ELSE before ]
         /\ Report(since)
+
+-----------------------------------------------------------------------------
+(* The order of classes *)
+
+(* [AIRT-08] [OBS-03] [AMB-69] A start event that is older than the latency *)
+(* goes before one of a lower class.                                       *)
+\* @type: $request => Bool;
+HighestFirst(r) ==
+    \A q \in requests :
+      /\ q.class > r.class /\ ~q.open /\ MayStart(q)
+      => /\ terms.latency > 0
+         /\ Span(arrivals[AsItCame(q)], up) <= terms.latency
 
 -----------------------------------------------------------------------------
 (* Waiting too long *)

@@ -47,6 +47,8 @@ def in_place_of(line: dict[str, Any], item: str) -> dict[str, Any] | None:
         return None if asks and "status" not in answered else answered
     if name == "call" or not fields:
         return None
+    if name == "state":
+        fields = {field: json.loads(str(value)) for field, value in fields.items()}
     if "flt_id" in fields and name == "start":
         fields["info"] = {"flt_id": fields.pop("flt_id")}
     return {key: line[key] for key in ("at", "up") if key in line} | {"event": name} | fields

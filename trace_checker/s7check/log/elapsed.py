@@ -21,7 +21,8 @@ class Clocks:
         self._jumps_logged = jumps_logged
 
     def stamp(self, event: dict[str, Any]) -> None:
-        """Turns ``at`` into a moment and ``up`` too, which is filled in where it is missing.
+        """Turns ``at`` into a moment and ``up`` too, which is filled in where it is missing; as it was given it
+        becomes ``counter``.
 
         Raises UnusableLogError if either runs backward.
         """
@@ -37,6 +38,7 @@ class Clocks:
             raise UnusableLogError(f"no number below {self._up}, the last one", str(up), field="up")
         else:
             self._up = up
+            event["counter"] = moment(up)
             # Lines without `up` may have counted further than the next one that has it.
             self._elapsed = max(self._elapsed, up)
         self._clock = _milliseconds(event["to"]) if "to" in event else at

@@ -13,6 +13,8 @@ from s7check.log.values import (
     instant,
     instant_moment,
     integer,
+    step,
+    truth,
     word,
     word_or_null,
 )
@@ -22,6 +24,7 @@ _LONGEST_UP = 100 * 366 * 86_400_000
 
 _passed_ob = integer(-0x8000, 0x7FFF)
 _block = integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)
+_left = integer(0, 0x7FFF_FFFF)
 _external_obs = f"an OB {ranges(tables.EXTERNAL_OBS)}"
 
 
@@ -29,6 +32,11 @@ def _external_ob(value: object) -> int:
     if type(value) is int and value in tables.EXTERNAL_OBS:
         return value
     raise UnusableLogError(_external_obs, quote(value))
+
+
+def _truth_number(value: object) -> int:
+    """1 for ``true``, 0 for ``false``; a field that is not given has another number."""
+    return int(truth(value))
 
 
 _info = Fields(
@@ -80,6 +88,10 @@ _TABLE: dict[str, tuple[dict[str, Reader], dict[str, Reader]]] = {
     "load": (_BLOCK, {}),
     "delete": (_BLOCK, {}),
     "diag": ({"id": word}, {"ob": byte, "priority": byte, "info": _info}),
+    "state": (
+        _BLOCK,
+        {**dict.fromkeys(("active", "blocked", "loaded", "entries_off"), _truth_number), "left": _left},
+    ),
 }
 """Event -> its required and its optional fields, but for those that every event has."""
 
@@ -109,12 +121,16 @@ def read_event(raw: dict[str, object]) -> dict[str, Any]:
     """The normalised event of a line's object.
 
     Points in time are moments but for ``at``, which stays milliseconds since 1990-01-01T00:00, and
-    ``sdt``, which is its components. Raises UnusableLogError, without its line.
+    ``sdt``, which is its components. ``step`` is the unit in which ``at`` is written, if that is not
+    a millisecond. Raises UnusableLogError, without its line.
     """
     name = raw.get("event")
     if not isinstance(name, str) or name not in _EVENTS:
         raise _no_event(raw)
     event = _EVENTS[name].read(raw)
+    unit = step(str(raw["at"]))
+    if unit > 1:
+        event["step"] = unit
     check = _CHECKS.get(name)
     if check is not None:
         check(event)

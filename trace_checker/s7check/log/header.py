@@ -12,8 +12,8 @@ FORMAT = "s7-interrupt-log/1"
 NO_START = -1
 """Normalised ``start`` of an interrupt to which STEP 7 gives no date."""
 
-KINDS = ("call", "ob", "clock", "mode", "interrupt", "load", "diag")
-_DEFAULT_KINDS = tuple(kind for kind in KINDS if kind != "diag")
+KINDS = ("call", "ob", "clock", "mode", "interrupt", "load", "diag", "state")
+_DEFAULT_KINDS = tuple(kind for kind in KINDS if kind not in ("diag", "state"))
 
 PROFILES = ("1997", "2006", "2010")
 """Editions of the manual whose readings a header may ask for together."""

@@ -194,6 +194,13 @@ def _new_instant(value: object) -> int:
     return seconds * 1000 + ms
 
 
+def step(text: str) -> int:
+    """The milliseconds of the unit in which a date and time that ``instant`` can read is written."""
+    if "." in text:
+        return 1
+    return 1000 if text.count(":") > 1 else MS_PER_MINUTE
+
+
 def iso(milliseconds: int) -> str:
     """Milliseconds since 1990-01-01T00:00 as a log spells them, ``2026-11-21T06:00:00.000``."""
     return (_EPOCH + timedelta(milliseconds=milliseconds)).isoformat(timespec="milliseconds")

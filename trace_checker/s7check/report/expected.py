@@ -5,6 +5,7 @@ from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
 _BYTES = frozenset({"flt_id", "strt_info"})
+_TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off"})
 
 
 def format_allowed(allowed: Allowed) -> str:
@@ -44,4 +45,6 @@ def _format_value(field: str, value: int | str | dict[str, int]) -> str:
         return f"16#{value & 0xFFFF:04X}"
     if isinstance(value, int) and field in _BYTES:
         return f"16#{value & 0xFF:02X}"
+    if field in _TRUTHS:
+        return str(bool(value)).lower()
     return str(value)
