@@ -1,4 +1,4 @@
-# s7-interrupts: every target says what it does; `make` lists them.
+# s7-interrupts: `make` lists the targets.
 
 PYTHON ?= python3
 VENV   := .venv
@@ -12,7 +12,7 @@ PLC    := examples/soft_plc/build/soft_plc
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
-setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install what is needed: .venv, the engine, the soft PLC
+setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install .venv, the engine, the soft PLC
 
 engine: $(ENGINE)  ## build the trace checker's engine
 
@@ -36,7 +36,7 @@ models-smoke: setup  ## model-check the smoke lane
 models-full: setup  ## model-check everything
 	$(BIN)/s7check models --lane full
 
-controls: setup  ## the negative controls: of which model, what is changed, exit code and property, the result
+controls: setup  ## the negative controls: model, change, exit code and property, result
 	$(BIN)/s7check models 'neg-*'
 
 WORKERS ?= 2
@@ -50,7 +50,7 @@ mutants: setup  ## mutate the specification: every mutant before the shipped log
 mutants-sample: setup  ## the same for 60 mutants
 	$(BIN)/s7check mutants --against all --lane ci --sample 60
 
-witnesses: setup  ## is anything checked in vain? models of the CI lane and shipped logs on a specification that tells what it meets
+witnesses: setup  ## is anything checked in vain? models of the CI lane and shipped logs on a specification with marks
 	$(BIN)/s7check witnesses --json build/witnesses/report.json
 
 LOGS ?= 10000
@@ -92,7 +92,7 @@ RUNS ?= --write
 results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
 	$(BIN)/s7check results $(RUNS)
 
-clean:  ## remove what was built
+clean:  ## remove everything built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build
 
 $(BIN)/s7check: requirements.lock pyproject.toml evidence/pyproject.toml

@@ -19,7 +19,7 @@ class BuildWithData(build_py):
     """An editable installation goes on using the checkout's own files."""
 
     def run(self) -> None:
-        """Copies the packages, then what they need besides, as s7check/resources.py looks for it."""
+        """Copies the packages, then specification and jars to the places in s7check/resources.py."""
         if self.editable_mode:
             super().run()
             return

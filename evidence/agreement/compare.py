@@ -29,7 +29,7 @@ BATCH = 200
 """Logs of a run of TLC."""
 
 TOO_MANY = "states explain the log"
-"""What the engine says of a log that can be explained in more ways than it follows."""
+"""The engine's words for a log with more explanations than it follows."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: 
 
 
 def _decided(generator: Generator, engine: Engine, number: int, file: Path, refused: Counter[str]) -> _Drawn:
-    """A log that the engine can judge, written to `file`; `refused` counts those before it."""
+    """A log that the engine can judge, written to `file`; `refused` counts the unsuitable logs before it."""
     for attempt in count():
         log = generator.draw(number, attempt)
         file.write_bytes(log.content)
@@ -122,7 +122,7 @@ def _decided(generator: Generator, engine: Engine, number: int, file: Path, refu
 
 
 def _readable(content: bytes) -> bool:
-    """Whether the reader takes the whole log, also what follows the line that decides."""
+    """Whether the reader takes the whole log, also the lines behind the deciding line."""
     try:
         for _ in read_log([content]):
             pass
@@ -134,7 +134,7 @@ def _readable(content: bytes) -> bool:
 def _by_tlc(
     batches: Sequence[list[_Drawn]], jobs: int, tools: tlc.Toolchain, processes: Processes, spec: Path
 ) -> Iterator[tuple[list[_Drawn], tlc_batch.Batch]]:
-    """Yield what TLC says of each batch, as it comes. The end of the iterator, whatever causes it, is that of TLC."""
+    """Yield TLC's verdicts about each batch as they come. When the iterator ends, for any reason, TLC ends too."""
     with ThreadPoolExecutor(jobs) as pool:
         runs = {
             pool.submit(tlc_batch.judge, tools, processes, spec, [one.file for one in batch]): batch

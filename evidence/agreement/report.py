@@ -1,4 +1,4 @@
-"""What the user sees: tables, the sum, and the logs about which engine and TLC differ."""
+"""The output: tables, the sum, and the logs about which engine and TLC differ."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ VERDICTS = ("accepted", "rejected")
 
 
 def show(console: Console, found: Comparison, kept: Path) -> None:
-    """Show what was done to the logs and where they are rejected, each difference, and the sum."""
+    """Show the changes of the logs, the events where they are rejected, each difference, and the sum."""
     groups: tuple[tuple[str, Iterable[tuple[str, Compared]]], ...] = (
         ("CPU", ((one.log.cpu, one) for one in found.logs)),
         ("done to the log", ((what, one) for one in found.logs for what in one.log.done)),

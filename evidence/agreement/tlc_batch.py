@@ -31,7 +31,7 @@ Reached == IF index = 0 THEN Out!TLCSet(log, 0)
 """
 _OPTIONS = tlc.Options(workers=1, deadlock=False, heap=HEAP_MB, timeout=TIMEOUT, brief=True)
 _BEGUN = "@!@!@STARTMSG 2189"
-"""The message with which TLC begins to look for states; what comes before is about no single log."""
+"""TLC's message that the search begins; an earlier error is about no single log."""
 _SAID = re.compile(r'<<"reached", (\d+), (\d+)>>')
 
 
@@ -41,7 +41,7 @@ class BatchError(RuntimeError):
 
 @dataclass(frozen=True)
 class Batch:
-    """What TLC said of a batch of logs, in their order; its version; the wall time in seconds."""
+    """TLC's verdicts about a batch of logs, in their order; its version; the wall time in seconds."""
 
     verdicts: list[Judged]
     version: str
@@ -70,7 +70,7 @@ def judge(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequenc
 
 
 def _apart(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequence[Path], failed: tlc.TlcRun) -> Batch:
-    """Judge what TLC could not judge together in two halves, down to the log about which there is no verdict."""
+    """Judge a failed batch in two halves, down to the single log without a verdict."""
     if len(files) == 1:
         return Batch([Judged(f"no verdict: {failed.outcome.detail}")], failed.outcome.version, failed.seconds)
     middle = len(files) // 2
@@ -80,6 +80,6 @@ def _apart(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequen
 
 
 def _verdict(file: Path, reached: int) -> Judged:
-    """What it means that TLC went as far as this event, counted from 1, the header being 0."""
+    """The verdict if TLC went as far as this event, counted from 1; the header is 0."""
     lines = [number for number, line in enumerate(file.read_bytes().split(b"\n"), 1) if line.strip()]
     return Judged("rejected", lines[reached]) if reached < len(lines) else Judged("accepted")

@@ -1,4 +1,4 @@
-"""What is compared: verdict and line."""
+"""The verdicts that are compared, each with its line."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What several tools share that has nothing to do with TLA+ or TLC: the terminal, processes, reasons, logs, options."""
+"""Shared by several tools and independent of TLA+ and TLC: the terminal, processes, reasons, logs, options."""

@@ -14,7 +14,10 @@ manifest_option = click.option(
     help="Default: models/manifest.json here or in a directory above.",
 )
 tlc_option = click.option(
-    "--tlc", "jar", type=click.Path(path_type=Path), help="TLC's jar. Default: $TLA2TOOLS_JAR, or the built one."
+    "--tlc",
+    "jar",
+    type=click.Path(path_type=Path),
+    help="TLC's jar. Default: $TLA2TOOLS_JAR, or the jar that the build provides.",
 )
 json_option = click.option(
     "--json", "json_path", type=click.Path(path_type=Path, dir_okay=False), help="Write the results there."

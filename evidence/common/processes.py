@@ -43,7 +43,7 @@ class Processes:
             return process
 
     def end(self, process: subprocess.Popen[str]) -> None:
-        """Kill what is left of the process's group, close its output, and forget it."""
+        """Kill the rest of the process's group, close its output, and forget it."""
         kill(process)
         with process:
             pass

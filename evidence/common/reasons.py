@@ -1,4 +1,4 @@
-"""Files of reasons: entries that name ids, and say why what they name is as it is."""
+"""Files of reasons: each entry names an id, or a glob of ids, and gives the reason."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Text = Annotated[str, msgspec.Meta(min_length=1)]
 
 
 class Excuse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An id, or a glob of ids, and why what it names is as it is."""
+    """An id, or a glob of ids, with the reason for it."""
 
     id: Text
     reason: Text
@@ -43,7 +43,7 @@ def read(path: Path, kind: type[Kind]) -> list[Kind]:
 def assign(
     entries: Iterable[Kind], existing: Iterable[str], lacking: Iterable[str], judged: Iterable[str]
 ) -> tuple[dict[str, Kind], list[Kind], list[Kind]]:
-    """Find the entry of each id in `lacking`, the entries that fit none of `existing`, and those that none needs.
+    """Find the entry of each id in `lacking`, the entries that fit none of `existing`, and the needless ones.
 
     An entry that fits an id which is not in `judged` may be needed.
     """

@@ -1,4 +1,4 @@
-"""What the commands have in common that run Java for long: they end in order, with an exit code and no process left."""
+"""How commands that run Java for long end: in order, with an exit code, and with no process left."""
 
 from __future__ import annotations
 

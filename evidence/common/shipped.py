@@ -1,4 +1,4 @@
-"""The logs that the project ships, and what they must be judged as."""
+"""The logs that the project ships, with the verdicts that they must get."""
 
 from pathlib import Path
 
@@ -48,7 +48,7 @@ def _entries(index: Path) -> list[Shipped]:
 
 
 def difference(expected: Shipped, report: Report) -> str | None:
-    """What differs between the verdict that a shipped log must have and the one it got."""
+    """The difference between the verdict that a shipped log must get and its actual verdict."""
     line = report.line if report.verdict != "accepted" else None
     if (report.verdict, line) == (expected.verdict, expected.line):
         return None

@@ -1,4 +1,4 @@
-"""The models of ``models/manifest.json``: what each has to come to, and running them.
+"""The models of ``models/manifest.json``: the result that each must have, and running them.
 
 - ``manifest``: the manifest's format, its checks, and the models it resolves to
 - ``mutate``: the temporary copy of ``spec/`` and ``models/`` that a run works on

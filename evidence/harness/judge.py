@@ -1,4 +1,4 @@
-"""What came against what is pinned."""
+"""The result of a run against its pins."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def judge(model: Model, outcome: Outcome, exit_code: int, seconds: float, worker
 
 
 def expectation(model: Model) -> str:
-    """Say in one line what is pinned."""
+    """Return all pins in one line."""
     expect = model.expect
     said = [f"exit {exit_codes(model)} ({' or '.join(sorted(expected_kinds(model)))})"]
     if expect.property:

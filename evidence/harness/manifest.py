@@ -1,4 +1,4 @@
-"""The manifest: which models there are, and what each of them has to come to.
+"""The manifest: the models, and the result that each of them must have.
 
 ``models/manifest.json`` holds entries of two shapes. A *base* entry names a module and a configuration file. A
 *derived* entry names a base entry and what is changed: constants (``overrides``), text of a module (``mutate``), the
@@ -50,7 +50,7 @@ Name = Annotated[str, Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
 
 
 class Expect(msgspec.Struct, forbid_unknown_fields=True):
-    """What a model has to come to.
+    """The result that a model must have.
 
     `exit` is TLC's exit code: 0 passed, 10 an assumption is false, 11 deadlock, 12 or 13 a property is violated (for
     what stands under PROPERTY the TLC versions differ between 12 and 13, so both are taken there; what kind of
@@ -76,7 +76,7 @@ class Mutation(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Entry(msgspec.Struct, forbid_unknown_fields=True):
-    """One entry as it stands in the file. Paths are relative to the manifest's directory, `seconds` is wall time."""
+    """An entry as it stands in the file. Paths are relative to the manifest's directory, `seconds` is wall time."""
 
     name: Name
     expect: Expect
@@ -152,7 +152,7 @@ class Manifest:
         return self.path.parent
 
     def select(self, lane: str, names: tuple[str, ...]) -> list[Model]:
-        """Return the models of these names or globs, whatever their lane; without names those of the lane.
+        """Return the models of these names or globs, in any lane; without names, the models of the lane.
 
         A lane includes the lower ones. Raises `ManifestError` for a name that no model has.
         """
@@ -294,7 +294,7 @@ def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[
 
 
 def _describe(where: str, entry: Entry, mutations: tuple[Mutation, ...]) -> str:
-    """Say what a derived entry shows, for one that does not say it; any other entry has to say it itself."""
+    """Describe a derived entry without a description; any other entry must have its own."""
     if isinstance(entry.base, UnsetType):
         raise ManifestError(f"{where}.what: missing")
     changes = [f"{name} {value}" for name, value in entry.overrides.items()]
@@ -339,7 +339,7 @@ def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[M
 
 
 def _check_model(where: str, model: Model) -> None:
-    """Check what concerns several fields."""
+    """Check the rules that concern several fields."""
     expect = model.expect
     cfg = cfg_file.parse(model.config)
     reserved = [arg for arg in model.args if arg.lower() in _RESERVED_ARGS]

@@ -1,4 +1,4 @@
-"""What the user sees while models run."""
+"""The output while models run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ QUIET_SECONDS = 20
 
 
 class Progress:
-    """Shows what runs: a live table on a terminal, lines elsewhere. A context manager; call it with each event."""
+    """Shows running models: a live table on a terminal, lines elsewhere. A context manager; call it with each event."""
 
     def __init__(self, console: Console, total: int) -> None:
         """Show the progress of `total` models on `console`."""

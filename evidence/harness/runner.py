@@ -1,4 +1,4 @@
-"""Which models run when, and what it takes to come to a result for one of them."""
+"""Which models run when, and all runs that a model needs for its result."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ class Event:
 
 
 TICK_SECONDS = 0.5
-"""How often the user hears of what runs; TLC itself may say nothing for a minute."""
+"""How often the user hears of running models; TLC itself may say nothing for a minute."""
 
 
 @dataclass
 class _Running:
-    """A model that runs: since when (monotonic seconds), and what TLC said of its progress last."""
+    """A running model: since when (monotonic seconds), and the last progress message of TLC."""
 
     model: Model
     began: float
@@ -47,7 +47,7 @@ class _Running:
 
 @dataclass(frozen=True)
 class Harness:
-    """What all runs share. `workers` is how many TLC workers a model that allows several has (None: what it allows)."""
+    """Shared by all runs. `workers` are the TLC workers of a model that allows several (None: its own number)."""
 
     manifest: Manifest
     tools: tlc.Toolchain
@@ -55,7 +55,7 @@ class Harness:
     workers: int | None = None
 
     def workers_of(self, model: Model) -> int:
-        """Return the TLC workers of a model: 1 where the manifest says 1, whatever was asked for."""
+        """Return the TLC workers of a model: 1 where the manifest says 1, even if the user asked for more."""
         return model.workers if self.workers is None or model.workers == 1 else self.workers
 
 

@@ -32,7 +32,7 @@ FORMAT = 1
 
 @dataclass(frozen=True)
 class Canary:
-    """A specification and what a TLC without the defect says to it.
+    """A specification with a known defect of TLC, and the verdict of a TLC without the defect.
 
     `defect` is what the user reads, `issue` the number of upstream's issue, `attempts` how often to try: a race does
     not show every time.
@@ -80,7 +80,7 @@ CANARIES = (
 
 @dataclass(frozen=True)
 class Answer:
-    """One canary's answer. ``unknown``: it could not be asked."""
+    """The answer of a canary. ``unknown``: it could not be asked."""
 
     module: str
     issue: int
@@ -90,7 +90,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Answers:
-    """What is known of a TLC: its version as it says it, and an answer per canary."""
+    """The version that a TLC reports, and the answer of each canary."""
 
     version: str
     answers: tuple[Answer, ...]

@@ -50,9 +50,9 @@ class Request:
 )
 @manifest_option
 @tlc_option
-@click.option("--workers", type=click.IntRange(1), help="TLC workers of the models that may have more than one.")
+@click.option("--workers", type=click.IntRange(1), help="TLC workers for models that may have several.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
-@click.option("--update", is_flag=True, help="Pin the counts that came (nothing else), and say what changed.")
+@click.option("--update", is_flag=True, help="Pin the new counts (nothing else), and name the changes.")
 @json_option
 @click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
 @click.option(
@@ -77,7 +77,7 @@ def models_command(
     host: str | None,
     names: tuple[str, ...],
 ) -> None:
-    """Run TLC on the models of the manifest and compare each result with what is pinned.
+    """Run TLC on the models of the manifest and compare each result with its pins.
 
     NAME picks models (globs work) whatever their lane. Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong
     arguments or manifest, 3 Java or TLC missing.
@@ -97,7 +97,7 @@ def models_command(
 
 
 def run_request(request: Request, processes: Processes, console: Console) -> int:
-    """Do what was asked for and return the exit code."""
+    """Do the work and return the exit code."""
     manifest = load(request.manifest)
     selected = manifest.select(request.lane, request.names)
     tools = tlc.find_toolchain(request.jar)

@@ -142,7 +142,7 @@ class _Run:
         self._reader.start()
 
     def until_done(self, deadline: float) -> tuple[int | None, str]:
-        """Start the workers when the server is ready; return the server's exit code, or None and what went wrong."""
+        """Start the workers when the server is ready; return the server's exit code, or None and the problem."""
         alone_since: float | None = None
         while self._server.poll() is None:
             time.sleep(0.05)

@@ -1,4 +1,4 @@
-"""What the user sees: failures, the table at the end, and the results as JSON."""
+"""The output: failures, the table at the end, and the results as JSON."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ERROR_LINES = 40
 
 
 def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
-    """Show which TLC this is and what is known of it."""
+    """Show the version of TLC and its known defects."""
     plain(console, f"TLC {answers.version or '(version unknown)'}, {tools.jar.name} sha256 {tools.sha256[:16]}")
     for answer in answers.answers:
         plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
@@ -88,7 +88,7 @@ def _models(results: list[Result]) -> Table:
 
 
 def _controls(results: list[Result]) -> Table:
-    """What each negative control changes of which model, and what has to come of it."""
+    """The change that each negative control makes to its model, and the result that it must have."""
     table = _table(("control", "of model", "changed", "exit", "has to fail", "result"), ("seconds",))
     for result in results:
         model = result.model
@@ -118,7 +118,7 @@ def _coloured(result: Result, text: str) -> Text:
 
 
 def _change(mutation: Mutation) -> str:
-    """The lines that a mutation changes, without those around them."""
+    """The lines that a mutation changes, without the lines around them."""
     was, by = ([" ".join(line.split()) for line in text.split("\n")] for text in (mutation.replace, mutation.by))
     while was and by and was[0] == by[0]:
         was, by = was[1:], by[1:]

@@ -37,7 +37,7 @@ def update(path: Path, results: list[Result]) -> list[str]:
 
 
 def render(value: Any, indent: int = 0) -> str:
-    """Return JSON in which whatever fits a line is on one line, so that a manifest stays readable and diffs small."""
+    """Return JSON with every value that fits on one line, so that a manifest stays readable and diffs small."""
     flat = json.dumps(value, ensure_ascii=False)
     if len(flat) + indent <= WIDTH and indent > 0:
         return flat

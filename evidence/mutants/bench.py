@@ -20,14 +20,14 @@ from evidence.mutants.order import Experience
 from evidence.tla.syntax import Module
 
 PATIENCE = 6
-"""A check that takes this many times what it takes on the unchanged specification does not come to the same."""
+"""A check that takes so many times longer than on the unchanged specification has another result."""
 
 LEAST_TIMEOUT = 30.0
 """Seconds that a check has in any case; the machine may be busy with other things."""
 
 UNCHANGED = "unchanged"
 MARKED = "marked"
-"""What stands for a mutant's id in the findings on the specification itself, and on it with marks."""
+"""In place of a mutant's id: a finding about the specification itself, or about its marked copy."""
 
 
 class UnsoundBaselineError(RuntimeError):
@@ -36,7 +36,7 @@ class UnsoundBaselineError(RuntimeError):
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of a mutant: `by` names the check that killed it, `evaluating` those that it got past.
+    """The verdict about a mutant: `by` names the check that killed it, `evaluating` the checks that it got past.
 
     A check that does not evaluate the changed expression is not among them. `seconds` is what the checks took, now
     or when they were run.
@@ -52,7 +52,7 @@ class Verdict:
 
 @dataclass
 class Bench:
-    """The unchanged specification, the checks that are calibrated, and what is known of them.
+    """The unchanged specification, the calibrated checks, and the experience with them.
 
     `thorough`: after a kill that says only that something changed, the other checks are tried too.
     """
@@ -72,7 +72,7 @@ class Bench:
             self._learn(kept.check, kept.mutant, kept.finding)
 
     def calibrate(self, checks: Sequence[Check], mutants: Sequence[Mutant], tell: Callable[[str], None]) -> None:
-        """Run each check on the unchanged specification, and find out what of `mutants` it evaluates.
+        """Run each check on the unchanged specification, and find out which of `mutants` it evaluates.
 
         Raises `UnsoundBaselineError`, `CheckFailedError`, `InterruptedRunError`.
         """

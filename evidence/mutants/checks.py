@@ -1,4 +1,4 @@
-"""What can kill a mutant: a model of the manifest, or the shipped logs."""
+"""The checks that can kill a mutant: a model of the manifest, or the shipped logs."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ VIOLATIONS: Mapping[str, How] = {
     "timeout": "timeout",
     "broken": "error",
 }
-"""What a kind of outcome of TLC is called here."""
+"""The name here for each kind of outcome of TLC."""
 
 
 class CheckFailedError(RuntimeError):
@@ -53,7 +53,7 @@ class CheckFailedError(RuntimeError):
 
 
 class BriefProcesses(Processes):
-    """Java processes that live for seconds: the second compiler would not earn back what it costs."""
+    """Java processes that live for seconds: the second compiler would cost more than it saves."""
 
     def start(self, command: list[str], directory: Path) -> subprocess.Popen[str]:
         """Start a process in a group of its own. Raises `InterruptedRunError` after `close`."""
@@ -66,7 +66,7 @@ class Check(Protocol):
 
     @property
     def name(self) -> str:
-        """What the user knows it by."""
+        """The name for the user."""
 
     @property
     def modules(self) -> frozenset[str]:
@@ -77,7 +77,7 @@ class Check(Protocol):
         """The definitions that it puts others in the place of."""
 
     def key(self, changed: Module | None) -> str:
-        """A hash of all that decides what it comes to, with one module changed."""
+        """A hash of all that decides its result, with one module changed."""
 
     def marks(self, spec: Path) -> frozenset[int] | None:
         """Return the marks that it evaluates in a marked specification; None if it cannot tell."""
@@ -127,7 +127,7 @@ class ModelCheck:
         return evaluated(result.output) if result.ok else None
 
     def run(self, spec: Path, timeout: float) -> Finding:
-        """Run TLC and see what differs from what is pinned."""
+        """Run TLC and compare the result with the pins."""
         began = time.monotonic()
         result = check_model(self._harness(spec), replace(self.model, seconds=(0.0, timeout)))
         outcome, code = result.outcome, result.exit

@@ -36,7 +36,7 @@ from s7check.engine.command import EngineError
 UNEXPLAINED = 1
 
 NOT_MUTATED = ("Properties*", "Typedefs", *WORDING)
-"""What must hold is no rule; types are none; how a rejection is worded decides no verdict."""
+"""Modules without rules: properties, types, and the words of a rejection, which decide no verdict."""
 
 
 @dataclass(frozen=True)
@@ -72,9 +72,9 @@ class Request:
 @manifest_option
 @tlc_option
 @click.option("--sample", type=click.IntRange(1), help="Only so many mutants, drawn by --seed.")
-@click.option("--seed", type=int, default=1, show_default=True, help="Another one draws other mutants.")
+@click.option("--seed", type=int, default=1, show_default=True, help="The seed of the sample.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
-@click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for one by a property.")
+@click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for a kill by a property.")
 @click.option("--fresh", is_flag=True, help="Use nothing that an earlier run found.")
 @click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
 @click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
@@ -113,7 +113,7 @@ def mutants_command(
 
 
 def run_request(request: Request, processes: Processes, console: Console) -> int:
-    """Do what was asked for and return the exit code."""
+    """Do the work and return the exit code."""
     manifest = load(request.manifest)
     modules = read_modules(manifest.spec)
     stages = _stages(request, manifest, modules, processes)
@@ -148,7 +148,7 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
 
 
 def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], processes: Processes) -> list[list[Check]]:
-    """The checks: the logs, which take seconds, and then the models, for what the logs do not notice."""
+    """The checks: first the logs, which take seconds, then the models, for mutants that the logs do not notice."""
     stages: list[list[Check]] = []
     if request.against != "models":
         traces = manifest.directory.parent / "traces"
@@ -166,7 +166,7 @@ def _mutated(modules: dict[str, Module]) -> list[str]:
 
 
 def _concerning(existing: list[Mutant], checks: list[Check]) -> list[Mutant]:
-    """The mutants of what the checks are built on, but for definitions that all of them replace by their own."""
+    """The mutants of modules that the checks use, without definitions that all checks replace by their own."""
     return [
         mutant
         for mutant in existing

@@ -1,4 +1,4 @@
-"""What a check came to on a mutant, and the findings that are kept from one run to the next."""
+"""The finding of a check about a mutant, and the findings that are kept from run to run."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WEAK = frozenset({"count", "timeout"})
 
 
 class Finding(msgspec.Struct, frozen=True):
-    """What a check came to; `detail` names the property, the log or the error."""
+    """The result of a check; `detail` names the property, the log or the error."""
 
     how: How
     detail: str
@@ -34,7 +34,7 @@ class Finding(msgspec.Struct, frozen=True):
 
 
 class Kept(msgspec.Struct, frozen=True):
-    """A finding with what it is about; `key` is a hash of everything that decides it."""
+    """A finding with its check and its mutant; `key` is a hash of everything that decides it."""
 
     key: str
     check: str
@@ -46,7 +46,7 @@ class Findings:
     """Findings in a file, a line each, so that a run that was interrupted loses none. Safe to use from threads."""
 
     def __init__(self, path: Path, *, fresh: bool = False) -> None:
-        """Read what is there, unless `fresh`; a line that was cut off by the end of an earlier run is passed over."""
+        """Read the file, unless `fresh`; a line that an interrupted run cut off is passed over."""
         self._path = path
         self._lock = threading.Lock()
         self._by_key: dict[str, Kept] = {}
@@ -59,7 +59,7 @@ class Findings:
             self._by_key[kept.key] = kept
 
     def all(self) -> list[Kept]:
-        """Every finding, also those of specifications that have changed since."""
+        """Every finding, also about specifications that have changed since."""
         return list(self._by_key.values())
 
     def known(self, key: str) -> Finding | None:

@@ -19,14 +19,14 @@ from s7check.engine.command import EngineError, engine_command
 from s7check.judging.check import check_log
 
 UNREADABLE = "arsing or semantic analysis failed"
-"""What TLC says of a specification that does not parse or has no meaning."""
+"""TLC's words for a specification that does not parse or has no meaning."""
 
 KILLED = "the engine ended (killed by SIGKILL"
-"""What is said of an engine that something else has ended, for want of memory for instance."""
+"""The message about an engine that something else has ended, for want of memory for instance."""
 
 
 class Judged(msgspec.Struct, frozen=True):
-    """What the logs came to; `detail` says which one was judged otherwise than its index says."""
+    """The finding of the logs; `detail` names the log with another verdict than its index says."""
 
     how: How
     detail: str = ""

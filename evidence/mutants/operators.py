@@ -25,12 +25,12 @@ COMPARISONS: Mapping[str, tuple[str, ...]] = {
     "in": ("\\notin",),
     "notin": ("\\in",),
 }
-"""What a comparison becomes; its opposite is among it."""
+"""The replacements of a comparison; its opposite is among them."""
 
 
 @dataclass(frozen=True)
 class Edit:
-    """One change: its kind, what is replaced, and by what."""
+    """A change: its kind, the node that is replaced, and the pieces in its place."""
 
     kind: str
     node: Node
@@ -45,7 +45,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Context(Actions):
-    """What a change depends on beside its place: also the literals of the module, by the type of their nodes."""
+    """The context of a change: also the literals of the module, by the type of their nodes."""
 
     literals: Mapping[str, frozenset[str]] = field(default_factory=dict)
 

@@ -1,4 +1,4 @@
-"""Which check is likely to kill a mutant at least cost: what was seen on other mutants decides."""
+"""Which check is likely to kill a mutant at least cost: the kills of other mutants decide."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import threading
 from collections import Counter
 
 DOUBT = 2.0
-"""How many observations of its own a definition needs to count as much as what is known of its module."""
+"""How many observations of its own a definition needs to count as much as its module."""
 
 
 class Experience:
@@ -26,7 +26,7 @@ class Experience:
                 self._kills[check, scope] += killed
 
     def likelihood(self, check: str, mutant: str) -> float:
-        """How likely the check kills: what is known of the definition, leaning on what is known more widely."""
+        """How likely the check kills: the experience with the definition, leaning on wider experience."""
         guess = 0.5
         for scope in _scopes(mutant):
             guess = (self._kills[check, scope] + DOUBT * guess) / (self._runs[check, scope] + DOUBT)

@@ -1,4 +1,4 @@
-"""What the user sees: the list of mutants, progress, the score, the survivors, and all of it as JSON."""
+"""The output: the list of mutants, progress, the score, the survivors, and all of it as JSON."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ def show_list(console: Console, mutants: Sequence[Mutant]) -> None:
 
 
 def show_difference(console: Console, mutant: Mutant, module: Module) -> None:
-    """Show what a mutant changes, with the lines around it."""
+    """Show the change of a mutant, with the lines around it."""
     old, new = (text.decode().splitlines() for text in (module.text, mutant.text))
     file = f"{module.name}.tla"
     plain(console, "\n".join([mutant.id, *difflib.unified_diff(old, new, file, file, lineterm="")]))
 
 
 def change(mutant: Mutant) -> str:
-    """Say on one line what is changed where."""
+    """Return the change and its place on one line."""
     return f"{mutant.module}.tla:{mutant.line}: {short(mutant.was)} -> {short(mutant.by)}"
 
 
@@ -62,7 +62,7 @@ class Progress:
         self._lock = threading.Lock()
 
     def __call__(self, verdict: Verdict) -> None:
-        """Show what became of a mutant."""
+        """Show the verdict about a mutant."""
         with self._lock:
             self._done += 1
             spent = time.monotonic() - self._began

@@ -43,7 +43,7 @@ class Log:
 
 @dataclass(frozen=True)
 class Damage:
-    """A change of a log: what it is called, how often it is chosen beside the others, and what does it.
+    """A change of a log: its name, how often it is chosen beside the others, and the function.
 
     `do` may find nothing to change.
     """
@@ -159,7 +159,7 @@ def _spelled(time: datetime) -> str:
 
 
 def _delay_from(log: Log, place: int, by: timedelta, *, elapsed: bool) -> None:
-    """Put off what the clock shows from this event to the next change of the clock, and elapsed time to the end."""
+    """Put off the clock from this event to its next change, and elapsed time to the end."""
     clock = True
     for event in log.events[place:]:
         if clock:
@@ -265,7 +265,7 @@ DAMAGES = (
 
 
 def ask_for_readings(random: Random, log: Log, letters: Sequence[tuple[str, list[str]]]) -> None:
-    """One to four readings of those that the specification has."""
+    """One to four of the specification's readings."""
     log.header["readings"] = {
         ambiguity: random.choice(known) for ambiguity, known in random.sample(letters, random.randint(1, 4))
     }

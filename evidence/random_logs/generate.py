@@ -33,7 +33,7 @@ class SoftPlcError(RuntimeError):
 
 @dataclass(frozen=True)
 class Generated:
-    """A log as bytes, the CPU of its header, and what was done to it: nothing is `UNCHANGED` alone."""
+    """A log as bytes, the CPU of its header, and its changes; an unchanged log has `UNCHANGED` alone."""
 
     content: bytes
     cpu: str

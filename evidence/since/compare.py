@@ -55,7 +55,7 @@ def renamed(before: Mapping[str, Path], now: Mapping[str, Path]) -> dict[str, st
 def logs(
     what: str, kind: str, before: Mapping[str, Judged], now: Mapping[str, Judged], names: Mapping[str, str]
 ) -> Comparison:
-    """Compare verdict and line; other requirements are noted. `names` are those that the earlier logs have now."""
+    """Compare verdict and line; other requirements are noted. `names` maps earlier names to present ones."""
     found = Comparison(what, new=len(now.keys() - set(names.values())))
     for name, was in before.items():
         if name not in names:
@@ -77,7 +77,7 @@ def logs(
 
 
 def pins(before: Mapping[str, str], now: Mapping[str, str]) -> Comparison:
-    """Compare what models and negative controls have to come to."""
+    """Compare the pinned results of models and negative controls."""
     found = Comparison("models and negative controls, pinned", new=len(now.keys() - before.keys()))
     for name, was in before.items():
         if name not in now:

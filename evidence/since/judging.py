@@ -17,7 +17,7 @@ BATCH = 500
 
 
 class Judged(msgspec.Struct, frozen=True):
-    """What ``s7check trace --format json`` says of a log. `line` is physical, counted from 1."""
+    """The report of ``s7check trace --format json`` about a log. `line` is physical, counted from 1."""
 
     verdict: str
     line: int | None

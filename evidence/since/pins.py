@@ -1,4 +1,4 @@
-"""What a checkout pins: the results of its models, and the reasons of its survivors and missing witnesses."""
+"""The pins of a checkout: results of its models, reasons for survivors and for missing witnesses."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class _Reason(msgspec.Struct):
 
 
 def pinned(checkout: Checkout) -> dict[str, str]:
-    """What each model and negative control has to come to, in one line. Raises `PinsError`."""
+    """The pinned result of each model and negative control, in one line. Raises `PinsError`."""
     manifest = _read(checkout.models / "manifest.json", _Manifest)
     return {e.name: ", ".join(f"{field} {value}" for field, value in sorted(e.expect.items())) for e in manifest.models}
 

@@ -1,4 +1,4 @@
-"""What the user sees: a table, each difference, and all of it as JSON."""
+"""The output: a table, each difference, and all of it as JSON."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Explained:
 
 
 def show(console: Console, explained: Explained) -> None:
-    """Show the table, then what is worth a line."""
+    """Show the table, then notes and differences."""
     table = Table(box=None, pad_edge=False)
     table.add_column(f"since {explained.commit[:12]}")
     for heading in ("same", "of these moved", "differ", "expected", "new"):

@@ -18,7 +18,7 @@ class BuildError(RuntimeError):
 
 @dataclass(frozen=True)
 class Checkout:
-    """A checkout that `make setup` was run in. Its layout is its own business but for what is used here."""
+    """A checkout after `make setup`. Nothing else of its layout is used."""
 
     root: Path
 
@@ -50,7 +50,7 @@ def find(root: Path, name: str) -> str:
 
 
 def checkout(root: Path, commit: str) -> Checkout:
-    """Build a revision below build/since; what is there from an earlier run is used again. Raises `BuildError`."""
+    """Build a revision below build/since; the work tree of an earlier run is used again. Raises `BuildError`."""
     folder = root / "build" / "since" / commit[:12]
     if not folder.is_dir():
         _git(root, "worktree", "prune")

@@ -294,7 +294,7 @@ def test_gap(
 def test_id_that_does_not_exist(
     name: str, old: str, new: str, unknown: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Wherever an ID stands, it has to be one of the catalogue."""
+    """Wherever an ID stands, it has to exist."""
     replace(project / name, old, new)
     assert run("--write") == 1
     assert f"\n{name}: {unknown} does not exist\n" in capsys.readouterr().out

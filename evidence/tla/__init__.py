@@ -1,1 +1,1 @@
-"""TLA+ text: the one reader of modules, and what the tools ask of a tree."""
+"""TLA+ text: the only reader of modules, and questions that several tools put to a syntax tree."""

@@ -13,7 +13,7 @@ INITIAL = "Init"
 """The definition in which an equation gives a variable its first value."""
 
 TEMPORAL = frozenset({"step_expr_or_stutter", "step_expr_no_stutter", "fairness"})
-"""What makes a definition a formula for TLC to read, not to evaluate."""
+"""Parts of a formula that TLC reads and does not evaluate."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Actions:
 
 
 def acting(modules: Iterable[Module]) -> frozenset[str]:
-    """The definitions with a prime in them, or in what they use."""
+    """The definitions with a prime, and the definitions that use them."""
     uses = {name: unit for module in modules for name, unit in module.definitions.items()}
     found = {name for name, unit in uses.items() if any(n.type in ("prime", "unchanged") for n in walk(unit))}
     used = {name: references(unit) for name, unit in uses.items()}
@@ -64,10 +64,10 @@ def sides(node: Node) -> list[Node]:
 
 
 def conjuncts(node: Node) -> list[Node]:
-    """The parts of a conjunction; none for what is no conjunction, or a part of a longer one."""
+    """The parts of a conjunction; none for any other node, or for a part of a longer conjunction."""
     return _members(node, "land", "conj_list")
 
 
 def disjuncts(node: Node) -> list[Node]:
-    """The parts of a disjunction; none for what is no disjunction, or a part of a longer one."""
+    """The parts of a disjunction; none for any other node, or for a part of a longer disjunction."""
     return _members(node, "lor", "disj_list")

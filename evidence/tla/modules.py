@@ -1,4 +1,4 @@
-"""The modules of a directory, and what each is built on."""
+"""The modules of a directory, and the modules that each is built on."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ def read_modules(directory: Path) -> dict[str, Module]:
 
 
 def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
-    """The module and those of `modules` that it is built on. Raises `SyntaxTreeError` if it is not among them."""
+    """The module, and the modules that it is built on. Raises `SyntaxTreeError` if it is not among them."""
     if root not in modules:
         raise SyntaxTreeError(f"{root}.tla: no such module")
     return reached([root], {name: module.imports for name, module in modules.items()})
 
 
 def reached(names: Iterable[str], uses: Mapping[str, Iterable[str]]) -> frozenset[str]:
-    """Those of these names that `uses` has, and all that they use, directly or not."""
+    """The names that `uses` knows, and all names that they use, directly or not."""
     found: set[str] = set()
     waiting = list(names)
     while waiting:

@@ -39,7 +39,7 @@ Span = tuple[int, int]
 """From which byte to before which byte of a module an expression stands."""
 
 Piece = str | Node | At
-"""A part of a replacement: new text that follows what is before it, a node that is kept, new text in a node's place."""
+"""A part of a replacement: new text behind the part before it, a node that is kept, new text in a node's place."""
 
 
 @dataclass(frozen=True)
@@ -64,13 +64,13 @@ class Module:
 
     @cached_property
     def units(self) -> list[Node]:
-        """What the module consists of, without LOCAL."""
+        """The units of the module: definitions, declarations and so on, without LOCAL."""
         units = [unit for module in self.root.children if module.type == "module" for unit in module.children]
         return [unit.children[-1] if unit.type == "local_definition" else unit for unit in units]
 
     @cached_property
     def definitions(self) -> dict[str, Node]:
-        """The definitions of the module itself, not those inside of LET."""
+        """The definitions of the module itself, without definitions inside of LET."""
         found = {}
         for unit in self.units:
             name = unit.child_by_field_name("name")
@@ -93,7 +93,7 @@ class Module:
 
     @cached_property
     def code(self) -> str:
-        """The text without comments and layout: what decides the result of a check."""
+        """The text without comments and layout: only this part decides the result of a check."""
         return code(self._tree)
 
     def replaced(self, node: Node, pieces: Sequence[Piece]) -> bytes:

@@ -41,7 +41,7 @@ _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|<-|=|[{}\[\],]|[^\s={}\[\],"<(\\]+|[<(\\
 
 
 class CfgError(ValueError):
-    """A configuration file does not hold what an edit needs; the text names the constant or section."""
+    """A configuration file lacks the text that an edit needs; the text names the constant or section."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Assignment:
 
 @dataclass(frozen=True)
 class Section:
-    """One section: its keyword in the singular, its names or values, the span of its text, keyword included."""
+    """A section: its keyword in the singular, its names or values, the span of its text, keyword included."""
 
     keyword: str
     names: tuple[str, ...]
@@ -74,7 +74,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Cfg:
-    """A configuration file's text with what stands where in it."""
+    """A configuration file's text with the places of its parts."""
 
     text: str
     sections: tuple[Section, ...]

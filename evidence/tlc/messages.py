@@ -1,4 +1,4 @@
-"""What TLC said, read from the message codes of its ``-tool`` output.
+"""TLC's messages and their meaning, by the codes of its ``-tool`` output.
 
 TLC frames each message as::
 
@@ -29,13 +29,13 @@ ERROR_CLASSES = frozenset({1, 2})
 """Message classes ERROR and TLCBUG; 0 is plain, 3 a warning, 4 a state of a trace."""
 
 STATE_CODES = frozenset({2216, 2217, 2218, 2122})
-"""One state of an error trace, stuttering, and the state that a lasso goes back to."""
+"""A state of an error trace, stuttering, and the state at which a lasso closes."""
 
 COMPANIONS = frozenset({2121, 2264})
 """Headings of error class that stand between a violation and its trace and say nothing by themselves."""
 
 Kind = Literal["passed", "invariant", "action", "temporal", "initial", "deadlock", "assumption", "broken", "timeout"]
-"""What a run came to.
+"""The result of a run.
 
 ``invariant`` a state predicate was false; ``action`` a step broke a ``[][A]_v``; ``temporal`` a liveness property;
 ``initial`` the initial state broke a PROPERTY; ``broken`` anything that means that TLC could not do its work: parse,
@@ -63,7 +63,7 @@ _NOISE = ("Parsing file ", "Semantic processing of module ", "Linting of module 
 
 @dataclass(frozen=True)
 class Message:
-    """One message: its code, its class (see `ERROR_CLASSES`) and its text without the frame."""
+    """A message: its code, its class (see `ERROR_CLASSES`) and its text without the frame."""
 
     code: int
     level: int
@@ -100,7 +100,7 @@ class Parser:
         return done
 
     def finish(self) -> None:
-        """Take what is open as complete: a killed TLC does not close its last message."""
+        """Take open messages as complete: a killed TLC does not close its last message."""
         while self._open:
             self._pop()
 
@@ -137,7 +137,7 @@ class Counts:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a run came to.
+    """The result of a run.
 
     `names` holds the violated properties that TLC named (an assumption: its location) and is empty where it named
     none or gave only a location; `detail` is one line that says it in TLC's words; `trace` are the texts of the states
@@ -163,7 +163,7 @@ def progress(message: Message) -> str | None:
 
 
 def interpret(parser: Parser, exit_code: int) -> Outcome:
-    """Say what a finished run came to, from its messages and its exit code (negative: killed by that signal).
+    """Return the result of a finished run, from its messages and its exit code (negative: killed by that signal).
 
     A violation counts only if nothing else of error class was said: an evaluation error next to it means that TLC did
     not get to a verdict.

@@ -22,7 +22,7 @@ PROGRESS_SECONDS = 10
 
 
 class ToolMissingError(RuntimeError):
-    """Java or TLC's jar is not there or too old; the text says what to do."""
+    """Java or TLC's jar is not there or too old; the text gives the remedy."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Toolchain:
 
 
 def find_toolchain(jar: Path | None) -> Toolchain:
-    """Find Java and TLC's jar: `jar`, else $TLA2TOOLS_JAR, else the one that the build puts beside the engine.
+    """Find Java and TLC's jar: `jar`, else $TLA2TOOLS_JAR, else the jar that the build puts beside the engine.
 
     Raises `ToolMissingError`.
     """

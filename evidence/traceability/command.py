@@ -27,11 +27,11 @@ GAPS, UNREADABLE = 1, 2
     "--project",
     "folder",
     type=click.Path(path_type=Path, file_okay=False),
-    help="The project's folder. Default: this one, or the nearest above that is one.",
+    help="The project's folder. Default: the checkout around the current folder.",
 )
 @click.argument("ids", nargs=-1, metavar="[ID]...")
 def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ...]) -> int:
-    """Check that every requirement and every ambiguity has what it needs, or a written reason.
+    """Check that every requirement and every ambiguity has its entries, or a written reason.
 
     With IDs: show where these are treated. Exit codes: 0 nothing is missing, 1 something is, or the pages are not up to
     date, 2 something cannot be read.

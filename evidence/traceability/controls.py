@@ -1,4 +1,4 @@
-"""What the manifests in models/ say of requirements: properties that are checked, and negative controls.
+"""The manifests in models/ by requirement: properties that are checked, and negative controls.
 
 A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
 and those that its entry names. It touches those of the rule that it changes, and those of a whole specification
@@ -26,7 +26,7 @@ MANIFESTS = "manifest*.json"
 
 @dataclass(frozen=True)
 class Controls:
-    """What the manifests say, by requirement."""
+    """The content of the manifests, by requirement."""
 
     properties: tuple[Definition, ...]
     """The properties that some model checks, and the definitions that they are made of."""
@@ -37,7 +37,7 @@ class Controls:
     models: dict[str, tuple[str, ...]]
     """The models that name it."""
     unchecked: tuple[Definition, ...]
-    """Definitions that say what must hold, that have requirements, and that no model checks or assumes."""
+    """Properties with requirements that no model checks or assumes."""
 
 
 def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
@@ -83,7 +83,7 @@ def _controls(
     known: Properties,
     modules: Sequence[Module],
 ) -> dict[str, Entries]:
-    """The negative controls of each requirement, those first that speak for it."""
+    """The negative controls of each requirement, the direct ones first."""
     ruling = {module.name for module in rules(modules)}
     direct: dict[str, list[str]] = {}
     indirect: dict[str, list[str]] = {}

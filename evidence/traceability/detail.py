@@ -13,7 +13,7 @@ from evidence.traceability.reasons import Column
 
 
 def detail(root: Path, project: Project, matrix: Matrix, ids: Sequence[str]) -> str:
-    """What `matrix` has of these, a line for each entry. Raises `UnreadableError` for one that does not exist."""
+    """The entries of these IDs, a line for each. Raises `UnreadableError` for an ID that does not exist."""
     rows = matrix.cells()
     unknown = [name for name in ids if name not in rows]
     if unknown:

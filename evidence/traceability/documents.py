@@ -1,4 +1,4 @@
-"""The lists of what there is: the tables of docs/rules/requirements.md and docs/rules/readings.md."""
+"""The requirements and ambiguities: the tables of docs/rules/requirements.md and docs/rules/readings.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands for a requirement in one column."""
+"""The entries of a requirement in one column."""
 
 from __future__ import annotations
 

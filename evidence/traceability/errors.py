@@ -1,5 +1,5 @@
-"""What the check cannot read."""
+"""Errors of sources that the check cannot read."""
 
 
 class UnreadableError(Exception):
-    """A source is missing, is not what it should be, or holds nothing; the text names it."""
+    """A source is missing, is of another form, or holds nothing; the text names it."""

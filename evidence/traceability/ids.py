@@ -22,7 +22,7 @@ def mentioned(text: str) -> list[str]:
 
 
 def tagged(text: str) -> list[str]:
-    """The IDs that a comment claims for what it stands beside: ``[TINT-14]``, and ranges, ``[TINT-72] .. [TINT-79]``.
+    """The IDs that a comment claims for its definition: ``[TINT-14]``, and ranges, ``[TINT-72] .. [TINT-79]``.
 
     A range is counted through, so that IDs may come out which do not exist. Raises `RangeError`.
     """

@@ -15,12 +15,12 @@ from evidence.traceability.ids import AMBIGUITY
 
 @dataclass(frozen=True)
 class Logs:
-    """The accepted and the rejected logs of each requirement; direct are those that it decides."""
+    """The accepted and the rejected logs of each requirement; direct are the logs that it decides."""
 
     accepted: dict[str, Entries]
     rejected: dict[str, Entries]
     files: frozenset[str]
-    """All logs, without what follows the first dot of the name."""
+    """All logs, by name up to the first dot."""
 
 
 def read_logs(traces: Path) -> Logs:

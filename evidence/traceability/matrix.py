@@ -1,4 +1,4 @@
-"""Each requirement beside what it has, or the reason why it has nothing."""
+"""Each requirement beside its entries, or the reason why it has none."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ NOTHING = Entries()
 
 @dataclass(frozen=True)
 class Cell:
-    """What a requirement has in a column; where that is nothing, the reason for it and its kind, if there is one."""
+    """The entries of a requirement in a column; if there are none, the reason and its kind, if there is one."""
 
     entries: Entries = NOTHING
     kind: str = ""
@@ -42,7 +42,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Row:
-    """A requirement; `models` are those that say they show it."""
+    """A requirement; `models` are the models that name it."""
 
     id: str
     cells: Mapping[Column, Cell]
@@ -95,7 +95,7 @@ def counts(matrix: Matrix) -> list[Count]:
 
 
 def build(project: Project) -> Matrix:
-    """Put side by side what was read."""
+    """Put all sources side by side."""
     ruling = rules(project.spec)
     rows = tuple(_row(name, project, ruling) for name in project.requirements)
     readings = {

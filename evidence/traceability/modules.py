@@ -48,7 +48,7 @@ class Definition:
 
 @dataclass(frozen=True)
 class Module:
-    """A module; `tags` are those of its box that it does not leave out, `left_out` says why the others are missing."""
+    """A module; `tags` are the IDs in its box, but for `left_out`, which gives the reasons for the others."""
 
     name: str
     text: bytes
@@ -149,7 +149,7 @@ def _instance(unit: Node) -> str:
 
 
 def _names(unit: Node) -> list[Node]:
-    """What a unit of a module defines or declares."""
+    """The names that a unit of a module defines or declares."""
     if unit.type in ("variable_declaration", "constant_declaration"):
         return [node for node in unit.children if node.type == "identifier"]
     name = unit.child_by_field_name("name")
@@ -201,7 +201,7 @@ def _left_out(header: str) -> dict[str, str]:
 
 
 def _blocks(text: bytes, root: Node) -> list[_Block]:
-    """The comments, those together that stand below each other."""
+    """The comments; comments directly below each other are one block."""
     blocks: list[_Block] = []
     for comment in (node for node in walk(root) if node.type in COMMENTS):
         line, column = comment.start_point.row + 1, comment.start_point.column
@@ -217,6 +217,6 @@ def _blocks(text: bytes, root: Node) -> list[_Block]:
 
 
 def _inner(comment: str) -> str:
-    """What comments say, without their frames; the grammar takes those below each other as one."""
+    """The words of comments without their frames; the grammar joins comments below each other."""
     lines = [_FRAME.sub("", line) for line in comment.split("\n")]
     return "\n".join("" if set(line) <= set("*") else line for line in lines)

@@ -116,7 +116,7 @@ def _logs(found: Entries) -> str:
 
 
 def _first(most: int, found: Entries, show: Callable[[str], str]) -> str:
-    """At most so many entries, those that are not direct in italics, and how many more there are."""
+    """At most so many entries, the indirect ones in italics, and the number of the others."""
     shown = [show(name) if index < found.direct else f"*{show(name)}*" for index, name in enumerate(found.names[:most])]
     more = len(found.names) - most
     return ", ".join(shown) + (f" +{more}" if more > 0 else "")

@@ -22,7 +22,7 @@ def problems(project: Project, matrix: Matrix) -> list[str]:
 
 
 def notes(project: Project) -> list[str]:
-    """What does not fail the check: statements that name requirements, and do not count since no model checks them."""
+    """Remarks that fail nothing: statements with requirements that do not count, since no model checks them."""
     unchecked = groupby(project.controls.unchecked, key=lambda d: d.module)
     return [f"{module}: no model checks {', '.join(d.name for d in found)}" for module, found in unchecked]
 
@@ -62,7 +62,7 @@ def _void_reasons(project: Project, matrix: Matrix) -> list[str]:
 
 
 def _pointing_nowhere(project: Project) -> list[str]:
-    """A reason that points to another formula, control or log is worth no more than what it points to."""
+    """A reason may point to a formula, a control or a log, which must then be there."""
     known = {d.name for d in project.controls.properties} | project.controls.names | project.logs.files
     reasons = dict.fromkeys(project.reasons.values())
     return [

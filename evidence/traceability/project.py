@@ -34,7 +34,7 @@ CITING = (
 
 @dataclass(frozen=True)
 class Project:
-    """What was read; `cited` are the IDs that each of the files names."""
+    """All that was read; `cited` are the IDs that each of the files names."""
 
     requirements: dict[str, Clause]
     ambiguities: dict[str, Clause]
@@ -57,7 +57,7 @@ def find_project(start: Path) -> Path:
 
 
 def read_project(root: Path) -> Project:
-    """Read everything. Raises `UnreadableError` for what is missing, cannot be read or holds nothing."""
+    """Read everything. Raises `UnreadableError` for a source that is missing, unreadable or empty."""
     spec = read_modules(root / "spec")
     models = read_modules(root / MODELS)
     for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):

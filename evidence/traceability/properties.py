@@ -1,4 +1,4 @@
-"""What a property consists of: its definition, and those that it uses, of the modules that say what must hold."""
+"""The parts of a property: its definition, and the definitions that it uses in modules with properties."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from evidence.traceability.roles import extended, statements
 
 
 class Properties:
-    """The definitions of the modules that say what must hold, and of the models, by what each module sees of them."""
+    """The definitions of modules with properties and of models, as each module sees them."""
 
     def __init__(self, spec: Sequence[Module], models: Sequence[Module]) -> None:
         everything = [*spec, *models]
@@ -27,7 +27,7 @@ class Properties:
         }
 
     def parts(self, model: str, name: str, *, instances: bool) -> tuple[Definition, ...]:
-        """The definitions that a property of a model consists of, with or without those of instances of modules.
+        """The definitions that a property of a model consists of, with or without definitions of instances.
 
         The box of a model says what the properties are for that the model itself defines.
         """

@@ -1,4 +1,4 @@
-"""What the modules of spec/ are for.
+"""The roles of the modules of spec/.
 
 The rules are what the system and the explanation of a log are made of. Modules that build on the explanation of a log
 only say why a log is rejected. The others say what must hold of the rules.
@@ -18,13 +18,13 @@ READINGS = "Readings"
 
 
 def rules(spec: Sequence[Module]) -> list[Module]:
-    """The modules that say what the CPU does."""
+    """The modules with rules."""
     names = extended({SYSTEM, EXPLANATION}, spec)
     return [module for module in spec if module.name in names]
 
 
 def statements(spec: Sequence[Module]) -> list[Module]:
-    """The modules that say what must hold: properties, and specifications that the rules implement."""
+    """The modules with statements about the rules: properties, and specifications that the rules implement."""
     names = extended({SYSTEM, EXPLANATION}, spec)
     return [m for m in spec if m.name not in names and EXPLANATION not in extended({m.name}, spec)]
 

@@ -1,4 +1,4 @@
-"""``s7check verify``: the project's main job, and a table of what was checked and what was not."""
+"""``s7check verify``: the project's main job, and a table of checks done and not done."""
 
 import json
 import subprocess
@@ -23,7 +23,7 @@ BUILD = ROOT / "build" / "verify"
 
 @dataclass(frozen=True)
 class Row:
-    """A line of the table: ``failures`` say what failed and what to do; ``run`` is False for what was not run."""
+    """A line of the table: ``failures`` name each failure and the remedy; ``run`` is False if nothing was run."""
 
     what: str
     tool: str
@@ -218,7 +218,7 @@ SAMPLE = 200
 """Random logs that both the engine and TLC judge."""
 
 MUTANTS, SEED = 12, 54
-"""A sample of which the shipped logs notice every mutant, in half a minute: only for those left are models run."""
+"""A sample in which the shipped logs notice every mutant, in half a minute; models run only for mutants left."""
 
 STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,

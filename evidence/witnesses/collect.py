@@ -1,4 +1,4 @@
-"""Running models, and the shipped logs, on a copy of the specification that tells what it meets."""
+"""Running models, and the shipped logs, on a copy of the specification with marks that TLC tells."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def collect(
     jobs: int,
     tell: Callable[[Event], None],
 ) -> list[Seen]:
-    """Run the models, and the logs of `traces`, and return what they met. Raises `CollectingError`."""
+    """Run the models, and the logs of `traces`, and return the conditions that they met. Raises `CollectingError`."""
     shipped = [] if traces is None else logs.readable(traces)
 
     def hear(event: Event) -> None:

@@ -33,7 +33,7 @@ from evidence.witnesses.conditions import conditions
 UNEXPLAINED = 1
 
 KINDS = ("model", "refinement", "calendar")
-"""Models that look for witnesses: those of liveness take the same steps, for longer."""
+"""The kinds of models that look for witnesses; a liveness model takes the same steps and longer."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def witnesses_command(
 
 
 def run_request(request: Request, processes: Processes, console: Console) -> int:
-    """Do what was asked for and return the exit code."""
+    """Do the work and return the exit code."""
     manifest = load(request.manifest)
     why = reasons.read(manifest.directory / "witnesses.json", reasons.Excuse)
     harness = Harness(manifest, tlc.find_toolchain(request.jar), processes)

@@ -1,4 +1,4 @@
-"""What has to be witnessed: the guards and actions of the specification, the antecedents of its properties.
+"""The conditions that need a witness: guards and actions of the specification, antecedents of its properties.
 
 | kind | what | where | to be seen |
 |---|---|---|---|
@@ -30,10 +30,10 @@ SYSTEM, NEXT = "System", "Next"
 """The module and the definition that say which actions there are."""
 
 PROPERTIES = ("Properties*", "Inductive")
-"""Modules that say what must hold."""
+"""Modules with properties."""
 
 TIMES = TEMPORAL | {"always", "eventually", "leads_to"}
-"""What TLC reads as a formula of time and does not evaluate."""
+"""Formulas of time, which TLC reads and does not evaluate."""
 
 Kind = Literal["guard", "condition", "case", "antecedent", "filter", "instance", "action"]
 Side = Literal["TRUE", "FALSE", "evaluated"]
@@ -64,7 +64,7 @@ class Condition:
 
     @property
     def sides(self) -> tuple[Side, ...]:
-        """What has to be seen."""
+        """The values that have to be seen."""
         return SIDES[self.kind]
 
     def mark(self, side: Side) -> int:
@@ -81,7 +81,7 @@ class Condition:
 
 @dataclass(frozen=True)
 class _Place:
-    """Where a condition stands; `shown` is what the reader is told."""
+    """The place of a condition; `shown` is the code for the reader."""
 
     kind: Kind
     node: Node
@@ -150,7 +150,7 @@ def _of_property(node: Node) -> Iterator[_Place]:
 
 
 def _taken(node: Node, module: Module, context: Actions, whole: Node | None = None) -> Iterator[_Place]:
-    """What stands last in each action of a next-state relation: it is reached when all before it is true.
+    """The last part of each action of a next-state relation: TLC reaches it if all parts before it are true.
 
     An action is what is neither a disjunction, nor a quantifier, nor a definition of the module without parameters.
     """

@@ -1,4 +1,4 @@
-"""What the user sees: a table by module, what has no witness, and all of it as JSON."""
+"""The output: a table by module, the conditions without a witness, and all of it as JSON."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COLUMNS = ("conditions", "by models", "by logs alone", "with reason", "without")
 
 @dataclass(frozen=True)
 class Explained:
-    """What was seen and the reasons side by side; `stale` are the reasons that fit nothing any more, and why."""
+    """Conditions and reasons side by side; `stale` are the reasons that fit nothing any more, and why."""
 
     seen: Sequence[Seen]
     reasons: dict[str, Excuse]

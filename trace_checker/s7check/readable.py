@@ -10,7 +10,7 @@ if sys.platform == "win32":
     _PAUSE = 0.01
 
     def readable(*fds: int) -> list[int]:
-        """Those of ``fds`` that can be read without waiting; blocks while there are none.
+        """The ``fds`` that can be read without waiting; blocks while there are none.
 
         Windows has no ``select`` for pipes: they are asked again and again.
         """
@@ -29,5 +29,5 @@ else:
     import select
 
     def readable(*fds: int) -> list[int]:
-        """Those of ``fds`` that can be read without waiting; blocks while there are none."""
+        """The ``fds`` that can be read without waiting; blocks while there are none."""
         return select.select(fds, [], [])[0]

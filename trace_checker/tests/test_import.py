@@ -248,7 +248,7 @@ def test_wrong_arguments(refused: Callable[..., str], arguments: list[str]) -> N
 
 def test_kind_of_a_file(refused: Callable[..., str]) -> None:
     """What a file is has to be said."""
-    assert refused(DATA / "english.txt", *CPU) == "--from: what is the file? step7, szl, csv or ring"
+    assert refused(DATA / "english.txt", *CPU) == "--from is missing: expected step7, szl, csv or ring"
 
 
 def test_mode_is_not_guessed(run: Run, refused: Callable[..., str], tmp_path: Path) -> None:

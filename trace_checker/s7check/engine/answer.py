@@ -1,4 +1,4 @@
-"""What the engine answers, as it comes over the wire."""
+"""The engine's answers, as they come over the wire."""
 
 from typing import Literal
 
@@ -140,7 +140,7 @@ class Answer(msgspec.Struct, frozen=True):
 
 
 class Alternatives(msgspec.Struct, frozen=True):
-    """What a header may ask for, ``Alternatives`` of the specification."""
+    """The choices that a header has, ``Alternatives`` of the specification."""
 
     families: list[str] = []
     profiles: list[str] = []

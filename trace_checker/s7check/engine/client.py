@@ -28,7 +28,7 @@ class _Alternatives(msgspec.Struct, frozen=True):
 
 
 class Engine:
-    """One engine process for any number of logs, started when the first of them begins.
+    """An engine process for any number of logs, started when the first of them begins.
 
     For each log: ``begin``, ``send`` as often as needed, ``finish``. Every method may raise
     EngineError; the process has then ended, and the next ``begin`` starts a new one. As a context
@@ -71,7 +71,7 @@ class Engine:
             process.write(self._encoder.encode(message) + b"\n")
 
     def alternatives(self) -> Alternatives:
-        """What a header may ask for; not while a log is at work."""
+        """The choices that a header has; not while a log is at work."""
         if self._alternatives is None:
             process = self._idle = self._ready()
             with self._dropped_on_error(process):
@@ -112,7 +112,7 @@ class Engine:
                 process.write(self._encoder.encode_lines(events))
 
     def wait(self, fd: int) -> bool:
-        """Waits until ``fd`` can be read. False once the log is decided, whatever ``fd`` does."""
+        """Waits until ``fd`` can be read. False once the log is decided, with or without input."""
         process = self._at_work
         if process is None:
             return wait_for_input(fd)

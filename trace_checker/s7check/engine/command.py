@@ -21,7 +21,7 @@ _TUNING = (
 
 
 class EngineError(Exception):
-    """The engine could not do its work; the text says why and what to do."""
+    """The engine could not do its work; the text gives reason and remedy."""
 
 
 def engine_command() -> list[str]:

@@ -17,7 +17,7 @@ _VERSION = re.compile(r'version "(?:1\.)?([0-9]+)')
 
 
 class JavaMissingError(Exception):
-    """There is no Java that can be used; the text says what to do."""
+    """There is no suitable Java; the text gives the remedy."""
 
 
 def find_java() -> str:

@@ -50,7 +50,7 @@ class EngineProcess:
         return self._process.poll() is None
 
     def write(self, data: bytes) -> None:
-        """Sends ``data``; blocks while the engine is busy with what it was sent before."""
+        """Sends ``data``; blocks while the engine is busy with earlier data."""
         rest = memoryview(data)
         try:
             while rest:
@@ -104,6 +104,6 @@ class EngineProcess:
 
 
 def _gist(said: str) -> str:
-    """The line that names the exception in what a JVM printed, else the last line."""
+    """The line of a JVM's output that names the exception, else the last line."""
     lines = said.splitlines()
     return next((line for line in lines if line.startswith(("Exception in", "Error:"))), lines[-1])

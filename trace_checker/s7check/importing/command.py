@@ -126,7 +126,7 @@ def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording
     if source.startswith(live.SCHEME):
         return _record_live(kind, live.parse(source, options["port"]), options["db"], chosen)
     if kind is None:
-        raise click.UsageError("--from: what is the file? step7, szl, csv or ring")
+        raise click.UsageError("--from is missing: expected step7, szl, csv or ring")
     content = _content(source)
     if kind == "step7":
         return diagnostics.convert(step7_text.read(content, options["dates"]), chosen)

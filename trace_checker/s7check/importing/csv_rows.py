@@ -62,7 +62,7 @@ def read_map(content: bytes) -> ColumnMap:
 
 
 def convert(content: bytes, columns: ColumnMap, chosen: range | None = None) -> Recording:
-    """The events of the rows; what is wrong with a value shows when the whole log is checked."""
+    """The events of the rows; a wrong value shows when the whole log is checked."""
     recording = Recording()
     rows = list(_rows(content, columns, recording))
     if columns.newest_first:

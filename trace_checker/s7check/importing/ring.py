@@ -116,7 +116,7 @@ def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
         yield {"event": "restart", "type": _RESTARTS[entry.ob_nr]}
     elif entry.ob_nr == _HOT_RESTART:
         found = f"OB 101; import the entries after it apart, with --entries {entry.number + 1}-"
-        raise SourceError(entry.place, "a warm or cold restart, which are those that a log can express", found)
+        raise SourceError(entry.place, "a warm or cold restart: a log can express no other", found)
     elif _begins_run(entry):
         yield {"event": "run"}
 

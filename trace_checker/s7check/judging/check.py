@@ -97,7 +97,7 @@ def _telling(candidates: list[Candidate]) -> list[Candidate]:
 
 
 class _RecentLines:
-    """The last lines read, to quote the one that the engine rejects."""
+    """The last lines read, to quote the line that the engine rejects."""
 
     def __init__(self) -> None:
         self._batches: deque[Lines] = deque()

@@ -1,4 +1,4 @@
-"""A log judged again: under other headers, or for what happened between its lines."""
+"""A log judged again: under other headers, or for the steps between its lines."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What is said about a log."""
+"""The verdict about a log."""
 
 from dataclasses import dataclass, field
 from typing import Literal
@@ -12,7 +12,7 @@ EXIT_CODES: dict[Verdict, int] = {"accepted": 0, "rejected": 1, "unusable": 2, "
 
 @dataclass(frozen=True)
 class Reading:
-    """The verdict about the same log under another header: ``change`` says what of it differs.
+    """The verdict about the same log under another header: ``change`` names the difference.
 
     ``kind`` is what was changed, ``line`` the line that decides.
     """

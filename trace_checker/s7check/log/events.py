@@ -93,7 +93,7 @@ _TABLE: dict[str, tuple[dict[str, Reader], dict[str, Reader]]] = {
         {**dict.fromkeys(("active", "blocked", "loaded", "entries_off"), _truth_number), "left": _left},
     ),
 }
-"""Event -> its required and its optional fields, but for those that every event has."""
+"""Event -> its required and its optional fields, without the fields of every event."""
 
 _EVENTS = {
     name: Fields(name, {**_ANY, **required}, {"up": integer(0, _LONGEST_UP), **optional})

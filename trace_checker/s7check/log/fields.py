@@ -56,7 +56,7 @@ class Fields:
 
 
 def mapping(names: str, readers: Mapping[str, Reader]) -> Callable[[object], dict[str, object]]:
-    """A reader of objects whose keys are those of ``readers``, none required; messages call them ``names``."""
+    """A reader of objects with the keys of ``readers``, none required; messages call them ``names``."""
     return Fields("map", {}, readers, names).nested
 
 

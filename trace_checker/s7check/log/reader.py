@@ -12,7 +12,7 @@ from s7check.log.lines import Lines, split_lines
 
 
 class Batch(NamedTuple):
-    """What one piece of the log held: its lines, the header if it was among them, its events.
+    """The content of a piece of the log: its lines, the header if it was among them, its events.
 
     Events have the field ``line``, the number of their physical line.
     """

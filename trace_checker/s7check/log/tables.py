@@ -9,7 +9,7 @@ EXTERNAL_OBS = frozenset({*range(30, 39), *range(40, 48), 55, 56, 57, 60, 70, 72
 """OBs that an ``interrupt`` line may name."""
 
 OBS_WITH_FAULT = frozenset({80, 85})
-"""Those of them whose ``interrupt`` line carries a ``flt_id``."""
+"""The OBs of these whose ``interrupt`` line carries a ``flt_id``."""
 
 DESELECTED = 0
 """As a priority class: the OB is deselected [OBS-06]."""
@@ -33,4 +33,4 @@ _FOUR_READINGS = frozenset([13, 18, 77])
 READINGS: dict[str, str] = {
     f"AMB-{n:02}": "abcd" if n in _FOUR_READINGS else "abc" if n in _THREE_READINGS else "ab" for n in range(1, 79)
 }
-"""Ambiguity of the requirements catalogue -> the letters of its readings."""
+"""Ambiguity -> the letters of its readings."""

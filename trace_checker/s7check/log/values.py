@@ -17,7 +17,7 @@ _CACHED = 4096
 
 
 def moment(milliseconds: int) -> Moment:
-    """Milliseconds, since whatever they count from, as a moment."""
+    """Milliseconds since any zero, as a moment."""
     minutes, rest = divmod(milliseconds, MS_PER_MINUTE)
     return {"min": minutes, "ms": rest}
 

@@ -1,4 +1,4 @@
-"""A page to look at: a timeline of each log, and what explains its verdict. It needs no network."""
+"""A page to look at: a timeline of each log, and the explanation of its verdict. It needs no network."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -24,7 +24,7 @@ _CLASSES: dict[Verdict, str] = {
 
 
 def to_html(reports: Sequence[Report]) -> bytes:
-    """All reports as one page, those with a fault first."""
+    """All reports as one page, accepted logs last."""
     ordered = sorted(enumerate(reports), key=lambda pair: (-bool(pair[1].exit_code), pair[0]))
     counts = Counter(report.verdict for report in reports)
     summary = [

@@ -1,4 +1,4 @@
-"""One JSON object a log."""
+"""A JSON object for each log."""
 
 from typing import Any
 

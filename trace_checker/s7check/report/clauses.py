@@ -1,4 +1,4 @@
-"""The requirements: what the IDs in a report stand for.
+"""The requirements behind the IDs in a report.
 
 In a checkout ``s7check requirements --write`` makes ``requirements.json`` beside this module from the tables of
 docs/rules/requirements.md and docs/rules/readings.md, where each row has an anchor with its ID.

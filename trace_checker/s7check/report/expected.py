@@ -1,4 +1,4 @@
-"""What the specification allows, in the words of the log format."""
+"""The events that the specification allows, in the words of the log format."""
 
 from s7check.engine.answer import Allowed, Situation
 from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
@@ -21,7 +21,7 @@ def format_allowed(allowed: Allowed) -> str:
 
 
 def format_late(allowed: Allowed, situations: list[Situation]) -> str:
-    """What had to come before the line, such as ``start ob=40, within 10 ms of 2026-03-02T08:00:31.000``.
+    """The events that had to come before the line, such as ``start ob=40, within 10 ms of 2026-03-02T08:00:31.000``.
 
     The moment is that of a start event that could have started its OB; of a STOP or an entry none is told.
     """

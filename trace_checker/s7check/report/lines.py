@@ -14,7 +14,7 @@ _MOST_CANDIDATES = 6
 
 
 class Part(NamedTuple):
-    """A heading and what stands under it; one line stands beside it."""
+    """A heading and the lines under it; a single line stands beside it."""
 
     heading: str
     lines: list[str]
@@ -37,7 +37,7 @@ def message(report: Report) -> str:
 
 
 def parts(report: Report) -> Iterator[Part]:
-    """What explains the verdict, the most important first."""
+    """The explanation of the verdict, the most important part first."""
     if report.verdict == "rejected":
         if report.late:
             yield Part("expected before it", report.late)

@@ -16,7 +16,7 @@ _DELAY = 1.0
 
 
 class ProgressBar:
-    """A line that shows the logs done, the one at work, its events and, of a file, the part read."""
+    """A line with the number of logs done, the current log, its events and, of a file, the part read."""
 
     def __init__(self, logs: int) -> None:
         self._logs = logs

@@ -1,4 +1,4 @@
-"""A log as a picture: lanes by priority class, what ran, waited, was called and came to nothing."""
+"""A log as a picture: lanes by priority class, with OBs that ran or waited, calls, and lost start events."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -100,7 +100,7 @@ def _columns(report: Report) -> list[_Column]:
 
 
 def _event(text: bytes) -> dict[str, Any] | None:
-    """The event as the log spells it; None for what is none, which may follow the line that decides."""
+    """The event as the log spells it; None for a line without one, which may follow the deciding line."""
     try:
         event = decode_object(text)
         read_event(event)
@@ -256,7 +256,7 @@ def _come_to_nothing(column: _Column, before: Situation, rows: _Rows) -> Iterato
 
 
 def _expected(report: Report, columns: list[_Column], rows: _Rows) -> Iterator[Node]:
-    """What had to start, as a ghost in its lane."""
+    """The OB that had to start, as a ghost in its lane."""
     column = next((one for one in columns if one.number == report.line), None)
     if report.verdict != "rejected" or column is None:
         return

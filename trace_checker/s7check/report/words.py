@@ -26,7 +26,7 @@ def moment(at: Moment) -> str:
 
 
 def situation(state: Situation) -> list[tuple[str, str]]:
-    """What there is to say, each with its topic; what is empty is left out, but for what runs."""
+    """The statements about a situation, each with its topic; empty ones are left out, but for the running OBs."""
     said = [("mode", f"{state.mode}, clock {moment(state.clock)}"), ("running", _running(state))]
     if state.delay:
         said.append(("delayed", f"{state.delay} DIS_AIRT not taken back"))

@@ -8,7 +8,7 @@ from tests.logs import HEADER
 
 
 def test_readings(real_engine: Engine) -> None:
-    """A header may name the letters of the catalogue; those that the specification tells apart are among them."""
+    """A header may name the letters of the requirements; those that the specification tells apart are among them."""
     assert {name: "".join(sorted(clause(name).letters)) for name in READINGS} == READINGS
     known = {(name, letter) for name, letters in READINGS.items() for letter in letters}
     told_apart = {(name, letter) for name, letters in real_engine.alternatives().letters for letter in letters}
