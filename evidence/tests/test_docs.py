@@ -7,6 +7,10 @@ from urllib.parse import unquote
 import pytest
 
 from evidence.common.checkout import ROOT
+from evidence.traceability.project import READINGS
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.log import tables
 
 PAGES = sorted(
     path
@@ -44,6 +48,25 @@ def test_links(page: Path) -> None:
         if "://" not in link and (not file.exists() or (place and place not in anchors(file))):
             dangling.append(link)
     assert dangling == []
+
+
+def test_letters_of_readings() -> None:
+    """readings.md has the letters that a header may name, and as constants those that the specification tells apart."""
+    rows = re.findall(r'^\| <a id="(AMB-\d+)">(.*)$', (ROOT / READINGS).read_text(encoding="utf-8"), re.MULTILINE)
+    cells = {name: row.split(" | ") for name, row in rows}
+    letters = {name: "".join(re.findall(r"\(([a-e])\) ", found[2])) for name, found in cells.items()}
+    assert letters == tables.READINGS
+    constants = {name: re.findall(r"constant \(([a-e, ]+)\)", found[5]) for name, found in cells.items()}
+    try:
+        with Engine() as engine:
+            choices = engine.alternatives()
+    except EngineError as missing:
+        pytest.skip(str(missing))
+    apart = {name: sorted(letters) for name, letters in choices.letters if len(letters) > 1}
+    assert {name: found[0].split(", ") for name, found in constants.items() if found} == apart
+    assert {name: cells[name][3] for name in apart} == {
+        name: letter for name, letter in choices.defaults if name in apart
+    }
 
 
 def test_pages_were_found() -> None:

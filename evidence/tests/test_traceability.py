@@ -152,6 +152,18 @@ def test_specified_in(project: Path, run: Run) -> None:
     assert '| <a id="OBS-09"></a>OBS-09 | The rest. | S | H | no formula: module |\n' in table
 
 
+def test_modules_of_a_constant(project: Path, run: Run) -> None:
+    """The modules of a reading are generated; what is no constant stays."""
+    readings = project / "docs/rules/readings.md"
+    replace(readings, "Which? | (a), (b) | a |", "Which? | (a), (b) | a | constant (a, b): Nowhere |")
+    replace(readings, "When? | (a), (b) | a |", "When? | (a), (b) | a | default, Nowhere |")
+    assert run() == 1
+    assert run("--write") == 0
+    text = readings.read_text(encoding="utf-8")
+    assert "Which? | (a), (b) | a | constant (a, b): System |\n" in text
+    assert "When? | (a), (b) | a | default, Nowhere |\n" in text
+
+
 def test_modules_that_word_rejections(project: Path, run: Run) -> None:
     """What builds on the explanation of a log names and looks up no rule, and states no property."""
     assert run("--write") == 0

@@ -72,6 +72,11 @@ def place(row: Row) -> str:
     return modules or (f"property: {properties}" if properties else f"no formula: {row.cells['formula'].kind}")
 
 
+def modules(cell: Cell) -> str:
+    """The modules of a cell's formulas: the end of an ambiguity's row in docs/rules/readings.md."""
+    return ", ".join(sorted({name.partition(".")[0] for name in cell.entries.names}))
+
+
 def _counts(matrix: Matrix) -> str:
     lines = [
         "\n| | have it | of these: in italics only | have a reason | of these: not done | have neither |\n",
