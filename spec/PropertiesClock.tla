@@ -68,14 +68,14 @@ NoSkipProp ==
 
 (* [CLK-08] [CLK-09] [CLK-10] After the clock was set every active interrupt *)
 (* waits for a point that is not before the new time; on an S7-300 for the *)
-(* first one of its series.                                                *)
+(* first one of its series, if there is one before 2090 [TINT-19].         *)
 RearmProp ==
     [][ Did("clock") =>
           \A o \in TodObs : tod[o].active /\ mode \notin {"STOP", "HOLD"} =>
             /\ ~Before(At(tod'[o].next), clock')
             /\ /\ cpu.family = "S7-300" /\ tod[o].period = Minutely
                /\ ~Before(clock', At(tod[o].start))
-               => Before(At(tod'[o].next - 1), clock') ]_vars
+               => IsFirstMinute(tod'[o].next, clock') ]_vars
 
 (* [OBS-46] [AMB-55] On release one time error with fault 06 reports the     *)
 (* points that passed in HOLD; what follows it is open.                    *)
