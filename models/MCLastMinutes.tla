@@ -7,7 +7,7 @@
 EXTENDS MCBase
 
 MCTodObs == {10}
-MCFamilies == TwoFamilies
+MCFamilies == {"S7-300"}
 MCLoads == {{10, 80}}
 MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
 MCObNumbers == {10}

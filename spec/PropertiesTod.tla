@@ -108,17 +108,28 @@ ActProp ==
                    /\ ~tod[o].active /\ tod[o].period = Once =>
                         ~Before(At(tod[o].start), clock) ]_vars
 
+(* [TINT-32] [AMB-39] The first month end at the time of day of the start,  *)
+(* for a start that is not past.                                           *)
+\* @type: $tod => Bool;
+AtFirstMonthEnd(t) ==
+    /\ (t.next - t.start) % MinutesADay = 0
+    /\ t.next - t.start \in 0..30 * MinutesADay
+    /\ DayOf((t.next \div MinutesADay) + 1) = 1
+
 (* [TINT-10] [TINT-24] [TINT-32] The first point after activation: the start *)
-(* itself, or for every minute the next one; never a past one.  In an       *)
-(* interval that the clock repeats it may be a later one [AMB-57].         *)
+(* itself or, at the end of the month, the next month end; for every minute *)
+(* the next one; never a past one.  In an interval that the clock repeats   *)
+(* it may be a later one [AMB-57].                                         *)
 FirstPointProp ==
     [][ Did("ACT_TINT") /\ step'.value = 0 /\ ~tod[step'.ob].active =>
           LET t == tod'[step'.ob]
           IN  /\ ~Before(At(t.next), clock)
               /\ t.repeatTo < clock.min =>
-                   /\ ~Before(At(t.start), clock) => t.next = t.start
+                   /\ ~Before(At(t.start), clock) =>
+                        IF t.period = EndOfMonth THEN AtFirstMonthEnd(t)
+                        ELSE t.next = t.start
                    /\ t.period = Minutely =>
-                        t.next = t.start \/ Before(At(t.next - 1), clock) ]_vars
+                        t.next = t.start \/ IsFirstMinute(t.next, clock) ]_vars
 
 (* A call that answers an error, and a query, change nothing [AMB-20]       *)
 (* [TINT-70].                                                              *)
