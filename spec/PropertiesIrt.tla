@@ -90,11 +90,11 @@ NothingNewProp ==
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
 (* [IRT-18] [AMB-12] A point that is lost is used up, and so is a once that  *)
-(* does not wait for an earlier run.                                       *)
+(* does not wait for an earlier run, for sure or by what is open.          *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
           /\ tod[step'.ob].period = Once /\ tod'[step'.ob].active
-               => PendingIn(requests, step'.ob)
+               => \E r \in requests : r.ob = step'.ob
           /\ ~Before(At(tod'[step'.ob].next - 1), clock) ]_vars
 
 -----------------------------------------------------------------------------
