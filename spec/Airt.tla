@@ -17,8 +17,7 @@ DisAirt(ret) ==
     /\ ret = delay + 1
     /\ delay' = delay + 1
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                   stack, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars, stack>>
 
 (* [AIRT-03] [AIRT-07] *)
 \* @type: Int => Bool;
@@ -27,6 +26,5 @@ EnAirt(ret) ==
     /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
     /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                   stack, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars, stack>>
 =============================================================================

@@ -7,7 +7,7 @@
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
-EXTENDS Integers, FiniteSets, Sequences, Typedefs, Codes, Calendar, Readings
+EXTENDS Integers, Sequences, Codes, Readings
 
 -----------------------------------------------------------------------------
 (* OBs *)
@@ -105,6 +105,9 @@ Idle(o) == Deselected(o) \/ Blocked(o)
 NoFrame == [ob |-> 0, class |-> 0]
 
 Running == IF stack = <<>> THEN NoFrame ELSE stack[Len(stack)]
+
+(* Calls in OB 80 may concern what it reports. *)
+InTimeErrorOb == Running.ob = TimeErrorOb
 
 \* @type: Int => Bool;
 OnStack(o) == \E i \in DOMAIN stack : stack[i].ob = o

@@ -8,7 +8,7 @@
 (* Source: docs/log-format.md, fine points 1 and 2.                        *)
 (* Left out: the clock that is set between two lines (PartialLogs).        *)
 (***************************************************************************)
-EXTENDS Scheduler, Waiting
+EXTENDS Clock, MissingObs, Waiting
 
 -----------------------------------------------------------------------------
 (* What is due now *)

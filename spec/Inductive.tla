@@ -8,7 +8,7 @@
 (* Left out: what is said of times, of points served, and of the classes   *)
 (* of settable priorities.                                                 *)
 (***************************************************************************)
-EXTENDS PropertiesIrt
+EXTENDS PropertiesObs, PropertiesAirt, PropertiesIrt
 
 (* [OBS-41] Nothing runs, waits, is delayed or calls for a STOP in STOP. *)
 StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0

@@ -2,17 +2,18 @@
 (***************************************************************************)
 (* SFC 39 DIS_IRT and SFC 40 EN_IRT: new interrupts and asynchronous       *)
 (* errors are lost, without the reaction to a missing OB, until they are   *)
-(* enabled again or the CPU is restarted (catalogue section 3).  What is   *)
-(* lost is said in StartEvents, what is blocked in Cpu.                    *)
+(* enabled again or the CPU is restarted (section 3).  StartEvents has the *)
+(* events that are lost, Cpu the OBs that are blocked.                     *)
 (*                                                                         *)
 (* Left out: synchronous errors, which are not affected [IRT-05] [IRT-23]. *)
 (***************************************************************************)
-EXTENDS Airt
+EXTENDS Calls, Errors
 
 (* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
-Lacking == IF LackingObsAreRefused
-           THEN {60, 70, 72} \cup (IF cpu.family = "S7-300" THEN 30..34 ELSE {})
-           ELSE {}
+Lacking ==
+    IF LackingObsAreRefused
+    THEN {60, 70, 72} \cup (IF cpu.family = "S7-300" THEN 30..34 ELSE {})
+    ELSE {}
 ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
 ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 
@@ -20,24 +21,30 @@ ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
                     \cup (61..65) \cup (100..102) \cup ExternalObs
 
-(* [IRT-06] [IRT-07] [IRT-08] What MODE says: all, a class or an OB; with   *)
+(* [IRT-06] [IRT-07] [IRT-08] MODE names everything, a class or an OB; with *)
 (* 80 to 82 nothing is entered in the diagnostic buffer either [IRT-09].   *)
 \* @type: Int => Int;
 Level(m) == m % 128
+\* @type: Int => Bool;
+WithoutEntries(m) == m >= 128
 DisModes == {0, 1, 2, 128, 129, 130}
 (* [IRT-13] [AMB-76] *)
 EnModes == IF EnIrtTakesMode8x THEN DisModes ELSE {0, 1, 2}
 
-(* [IRT-12] [AMB-22] [AMB-63] Beside a bad MODE, 8090 applies only to a      *)
-(* number that no OB has.                                                  *)
+(* [IRT-12] [AMB-22] *)
+\* @type: (Int, Int) => Bool;
+NumberFits(m, o) ==
+    CASE Level(m) = 0 -> o = 0 \/ ~Mode0TakesOb0Alone
+      [] Level(m) = 1 -> o \in ClassNumbersOfIrt
+      [] OTHER        -> o \in ObNumbersOfIrt
+
+(* [IRT-12] [AMB-63] Beside a bad MODE, 8090 applies only to a number that   *)
+(* no OB has.                                                              *)
 \* @type: (Int, Int, Set(Int)) => Set(Int);
 IrtErrors(m, o, modes) ==
     IF m \notin modes
     THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
-    ELSE IF CASE Level(m) = 0 -> o # 0 /\ Mode0TakesOb0Alone
-              [] Level(m) = 1 -> o \notin ClassNumbersOfIrt
-              [] OTHER        -> o \notin ObNumbersOfIrt
-    THEN {BadOb} ELSE {}
+    ELSE IF NumberFits(m, o) THEN {} ELSE {BadOb}
 
 (* [AMB-21] One flag for each OB; under (b) one for each of three levels.   *)
 \* @type: (Int, Int) => Set(Int);
@@ -58,41 +65,48 @@ BlockedWith(marks, silent) ==
 BlockedWithout(marks) ==
     [blocked |-> irt.blocked \ marks, silent |-> irt.silent \ marks]
 
-(* [AMB-72] What waits already still runs; under (b) it is dropped.  Under   *)
-(* AMB-15 (c) a call in OB 80 keeps a catch-up from coming [CLK-04].       *)
+(* [AMB-72] A request that waits already still runs, or the call drops it;   *)
+(* in OB 80 it may keep a catch-up from coming [CLK-04] [AMB-15].           *)
+\* @type: ($request, Set(Int)) => Bool;
+Dropped(r, marks) ==
+    /\ MarkedIn(marks, r.ob)
+    /\ \/ DisIrtDropsRequests
+       \/ DisIrtStopsCatchUp /\ InTimeErrorOb /\ IsCatchUp(r)
+
 \* @type: Set(Int) => Set($request);
 RequestsAfterDisIrt(marks) ==
-    LET gone == { r \in requests :
-                    /\ MarkedIn(marks, r.ob)
-                    /\ \/ DisIrtDropsRequests
-                       \/ /\ DisIrtStopsCatchUp
-                          /\ Running.ob = TimeErrorOb /\ r.follows \in Skips }
+    LET gone == { r \in requests : Dropped(r, marks) }
     IN  IF gone = {} THEN requests ELSE Close(requests \ gone)
 
-(* [IRT-01] [IRT-06] .. [IRT-09] [AMB-41] *)
+(* [IRT-09] [AMB-41] *)
+\* @type: Int => Set($entry);
+EntriesOfDisIrt(m) ==
+    IF WithoutEntries(m) /\ DisIrtIsEntered THEN {Entry(EntriesDisabled)} ELSE {}
+
+(* [IRT-01] [IRT-06] .. [IRT-09] *)
 \* @type: (Int, Int, Int) => Bool;
 DisIrt(m, o, ret) ==
     /\ Called
     /\ ret \in Usual(IrtErrors(m, o, DisModes))
     /\ IF ret = OK
-       THEN /\ irt' = BlockedWith(Meant(m, o), m >= 128)
+       THEN /\ irt'      = BlockedWith(Meant(m, o), WithoutEntries(m))
             /\ requests' = RequestsAfterDisIrt(Meant(m, o))
-            /\ entered' = IF m >= 128 /\ DisIrtIsEntered
-                          THEN {Entry(EntriesDisabled)} ELSE {}
-       ELSE UNCHANGED <<irt, requests>> /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, stack, delay,
-                   stopCause>>
+            /\ entered'  = EntriesOfDisIrt(m)
+       ELSE irt' = irt /\ requests' = requests /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, stopCause, runVars>>
 
-(* [IRT-13] [IRT-14] [IRT-24] [AMB-42] Under (b) MODE 1 blocks. *)
+(* [AMB-42] Under (b) MODE 1 blocks. *)
+\* @type: (Int, Int) => $irt;
+IrtAfterEnIrt(m, o) ==
+    IF Level(m) = 1 /\ EnIrtMode1Blocks THEN BlockedWith(Meant(m, o), FALSE)
+                                        ELSE BlockedWithout(Meant(m, o))
+
+(* [IRT-13] [IRT-14] [IRT-24] *)
 \* @type: (Int, Int, Int) => Bool;
 EnIrt(m, o, ret) ==
     /\ Called
     /\ ret \in Usual(IrtErrors(m, o, EnModes))
-    /\ irt' = IF ret # OK THEN irt
-              ELSE IF Level(m) = 1 /\ EnIrtMode1Blocks
-              THEN BlockedWith(Meant(m, o), FALSE)
-              ELSE BlockedWithout(Meant(m, o))
+    /\ irt' = IF ret = OK THEN IrtAfterEnIrt(m, o) ELSE irt
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, requests, stack,
-                   delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, outcomeVars, runVars>>
 =============================================================================

@@ -6,7 +6,7 @@
 (* Left out: lines of kinds that the log does not have completely          *)
 (* (PartialLogs).                                                          *)
 (***************************************************************************)
-EXTENDS Modes, CallLines, Elapsing
+EXTENDS Modes, OutsideEvents, CallLines, Elapsing
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
 (* following ones.  In a log that begins in RUN it may be any of them.     *)

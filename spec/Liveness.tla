@@ -24,11 +24,11 @@ DispatchFairness == WF_cpuVars(Respond)
 (* Programs end: a running OB that is not interrupted for ever comes to its *)
 (* end, however many calls it makes; STARTUP ends and OB 1 starts again.   *)
 (* Cycle monitoring [OBS-26] enforces it on a real CPU.                    *)
-ProgramFairness == WF_cpuVars(~Pressing /\ Proceed)
+ProgramFairness == WF_cpuVars(Proceed)
 
 (* Time passes, and what it brings about happens, unless the CPU is busy    *)
 (* with what it has to do at once.                                         *)
-TimeFairness == WF_cpuVars(~Pressing /\ Time)
+TimeFairness == WF_cpuVars(Time)
 
 CpuFairness == DispatchFairness /\ ProgramFairness
 Fairness    == CpuFairness /\ TimeFairness

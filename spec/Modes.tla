@@ -1,12 +1,12 @@
 -------------------------------- MODULE Modes -------------------------------
 (***************************************************************************)
-(* STOP, warm and cold restart, STARTUP, RUN and HOLD (catalogue sections  *)
-(* 5.4 and 5.5).                                                           *)
+(* STOP, warm and cold restart, STARTUP, RUN and HOLD (sections 5.4 and   *)
+(* 5.5).                                                                   *)
 (*                                                                         *)
 (* Left out: hot restart (AMB-26); memory reset [OBS-58] and power off     *)
 (* [OBS-59], which no log shows.                                           *)
 (***************************************************************************)
-EXTENDS Scheduler
+EXTENDS Delays, Skips
 
 (* The execution of a STEP 7 parameter set as a PERIOD [TINT-25] [AMB-01]. *)
 \* @type: Str => Int;
@@ -49,7 +49,6 @@ RestartRequests ==
                          !.since = At(cpu.step7[o].start), !.word = Once ]
       : o \in { p \in TodObs : PastOnce(p) } }
 
-NoJobs    == [o \in DintObs |-> NoJob]
 NoneBlocked == [blocked |-> {}, silent |-> {}]
 
 (* [OBS-25] *)
@@ -72,7 +71,7 @@ Restart(type) ==
     /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
     /\ stack' = <<>>
     /\ delay' = 0
-    /\ UNCHANGED <<cpu, loaded, clock>>
+    /\ UNCHANGED <<deviceVars, clock>>
 
 (* [OBS-42] STARTUP is over when the startup OB has been processed. *)
 Run ==
@@ -82,8 +81,7 @@ Run ==
     /\ mode'    = "RUN"
     /\ startup' = "none"
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, clock, tod, dint, irt, requests, stack, delay,
-                   stopCause>>
+    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, runVars>>
 
 (* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the clock *)
 (* goes on.                                                                *)
@@ -91,22 +89,26 @@ Hold ==
     /\ mode = "RUN"
     /\ mode' = "HOLD"
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, dint, irt, requests, stack,
-                   delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars, runVars>>
+
+(* The settings when HOLD ends: a point may have passed meanwhile. *)
+TodAfterHold ==
+    [ o \in DOMAIN tod |->
+        IF tod[o].active /\ IsPast(NextMoment(tod[o]), clock)
+        THEN Rearmed(o, clock, UnservedAreOver(cpu)) ELSE tod[o] ]
 
 (* [OBS-46] OB 80 reports the points that passed in HOLD. *)
 Release ==
     LET skipped == SkippedBy(clock)
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
-        /\ tod'  = [ o \in DOMAIN tod |->
-                      IF tod[o].active /\ IsPast(NextMoment(tod[o]), clock)
-                      THEN Rearmed(clock, UnservedAreOver(cpu))[o] ELSE tod[o] ]
+        /\ tod'  = TodAfterHold
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
-        /\ UNCHANGED <<cpu, loaded, startup, clock, dint, irt, stack, delay>>
+        /\ UNCHANGED <<deviceVars, startup, clock, dint, irt, runVars>>
 
-(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  What      *)
-(* SFCs have set is of no use any more: a restart follows [DINT-13].       *)
+(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  The      *)
+(* settings made by SFCs are of no use any more: a restart follows         *)
+(* [DINT-13].                                                              *)
 Stop ==
     /\ mode # "STOP"
     /\ mode'      = "STOP"
@@ -117,5 +119,5 @@ Stop ==
     /\ stopCause' = NoCause
     /\ dint' = NoJobs
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, clock, tod, irt>>
+    /\ UNCHANGED <<deviceVars, clock, tod, irt>>
 =============================================================================

@@ -6,7 +6,7 @@
 (* Left out: that no point is served twice on an S7-400, which needs a     *)
 (* history and is in models/MCClockBack.                                   *)
 (***************************************************************************)
-EXTENDS PropertiesTod
+EXTENDS Steps
 
 (* The clock runs forward, and is set by nothing but a clock event, as all   *)
 (* requirements of section 6 take for granted.                             *)

@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Left out: the order of runs, which Properties has for every OB.         *)
 (***************************************************************************)
-EXTENDS PropertiesClock
+EXTENDS Steps
 
 DintCalls == {"SRT_DINT", "CAN_DINT", "QRY_DINT"}
 

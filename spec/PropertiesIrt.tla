@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Left out: entries that are open because their error is.                 *)
 (***************************************************************************)
-EXTENDS PropertiesDint
+EXTENDS Steps
 
 IrtCalls == {"DIS_IRT", "EN_IRT"}
 

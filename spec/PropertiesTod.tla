@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Left out: the series of points itself, which models/MCCalendar checks.  *)
 (***************************************************************************)
-EXTENDS Properties
+EXTENDS Steps
 
 TodCalls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT"}
 

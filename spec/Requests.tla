@@ -26,7 +26,7 @@
 (* Left out: the size of the buffers, which differs between CPUs [OBS-09]; *)
 (* where a buffer may be full, both outcomes are allowed [AMB-18].         *)
 (***************************************************************************)
-EXTENDS Cpu
+EXTENDS FiniteSets, Cpu
 
 -----------------------------------------------------------------------------
 (* [OBS-42] [OBS-43] [TINT-13] *)
@@ -118,6 +118,10 @@ DintRequest(o) ==
         !.dtime = dint[o].dtime
                     - (IF DtimeIsElapsedTime THEN dint[o].left ELSE 0) ]
 
+(* A run for a point that was skipped. *)
+\* @type: $request => Bool;
+IsCatchUp(r) == r.follows \in Skips
+
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==
@@ -142,8 +146,8 @@ Preempts(r) == r.class > Running.class
 (* [AIRT-01] [AIRT-09] Whatever may interrupt the running OB is delayed. *)
 Undelayed == delay = 0
 
-(* [OBS-02] [TINT-12] What the mode keeps back keeps nothing back.  Under    *)
-(* AMB-29 (b) by number within a place.                                     *)
+(* [OBS-02] [TINT-12] A request held back by the mode does not block those *)
+(* behind it.  Within a place the numbers may decide [AMB-29].             *)
 \* @type: $request => Bool;
 InTurn(r) ==
     { q \in requests :

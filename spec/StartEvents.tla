@@ -1,112 +1,26 @@
 ----------------------------- MODULE StartEvents ----------------------------
 (***************************************************************************)
-(* A start event or an error occurs: what it leads to where its OB is      *)
-(* idle, waits, runs, is blocked or is missing, and what is entered in the *)
-(* diagnostic buffer (catalogue sections 5.2, 5.3, table 7.5).             *)
+(* A start event occurs: what it leads to where its OB is idle, waits,     *)
+(* runs, is blocked or is missing (sections 5.2 and 5.3).                  *)
 (*                                                                         *)
 (* The operators set requests', stopCause' and entered'.                   *)
-(* Left out: entries for other events than those of table 7.5 that belong  *)
-(* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
+(* Left out: the errors themselves (Errors).                               *)
 (***************************************************************************)
-EXTENDS Requests
+EXTENDS Errors
 
 -----------------------------------------------------------------------------
-(* Entries *)
+(* Effects *)
 
-\* @type: Int => $entry;
-Entry(id) == [id |-> id, of |-> NoRequest, open |-> FALSE]
-
-\* @type: $request => $entry;
-EntryOf(error) == [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE]
-
-(* [AMB-41] (b) Under MODE 8x every blocked event shows as 5380. *)
-\* @type: Int => Set($entry);
-EntriesOfLost(o) ==
-    IF Silenced(o) /\ LostEventIsEntered THEN {Entry(EntriesDisabled)} ELSE {}
-
-(* [IRT-09] *)
-\* @type: $request => Set($entry);
-EntriesOf(error) == IF Silenced(error.ob) THEN EntriesOfLost(error.ob)
-                                          ELSE {EntryOf(error)}
-
-\* @type: Set($request) => Set($entry);
-OpenEntries(errors) ==
-    { [n EXCEPT !.open = TRUE] : n \in UNION { EntriesOf(e) : e \in errors } }
-
------------------------------------------------------------------------------
-(* STOP by rule *)
-
-(* The first cause counts. *)
-\* @type: Int => Int;
-StopFor(cause) == IF stopCause = NoCause THEN cause ELSE stopCause
-
-\* @type: Int => Set($entry);
-EntriesOfStop(cause) == IF stopCause = NoCause THEN {Entry(cause)} ELSE {}
-
------------------------------------------------------------------------------
-(* Time errors *)
-
-(* [OBS-22] [CLK-05] [OBS-33] A time error, after which requests are `kept', *)
-(* with the runs that follow it.  Without OB 80 it stops the CPU, also     *)
-(* while interrupts are delayed [AMB-49].  Blocked, it does not [IRT-01]   *)
-(* [AMB-23], and the runs that follow may be `lost' with it [AMB-48].      *)
-\* @type: (Set($request), Set($request), $request) => Bool;
-TimeErrorOccurs(kept, lost, error) ==
-    LET absent == TimeErrorOb \notin loaded
-        stops  == absent /\ IF Blocked(TimeErrorOb)
-                            THEN BlockedErrorStopsTheCpu
-                            ELSE ~(/\ DelaysNeverStopTheCpu
-                                   /\ error.cause \in DintObs)
-    IN  /\ requests' \in
-             IF ~Blocked(TimeErrorOb)
-             THEN {IF stops THEN lost  \* what follows OB 80 never comes
-                   ELSE IF absent THEN kept ELSE Enter(kept, error)}
-             ELSE CASE LateRunOutlivesBlock  -> {kept}
-                    [] LateRunIsLostWithOb80 -> {lost}
-                    [] OTHER                 -> {kept, lost}
-        /\ stopCause' = IF stops THEN StopFor(NoTimeErrorOb) ELSE stopCause
-        /\ entered'   = EntriesOf(error)
-                          \cup (IF stops THEN EntriesOfStop(NoTimeErrorOb) ELSE {})
-
------------------------------------------------------------------------------
-(* Missing OBs *)
-
-(* [TINT-16] [DINT-09] [OBS-20] [AMB-28] The OB of a request is missing:    *)
-(* OB 85, once for all missing OBs or once for each [AMB-45]; blocked, it  *)
-(* is lost [AMB-33] [AMB-23].  Requests are then `rest'.                   *)
-\* @type: (Set($request), $request) => Bool;
-ProgramErrorOccurs(rest, r) ==
-    LET error == [ ExternalRequest(ProgramErrorOb,
-                                   IF MissingObIsFaultA1 THEN \hA1 ELSE \hA2)
-                   EXCEPT !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
-        joins == OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
-        absent == ProgramErrorOb \notin loaded
-        stops == \/ BlockedOb85StopsTheCpu
-                 \/ BlockedErrorStopsTheCpu /\ absent
-    IN  IF Blocked(ProgramErrorOb)
-        THEN /\ requests' = rest
-             /\ stopCause' = IF stops THEN StopFor(NoProgramErrorOb) ELSE stopCause
-             /\ entered' = EntriesOf(error)
-                             \cup (IF stops THEN EntriesOfStop(NoProgramErrorOb)
-                                   ELSE {})
-        ELSE IF absent /\ DelaysNeverStopTheCpu /\ r.ob \in DintObs
-        THEN requests' = rest /\ UNCHANGED stopCause /\ entered' = {EntryOf(error)}
-        ELSE /\ UNCHANGED stopCause
-             /\ \/ /\ ~(joins /\ OneOb85ForAll)
-                   /\ requests' = Enter(rest, error)
-                   /\ entered' = {EntryOf(error)}
-                \/ /\ joins /\ ~OneOb85ForEach
-                   /\ requests' = rest
-                   /\ entered' = OpenEntries({error})
-
------------------------------------------------------------------------------
-(* A start event leads to a request ... *)
-
-\* @type: $request => Bool;
-Ordinary(new) ==
-    /\ requests' = Enter(requests, new)
+(* Only the requests change. *)
+\* @type: Set($request) => Bool;
+RequestsBecome(q) ==
+    /\ requests' = q
     /\ UNCHANGED stopCause
     /\ NothingEntered
+
+(* A start event leads to a request ... *)
+\* @type: $request => Bool;
+Ordinary(new) == RequestsBecome(Enter(requests, new))
 
 (* ... to a time error [TINT-14] [DINT-10], with a run that follows it or    *)
 (* without ...                                                             *)
@@ -119,16 +33,18 @@ Overlap(new, fault, again) ==
     IN  TimeErrorOccurs(runs, requests, error)
 
 (* ... or to nothing. *)
-Nothing == UNCHANGED <<requests, stopCause>> /\ NothingEntered
+Nothing == UNCHANGED outcomeVars /\ NothingEntered
 
 (* [IRT-04] *)
 \* @type: Int => Bool;
-Lost(o) == UNCHANGED <<requests, stopCause>> /\ entered' = EntriesOfLost(o)
+Lost(o) == UNCHANGED outcomeVars /\ entered' = EntriesOfLost(o)
+\* @type: $request => Bool;
+ErrorLost(error) == UNCHANGED outcomeVars /\ entered' = EntriesOf(error)
 
 -----------------------------------------------------------------------------
 (* Start events of an OB that waits or runs already *)
 
-(* [AMB-18] [AMB-77] There may be a time error, still running or buffer      *)
+(* [AMB-18] [AMB-77] There may be a time error: "still running", or buffer   *)
 (* overflow ...                                                            *)
 \* @type: $request => Set($request);
 ErrorsOf(again) ==
@@ -142,9 +58,9 @@ LeftOpen(again) ==
       \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
             ELSE ErrorsOf(again))
 
-(* Where the OB waits, if at all, by what is open, it waits for sure after  *)
-(* another start event: by the first of the open ones, or by the new one if *)
-(* they had no effect.  The latter shows only where another OB of the class *)
+(* Only open requests of the OB wait.  After another start event the OB      *)
+(* waits for sure: by the first open one, or by the new one if the open     *)
+(* ones had no effect.  The second shows only where another OB of the class *)
 (* stands between.                                                         *)
 \* @type: (Set($request), $request) => Set($request);
 Confirmed(q, new) ==
@@ -152,11 +68,15 @@ Confirmed(q, new) ==
          /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
       THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
 
+\* @type: Int => Bool;
+AnotherStandsBehind(o) ==
+    \E r, s \in requests : /\ r.ob = o /\ s.ob # o
+                           /\ s.class = r.class /\ s.rank > r.rank
+
 \* @type: $request => Set(Set($request));
 EnterAmongOpen(new) ==
     { EnterAll(Confirmed(requests, new), LeftOpen(new)) }
-      \cup (IF \E r, s \in requests : /\ r.ob = new.ob /\ s.ob # new.ob
-                                     /\ s.class = r.class /\ s.rank > r.rank
+      \cup (IF AnotherStandsBehind(new.ob)
             THEN { Enter(Withdraw(requests, new.ob), new) } ELSE {})
 
 \* @type: $request => Bool;
@@ -235,15 +155,18 @@ ErrorOccurs(new) ==
 
 -----------------------------------------------------------------------------
 
+\* @type: $request => Bool;
+AgainWhileRunning(new) ==
+    CASE new.ob \in TodObs  -> TodWhileRunning(new)
+      [] new.ob \in DintObs -> DintWhileRunning(new)
+      [] OTHER              -> ExternalWhileRunning(new)
+
 (* [OBS-07] A start event occurs. *)
 \* @type: $request => Bool;
 Occurs(new) ==
     IF Deselected(new.ob) THEN Nothing
     ELSE IF Blocked(new.ob) THEN Lost(new.ob)
-    ELSE IF OnStack(new.ob)
-    THEN IF new.ob \in TodObs THEN TodWhileRunning(new)
-         ELSE IF new.ob \in DintObs THEN DintWhileRunning(new)
-         ELSE ExternalWhileRunning(new)
+    ELSE IF OnStack(new.ob) THEN AgainWhileRunning(new)
     ELSE IF PendingIn(requests, new.ob) THEN AgainWhilePending(new)
     ELSE IF OpenIn(requests, new.ob) THEN AgainWhileOpen(new)
     ELSE \/ Ordinary(new)

@@ -65,8 +65,17 @@ VARIABLES
     \* @type: Set($entry);
     entered
 
-cpuVars == <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-             stack, delay, stopCause>>
+-----------------------------------------------------------------------------
+(* Variables in groups *)
+
+deviceVars  == <<cpu, loaded>>
+modeVars    == <<mode, startup>>
+settingVars == <<tod, dint, irt>>
+outcomeVars == <<requests, stopCause>>
+runVars     == <<stack, delay>>
+
+(* All of the CPU; what a step enters is seen only by an observer. *)
+cpuVars == <<deviceVars, modeVars, clock, settingVars, outcomeVars, runVars>>
 
 NothingEntered == entered' = {}
 =============================================================================

@@ -1,111 +1,36 @@
 ----------------------------- MODULE TimeOfDay ------------------------------
 (***************************************************************************)
 (* SFC 28 SET_TINT, SFC 29 CAN_TINT, SFC 30 ACT_TINT and SFC 31 QRY_TINT:  *)
-(* what they answer and what they change (catalogue sections 1.2 to 1.5).  *)
+(* their answers and their effects (sections 1.2 to 1.5).                  *)
 (*                                                                         *)
 (* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
 (* is local time, STATUS bit 6 [TINT-78].                                  *)
 (***************************************************************************)
-EXTENDS Irt
+EXTENDS Calls, StartEvents, TodSettings
 
-NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
-               period |-> Once, next |-> Never, served |-> {}, repeatTo |-> -1 ]
+\* @type: Int => Set(Int);
+ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 
-(* [AMB-57] Inside a repeated interval the OB may keep the memory of the    *)
-(* points that were served; elsewhere it has no meaning.                   *)
-\* @type: ($tod, $tod) => $tod;
-WithMemory(new, old) ==
-    IF MemoryOutlivesSetting /\ clock.min <= old.repeatTo
-    THEN [new EXCEPT !.served = old.served, !.repeatTo = old.repeatTo]
-    ELSE new
-
-\* @type: $tod => $tod;
-Forgotten(t) == [t EXCEPT !.served = {}, !.repeatTo = -1]
-
-\* @type: $tod => $tod;
-Unset(t) == WithMemory(NoSetting, t)
-
-(* [AMB-08] A once interrupt that has been called is no longer set. *)
-\* @type: $tod => $tod;
-UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
-             ELSE [t EXCEPT !.active = FALSE, !.next = Never]
-
------------------------------------------------------------------------------
-(* The next start point *)
-
-(* The first start point, and the one that is watched for. *)
-\* @type: $tod => $moment;
-FirstMoment(t) == [min |-> t.start, ms |-> t.offset]
-\* @type: $tod => $moment;
-NextMoment(t) == [min |-> t.next, ms |-> t.offset]
-
-(* [AMB-37] Equal is not past; under (b) it is. *)
-\* @type: ($moment, $moment) => Bool;
-IsPast(point, now) ==
-    Before(point, now) \/ (point = now /\ EqualIsPast)
-
-(* The first minute with a point that is not past at moment m. *)
-\* @type: ($tod, $moment) => Int;
-FirstMinute(t, m) == IF IsPast([min |-> m.min, ms |-> t.offset], m)
-                     THEN m.min + 1 ELSE m.min
-
-(* [AMB-05] [AMB-43] The series that belongs to a PERIOD. *)
-\* @type: Int => Int;
-SeriesOf(period) ==
-    IF period = Monthly /\ MonthlyFallsOnLastDay THEN MonthlyOrLast
-    ELSE IF period = Hourly /\ Period0401IsDaily THEN Daily
-    ELSE period
-
-(* [AMB-36] [AMB-39] The first point of the series at or after minute m.    *)
-(* Under AMB-36 (b) the first run is one period after the start, under     *)
-(* AMB-39 (b) the start of an end-of-month interrupt is a point as well.   *)
-\* @type: ($tod, Int) => Int;
-PointFrom(t, m) ==
-    IF m > t.start THEN FirstPoint(t.start, SeriesOf(t.period), m)
-    ELSE IF t.period = EndOfMonth /\ EndOfMonthRunsAtStart THEN t.start
-    ELSE IF t.period # Once /\ SeriesBeginsAPeriodLater
-    THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
-    ELSE FirstPoint(t.start, SeriesOf(t.period), m)
-
-\* @type: ($tod, Int) => Bool;
-WasServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
-
-(* The first point at or after moment m that is served.  In an interval     *)
-(* that the clock repeats, points that were served are not served again     *)
-(* [CLK-09]; whether the others are is a matter of reading [AMB-56].       *)
-\* @type: ($tod, $moment, Bool) => Int;
-NextPoint(t, m, passing) ==
-    LET p == PointFrom(t, FirstMinute(t, m))
-    IN  IF p > t.repeatTo THEN p
-        ELSE IF passing
-        THEN PointFrom(t, t.repeatTo + 1)
-        ELSE LET points == {p} \cup { PointFrom(t, i.to + 1)
-                                     : i \in { j \in t.served : j.to >= p } }
-                 free   == { q \in points : ~WasServed(t, q) }
-             IN  CHOOSE q \in free : \A r \in free : q <= r
-
-\* @type: ($tod, $moment) => $tod;
-Armed(t, m) == [t EXCEPT !.next = NextPoint(t, m, UnservedAreOver(cpu))]
-
------------------------------------------------------------------------------
-(* Start events that wait are withdrawn with their setting [AMB-11]. *)
-
+(* [AMB-11] A start event that waits is withdrawn with its setting. *)
 \* @type: Int => Set($request);
 Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
                                         ELSE requests
 
-(* A once interrupt of which nothing more is sure to come: its point was     *)
-(* skipped, and no catch-up follows or it is open whether one does [AMB-48] *)
-(* [AMB-55].  No source says whether it is still active.                   *)
+\* @type: (Int, $tod) => Bool;
+SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
+                        /\ requests' = Withdrawn(o)
+
+SettingStays == UNCHANGED <<tod, requests>>
+
+(* An active once whose point has passed, without a run that is sure to      *)
+(* come: there is no catch-up, or it is open [AMB-48] [AMB-55].  No source *)
+(* says if it is still active.                                             *)
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
     /\ tod[o].period = Once /\ tod[o].next = Never
     /\ ~PendingIn(requests, o) /\ ~OnStack(o)
     /\ LostEventEndsItsSource
-
-\* @type: Int => Set(Int);
-ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 
 -----------------------------------------------------------------------------
 (* SFC 28 *)
@@ -116,7 +41,7 @@ ValidPeriods ==
       [] OnlyPeriod1202IsWeekly -> PeriodCodes \ {\h1201}
       [] OTHER                  -> PeriodCodes
 
-(* [TINT-18] [TINT-39] [AMB-05] *)
+(* [TINT-18] [TINT-39] [AMB-05] [AMB-38] [AMB-39] *)
 \* @type: ($date, Int) => Bool;
 ValidSdt(sdt, period) ==
     /\ ValidDate(sdt)
@@ -128,39 +53,43 @@ ValidSdt(sdt, period) ==
 \* @type: $date => $moment;
 ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 
-(* [TINT-35] [TINT-36] [TINT-37]; seconds are dropped first [AMB-14]. *)
+(* [TINT-36] [TINT-37] [AMB-02] Seconds are dropped first [AMB-14]. *)
+\* @type: ($date, Int) => Bool;
+StartIsPast(sdt, period) ==
+    /\ period = Once \/ EveryPastStartIsRefused
+    /\ ValidDate(sdt)
+    /\ IsPast(IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt))
+                                        ELSE ExactMoment(sdt), clock)
+
+(* [TINT-35] *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetErrors(o, sdt, period) ==
-    LET judged == period = Once \/ EveryPastStartIsRefused
-        past   == IsPast(IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt))
-                         ELSE ExactMoment(sdt), clock)
-    IN  ObErrors(o)
-          \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
-          \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
-          \cup (IF judged /\ ValidDate(sdt) /\ past THEN {PastStart} ELSE {})
+    ObErrors(o)
+      \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
+      \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
+      \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
 
-(* [TINT-30] [TINT-31] [TINT-05] [TINT-38] On an error nothing changes      *)
+(* [TINT-31] Set anew, it is not active. *)
+\* @type: ($tod, $date, Int) => $tod;
+SetAnew(t, sdt, period) ==
+    [ Unset(t) EXCEPT !.set    = TRUE,
+                      !.start  = MinuteOf(sdt),
+                      !.offset = IF SecondsAreKept THEN ExactMoment(sdt).ms
+                                                   ELSE 0,
+                      !.period = period ]
+
+(* [TINT-30] [TINT-05] [TINT-38] A call that is refused changes nothing      *)
 (* [AMB-20].                                                               *)
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
     /\ Called
     /\ ret \in Answers(o, SetErrors(o, sdt, period))
-    /\ IF ret = OK
-       THEN /\ tod' = [tod EXCEPT ![o] =
-                         [ Unset(tod[o]) EXCEPT
-                             !.set    = TRUE,
-                             !.start  = MinuteOf(sdt),
-                             !.offset = IF SecondsAreKept
-                                        THEN ExactMoment(sdt).ms ELSE 0,
-                             !.period = period ]]
-            /\ requests' = Withdrawn(o)
+    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
-       THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
-            /\ requests' = Withdrawn(o)
-       ELSE UNCHANGED <<tod, requests>>
+       THEN SettingBecomes(o, Unset(tod[o]))
+       ELSE SettingStays
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay,
-                   stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 29 *)
@@ -169,26 +98,22 @@ SetTint(o, sdt, period, ret) ==
 \* @type: Int => Set(Int);
 CanErrors(o) ==
     IF o \notin TodObs THEN {BadOb}
-    ELSE IF \/ ~tod[o].set
-            \/ CanTintNeedsActive /\ ~tod[o].active
-         THEN {NotSet} ELSE {}
+    ELSE IF ~tod[o].set \/ (CanTintNeedsActive /\ ~tod[o].active) THEN {NotSet}
+    ELSE {}
 
 \* @type: Int => Set(Int);
 CanAnswers(o) ==
     Answers(o, CanErrors(o))
       \cup (IF Spent(o) /\ OnceIsUnsetByItsRun THEN {NotSet} ELSE {})
 
-(* [TINT-50] [TINT-54]; an OB that runs is not stopped [TINT-53]. *)
+(* [TINT-50] [TINT-54] An OB that runs is not stopped [TINT-53]. *)
 \* @type: (Int, Int) => Bool;
 CanTint(o, ret) ==
     /\ Called
     /\ ret \in CanAnswers(o)
-    /\ IF ret = OK THEN /\ tod' = [tod EXCEPT ![o] = Unset(tod[o])]
-                        /\ requests' = Withdrawn(o)
-                   ELSE UNCHANGED <<tod, requests>>
+    /\ IF ret = OK THEN SettingBecomes(o, Unset(tod[o])) ELSE SettingStays
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay,
-                   stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 30 *)
@@ -203,19 +128,23 @@ ActErrors(o) ==
             /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
+\* @type: Int => Bool;
+OnceWaits(o) == /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
+                /\ PendingIn(requests, o)
+
 (* An active once whose start event waits: open [AMB-60]. *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
     IF Spent(o)
     THEN Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
-    ELSE IF /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
-       /\ PendingIn(requests, o)
+    ELSE IF OnceWaits(o)
     THEN CASE WaitingOnceIsAhead -> Answers(o, {})
            [] WaitingOnceIsPast  -> Answers(o, {PastStart})
            [] OTHER              -> Answers(o, {}) \cup {PastStart}
     ELSE Answers(o, ActErrors(o))
 
-(* On an active interrupt no effect [TINT-63], but under AMB-10 (b).        *)
+(* [TINT-10] [TINT-24] On an active interrupt no effect [TINT-63], or the   *)
+(* next point is computed anew [AMB-10].                                   *)
 \* @type: $tod => $tod;
 AfterActivation(t) ==
     IF ~t.active
@@ -225,30 +154,31 @@ AfterActivation(t) ==
 (* [AMB-15] (b) In OB 80 it keeps a catch-up from coming [CLK-04]. *)
 \* @type: Int => Set($request);
 RequestsAfterAct(o) ==
-    IF ActTintStopsCatchUp /\ Running.ob = TimeErrorOb
-    THEN Close({ r \in requests : r.ob # o \/ r.follows \notin Skips })
+    IF ActTintStopsCatchUp /\ InTimeErrorOb
+    THEN Close({ r \in requests : r.ob # o \/ ~IsCatchUp(r) })
     ELSE requests
 
-(* [TINT-60] [TINT-10] [TINT-24]; a missing OB is noticed later [TINT-17],   *)
-(* but under AMB-06 (b).                                                   *)
+(* [TINT-60] A missing OB is noticed later [TINT-17], or at once [AMB-06]. *)
+\* @type: Int => Bool;
+Activates(o) ==
+    /\ tod' = [tod EXCEPT ![o] = AfterActivation(@)]
+    /\ IF o \notin loaded /\ MissingNoticedAtActivation
+       THEN ProgramErrorOccurs(RequestsAfterAct(o), TodRequest(o, clock, 0))
+       ELSE RequestsBecome(RequestsAfterAct(o))
+
+(* [TINT-60] *)
 \* @type: (Int, Int) => Bool;
 ActTint(o, ret) ==
     /\ Called
     /\ ret \in ActAnswers(o)
-    /\ IF ret = OK
-       THEN /\ tod' = [tod EXCEPT ![o] = AfterActivation(@)]
-            /\ IF o \notin loaded /\ MissingNoticedAtActivation
-               THEN ProgramErrorOccurs(RequestsAfterAct(o), TodRequest(o, clock, 0))
-               ELSE /\ requests' = RequestsAfterAct(o)
-                    /\ UNCHANGED stopCause /\ NothingEntered
-       ELSE UNCHANGED tod /\ Nothing
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, dint, irt, stack, delay>>
+    /\ IF ret = OK THEN Activates(o) ELSE tod' = tod /\ Nothing
+    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
-(* [TINT-74] [AMB-34] [AMB-71] Bit 2 of a once that waits or runs, and of   *)
-(* an interrupt without a further point [AMB-68].                          *)
+(* [TINT-74] Bit 2 of an interrupt without a further point [AMB-68], of a    *)
+(* once that waits [AMB-34], and of a once that runs [AMB-71].             *)
 \* @type: Int => Set(Int);
 ActiveBit(o) ==
     IF ~tod[o].active THEN {0}
@@ -264,7 +194,7 @@ ActiveBit(o) ==
 \* @type: Int => Set(Int);
 Statuses(o) == StatusWithBit2(o, ActiveBit(o))
 
-(* [TINT-70] [TINT-71]; status is -1 where it is not given. *)
+(* [TINT-70] [TINT-71] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;
 QryTint(o, ret, status) ==
     /\ Called
@@ -272,5 +202,4 @@ QryTint(o, ret, status) ==
     /\ ret = OK => status = -1 \/ status \in Statuses(o)
     /\ NothingEntered
     /\ UNCHANGED cpuVars
-
 =============================================================================

@@ -1,0 +1,45 @@
+"""The next-state relation of the specification: named actions, and nothing but their disjunction."""
+
+from tree_sitter import Node
+
+from evidence.tests.test_witnesses import ROOT
+from evidence.tla.actions import acting, disjuncts
+from evidence.tla.modules import read_modules
+from evidence.tla.syntax import Module, operand, references, token
+
+
+def body(name: str, module: Module) -> Node:
+    """The right side of a definition."""
+    return operand(module.definitions[name], "definition")
+
+
+def names_in(node: Node) -> list[str]:
+    """The names that an expression is the disjunction of; none where it is no disjunction."""
+    found = []
+    for part in disjuncts(node):
+        assert part.type == "identifier_ref" or disjuncts(part), f"{token(part)} has no name"
+        found += names_in(part) or [token(part)]
+    return found
+
+
+def actions_of(name: str, module: Module) -> list[str]:
+    """The actions that a definition is the disjunction of; itself where it is none."""
+    return [action for part in names_in(body(name, module)) for action in actions_of(part, module)] or [name]
+
+
+def test_next_is_the_disjunction_of_the_named_actions() -> None:
+    """Each action of System that takes a step is in Next, once, by its name."""
+    modules = read_modules(ROOT / "spec")
+    system = modules["System"]
+    steps = (acting(modules.values()) & system.definitions.keys()) - {"Seen", "Spec"}
+    groups = {name for name in steps if disjuncts(body(name, system))}
+    assert sorted(actions_of("Next", system)) == sorted(steps - groups)
+
+
+def test_each_action_shows_a_step() -> None:
+    """Each says by `step` what an observer sees, and all but the responses wait until nothing is pressing."""
+    system = read_modules(ROOT / "spec")["System"]
+    for name in actions_of("Next", system):
+        words = references(body(name, system))
+        assert words & {"Seen", "step"}, name
+        assert ("Settled" in words) == (name not in actions_of("Respond", system)), name

@@ -1,0 +1,101 @@
+-------------------------- MODULE PropertiesModes ---------------------------
+(***************************************************************************)
+(* Missing OBs, STOP by rule, modes and restart (sections 5.2 to 5.5).     *)
+(*                                                                         *)
+(* Left out: skips in HOLD (PropertiesClock).                              *)
+(***************************************************************************)
+EXTENDS Steps
+
+(* [TINT-16] [OBS-20] [OBS-21] [OBS-23] A missing OB leads to OB 85, or to  *)
+(* STOP; the source goes on [AMB-46].  Blocked, OB 85 is lost [IRT-01].     *)
+MissingProp ==
+    [][ Did("missing") =>
+          /\ step'.ob \notin loaded
+          /\ delay = 0 /\ step'.value > Top(stack).class
+          /\ IF step'.ob \notin AsyncErrorObs
+             THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
+             ELSE IF step'.ob = 85 THEN stopCause' = \h456D
+             ELSE step'.ob \in {82, 83, 86} => stopCause' # NoCause
+          /\ \A o \in TodObs : tod[o].period # Once
+                                 => tod'[o] = tod[o] ]_vars
+
+(* [OBS-21] [OBS-22] [OBS-23] [OBS-25] The CPU must stop only for a rule:   *)
+(* a time error without OB 80, a program error without OB 85, another      *)
+(* asynchronous error without its OB, a deselected OB at STARTUP.          *)
+StopCauseProp ==
+    [][ /\ Did("stop") => stopCause # NoCause
+        /\ stopCause = NoCause /\ stopCause' # NoCause =>
+          \/ stopCause' = \h4568 /\ 80 \notin loaded
+          \/ stopCause' = \h456D /\ 85 \notin loaded
+          \/ stopCause' = 0 /\ Did("missing")
+          \/ stopCause' = \h454A /\ Did("restart") ]_vars
+
+(* A STOP by rule comes before all else, unless it is delayed [AMB-49]. *)
+StopAtOnceProp ==
+    [][ stopCause # NoCause /\ delay = 0
+          => step'.event \in {"stop", "switch"} ]_vars
+
+(* [OBS-40] STOP is left by a restart alone; STARTUP for RUN when the       *)
+(* startup OB has been processed and no STOP is due.                       *)
+ModeProp ==
+    [][ /\ mode = "STOP" => mode' = "STOP" \/ Did("restart")
+        /\ Did("restart") => mode = "STOP" /\ mode' = "STARTUP"
+        /\ Did("run") => /\ mode = "STARTUP"
+                         /\ stack = <<>>
+                         /\ startup = "begun" \/ loaded \cap StartupObs = {}
+                              \/ StartupOb(startup) \notin loaded
+        /\ mode # "RUN" /\ mode' = "RUN" => Did("run") \/ Did("release")
+        /\ Did("hold") => mode = "RUN" /\ mode' = "HOLD"
+        /\ Did("release") => mode = "HOLD" /\ mode' = "RUN"
+        /\ mode # "HOLD" /\ mode' = "HOLD" => Did("hold")
+        /\ step'.event \in {"stop", "switch"} =>
+             /\ mode # "STOP" /\ mode' = "STOP"
+             /\ UNCHANGED <<loaded, clock>> ]_vars
+
+(* [OBS-45] In HOLD nothing runs, ends or is called; it is left for RUN or  *)
+(* STOP.                                                                   *)
+HoldProp ==
+    [][ mode = "HOLD" =>
+          /\ step'.event \in {"release", "switch", "stop", "time", "clock",
+                             "interrupt", "load", "delete"}
+          /\ mode' # "STOP" => UNCHANGED <<stack, delay>> ]_vars
+
+(* [OBS-42] The startup OB of the restart's kind starts, once, if loaded. *)
+StartupProp ==
+    [][ \A o \in StartupObs : Started(o) =>
+          /\ o \in loaded /\ stack = <<>>
+          /\ startup = (IF o = 100 THEN "warm" ELSE "cold") ]_vars
+
+(* [TINT-25] Execution of STEP 7 and PERIOD of SFC 28 are one parameter. *)
+PeriodTable ==
+    { <<"once", 0>>, <<"minute", \h0201>>, <<"hourly", \h0401>>, <<"daily", \h1001>>,
+      <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
+      <<"end_of_month", \h2001>> }
+
+(* [TINT-04] [OBS-50] [OBS-52] [OBS-54] After a restart only what STEP 7     *)
+(* sets is set, and only a once of the past waits [OBS-56].                *)
+RestartProp ==
+    [][ Did("restart") =>
+          /\ delay' = 0 /\ stack' = <<>>
+          /\ \A o \in TodObs :
+               LET s == cpu.step7[o]
+               IN  /\ tod'[o].set <=> s.execution # "none"
+                   /\ tod'[o].active <=> s.execution # "none" /\ s.active
+                   /\ s.execution # "none" =>
+                        /\ tod'[o].start = s.start
+                        /\ <<s.execution, tod'[o].period>> \in PeriodTable
+                   /\ PendingIn(requests', o) <=>
+                        /\ s.execution = "once" /\ s.active /\ ~s.deselected
+                        /\ Before(At(s.start), clock)
+          /\ stopCause' = \h454A <=>
+               \E o \in loaded \cap TodObs : cpu.step7[o].deselected ]_vars
+
+(* The CPU itself does not change, and OBs come and go by load and delete. *)
+CpuProp ==
+    [][ /\ cpu'.family = cpu.family /\ cpu'.priority = cpu.priority
+        /\ cpu'.step7 = cpu.step7
+        /\ cpu'.readings # cpu.readings => Did("clock") /\ Before(clock', clock)
+        /\ loaded' # loaded => step'.event \in {"load", "delete"}
+        /\ step'.event \in {"load", "delete"} =>
+             UNCHANGED <<mode, clock, tod, requests, stack, delay>> ]_vars
+=============================================================================

@@ -1,0 +1,147 @@
+--------------------------- MODULE PropertiesObs ----------------------------
+(***************************************************************************)
+(* Priority classes, the order of start events, dispatch (section 5.1).    *)
+(*                                                                         *)
+(* Left out: liveness (Liveness).                                          *)
+(***************************************************************************)
+EXTENDS Steps
+
+(* [OBS-01] Every running OB is of a higher class than the one it interrupted. *)
+StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
+
+(* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware  *)
+(* interrupts, program errors, time errors.                                *)
+PriorityOrderInv ==
+    /\ \A o \in TodObs : DefaultClass(CycleOb) < DefaultClass(o)
+    /\ \A o, p \in TodObs : DefaultClass(o) = DefaultClass(p)
+    /\ \A o \in TodObs : DefaultClass(o) < DefaultClass(20)
+    /\ \A o \in (20..22) \cup (30..37) \cup (40..46) :
+         DefaultClass(o) < DefaultClass(o + 1)
+    /\ DefaultClass(23) < DefaultClass(30)
+    /\ DefaultClass(38) < DefaultClass(40)
+    /\ \A o \in 55..57 : DefaultClass(o) = DefaultClass(10)
+    /\ DefaultClass(47) < DefaultClass(60)
+    /\ DefaultClass(60) <= DefaultClass(ProgramErrorOb)
+    /\ cpu.family = "S7-300"
+         <=> DefaultClass(ProgramErrorOb) = DefaultClass(TimeErrorOb)
+    /\ DefaultClass(ProgramErrorOb) <= DefaultClass(TimeErrorOb)
+    /\ DefaultClass(TimeErrorOb) < DefaultClass(100)
+    /\ DefaultClass(70) = DefaultClass(60)
+    /\ DefaultClass(100) < DefaultClass(72)
+    /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
+
+(* [OBS-04] [OBS-31] [OBS-43] The classes of those that run: two real       *)
+(* numbers of table 7.1 for each family, what STARTUP changes, and [OBS-05] *)
+(* what is set.                                                            *)
+ClassInv ==
+    \A i \in DOMAIN stack :
+      LET o == stack[i].ob
+          c == stack[i].class
+      IN  /\ o = CycleOb => c = 1
+          /\ o \in DOMAIN cpu.priority => c = cpu.priority[o]
+          /\ o \in TodObs \ DOMAIN cpu.priority => c = 2
+          /\ o \in DintObs => c = o - 17
+          /\ o = 40 /\ o \notin DOMAIN cpu.priority => c = 16
+          /\ o = TimeErrorOb => c \in {26, 28}
+          /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
+          /\ o \in 81..87 /\ c # 28 =>
+               c = (IF cpu.family = "S7-300" THEN 26 ELSE 25)
+          /\ o \in StartupObs => c = 27
+
+(* [OBS-41] No OB runs in STOP, and nothing is waiting. *)
+StopInv == mode = "STOP" => stack = <<>> /\ requests = {} /\ delay = 0
+
+(* [OBS-42] [OBS-43] In STARTUP only the startup OB and asynchronous errors *)
+(* run; in RUN the startup OB does not.                                    *)
+StartupInv ==
+    /\ mode = "STARTUP" => \A i \in DOMAIN stack :
+                             stack[i].ob \in StartupObs \cup AsyncErrorObs
+    /\ mode = "RUN" => \A o \in StartupObs : ~OnStack(o)
+    /\ mode = "STARTUP" <=> startup # "none"
+
+(* [OBS-07] The queue of a class has places 1, 2, ... without gaps. *)
+QueueInv ==
+    \A r \in requests : r.rank > 1 =>
+      \E q \in requests : q.class = r.class /\ q.rank = r.rank - 1
+
+(* [OBS-10] *)
+ContentProp ==
+    [][ step'.event \in {"start", "end", "dropped", "time", "hold", "DIS_AIRT",
+                         "EN_AIRT", "SET_TINT", "CAN_TINT", "ACT_TINT", "run"}
+          => Fresh = {} ]_vars
+
+(* [OBS-08] A buffer overflows only where something of the class waits or    *)
+(* runs already.                                                           *)
+OverflowProp ==
+    [][ \A e \in Fresh :
+          e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
+            \/ \E r \in requests : r.class = ClassOf(e.cause)
+            \/ \E i \in DOMAIN stack : stack[i].class = ClassOf(e.cause)
+            \/ /\ e.cause \in AsyncErrorObs
+               /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
+                  \/ \E i \in DOMAIN stack : stack[i].ob \in AsyncErrorObs ]_vars
+
+(* [OBS-01] Only a strictly higher class interrupts. *)
+PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
+
+(* [OBS-02] The OBs of one class start in the order of their start events.  *)
+(* Not of a clock that is set back.                                        *)
+FifoProp ==
+    [][ Dispatched /\ step'.ob \in TodObs =>
+          \E r \in requests :
+            /\ r.ob = step'.ob
+            /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs /\ ~q.open
+                                     => ~Before(q.since, r.since) ]_vars
+
+(* [OBS-02] The same by the queue, for start events that have no time. *)
+TurnProp ==
+    [][ Dispatched =>
+          \E r \in requests :
+            r.ob = step'.ob /\ ~\E q \in requests : /\ q.class = r.class
+                                                    /\ q.rank < r.rank
+                                                    /\ ~q.open ]_vars
+
+(* [AIRT-08] The highest class that waits and may start is first. *)
+HighestFirstProp ==
+    [][ Dispatched => \A q \in requests :
+          q.class > step'.value => /\ mode # "RUN"
+                                   /\ q.ob \notin AsyncErrorObs ]_vars
+
+(* [TINT-02] (d) [TINT-16] Only loaded OBs start, and [OBS-07] only by a     *)
+(* start event.                                                            *)
+LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
+RequestedProp ==
+    [][Dispatched => \E r \in requests : r.ob = step'.ob]_vars
+
+(* [OBS-07] Only what is open may come to nothing. *)
+DropProp ==
+    [][ Did("dropped") => \A r \in requests : r.open
+                            \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
+
+(* [OBS-06] An OB of class 0 never waits, so it never runs. *)
+ClassZeroInv == \A r \in requests : ClassOf(r.ob) # 0
+
+(* [TINT-13] [OBS-42] *)
+RunOnlyProp == [][ Dispatched /\ step'.ob \notin AsyncErrorObs
+                     => mode = "RUN" ]_vars
+
+(* Nothing else happens while an OB could start [AIRT-08] [OBS-03]. *)
+AtOnceProp ==
+    [][ \A r \in requests :
+          /\ \/ mode = "RUN"
+             \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
+          /\ delay = 0 /\ r.class > Top(stack).class
+          /\ r.follows = 0
+          => step'.event \in {"start", "missing", "dropped", "stop", "switch"} ]_vars
+
+(* [OBS-03] An end takes the topmost OB off the stack; all else stays. *)
+EndProp ==
+    [][ Did("end") => /\ stack # <<>>
+                      /\ step'.ob = Top(stack).ob
+                      /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+                      /\ UNCHANGED <<mode, clock, tod>>
+                      /\ step'.ob # ProgramErrorOb => UNCHANGED requests ]_vars
+
+(* [OBS-01] OB 1 starts where nothing runs. *)
+CycleProp == [][Started(CycleOb) => mode = "RUN" /\ stack = <<>>]_vars
+=============================================================================

@@ -1,0 +1,109 @@
+-------------------------------- MODULE Skips -------------------------------
+(***************************************************************************)
+(* Start points that the clock skips, set forward or in HOLD: the OB 80    *)
+(* that reports them and the runs that catch up (section 6).               *)
+(*                                                                         *)
+(* Left out: the setting of the clock itself (Clock).                      *)
+(***************************************************************************)
+EXTENDS StartPoints
+
+(* The active interrupts with points between the old and the new time.  A   *)
+(* point that equals the new time is reached, not skipped [AMB-37].        *)
+\* @type: $moment => Set(Int);
+SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
+                                      /\ ~Deselected(o)
+                                      /\ IsPast(NextMoment(tod[o]), to) }
+
+-----------------------------------------------------------------------------
+(* The settings after a skip *)
+
+(* A clock that is set back repeats the time until now. *)
+\* @type: ($tod, $moment) => $tod;
+Repeating(t, to) ==
+    IF Remembers /\ Before(to, clock) /\ clock.min > t.repeatTo
+    THEN [t EXCEPT !.repeatTo = clock.min] ELSE t
+
+(* The setting of an OB when the clock is at `to'; in a time that is         *)
+(* repeated, points that were not served may all be `over'.                *)
+\* @type: (Int, $moment, Bool) => $tod;
+Rearmed(o, to, over) ==
+    LET t    == Repeating(tod[o], to)
+        next == NextPoint(t, to, over)
+        done == IF Blocked(o) THEN t ELSE Served(t, t.next)
+    IN  IF ~t.active \/ next = t.next THEN t
+        ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
+        ELSE AfterPoint(o, [done EXCEPT !.next = next])
+
+-----------------------------------------------------------------------------
+(* Catch-ups *)
+
+(* [AMB-54] The order of several catch-ups. *)
+\* @type: ($request, $request) => Bool;
+Precedes(r, s) == CASE CatchUpsComeByPoint  -> Before(r.since, s.since)
+                    [] CatchUpsComeByNumber -> r.ob < s.ob
+                    [] OTHER                -> FALSE
+
+\* @type: (Set($request), Set($request)) => Set($request);
+WithCatchUps(q, runs) ==
+    q \cup
+      { [ r EXCEPT !.rank = PlaceIn(q, r)
+            + Cardinality({ s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
+        : r \in runs }
+
+(* [CLK-03] One run for each OB, for its first skipped point [CLK-07]; after *)
+(* HOLD it may be open or not come [AMB-55].  No OB 80 reports the OBs that *)
+(* are `absent'.                                                           *)
+\* @type: (Int, Set(Int), Set(Int)) => Set($request);
+CatchUps(fault, obs, absent) ==
+    LET held == fault = SkippedInHold
+    IN  IF held /\ NoCatchUpAfterHold THEN {}
+        ELSE { [ TodRequest(o, NextMoment(tod[o]),
+                            IF o \in absent THEN 0 ELSE fault)
+                 EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
+
+(* An OB without a catch-up of its own: its open request becomes certain. *)
+\* @type: Set(Int) => Set($request);
+MadeCertain(merged) ==
+    { IF /\ r.ob \in merged /\ ~PendingIn(requests, r.ob)
+         /\ { s \in requests : s.ob = r.ob /\ s.rank < r.rank } = {}
+      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in requests }
+
+\* @type: Int => Bool;
+WaitsOrRuns(o) == OnStack(o) \/ PendingIn(requests, o) \/ OpenIn(requests, o)
+
+-----------------------------------------------------------------------------
+(* The skip *)
+
+(* [AMB-16] The time that OB 80 gives. *)
+\* @type: (Set(Int), $moment) => $moment;
+TimeOfSkip(skipped, now) ==
+    IF SkipGivesNewTime THEN now
+    ELSE LET points == { NextMoment(tod[o]) : o \in skipped }
+         IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
+
+(* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are   *)
+(* late, then one catch-up each.  An OB already waiting or running may get *)
+(* its own catch-up or not [AMB-52].  A blocked one may be reported or not *)
+(* [AMB-50], a missing one is [AMB-51].                                    *)
+\* @type: (Int, $moment, Set(Int)) => Bool;
+Skip(fault, now, skipped) ==
+    LET blocked == { o \in skipped : Blocked(o) }
+        busy    == { o \in skipped \ blocked : WaitsOrRuns(o) }
+        absent  == IF SkipOfMissingObIsSilent THEN skipped \ loaded ELSE {}
+    IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked) :
+          LET late == (skipped \ unsaid) \ absent
+              runs == CatchUps(fault, skipped \ (blocked \cup merged), absent)
+              kept == WithCatchUps(MadeCertain(merged), runs)
+          IN  IF late = {} THEN RequestsBecome(kept)
+              ELSE TimeErrorOccurs(kept, requests,
+                     [ TimeError(fault, late, 0, 0) EXCEPT
+                         !.since = TimeOfSkip(skipped, now) ])
+
+(* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
+\* @type: Set(Int) => Bool;
+Defer(skipped) ==
+    LET runs == { TodRequest(o, NextMoment(tod[o]), 0)
+                  : o \in { s \in skipped : ~PendingIn(requests, s)
+                                            /\ ~Blocked(s) } }
+    IN  RequestsBecome(WithCatchUps(requests, runs))
+=============================================================================

@@ -1,0 +1,25 @@
+------------------------------- MODULE Steps --------------------------------
+(***************************************************************************)
+(* The words of the properties: a step as an observer sees it, and the     *)
+(* requests that are new.                                                  *)
+(*                                                                         *)
+(* Left out: the words of the actions.                                     *)
+(***************************************************************************)
+EXTENDS System
+
+Did(event) == step'.event = event
+
+(* The OB of a start event has started in this step. *)
+Started(o) == Did("start") /\ step'.ob = o
+Dispatched == Did("start") /\ step'.ob \notin StartupObs \cup {CycleOb}
+
+\* @type: Seq($frame) => $frame;
+Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
+
+
+(* [OBS-10] A request stays as it was when its start event occurred; only    *)
+(* its place changes, and an open one may become certain.                  *)
+\* @type: $request => $request;
+Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
+Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
+=============================================================================
