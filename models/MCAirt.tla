@@ -1,7 +1,7 @@
 -------------------------------- MODULE MCAirt --------------------------------
 (***************************************************************************)
 (* Delays nested three deep, in OB 1, a time-of-day OB, a hardware OB and  *)
-(* OB 80, with points that fall due meanwhile (catalogue section 4).       *)
+(* OB 80, with points that fall due meanwhile (section 4).                 *)
 (***************************************************************************)
 EXTENDS MCBase
 

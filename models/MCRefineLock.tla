@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* System implements CounterLock: delays nested two deep in OB 1, a time-  *)
 (* of-day OB, a hardware OB and OB 80, on an S7-300 and an S7-400, with    *)
-(* start events of every class meanwhile (catalogue section 4).            *)
+(* start events of every class meanwhile (section 4).                      *)
 (*                                                                         *)
 (* Start events count from when the mode lets their OB run: those that are *)
 (* deferred in STARTUP arrive in RUN.  "Perhaps" are those that the        *)

@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* SFC 41 DIS_AIRT and SFC 42 EN_AIRT: the running OB holds back every     *)
 (* interrupt and asynchronous error of a higher class; calls nest and are  *)
-(* counted (catalogue section 4).  What is held back is said in Requests.  *)
+(* counted (section 4).  Requests says which OBs are held back.            *)
 (*                                                                         *)
 (* One count is enough: while it is above 0 nothing can interrupt the      *)
 (* running OB, and it falls to 0 when that OB ends [AIRT-12].              *)

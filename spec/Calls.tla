@@ -1,8 +1,8 @@
 ------------------------------- MODULE Calls --------------------------------
 (***************************************************************************)
-(* What the calls of the system functions have in common: who calls, what  *)
-(* may be answered, and the STATUS that SFC 31 and SFC 34 give (catalogue  *)
-(* sections 1.5, 2, 7.4).                                                  *)
+(* The common part of all calls of system functions: the caller, the       *)
+(* possible answers, and the STATUS of SFC 31 and SFC 34 (sections 1.5, 2, *)
+(* 7.4).                                                                   *)
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
 (***************************************************************************)

@@ -7,8 +7,8 @@
 (***************************************************************************)
 EXTENDS Delays, Skips
 
-(* No start point is left behind: one that equals the clock must have been  *)
-(* dealt with, and the clock stops at the next one.                        *)
+(* No start point is left behind: a point that equals the clock must have  *)
+(* been dealt with, and the clock stops at the next point.                 *)
 \* @type: $moment => Bool;
 PassesNoPoint(t) ==
     Watching => \A o \in DOMAIN tod :
@@ -64,8 +64,8 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
        /\ Defer(skipped)
 
-(* The settings after the clock was set; those of OBs whose skip is `held'   *)
-(* stay until the release.                                                 *)
+(* The settings after the clock was set.  An OB whose skip is `held' keeps *)
+(* its setting until the release.                                          *)
 \* @type: ($moment, Bool, Set(Int)) => (Int -> $tod);
 TodAfterClock(to, over, held) ==
     [ o \in DOMAIN tod |-> IF mode = "STOP" THEN Repeating(tod[o], to)

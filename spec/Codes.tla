@@ -1,7 +1,7 @@
 -------------------------------- MODULE Codes -------------------------------
 (***************************************************************************)
 (* The words that the program and the CPU exchange: RET_VAL codes, PERIOD  *)
-(* codes, fault ids and event ids (catalogue tables 7.2 to 7.6).           *)
+(* codes, fault ids and event ids (tables 7.2 to 7.6).                     *)
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22]; they   *)
 (* answer faults of addressing that no call of a log can express.          *)
@@ -55,11 +55,11 @@ SkippedInHold   == \h06
 Skips           == {SkippedByClock, SkippedInHold}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
-(* Those whose cause is the start event of an OB. *)
+(* Faults that the start event of an OB causes. *)
 FaultsOfStart   == {StillRunning, BufferOverflow} \cup ObNotLoaded
 (* Faults that follow from the rules here, and never come from outside.    *)
 FaultsOfRules == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
-(* Which one, no source says. *)
+(* No source says which fault it is. *)
 UnknownFault    == -1
 
 (* Entries of the diagnostic buffer (table 7.5): \h3500 + fault id for time  *)

@@ -1,7 +1,7 @@
 ---------------------------- MODULE Conservation ----------------------------
 (***************************************************************************)
-(* No start event disappears and none is made up (catalogue section 5.1):  *)
-(* each is exactly one of                                                  *)
+(* No start event disappears and none is made up (section 5.1): each is    *)
+(* exactly one of                                                          *)
 (*   waiting    until its OB starts [OBS-07]                               *)
 (*   open       the sources leave open whether it has an effect of its own *)
 (*              [AMB-18] [AMB-77]                                          *)
@@ -57,7 +57,7 @@ OneMore(b, f) == [g \in Fates |-> IF g = f THEN b[g] + 1 ELSE b[g]]
 Moved(b, f, g, n) == [ h \in Fates |-> IF h = f THEN b[h] - n
                                        ELSE IF h = g THEN b[h] + n ELSE b[h] ]
 
-(* Of what is open any number may turn out to have had no effect. *)
+(* Any number of open start events may turn out to have had no effect. *)
 \* @type: (Str -> Int) => Set(Str -> Int);
 Faded(b) == { Moved(b, "open", "merged", n) : n \in 0..b["open"] }
 

@@ -1,9 +1,9 @@
 ----------------------------- MODULE CounterLock ----------------------------
 (***************************************************************************)
-(* SFC 41 and 42 as a lock that is counted (catalogue section 4): the      *)
-(* program that runs takes it and gives it back; while it is held nothing  *)
-(* starts and nothing that waits is lost; when the count is 0, or the      *)
-(* program has ended, what would interrupt starts before anything else.    *)
+(* SFC 41 and 42 as a lock that is counted (section 4): the program that   *)
+(* runs takes it and gives it back; while it is held nothing starts and    *)
+(* nothing that waits is lost; when the count is 0, or the program has     *)
+(* ended, a program of a higher class starts before anything else.         *)
 (*                                                                         *)
 (* An abstract specification: models/MCRefineLock shows that System        *)
 (* implements it.  Programs and start events are here no more than their   *)
@@ -41,7 +41,7 @@ lockVars == <<on, count, running, waiting, perhaps>>
 
 RunningClass == IF running = <<>> THEN 0 ELSE running[Len(running)]
 
-(* What would interrupt the running program if the lock were not held. *)
+(* The classes that would interrupt the running program without the lock. *)
 Held == { c \in Classes : waiting[c] > 0 /\ c > RunningClass }
 
 (* An open lock holds nothing back; otherwise nothing else happens. *)
@@ -68,8 +68,8 @@ Arrive == /\ Settled
           /\ \A c \in Classes : waiting'[c] >= waiting[c]
           /\ UNCHANGED <<on, count, running>>
 
-(* [AIRT-01] [AIRT-08] What waits starts while the lock is open, the highest *)
-(* class first and by itself.                                              *)
+(* [AIRT-01] [AIRT-08] While the lock is open a waiting program starts,    *)
+(* the highest class first and by itself.                                  *)
 \* @type: Int => Bool;
 Enter(c) == /\ on /\ count = 0
             /\ c > RunningClass
@@ -79,7 +79,7 @@ Enter(c) == /\ on /\ count = 0
             /\ running' = Append(running, c)
             /\ UNCHANGED <<on, count>>
 
-(* What is not sure to wait may come to nothing. *)
+(* A start event that is not sure to wait may come to nothing. *)
 Fade == /\ on /\ count = 0
         /\ perhaps # {}
         /\ UNCHANGED <<on, count, running, waiting>>

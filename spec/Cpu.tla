@@ -1,7 +1,7 @@
 --------------------------------- MODULE Cpu --------------------------------
 (***************************************************************************)
-(* The words to speak of a CPU: OBs, priority classes, what SFC 39 blocks, *)
-(* the stack of running OBs.                                               *)
+(* The words to speak of a CPU: OBs, priority classes, the blocks of SFC   *)
+(* 39, the stack of running OBs.                                           *)
 (*                                                                         *)
 (* Sources: requirements, section 5.1, table 7.1.                          *)
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
@@ -65,7 +65,7 @@ Deselected(o) == \/ o \in TodObs /\ cpu.step7[o].deselected
                  \/ ClassOf(o) = 0
 
 -----------------------------------------------------------------------------
-(* SFC 39/40: what is blocked *)
+(* SFC 39/40: blocked OBs *)
 
 (* [IRT-11] The class number of an OB; not its priority class. *)
 \* @type: Int => Int;
@@ -106,7 +106,7 @@ NoFrame == [ob |-> 0, class |-> 0]
 
 Running == IF stack = <<>> THEN NoFrame ELSE stack[Len(stack)]
 
-(* Calls in OB 80 may concern what it reports. *)
+(* Calls in OB 80 may concern the OBs that it reports. *)
 InTimeErrorOb == Running.ob = TimeErrorOb
 
 \* @type: Int => Bool;

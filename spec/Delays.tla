@@ -17,7 +17,8 @@ Gone == -1
 Jobs == IF Watching THEN { o \in DintObs : dint[o].started /\ dint[o].left >= 0 }
                     ELSE {}
 
-(* No delay is left behind; one that is over must have been dealt with. *)
+(* No delay is left behind; a delay that is over must have been dealt      *)
+(* with.                                                                   *)
 \* @type: Int => Bool;
 PassesNoDelay(d) == d = 0 \/ \A o \in Jobs : dint[o].left > 0 /\ d <= dint[o].left
 

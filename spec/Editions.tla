@@ -1,13 +1,13 @@
 ------------------------------ MODULE Editions ------------------------------
 (***************************************************************************)
-(* The letters of the ambiguities (docs/readings.md): the letter of each   *)
+(* The letters of the ambiguities in docs/rules/readings.md: the letter    *)
 (* where neither a log's header nor a model names one, the letters that a  *)
 (* header may name, the profiles, which bundle the letters of one edition  *)
 (* of the manual, and the letter of the CPU at hand.                       *)
 (*                                                                         *)
-(* Module Readings says what each letter means.                            *)
-(* Left out: letters that no formula tells apart; docs/readings.md says    *)
-(* why.                                                                    *)
+(* Module Readings gives each letter its meaning.                          *)
+(* Left out: letters that no formula tells apart; docs/rules/readings.md   *)
+(* says why.                                                               *)
 (***************************************************************************)
 EXTENDS State
 
@@ -79,6 +79,12 @@ PartBy(letter, whole) == CASE letter = "a" -> {{}}
 (* The letters that a CPU may turn out to read by, where its own is open. *)
 \* @type: Str => Set(Str);
 Shown(a) == IF Reading(a) = "c" THEN {"a", "b"} ELSE {Reading(a)}
+
+(* The CPU c with a letter of its own. *)
+\* @type: (Str, Str, $cpu) => $cpu;
+ReadAs(a, letter, c) ==
+    [ c EXCEPT !.readings = [ x \in DOMAIN c.readings \cup {a} |->
+                                IF x = a THEN letter ELSE c.readings[x] ] ]
 
 -----------------------------------------------------------------------------
 (* Profiles: an edition as printed, where the defaults would reject it.     *)

@@ -1,7 +1,7 @@
 ------------------------------- MODULE Errors -------------------------------
 (***************************************************************************)
 (* Errors: a time error, a missing OB, the STOP that follows by rule, and  *)
-(* what they enter in the diagnostic buffer (sections 5.2 and 5.3, table   *)
+(* their entries in the diagnostic buffer (sections 5.2 and 5.3, table     *)
 (* 7.5).                                                                   *)
 (*                                                                         *)
 (* The operators set requests', stopCause' and entered'.                   *)

@@ -1,12 +1,11 @@
 ----------------------------- MODULE Inductive ------------------------------
 (***************************************************************************)
 (* An inductive invariant: whatever state it holds in, reachable or not,   *)
-(* it holds after every step of System.  It is what the rules of priority  *)
-(* classes, delays, queues, settings and modes rest on.                    *)
+(* it holds after every step of System.  The rules of priority classes,    *)
+(* delays, queues, settings and modes rest on it.                          *)
 (*                                                                         *)
 (* models/MCInductive checks the step for all states of small domains.     *)
-(* Left out: what is said of times, of points served, and of the classes   *)
-(* of settable priorities.                                                 *)
+(* Left out: times, points served, and the classes of settable priorities. *)
 (***************************************************************************)
 EXTENDS PropertiesObs, PropertiesAirt, PropertiesIrt
 
@@ -21,8 +20,8 @@ StartingInv ==
          IF mode = "STARTUP" THEN stack[i].ob \in StartupObs \cup AsyncErrorObs
                              ELSE stack[i].ob \notin StartupObs
 
-(* [TINT-05] [TINT-31] [TINT-50] What is active is set; what is not active  *)
-(* is not watched and does not wait.                                       *)
+(* [TINT-05] [TINT-31] [TINT-50] An active interrupt is set; an inactive   *)
+(* interrupt is not watched and does not wait.                             *)
 ActiveInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set

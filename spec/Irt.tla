@@ -54,8 +54,7 @@ Meant(m, o) ==
     THEN { IF Level(m) = 0 THEN AllMark ELSE ClassMark(o) }
     ELSE { b \in Blockable : Level(m) = 0 \/ ClassNumber(b) = o }
 
-(* [IRT-16] Flags, not counters; the last call wins, also for what is       *)
-(* entered.                                                                *)
+(* [IRT-16] Flags, not counters; the last call wins, also for entries. *)
 \* @type: (Set(Int), Bool) => $irt;
 BlockedWith(marks, silent) ==
     [ blocked |-> irt.blocked \cup marks,

@@ -1,8 +1,8 @@
 ------------------------------ MODULE LifeCycle -----------------------------
 (***************************************************************************)
-(* The life of one time-of-day interrupt (catalogue section 1): unset, set *)
-(* or active by SFC 28-30; due, and then waiting, running and served; or   *)
-(* cancelled by a call, lost under DIS_IRT, cleared by STOP.               *)
+(* The life of one time-of-day interrupt (section 1): unset, set or active *)
+(* by SFC 28-30; due, and then waiting, running and served; or cancelled   *)
+(* by a call, lost under DIS_IRT, cleared by STOP.                         *)
 (*                                                                         *)
 (* An abstract specification: models/MCRefineTod shows that System         *)
 (* implements it.  There is no clock here: an active interrupt may be due  *)
@@ -15,7 +15,7 @@ VARIABLES
     (* The CPU is not in STOP. *)
     \* @type: Bool;
     on,
-    (* "unset", "set" or "active", and whether PERIOD is "once". *)
+    (* "unset", "set" or "active"; TRUE if PERIOD is "once". *)
     \* @type: Str;
     setting,
     \* @type: Bool;
@@ -23,8 +23,8 @@ VARIABLES
     (* DIS_IRT blocks the OB. *)
     \* @type: Bool;
     blocked,
-    (* The number of start events that wait; whether there may be one more, *)
-    (* or it was merged.                                                    *)
+    (* The number of start events that wait; TRUE if there may be one more *)
+    (* that was perhaps merged.                                            *)
     \* @type: Int;
     waiting,
     \* @type: Bool;
@@ -32,8 +32,8 @@ VARIABLES
     (* The OB runs. *)
     \* @type: Bool;
     running,
-    (* What came of the start event that was over last: "none" yet,         *)
-    (* "served", "cancelled", "lost" or "cleared".                          *)
+    (* The end of the start event that was over last: "none" yet,          *)
+    (* "served", "cancelled", "lost" or "cleared".                         *)
     \* @type: Str;
     past
 
@@ -49,7 +49,7 @@ Init == /\ on = FALSE
 \* @type: (Bool, Str) => Str;
 PastIf(over, how) == IF over THEN how ELSE past
 
-(* What waits is cancelled; a program that runs is not [TINT-53]. *)
+(* A waiting start event is cancelled; a running program is not [TINT-53]. *)
 Withdrawn == /\ waiting' = 0 /\ perhaps' = FALSE
              /\ past' = PastIf(waiting > 0, "cancelled")
              /\ UNCHANGED <<on, blocked, running>>
@@ -69,8 +69,8 @@ Activate == /\ on /\ setting # "unset"
             /\ setting' = "active"
             /\ UNCHANGED <<on, once, blocked, waiting, perhaps, running, past>>
 
-(* [TINT-05] [TINT-09] A start event of what is active, and of nothing else. *)
-(* It waits, or is merged with one that waits or runs.                     *)
+(* [TINT-05] [TINT-09] Only an active interrupt has a start event.  The    *)
+(* event waits, or is merged with another that waits or runs.              *)
 Due == /\ on /\ setting = "active" /\ ~blocked
        /\ \/ waiting' = waiting + 1
           \/ waiting' = waiting /\ (waiting > 0 \/ running)
@@ -84,8 +84,8 @@ Lost == /\ on /\ setting = "active" /\ blocked
         /\ past' = "lost"
         /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
 
-(* [TINT-23] [TINT-08] The OB is called for what waits; a once interrupt is *)
-(* no longer set then.                                                     *)
+(* [TINT-23] [TINT-08] The OB is called for a waiting start event; a once  *)
+(* interrupt is no longer set then.                                        *)
 Start == /\ on /\ ~running /\ running' = TRUE
          /\ setting = "active"
          /\ IF once
@@ -101,11 +101,11 @@ End == /\ on /\ running /\ running' = FALSE
        /\ past' = "served"
        /\ UNCHANGED <<on, setting, once, blocked, waiting, perhaps>>
 
-(* What was merged has had no effect. *)
+(* The merged start event has had no effect. *)
 Fade == /\ on /\ perhaps /\ perhaps' = FALSE
         /\ UNCHANGED <<on, setting, once, blocked, waiting, running, past>>
 
-(* [IRT-01] [IRT-13] [IRT-16] What waits already stays. *)
+(* [IRT-01] [IRT-13] [IRT-16] A start event that waits already stays. *)
 BlockOrFree == /\ on /\ blocked' # blocked
                /\ UNCHANGED <<on, setting, once, waiting, perhaps, running, past>>
 

@@ -1,16 +1,16 @@
 ------------------------------ MODULE Liveness ------------------------------
 (***************************************************************************)
-(* What must happen in the end, and what has to be assumed for it.         *)
+(* Events that must happen in the end, and the fairness that they need.    *)
 (*                                                                         *)
-(* Fairness is weak throughout: what can go on without a break happens.    *)
+(* Fairness is weak throughout: an action that stays possible happens.     *)
 (* Nothing is assumed of the surroundings: no interrupt, no call, no STOP, *)
 (* restart or setting of the clock has to come.  They must not come        *)
 (* without end either, since a CPU that is flooded with interrupts of high *)
 (* classes serves no low one; models allow a finite number of them         *)
 (* (models/MCLive).                                                        *)
-(* Left out: HOLD, which only the operator ends; what the sources leave    *)
-(* open whether it has an effect ("open" requests).                        *)
-(* Source: catalogue [OBS-03] [AIRT-08] [TINT-02] [DINT-03].               *)
+(* Left out: HOLD, which only the operator ends; open requests, whose      *)
+(* effect the sources leave open.                                          *)
+(* Source: requirements [OBS-03] [AIRT-08] [TINT-02] [DINT-03].            *)
 (***************************************************************************)
 EXTENDS System
 
@@ -26,8 +26,8 @@ DispatchFairness == WF_cpuVars(Respond)
 (* Cycle monitoring [OBS-26] enforces it on a real CPU.                    *)
 ProgramFairness == WF_cpuVars(Proceed)
 
-(* Time passes, and what it brings about happens, unless the CPU is busy    *)
-(* with what it has to do at once.                                         *)
+(* Time passes, and points and delays come with it, unless the CPU has to  *)
+(* do something at once.                                                   *)
 TimeFairness == WF_cpuVars(Time)
 
 CpuFairness == DispatchFairness /\ ProgramFairness
@@ -44,8 +44,8 @@ WatchedObs == TodObs \cup DintObs \cup { i[1] : i \in Interrupts }
 ServedLive == \A o \in WatchedObs : PendingIn(requests, o)
                                        ~> ~PendingIn(requests, o)
 
-(* [OBS-01] [AIRT-01] What could hold it back: a higher class that runs, a   *)
-(* delay, or the mode.                                                     *)
+(* [OBS-01] [AIRT-01] A running higher class, a delay or the mode could    *)
+(* hold it back.                                                           *)
 \* @type: Int => Bool;
 Free(o) == mode = "RUN" /\ delay = 0 /\ Running.class < ClassOf(o)
 

@@ -20,8 +20,8 @@ PeriodOf(execution) ==
       [] execution = "end_of_month" -> EndOfMonth
       [] OTHER                 -> Once
 
-(* [TINT-06] [TINT-07] What STEP 7 sets; nothing for "none" [AMB-62].  The  *)
-(* point is armed later.                                                   *)
+(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none" [AMB-62].    *)
+(* The point is armed later.                                               *)
 \* @type: $step7 => $tod;
 Configured(s) ==
     IF s.execution = "none" THEN NoSetting

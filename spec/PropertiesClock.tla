@@ -1,7 +1,7 @@
 -------------------------- MODULE PropertiesClock ---------------------------
 (***************************************************************************)
-(* What must hold when time passes and when the clock is set (catalogue    *)
-(* section 6), said of steps.                                              *)
+(* Properties of time that passes and of a clock that is set (section 6),  *)
+(* said of steps.                                                          *)
 (*                                                                         *)
 (* Left out: that no point is served twice on an S7-400, which needs a     *)
 (* history and is in models/MCClockBack.                                   *)
@@ -31,14 +31,14 @@ SkipProp ==
                     /\ r.since = clock'
           ELSE stopCause' # NoCause ]_vars
 
-(* What was open before may be sure now; it is not new. *)
+(* An open request may have become certain; it is not new. *)
 \* @type: Int => Set($request);
 NewOf(o) == { r \in requests' \ requests :
                 r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }
 
-(* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first skipped *)
-(* point, after the OB 80; one that waits or runs may do without.  Without *)
-(* OB 80 none does [CLK-05].                                               *)
+(* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first       *)
+(* skipped point, after the OB 80; an OB that waits or runs may do         *)
+(* without.  Without OB 80 none does [CLK-05].                             *)
 CatchUpProp ==
     [][ Did("clock") /\ mode = "RUN" /\ irt.blocked = {} =>
           \A o \in TodObs :
@@ -77,8 +77,8 @@ RearmProp ==
                /\ ~Before(clock', At(tod[o].start))
                => IsFirstMinute(tod'[o].next, clock') ]_vars
 
-(* [OBS-46] [AMB-55] On release one time error with fault 06 reports the     *)
-(* points that passed in HOLD; what follows it is open.                    *)
+(* [OBS-46] [AMB-55] On release one time error with fault 06 reports the   *)
+(* points that passed in HOLD; the catch-ups are open.                     *)
 HoldSkipProp ==
     [][ Did("release") /\ SkippedNow # {} /\ irt.blocked = {} =>
           IF 80 \in loaded

@@ -1,7 +1,7 @@
 --------------------------- MODULE PropertiesDint ---------------------------
 (***************************************************************************)
-(* What must hold of time-delay interrupts, SFC 32-34 (catalogue section   *)
-(* 2), said of states and of steps.                                        *)
+(* Properties of time-delay interrupts, SFC 32-34 (section 2), said of     *)
+(* states and of steps.                                                    *)
 (*                                                                         *)
 (* Left out: the order of runs, which Properties has for every OB.         *)
 (***************************************************************************)
@@ -97,8 +97,8 @@ DintSourceProp ==
           { r \in requests' : r.ob = o } \subseteq { r \in requests : r.ob = o }
             \/ step'.event \in {"elapsed", "start", "missing", "dropped", "end"} ]_vars
 
-(* [DINT-18] [DINT-19] Time that elapses takes from every job what has       *)
-(* elapsed, in HOLD nothing; a clock that is set takes nothing.            *)
+(* [DINT-18] [DINT-19] Elapsed time is taken from every job, but not in    *)
+(* HOLD; a clock that is set takes nothing.                                *)
 DintTimeProp ==
     [][ /\ step'.event \in {"clock", "hold", "release"} => UNCHANGED dint
         /\ Did("time") =>

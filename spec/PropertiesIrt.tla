@@ -1,7 +1,7 @@
 ---------------------------- MODULE PropertiesIrt ---------------------------
 (***************************************************************************)
-(* What must hold of SFC 39/40 (catalogue section 3) and of the entries of *)
-(* the diagnostic buffer (table 7.5), said of states and of steps.         *)
+(* Properties of SFC 39/40 (section 3) and of the entries of the           *)
+(* diagnostic buffer (table 7.5), said of states and of steps.             *)
 (*                                                                         *)
 (* Left out: entries that are open because their error is.                 *)
 (***************************************************************************)
@@ -39,8 +39,8 @@ IrtAnswerProp ==
               /\ v = \h8091 => ~known
               /\ v = \h8090 => IF known THEN ~named ELSE o \notin AllOfClasses \cup {1} ]_vars
 
-(* [IRT-06] .. [IRT-09] [IRT-13] .. [IRT-16] [AMB-21] [AMB-42] What a call    *)
-(* blocks and enables.                                                     *)
+(* [IRT-06] .. [IRT-09] [IRT-13] .. [IRT-16] [AMB-21] [AMB-42] The OBs     *)
+(* that a call blocks and enables.                                         *)
 IrtFlagProp ==
     [][ step'.event \in IrtCalls /\ step'.value = 0 =>
           LET named == NamedBy(step'.operand, step'.ob)
@@ -49,7 +49,7 @@ IrtFlagProp ==
                   \/ o \in irt.blocked /\ o \notin named
                   \/ o \in named /\ Did("DIS_IRT") ]_vars
 
-(* [IRT-20] Only what is blocked is silent, and only by MODE 8x. *)
+(* [IRT-20] Only a blocked OB is silent, and only by MODE 8x. *)
 SilentInv == irt.silent \subseteq irt.blocked
 SilentProp ==
     [][ step'.event \in IrtCalls /\ step'.value = 0 =>
@@ -121,7 +121,7 @@ StopEntryProp ==
     [][ stopCause = NoCause /\ stopCause' \notin {NoCause, 0}
           => stopCause' \in EnteredNow ]_vars
 
-(* [IRT-09] [OBS-30] What is entered has a cause in this step. *)
+(* [IRT-09] [OBS-30] An entry has a cause in this step. *)
 EntrySourceProp ==
     [][ entered' # {} => step'.event \in {"reached", "elapsed", "interrupt", "clock",
                                           "release", "missing", "restart", "DIS_IRT"} ]_vars

@@ -72,8 +72,8 @@ PeriodTable ==
       <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
       <<"end_of_month", \h2001>> }
 
-(* [TINT-04] [OBS-50] [OBS-52] [OBS-54] After a restart only what STEP 7     *)
-(* sets is set, and only a once of the past waits [OBS-56].                *)
+(* [TINT-04] [OBS-50] [OBS-52] [OBS-54] After a restart only the settings  *)
+(* of STEP 7 hold, and only a once of the past waits [OBS-56].             *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>

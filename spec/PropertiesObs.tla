@@ -30,9 +30,9 @@ PriorityOrderInv ==
     /\ DefaultClass(100) < DefaultClass(72)
     /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
 
-(* [OBS-04] [OBS-31] [OBS-43] The classes of those that run: two real       *)
-(* numbers of table 7.1 for each family, what STARTUP changes, and [OBS-05] *)
-(* what is set.                                                            *)
+(* [OBS-04] [OBS-31] [OBS-43] The classes of running OBs: two real numbers *)
+(* of table 7.1 for each family, the changes by STARTUP, and [OBS-05] by   *)
+(* settings.                                                               *)
 ClassInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
@@ -113,7 +113,7 @@ LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
 RequestedProp ==
     [][Dispatched => \E r \in requests : r.ob = step'.ob]_vars
 
-(* [OBS-07] Only what is open may come to nothing. *)
+(* [OBS-07] Only an open request may come to nothing. *)
 DropProp ==
     [][ Did("dropped") => \A r \in requests : r.open
                             \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars

@@ -1,7 +1,7 @@
 --------------------------- MODULE PropertiesTod ----------------------------
 (***************************************************************************)
-(* What must hold of time-of-day interrupts, SFC 28-31 (catalogue section  *)
-(* 1), said of states and of steps.                                        *)
+(* Properties of time-of-day interrupts, SFC 28-31 (section 1), said of    *)
+(* states and of steps.                                                    *)
 (*                                                                         *)
 (* Left out: the series of points itself, which models/MCCalendar checks.  *)
 (***************************************************************************)
@@ -15,8 +15,8 @@ CallerProp ==
                                      "EN_IRT", "DIS_AIRT", "EN_AIRT"}
           => stack # <<>> ]_vars
 
-(* [TINT-05] [TINT-50] Only what is set is active, and only what is active  *)
-(* is watched or waits.                                                    *)
+(* [TINT-05] [TINT-50] Only a set interrupt is active, and only an active  *)
+(* interrupt is watched or waits.                                          *)
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
@@ -46,9 +46,9 @@ IsFirstMinute(p, t) == IF Before(At(LastMinute), t) THEN p = Never
 -----------------------------------------------------------------------------
 (* RET_VAL *)
 
-(* [TINT-35] [TINT-36] [TINT-33] What SET_TINT answers: a code only where   *)
-(* it applies, and 0000 only where none does.  models/MCTod says the same   *)
-(* of its operands by a table.                                             *)
+(* [TINT-35] [TINT-36] [TINT-33] The answers of SET_TINT: a code only      *)
+(* where it applies, and 0000 only where none does. models/MCTod says the  *)
+(* same of its operands by a table.                                        *)
 SetAnswerProp ==
     [][ Did("SET_TINT") =>
           LET o == step'.ob
@@ -72,8 +72,8 @@ SetProp ==
           /\ tod'[step'.ob].period = step'.operand
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
-(* A once whose only point is past and no run of which is sure to come; the  *)
-(* sources leave open whether it is still set [AMB-48] [AMB-55].           *)
+(* A once whose only point is past and no run of which is sure to come;    *)
+(* the sources leave open if it is still set [AMB-48] [AMB-55].            *)
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
            /\ ~PendingIn(requests, o) /\ ~OnStack(o)
 
@@ -205,8 +205,8 @@ OnceProp ==
     [][ \A o \in TodObs :
           Started(o) /\ tod[o].period = Once => ~tod'[o].set ]_vars
 
-(* What STEP 7 and the program set stays, but by a call, a start of the OB  *)
-(* itself, or a restart [TINT-38].                                         *)
+(* A setting of STEP 7 or the program stays until a call, a start of the   *)
+(* OB itself, or a restart [TINT-38].                                      *)
 SettingStaysProp ==
     [][ \A o \in TodObs :
           tod'[o].set # tod[o].set \/ tod'[o].active # tod[o].active

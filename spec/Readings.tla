@@ -2,15 +2,15 @@
 (***************************************************************************)
 (* Where the sources leave a question open, each possible answer has a     *)
 (* name here: a predicate that says how the CPU at hand reads it.  No      *)
-(* other module knows letters.  docs/readings.md has the questions with    *)
-(* their sources, module Editions the letters that hold by default.        *)
+(* other module knows letters.  docs/rules/readings.md has the questions   *)
+(* with their sources, module Editions the letters that hold by default.   *)
 (*                                                                         *)
-(* A question with two answers has one predicate; the other answer is its  *)
-(* negation.  A question that may be answered "either" has a predicate for *)
-(* each definite answer.                                                   *)
+(* A question with two answers has one predicate; its negation is the      *)
+(* other answer.  A question with more answers has several predicates; if  *)
+(* none holds, the answer is the remaining one, often "either".            *)
 (* Left out: questions that no formula tells apart.                        *)
 (***************************************************************************)
-EXTENDS State, Editions
+EXTENDS Editions
 
 (* [AMB-01] Of the PERIODs 1201 and 1202 one is weekly, or both are. *)
 OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
@@ -19,34 +19,27 @@ BothPeriodsAreWeekly   == Reading("AMB-01") = "c"
 
 (* [AMB-02] SET_TINT answers 80A1 for any PERIOD, not for once alone. *)
 EveryPastStartIsRefused == Reading("AMB-02") = "a"
-
 (* [AMB-03] STATUS bit 0 is 1 in STARTUP alone. *)
 Bit0MeansStartup == Reading("AMB-03") = "a"
-
 (* [AMB-04] STATUS bit 5 is 1 where no test function blocks the OB. *)
 Bit5MeansNoTest == Reading("AMB-04") = "b"
 
-(* [AMB-05] Monthly on day 29 to 31 is refused, or has a point on the last  *)
-(* day of a shorter month; else it has none there.                         *)
+(* [AMB-05] Monthly on day 31: refused; or on the last day of any month.   *)
 MonthlyEndsWithDay28   == Reading("AMB-05") = "a"
 MonthlyFallsOnLastDay  == Reading("AMB-05") = "c"
 
-(* [AMB-06] A missing OB is noticed when its interrupt is activated or its  *)
-(* delay is started; or it leads to OB 80 in place of OB 85.  "delay": the *)
-(* first for time-delay interrupts alone.                                  *)
+(* [AMB-06] A missing OB is noticed by the call that activates or starts;  *)
+(* "delay": by SRT_DINT alone.  Or it leads to OB 80 in place of OB 85.    *)
 MissingNoticedAtActivation == Reading("AMB-06") = "b"
 MissingNoticedAtSrtDint    == Reading("AMB-06") \in {"b", "delay"}
 MissingIsTimeError         == Reading("AMB-06") = "c"
 
 (* [AMB-07] A time-delay OB without OB 80 or OB 85 does not stop the CPU. *)
 DelaysNeverStopTheCpu == Reading("AMB-07") = "b"
-
 (* [AMB-08] A once that has run is no longer set; else its date stays. *)
 OnceIsUnsetByItsRun == Reading("AMB-08") = "a"
-
 (* [AMB-09] CAN_TINT answers 80A0 unless the interrupt is active. *)
 CanTintNeedsActive == Reading("AMB-09") = "b"
-
 (* [AMB-10] ACT_TINT on an active interrupt computes its next point anew. *)
 ActTintComputesAnew == Reading("AMB-10") = "b"
 
@@ -75,36 +68,30 @@ SkipGivesNewTime == Reading("AMB-16") = "a"
 (* [AMB-17] An S7-300 does not serve a point again either. *)
 S7300RemembersServed == Reading("AMB-17") = "b"
 
-(* [AMB-18] A start event of an OB that waits already is a time error, is   *)
-(* buffered until the buffer is full, or is merged; else any of these.     *)
+(* [AMB-18] A start event of an OB that waits already; or any of these.    *)
 SecondRequestIsTimeError == Reading("AMB-18") = "a"
 SecondRequestIsBuffered  == Reading("AMB-18") = "b"
 SecondRequestIsMerged    == Reading("AMB-18") = "c"
 BuffersMayOverflow       == Reading("AMB-18") \in {"b", "d"}
 SecondRequestIsOpen      == Reading("AMB-18") = "d"
 
-(* [AMB-19] Each point during one run of the OB brings a run of its own; or *)
-(* those after the first bring nothing.                                    *)
+(* [AMB-19] Of several points during one run of the OB.                    *)
 EveryPointRunsLater      == Reading("AMB-19") = "b"
 OnlyFirstPointIsReported == Reading("AMB-19") = "c"
 
 (* [AMB-20] A SET_TINT that is refused cancels the old setting. *)
 RefusedSetTintCancels == Reading("AMB-20") = "b"
-
 (* [AMB-21] SFC 39 blocks on three levels, all of which must be open. *)
 BlocksHaveLevels == Reading("AMB-21") = "b"
-
 (* [AMB-22] MODE 0 with an OB number other than 0 is refused. *)
 Mode0TakesOb0Alone == Reading("AMB-22") = "b"
-
-(* [AMB-23] An error whose OB is missing stops the CPU also if it is       *)
-(* blocked.                                                                *)
+(* [AMB-23] An error without its OB stops the CPU also if it is blocked.   *)
 BlockedErrorStopsTheCpu == Reading("AMB-23") = "b"
 
 (* [AMB-25] The delay count outlives the end of OB 1. *)
 CountOutlivesTheCycle == Reading("AMB-25") = "b"
 
-(* [AMB-27] OB 80 names the OB that ran, not the one that was requested. *)
+(* [AMB-27] OB 80 names the OB that ran, not the requested OB. *)
 TimeErrorNamesRunningOb == Reading("AMB-27") = "a"
 
 (* [AMB-28] A missing OB is fault A1; or A1 and A2 are alike. *)
@@ -119,24 +106,18 @@ DtimeIsElapsedTime == Reading("AMB-31") = "a"
 
 (* [AMB-33] OB 85 blocked stops the CPU. *)
 BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
-
 (* [AMB-34] STATUS bit 2 of a once is 1 until its OB starts. *)
 WaitingOnceIsActive == Reading("AMB-34") = "a"
-
 (* [AMB-35] The points that pass in STARTUP bring one run for each OB. *)
 StartupDefersOneRun == Reading("AMB-35") = "a"
-
 (* [AMB-36] A periodic interrupt first runs one period after its start. *)
 SeriesBeginsAPeriodLater == Reading("AMB-36") = "b"
-
 (* [AMB-37] A point that equals the clock is past. *)
 EqualIsPast == Reading("AMB-37") = "b"
-
 (* [AMB-38] Yearly on February 29 is refused. *)
 YearlyNotOnLeapDay == Reading("AMB-38") = "b"
 
-(* [AMB-39] The start of an end-of-month interrupt is a point as well; or   *)
-(* it must be the last day of a month.                                     *)
+(* [AMB-39] An end-of-month interrupt whose start is on another day.       *)
 EndOfMonthRunsAtStart == Reading("AMB-39") = "b"
 EndOfMonthTakesNoOtherDay == Reading("AMB-39") = "c"
 
@@ -149,12 +130,10 @@ LostEventIsEntered  == Reading("AMB-41") = "b"
 
 (* [AMB-42] EN_IRT with MODE 1 blocks. *)
 EnIrtMode1Blocks == Reading("AMB-42") = "b"
-
 (* [AMB-43] PERIOD 0401 is daily. *)
 Period0401IsDaily == Reading("AMB-43") = "b"
 
-(* [AMB-44] A missing OB is noticed when it is due, also if it could not    *)
-(* start yet.                                                              *)
+(* [AMB-44] A missing OB is noticed when due, though it could not start.   *)
 MissingNoticedWhenDue == Reading("AMB-44") = "a"
 
 (* [AMB-45] One OB 85 for all missing OBs; or one for each. *)
@@ -164,8 +143,7 @@ OneOb85ForEach == Reading("AMB-45") = "b"
 (* [AMB-46] After a missing OB its interrupt is no longer active. *)
 MissingObEndsItsSource == Reading("AMB-46") = "b"
 
-(* [AMB-47] A delay that is over while its OB runs brings a second run; or  *)
-(* none.                                                                   *)
+(* [AMB-47] A delay that is over while its OB runs: a second run; or none. *)
 OverlappingDelayRuns == Reading("AMB-47") = "a"
 OverlappingDelayRunsNot == Reading("AMB-47") = "b"
 
@@ -176,14 +154,15 @@ LateRunIsLostWithOb80 == Reading("AMB-48") = "b"
 (* [AMB-49] DIS_AIRT does not delay a STOP by rule; else it may. *)
 StopIsNotDelayed == Reading("AMB-49") = "a"
 
-(* [AMB-50] Of blocked OBs with a skipped point, those not reported. *)
+(* [AMB-50] The blocked OBs with a skipped point that OB 80 does not       *)
+(* report.                                                                 *)
 \* @type: Set(Int) => Set(Set(Int));
 UnreportedAmong(blocked) == PartBy(Reading("AMB-50"), blocked)
 
 (* [AMB-51] The skip of a missing OB is not reported. *)
 SkipOfMissingObIsSilent == Reading("AMB-51") = "b"
 
-(* [AMB-52] Of OBs that wait or run, those without a catch-up of their own. *)
+(* [AMB-52] The OBs that wait or run and get no catch-up of their own. *)
 \* @type: Set(Int) => Set(Set(Int));
 MergedAmong(busy) == PartBy(Reading("AMB-52"), busy)
 
@@ -199,23 +178,16 @@ CatchUpsComeByNumber == Reading("AMB-54") = "b"
 NoCatchUpAfterHold     == Reading("AMB-55") = "b"
 CatchUpAfterHoldIsOpen == Reading("AMB-55") = "c"
 
-(* [AMB-56] In the time that the clock repeats, points that were not served *)
-(* are over.                                                               *)
+(* [AMB-56] In a time that is repeated, points not served before are over. *)
 \* @type: $cpu => Bool;
 UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
 
-(* [AMB-57] A new setting keeps the memory of what was served. *)
+(* [AMB-57] A new setting keeps the memory of the points that were served. *)
 MemoryOutlivesSetting == Reading("AMB-57") = "b"
 
-(* [AMB-56] [AMB-57] The CPUs that this one may turn out to be when its     *)
-(* clock is set back: where its reading is open, it shows one.             *)
-\* @type: (Str, Str) => (Str -> Str);
-ReadingsWith(unserved, memory) ==
-    [ a \in DOMAIN cpu.readings \cup {"AMB-56", "AMB-57"} |->
-        IF a = "AMB-56" THEN unserved
-        ELSE IF a = "AMB-57" THEN memory ELSE cpu.readings[a] ]
+(* [AMB-56] [AMB-57] Set back, a CPU shows how it reads the two. *)
 CpusShown ==
-    { [cpu EXCEPT !.readings = ReadingsWith(unserved, memory)]
+    { ReadAs("AMB-56", unserved, ReadAs("AMB-57", memory, cpu))
       : unserved \in Shown("AMB-56"), memory \in Shown("AMB-57") }
 
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
@@ -246,33 +218,26 @@ OutsideRunEventsAreOpen == Reading("AMB-67") = "c"
 EndedSeriesIsActive   == Reading("AMB-68") = "a"
 EndedSeriesIsInactive == Reading("AMB-68") = "b"
 
-(* [AMB-70] In the last millisecond of a delay, calls come before its end;  *)
-(* or after it.                                                            *)
+(* [AMB-70] Calls in the last millisecond of a delay.                      *)
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"
 
-(* [AMB-71] A once is used up when its point is reached; or when its OB     *)
-(* ends; else when its OB starts.                                          *)
+(* [AMB-71] Else a once is used up when its OB starts.                     *)
 OnceUsedUpAtItsPoint == Reading("AMB-71") = "b"
 OnceUsedUpAtItsEnd   == Reading("AMB-71") = "c"
 
-(* [AMB-72] DIS_IRT drops what waits already. *)
+(* [AMB-72] DIS_IRT drops a request that waits already. *)
 DisIrtDropsRequests == Reading("AMB-72") = "b"
-
 (* [AMB-73] DIS_IRT and EN_IRT refuse the OBs that the CPU lacks. *)
 LackingObsAreRefused == Reading("AMB-73") = "b"
-
 (* [AMB-74] SRT_DINT on a running job leaves its SIGN. *)
 RestartedJobKeepsSign == Reading("AMB-74") = "b"
-
 (* [AMB-75] OB 70, 72, 84 and 87 are not missed; else OB 85 reports them. *)
 ErrorObsAreNotReported == Reading("AMB-75") = "a"
-
 (* [AMB-76] EN_IRT takes the MODEs 80 to 82. *)
 EnIrtTakesMode8x == Reading("AMB-76") = "b"
 
-(* [AMB-77] A start event from outside, of an OB that runs, is a time       *)
-(* error, is buffered, or is lost; else any of these.                      *)
+(* [AMB-77] An event from outside while its OB runs; or any of these.      *)
 ExternalAgainIsTimeError == Reading("AMB-77") = "a"
 ExternalAgainIsBuffered  == Reading("AMB-77") = "b"
 ExternalAgainIsLost      == Reading("AMB-77") = "c"

@@ -1,7 +1,7 @@
 ------------------------------ MODULE Requests ------------------------------
 (***************************************************************************)
 (* Start events on their way from occurring to the start of their OB       *)
-(* [OBS-07], and the one place that says which of them may start.          *)
+(* [OBS-07], and the only rule that says which of them may start.          *)
 (*                                                                         *)
 (* A request holds what the OB's start information will say [OBS-10]:      *)
 (*   ob, class   which OB, in which priority class                         *)
@@ -22,7 +22,7 @@
 (*   open        where the sources leave open whether the start event has  *)
 (*               this effect: the OB may start by it, or nothing happens   *)
 (*                                                                         *)
-(* What a start event leads to when it occurs is in module StartEvents.    *)
+(* Module StartEvents has the effects of a start event when it occurs.     *)
 (* Left out: the size of the buffers, which differs between CPUs [OBS-09]; *)
 (* where a buffer may be full, both outcomes are allowed [AMB-18].         *)
 (***************************************************************************)
@@ -41,7 +41,7 @@ ModeAllows(r) == \/ mode = "RUN"
 \* @type: (Set($request), Int) => Bool;
 PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 
-(* The OB waits, if at all, by what is left open. *)
+(* The OB may wait: it has an open request. *)
 \* @type: (Set($request), Int) => Bool;
 OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
@@ -78,8 +78,8 @@ Close(q) ==
           { s.rank : s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } })]
       : r \in q }
 
-(* The request r, next in its queue, leaves.  What was open and was passed  *)
-(* over has had no effect, but where only the mode had kept it back.        *)
+(* The request r, next in its queue, leaves.  An open request that was     *)
+(* passed over has had no effect, unless only the mode had kept it back.   *)
 \* @type: (Set($request), $request) => Set($request);
 Remove(q, r) ==
     LET \* @type: $request => Bool;

@@ -7,7 +7,7 @@
 (***************************************************************************)
 EXTENDS Requests, TodSettings
 
-(* What is open has no effect: seen when its OB could start. *)
+(* An open request has no effect: seen when its OB could start. *)
 \* @type: $request => Bool;
 Drop(r) ==
     /\ MayStart(r)

@@ -1,7 +1,7 @@
 ----------------------------- MODULE StartEvents ----------------------------
 (***************************************************************************)
-(* A start event occurs: what it leads to where its OB is idle, waits,     *)
-(* runs, is blocked or is missing (sections 5.2 and 5.3).                  *)
+(* A start event occurs: its effect on an OB that is idle, waits, runs or  *)
+(* is blocked (sections 5.2 and 5.3).                                      *)
 (*                                                                         *)
 (* The operators set requests', stopCause' and entered'.                   *)
 (* Left out: the errors themselves (Errors).                               *)

@@ -7,11 +7,7 @@
 (* ids).                                                                   *)
 (* Left out: the bytes that table 7.2 leaves open are not judged.          *)
 (***************************************************************************)
-<<<<<<< HEAD
-EXTENDS Requests, LogState
-=======
-EXTENDS Calendar, Requests, LogEvents
->>>>>>> 8df624d (Rule modules as a diamond, actions of Next by name)
+EXTENDS Calendar, Requests, LogState
 
 -----------------------------------------------------------------------------
 (* Events of an OB *)

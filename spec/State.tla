@@ -2,8 +2,8 @@
 (***************************************************************************)
 (* The state of an S7-300/400 CPU as far as its interrupts depend on it.   *)
 (*                                                                         *)
-(* Left out: the step that was taken last (System); what explains a log    *)
-(* (Trace).                                                                *)
+(* Left out: the step that was taken last (System); the explanation of a   *)
+(* log (LogState).                                                         *)
 (* Sources: requirements, section 5.1.                                     *)
 (***************************************************************************)
 EXTENDS Typedefs
@@ -42,8 +42,8 @@ VARIABLES
     (* the ms that are left [DINT-03].                                      *)
     \* @type: Int -> $job;
     dint,
-    (* SFC 39/40: what is blocked, and of that what is not entered in the   *)
-    (* diagnostic buffer [IRT-20].  See Blocked.                            *)
+    (* SFC 39/40: the blocked OBs, and those of them without entries in    *)
+    (* the diagnostic buffer [IRT-20].  See Blocked.                       *)
     \* @type: $irt;
     irt,
     (* [OBS-07] The start events that wait for their OB to start.  See      *)
@@ -60,8 +60,8 @@ VARIABLES
     (* if there is none.                                                    *)
     \* @type: Int;
     stopCause,
-    (* What the last step entered in the diagnostic buffer: no rule depends *)
-    (* on it.  open: the sources leave open whether it is entered.          *)
+    (* The entries of the last step in the diagnostic buffer: no rule      *)
+    (* depends on them. open: the sources leave open if it is entered.     *)
     \* @type: Set($entry);
     entered
 
@@ -74,7 +74,7 @@ settingVars == <<tod, dint, irt>>
 outcomeVars == <<requests, stopCause>>
 runVars     == <<stack, delay>>
 
-(* All of the CPU; what a step enters is seen only by an observer. *)
+(* All of the CPU; only an observer sees the entries of a step. *)
 cpuVars == <<deviceVars, modeVars, clock, settingVars, outcomeVars, runVars>>
 
 NothingEntered == entered' = {}

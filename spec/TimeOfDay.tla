@@ -22,9 +22,9 @@ SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
 
 SettingStays == UNCHANGED <<tod, requests>>
 
-(* An active once whose point has passed, without a run that is sure to      *)
+(* An active once whose point has passed, without a run that is sure to    *)
 (* come: there is no catch-up, or it is open [AMB-48] [AMB-55].  No source *)
-(* says if it is still active.                                             *)
+(* says if the interrupt is still active.                                  *)
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)

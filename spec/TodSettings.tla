@@ -11,7 +11,7 @@ EXTENDS Calendar, Cpu
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
                period |-> Once, next |-> Never, served |-> {}, repeatTo |-> -1 ]
 
-(* The first start point, and the one that is watched for. *)
+(* The first start point, and the point that is watched for. *)
 \* @type: $tod => $moment;
 FirstMoment(t) == [min |-> t.start, ms |-> t.offset]
 \* @type: $tod => $moment;

@@ -1,4 +1,6 @@
-"""The next-state relation of the specification: named actions, and nothing but their disjunction."""
+"""The shape of the specification: its map, the size of its modules, its readings, its next-state relation."""
+
+import re
 
 from tree_sitter import Node
 
@@ -43,3 +45,30 @@ def test_each_action_shows_a_step() -> None:
         words = references(body(name, system))
         assert words & {"Seen", "step"}, name
         assert ("Settled" in words) == (name not in actions_of("Respond", system)), name
+
+
+def test_the_map_has_each_module_once() -> None:
+    """The tables of spec/README.md, and the graph, which says which module extends which."""
+    page = (ROOT / "spec" / "README.md").read_text(encoding="utf-8")
+    modules = read_modules(ROOT / "spec")
+    rows = "".join(line for line in page.splitlines() if line.startswith("| ["))
+    assert sorted(re.findall(r"\[(\w+)\]\(\1\.tla\)", rows)) == sorted(modules)
+    edges = {(a, b) for left, b in re.findall(r"^  (.+) --> (\w+)$", page, re.MULTILINE) for a in left.split(" & ")}
+    shown = {module for edge in edges for module in edge}
+    assert edges == {(a, b) for b in shown for a in modules[b].imports & shown}
+
+
+def test_modules_are_short() -> None:
+    """A module is one concern: none has more than 250 lines."""
+    long = [name for name, module in read_modules(ROOT / "spec").items() if module.text.count(b"\n") > 250]
+    assert long == []
+
+
+def test_letters_are_compared_in_readings_alone() -> None:
+    """Every other module asks by a name."""
+    asking = {
+        name
+        for name, module in read_modules(ROOT / "spec").items()
+        if any("Reading" in references(unit) for unit in module.definitions.values())
+    }
+    assert asking == {"Editions", "Readings"}
