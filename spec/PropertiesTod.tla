@@ -37,12 +37,6 @@ OverlapInv ==
     \A o \in TodObs :
       Cardinality({ r \in requests : r.ob = o /\ r.follows = StillRunning }) <= 1
 
-(* p is the first minute that is not before moment t; Never if there is none *)
-(* up to 2089.                                                             *)
-\* @type: (Int, $moment) => Bool;
-IsFirstMinute(p, t) == IF Before(At(LastMinute), t) THEN p = Never
-                       ELSE ~Before(At(p), t) /\ Before(At(p - 1), t)
-
 -----------------------------------------------------------------------------
 (* RET_VAL *)
 

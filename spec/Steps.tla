@@ -1,7 +1,7 @@
 ------------------------------- MODULE Steps --------------------------------
 (***************************************************************************)
-(* The words of the properties: a step as an observer sees it, and the     *)
-(* requests that are new.                                                  *)
+(* The words of the properties: a step as an observer sees it, the         *)
+(* requests that are new, the first minute from a moment on.               *)
 (*                                                                         *)
 (* Left out: the words of the actions.                                     *)
 (***************************************************************************)
@@ -16,10 +16,15 @@ Dispatched == Did("start") /\ step'.ob \notin StartupObs \cup {CycleOb}
 \* @type: Seq($frame) => $frame;
 Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
-
 (* [OBS-10] A request stays as it was when its start event occurred; only    *)
 (* its place changes, and an open one may become certain.                  *)
 \* @type: $request => $request;
 Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
 Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
+
+(* p is the first minute that is not before moment t; Never if there is none *)
+(* up to 2089.                                                             *)
+\* @type: (Int, $moment) => Bool;
+IsFirstMinute(p, t) == IF Before(At(LastMinute), t) THEN p = Never
+                       ELSE ~Before(At(p), t) /\ Before(At(p - 1), t)
 =============================================================================
