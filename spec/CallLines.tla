@@ -3,7 +3,7 @@
 (* Lines of calls: the answers and the STATUS that the CPU may give, and   *)
 (* the action that a line stands for.                                      *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, events of kind `call'.               *)
+(* Source: docs/checking/log-format.md, events of kind `call'.             *)
 (* Left out: what the calls change, which is said with each SFC.           *)
 (***************************************************************************)
 EXTENDS Airt, Irt, TimeOfDay, TimeDelay, LogEvents

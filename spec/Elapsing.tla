@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Two clocks run: `up' decides durations, the CPU clock decides moments.  *)
 (* They need not agree.                                                    *)
-(* Source: docs/checking/log-format.md, fine points 1 and 2.                 *)
+(* Source: docs/checking/log-format.md, fine points 1 and 2.               *)
 (* Left out: the clock that is set between two lines (PartialLogs).        *)
 (***************************************************************************)
 EXTENDS Clock, MissingObs, Waiting

@@ -6,7 +6,7 @@
 (*                                                                         *)
 (* The engine evaluates these operators in the states before the line.     *)
 (* They repeat the guards of the actions, and no action uses them.         *)
-(* Source: docs/checking/reports.md, `expected' and `state' of a verdict.    *)
+(* Source: docs/checking/reports.md, `expected' and `state' of a verdict.  *)
 (* Left out: the conjunct of an action that is false; the engine finds it  *)
 (* in the action itself.                                                   *)
 (***************************************************************************)

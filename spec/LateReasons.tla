@@ -3,8 +3,8 @@
 (* Reasons why a line comes too late: something had to come before it.     *)
 (* They are asked for in the states in which time could not go on.         *)
 (*                                                                         *)
-(* Source: requirements, sections 1 to 6; docs/log-format.md, fine point   *)
-(* 1.                                                                      *)
+(* Source: requirements, sections 1 to 6;                                  *)
+(* docs/checking/log-format.md, fine point 1.                              *)
 (* Left out: nothing.                                                      *)
 (***************************************************************************)
 EXTENDS TimeReasons

@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* The action that a line of a log stands for.                             *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, events; fine points 6 to 8 and 10.   *)
+(* Source: docs/checking/log-format.md, events; fine points 6 to 8 and 10. *)
 (* Left out: lines of kinds that the log does not have completely          *)
 (* (PartialLogs).                                                          *)
 (***************************************************************************)

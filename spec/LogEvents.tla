@@ -9,7 +9,7 @@
 (* `up' of the line itself.  `step' is the unit in which `at' is written,  *)
 (* in ms.  In `state' lines 0 is false and 1 is true.                      *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, the fields of header and events.     *)
+(* Source: docs/checking/log-format.md, the fields of header and events.   *)
 (* Left out: fields whose name begins with x_.                             *)
 (***************************************************************************)
 EXTENDS Integers, Typedefs

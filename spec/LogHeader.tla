@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* The header of a log: the CPU as it is when the log begins.              *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, fields of the header.                *)
+(* Source: docs/checking/log-format.md, fields of the header.              *)
 (* Left out: nothing.                                                      *)
 (***************************************************************************)
 EXTENDS Modes, LogState

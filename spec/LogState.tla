@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* What the explanation of a log keeps beside the state of the CPU.        *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, header and fine points 1, 2 and 9.   *)
+(* Source: docs/checking/log-format.md, header and fine points 1, 2 and 9. *)
 (* Left out: nothing.                                                      *)
 (***************************************************************************)
 EXTENDS Cpu, LogEvents

@@ -10,7 +10,7 @@
 (*                                                                         *)
 (* The trace checker's engine evaluates Elapse, Silent and Observe, of     *)
 (* complete logs as well.                                                  *)
-(* Source: docs/checking/log-format.md, fine point 9.                        *)
+(* Source: docs/checking/log-format.md, fine point 9.                      *)
 (* Left out: several changes of the clock between two lines; a block that  *)
 (* is loaded or deleted without effect on the next line; an unseen start   *)
 (* event whose OB was blocked afterwards.                                  *)

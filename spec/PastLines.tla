@@ -3,7 +3,7 @@
 (* The lines before a rejected line, as `past': the latest lines, and of   *)
 (* the older ones the last of each event, OB and MODE.                     *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md.                                      *)
+(* Source: docs/checking/log-format.md.                                    *)
 (* Left out: which requirements follow (BlockReasons and the others).      *)
 (***************************************************************************)
 EXTENDS PartialLogs

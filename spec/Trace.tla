@@ -5,7 +5,7 @@
 (* (Towards), then hidden steps may happen (HiddenBefore), then the line   *)
 (* is observed (Shows).                                                    *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md with its fine points; AMB-69.         *)
+(* Source: docs/checking/log-format.md with its fine points; AMB-69.       *)
 (* Left out: kinds of event that the log does not have completely, which   *)
 (* module PartialLogs adds.                                                *)
 (***************************************************************************)

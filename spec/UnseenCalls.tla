@@ -4,7 +4,7 @@
 (* or delayed anything.  A rule is judged if it holds whatever was called: *)
 (* modes, classes, loaded OBs, fault ids and their causes.                 *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, fine point 9.                        *)
+(* Source: docs/checking/log-format.md, fine point 9.                      *)
 (* Left out: a call that a line shows changes nothing, since an unseen     *)
 (* call may have changed it back.                                          *)
 (***************************************************************************)

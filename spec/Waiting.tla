@@ -5,7 +5,7 @@
 (* start first only while the higher start event is no older than that     *)
 (* (AMB-69).                                                               *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, fine point 1; AMB-69.                *)
+(* Source: docs/checking/log-format.md, fine point 1; AMB-69.              *)
 (* Left out: requests of one class are not timed apart from each other.    *)
 (***************************************************************************)
 EXTENDS Requests, ReportedEntries
