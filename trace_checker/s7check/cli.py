@@ -2,7 +2,6 @@
 
 import sys
 from importlib import import_module
-from importlib.metadata import entry_points
 from io import TextIOWrapper
 
 import click
@@ -40,6 +39,8 @@ class _Commands(click.Group):
 
 
 def _added() -> dict[str, str]:
+    from importlib.metadata import entry_points
+
     return {point.name: point.value for point in entry_points(group=ADDED_COMMANDS)}
 
 

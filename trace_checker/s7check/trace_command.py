@@ -5,6 +5,7 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 import click
@@ -18,15 +19,16 @@ from s7check.judging.verdict import Report
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
 from s7check.output import write_whole
-from s7check.report.as_html import to_html
 from s7check.report.as_json import to_json
-from s7check.report.as_junit import to_junit
-from s7check.report.as_sarif import to_sarif
 from s7check.report.as_text import to_text
 from s7check.report.progress import ProgressBar
 
-_WHOLE: dict[str, Callable[[Sequence[Report]], bytes]] = {"junit": to_junit, "sarif": to_sarif, "html": to_html}
-"""Formats that are one document for all logs."""
+_WHOLE = {
+    "junit": "s7check.report.as_junit:to_junit",
+    "sarif": "s7check.report.as_sarif:to_sarif",
+    "html": "s7check.report.as_html:to_html",
+}
+"""Formats that are one document for all logs: ``module:function``, imported when it is asked for."""
 
 _TRIED = 10
 """Rejected logs of a call for which other readings are tried unasked."""
@@ -103,7 +105,7 @@ def trace_command(output: str, file: Path | None, readings: str, profile: str | 
                 written.append((click.unstyle(text.decode()) if output == "text" else text.decode()).encode() + b"\n")
             reports.append(_without_bulk(report))
     if output in _WHOLE:
-        written = [_WHOLE[output](reports)]
+        written = [_document(output, reports)]
         if file is None:
             _print(written[0].rstrip(b"\n"))
     if file is not None:
@@ -151,6 +153,12 @@ class _Work:
             self._to_draw -= 1
             report = with_steps(report, self._engine, replay)
         return report
+
+
+def _document(output: str, reports: Sequence[Report]) -> bytes:
+    module, function = _WHOLE[output].split(":")
+    write: Callable[[Sequence[Report]], bytes] = getattr(import_module(module), function)
+    return write(reports)
 
 
 def _without_bulk(report: Report) -> Report:

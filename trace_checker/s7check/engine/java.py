@@ -20,16 +20,31 @@ class JavaMissingError(Exception):
     """There is no suitable Java; the text gives the remedy."""
 
 
+_ADVICE = f"install Java {LEAST_JAVA} or newer, or set JAVA_HOME to one"
+
+
 def find_java() -> str:
     """The path of ``$JAVA_HOME/bin/java`` or else of the ``java`` on the PATH.
 
     Raises JavaMissingError if there is none, if it does not run or if it is older than LEAST_JAVA.
     """
+    java = locate_java()
+    check_java(java)
+    return java
+
+
+def locate_java() -> str:
+    """The path of Java as ``find_java`` has it, not yet checked. Raises JavaMissingError if there is none."""
     home = os.environ.get("JAVA_HOME")
     java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java")
-    advice = f"install Java {LEAST_JAVA} or newer, or set JAVA_HOME to one"
     if java is None:
-        raise JavaMissingError(f"no java {'in $JAVA_HOME/bin' if home else 'on the PATH'}: {advice}")
+        raise JavaMissingError(f"no java {'in $JAVA_HOME/bin' if home else 'on the PATH'}: {_ADVICE}")
+    # The engine runs in a folder of its own.
+    return str(Path(java).absolute())
+
+
+def check_java(java: str) -> None:
+    """Raises JavaMissingError if ``java`` does not run or is older than LEAST_JAVA."""
     try:
         said = subprocess.run(
             [java, "-version"],
@@ -40,14 +55,12 @@ def find_java() -> str:
             errors="replace",
         )
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise JavaMissingError(f"{java} -version failed ({error}): {advice}") from error
+        raise JavaMissingError(f"{java} -version failed ({error}): {_ADVICE}") from error
     except subprocess.CalledProcessError as error:
         # Such as a wrong option in JDK_JAVA_OPTIONS.
         words = printable(" ".join(f"{error.stdout} {error.stderr}".split()), _SHOWN) or f"exit code {error.returncode}"
-        raise JavaMissingError(f"{java} -version failed ({words}): {advice}") from error
+        raise JavaMissingError(f"{java} -version failed ({words}): {_ADVICE}") from error
     match = _VERSION.search(said.stderr)
     if match is None or int(match[1]) < LEAST_JAVA:
         version = match[1] if match else "of an unknown version"
-        raise JavaMissingError(f"{java} is Java {version}: {advice}")
-    # The engine runs in a folder of its own.
-    return str(Path(java).absolute())
+        raise JavaMissingError(f"{java} is Java {version}: {_ADVICE}")

@@ -13,6 +13,9 @@ from s7check.resources import REMEDY
 _PATIENCE = 5
 """Seconds that the engine gets to end once its input has."""
 
+FOLDER = "s7check-engine-"
+"""How the name of its folder begins. The engine knows it too: it removes the folder if its parent was killed."""
+
 _READ = 64 * 1024
 _SHOWN = 300
 
@@ -28,7 +31,7 @@ class EngineProcess:
         # A file for what it says on standard error: a pipe that nobody empties would block it.
         with tempfile.TemporaryFile() as errors:
             self._errors = os.dup(errors.fileno())
-        self._folder = tempfile.mkdtemp(prefix="s7check-")
+        self._folder = tempfile.mkdtemp(prefix=FOLDER)
         self._received = b""
         input_end, self._input = os.pipe()
         self.output, output_end = os.pipe()
@@ -38,7 +41,7 @@ class EngineProcess:
             )
         except OSError as error:
             self._close()
-            self.clear()
+            self._clear()
             raise EngineError(f"the engine could not be started: {error}") from error
         finally:
             os.close(input_end)
@@ -48,6 +51,11 @@ class EngineProcess:
     def running(self) -> bool:
         """Whether the process has not ended yet."""
         return self._process.poll() is None
+
+    @property
+    def failed(self) -> bool:
+        """Whether the process has ended by itself with an error."""
+        return (self._process.poll() or 0) > 0
 
     def write(self, data: bytes) -> None:
         """Sends ``data``; blocks while the engine is busy with earlier data."""
@@ -78,10 +86,9 @@ class EngineProcess:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-        self.clear()
+        self._clear()
 
-    def clear(self) -> None:
-        """Removes its temporary files. It needs them until it is ready; later the parent may be killed."""
+    def _clear(self) -> None:
         shutil.rmtree(self._folder, ignore_errors=True)
 
     def _close(self) -> None:

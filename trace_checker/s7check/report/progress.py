@@ -3,13 +3,13 @@
 import sys
 import time
 from types import TracebackType
-from typing import Self
-
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
+from typing import TYPE_CHECKING, Self
 
 from s7check.log.errors import printable
 from s7check.log.source import Source
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
 
 _DELAY = 1.0
 """Seconds before anything is shown: most calls are done by then."""
@@ -24,7 +24,7 @@ class ProgressBar:
         self._name = ""
         self._begun = time.monotonic()
         self._bar: Progress | None = None
-        self._task = TaskID(0)
+        self._task: TaskID | None = None
         self._shown = sys.stderr is not None and sys.stderr.isatty()
 
     def __enter__(self) -> Self:
@@ -60,16 +60,25 @@ class ProgressBar:
     def _show(self, text: str) -> None:
         if not self._shown or time.monotonic() - self._begun < _DELAY:
             return
-        if self._bar is None:
-            self._bar = self._started()
+        if self._bar is None or self._task is None:
+            self._bar, self._task = self._started()
         self._bar.update(self._task, description=text, completed=self._done)
 
-    def _started(self) -> Progress:
+    def _started(self) -> tuple["Progress", "TaskID"]:
+        # Most calls show no bar: they do not wait for its library.
+        from rich.console import Console
+        from rich.progress import (
+            BarColumn,
+            MofNCompleteColumn,
+            Progress,
+            TextColumn,
+            TimeElapsedColumn,
+        )
+
         many = [BarColumn(), MofNCompleteColumn()] if self._logs > 1 else []
         console = Console(stderr=True, highlight=False)
         bar = Progress(
             *many, TextColumn("{task.description}", markup=False), TimeElapsedColumn(), console=console, transient=True
         )
         bar.start()
-        self._task = bar.add_task("", total=self._logs)
-        return bar
+        return bar, bar.add_task("", total=self._logs)

@@ -21,6 +21,12 @@ Init ==
     /\ function = [i \in 10..12 |-> i * 2]
     /\ sequence = <<7, 8, 9>>
 
+InitSeveral == /\ number \in {1, 2}
+               /\ set = {number}
+               /\ record = [a |-> 1] \/ record = [a |-> number + 1]
+               /\ function = [i \in set |-> i]
+               /\ sequence = <<>>
+
 -----------------------------------------------------------------------------
 Arithmetic == <<number + 2, number - 5, number * number, -number, 7 \div 2,
                 (-7) \div 2, 7 % 3, (-7) % 3, \h1F>>
@@ -117,6 +123,13 @@ ActMemo == /\ set' \in {{2, 4}, {6}, {1}}
            /\ UNCHANGED others
 
 -----------------------------------------------------------------------------
+Enabled == <<ENABLED ActAssign, ENABLED ActNone, ~ENABLED (number > 5 /\ number' = 1),
+             {x \in set : ENABLED (x > 1 /\ number' = x)}>>
+ActEnabled == /\ number' = 7
+              /\ ENABLED (number = 3 /\ number' = 4)
+              /\ UNCHANGED <<set, others>>
+TlcEnabled == (ENABLED ActAssign)'
+
 ErrChoose == CHOOSE x \in set : x > 9
 ErrDomain == function[9]
 ErrField == record.z
@@ -128,7 +141,6 @@ ErrBoolean == number /\ TRUE
 ActErrUnassigned == number' = 1
 ActErrBefore == set' = {number'} /\ number' = 1 /\ UNCHANGED others
 
-TlcEnabled == ENABLED ActAssign
 TlcLength == Len("abc")
 TlcString == "x" \o "y"
 =============================================================================

@@ -5,12 +5,11 @@ import java.util.Set;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
+import tla.eval.State;
 import tla.json.Json;
 import tla.json.Values;
 import tla.spec.Guards;
 import tla.spec.Specification;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
@@ -29,6 +28,7 @@ final class Contract {
 
   /** An operator and the number of its parameters. */
   enum Operator {
+    INIT("Init", 0),
     NO_HEADER("NoHeader", 0),
     NO_EVENT("NoEvent", 0),
     ALTERNATIVES("Alternatives", 0),
@@ -81,7 +81,7 @@ final class Contract {
   }
 
   private final Specification spec;
-  private final TLCState blank;
+  private final State blank;
   private final RecordValue noEvent;
 
   /**
@@ -89,7 +89,7 @@ final class Contract {
    */
   Contract(Specification spec) {
     this.spec = spec;
-    blank = spec.initialState();
+    blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
   }
 
@@ -114,52 +114,52 @@ final class Contract {
   }
 
   /** The states in which a log with this header may begin. */
-  StateVec begin(Value header) {
+  List<State> begin(Value header) {
     return successors(Operator.BEGIN, blank, header);
   }
 
   /** Whether time has elapsed to the event. */
-  boolean arrived(TLCState state, Value event) {
+  boolean arrived(State state, Value event) {
     return spec.holds(Operator.ARRIVED.tla, state, event);
   }
 
   /** One step of time towards the event. */
-  StateVec elapse(TLCState state, Value event) {
+  List<State> elapse(State state, Value event) {
     return successors(Operator.ELAPSE, state, event);
   }
 
   /** Whether a silent step may be possible: a cheap question before {@link #silent}. */
-  boolean stirs(TLCState state, Value event) {
+  boolean stirs(State state, Value event) {
     return spec.holds(Operator.STIRS.tla, state, event);
   }
 
   /** One step that the log does not show, just before the event. */
-  StateVec silent(TLCState state, Value event) {
+  List<State> silent(State state, Value event) {
     return successors(Operator.SILENT, state, event);
   }
 
   /** The states after the event; none if it is not possible in this state. */
-  StateVec observe(TLCState state, Value event) {
+  List<State> observe(State state, Value event) {
     return successors(Operator.OBSERVE, state, event);
   }
 
   /** A number that is the same for states that explain the rest of every log alike. */
-  long key(TLCState state) {
+  long key(State state) {
     return spec.key(Operator.DISTINCT.tla, state);
   }
 
   /** How far a state is from one in which the event would be possible. */
-  int distance(TLCState state, Value event) {
+  int distance(State state, Value event) {
     return ((IntValue) value(Operator.DISTANCE, state, event)).val;
   }
 
   /** The state as a report shows it. */
-  JsonElement situation(TLCState state) {
+  JsonElement situation(State state) {
     return Values.toJson(value(Operator.SITUATION, state));
   }
 
   /** The events that were possible in the place of the failing one, or had to come before it. */
-  JsonArray expected(Failing failing, TLCState state, Value event) {
+  JsonArray expected(Failing failing, State state, Value event) {
     return array(failing.expected, state, event);
   }
 
@@ -168,12 +168,12 @@ final class Contract {
    *
    * @param past the lines before it, as {@link Past} keeps them
    */
-  JsonArray deciding(Failing failing, TLCState state, Value event, Value past) {
+  JsonArray deciding(Failing failing, State state, Value event, Value past) {
     return array(failing.deciding, state, event, past);
   }
 
   /** The actions that are not enabled, each with its first false conjunct. */
-  Set<Guards.Failure> failures(Failing failing, TLCState state, Value event) {
+  Set<Guards.Failure> failures(Failing failing, State state, Value event) {
     return spec.failures(failing.action.tla, Contract::label, state, event);
   }
 
@@ -182,15 +182,15 @@ final class Contract {
     return Values.field(record, OB) instanceof Integer ob ? "OB " + ob : null;
   }
 
-  private Value value(Operator operator, TLCState state, Value... arguments) {
+  private Value value(Operator operator, State state, Value... arguments) {
     return spec.value(operator.tla, state, arguments);
   }
 
-  private StateVec successors(Operator operator, TLCState state, Value... arguments) {
+  private List<State> successors(Operator operator, State state, Value... arguments) {
     return spec.successors(operator.tla, state, arguments);
   }
 
-  private JsonArray array(Operator operator, TLCState state, Value... arguments) {
+  private JsonArray array(Operator operator, State state, Value... arguments) {
     return Values.toJson(value(operator, state, arguments)).getAsJsonArray();
   }
 }

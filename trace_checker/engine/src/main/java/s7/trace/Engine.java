@@ -1,5 +1,6 @@
 package s7.trace;
 
+import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -40,6 +41,9 @@ import util.ToolIO;
 public final class Engine {
   /** Exit code of an engine whose parent has ended. */
   private static final int NOBODY_LEFT = 3;
+
+  /** How the folder begins that the parent makes for an engine. */
+  private static final String FOLDER = "s7check-engine-";
 
   private static final String MESSAGE = "message";
 
@@ -83,7 +87,26 @@ public final class Engine {
   private static void endWithParent() {
     ProcessHandle.current()
         .parent()
-        .ifPresent(parent -> parent.onExit().thenRun(() -> System.exit(NOBODY_LEFT)));
+        .ifPresent(
+            parent ->
+                parent
+                    .onExit()
+                    .thenRun(
+                        () -> {
+                          removeFolder(new File("").getAbsoluteFile());
+                          System.exit(NOBODY_LEFT);
+                        }));
+  }
+
+  /** Removes the folder of temporary files that the parent would have removed. */
+  private static void removeFolder(File folder) {
+    File[] files = folder.listFiles();
+    if (folder.getName().startsWith(FOLDER) && files != null) {
+      for (File file : files) {
+        file.delete();
+      }
+      folder.delete();
+    }
   }
 
   /** The file name of the TLC at hand; its version is not kept at one place in all releases. */

@@ -13,10 +13,9 @@ import java.util.TreeSet;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonParser;
+import tla.eval.State;
 import tla.json.Json;
 import tla.spec.Guards;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -57,7 +56,7 @@ final class Explanation {
 
   private final Contract spec;
   private final Past past = new Past();
-  private List<TLCState> states;
+  private List<State> states;
 
   /**
    * Starts a log.
@@ -83,7 +82,9 @@ final class Explanation {
     if (!open.isEmpty()) {
       throw new NotCovered("the header asks for what the specification does not cover: " + open);
     }
-    states = list(spec.begin(h));
+    states = spec.begin(h);
+    limit(states.size());
+    states = distinct(states);
   }
 
   /** How many states explain the log so far. */
@@ -116,17 +117,18 @@ final class Explanation {
   }
 
   private Refusal observed(RecordValue event) {
-    List<TLCState> stuck = new ArrayList<>();
-    List<TLCState> arrived = elapse(event, stuck);
+    List<State> stuck = new ArrayList<>();
+    List<State> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
       // Where changes of mode may be unseen, every state goes on, round in circles.
-      List<TLCState> late = stuck.isEmpty() ? states : stuck;
+      List<State> late = stuck.isEmpty() ? states : stuck;
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
-    List<TLCState> ready = closure(arrived, event);
-    List<TLCState> after = new ArrayList<>(ready.size());
-    for (TLCState state : ready) {
-      addAll(after, spec.observe(state, event));
+    List<State> ready = closure(arrived, event);
+    List<State> after = new ArrayList<>(ready.size());
+    for (State state : ready) {
+      after.addAll(spec.observe(state, event));
+      limit(after.size());
     }
     if (after.isEmpty()) {
       return refusal(Contract.Failing.UNEXPLAINED, ready, nearest(ready, event), event);
@@ -137,21 +139,21 @@ final class Explanation {
   }
 
   /** The states after time has elapsed to the event; states that cannot get there go to {@code stuck}. */
-  private List<TLCState> elapse(Value event, List<TLCState> stuck) {
+  private List<State> elapse(Value event, List<State> stuck) {
     if (states.size() == 1 && spec.arrived(states.get(0), event)) {
       return states;
     }
-    List<TLCState> arrived = new ArrayList<>();
-    var open = new ArrayDeque<TLCState>(states);
+    List<State> arrived = new ArrayList<>();
+    var open = new ArrayDeque<State>(states);
     var seen = new HashSet<Long>();
     int lonely = 0;
     while (!open.isEmpty()) {
-      TLCState state = open.poll();
+      State state = open.poll();
       if (spec.arrived(state, event)) {
         arrived.add(state);
         continue;
       }
-      StateVec next = spec.elapse(state, event);
+      List<State> next = spec.elapse(state, event);
       if (next.size() == 0) {
         stuck.add(state);
       }
@@ -160,8 +162,8 @@ final class Explanation {
       boolean alone =
           open.isEmpty() && next.size() == 1 && arrived.isEmpty() && ++lonely < MOST_STATES;
       for (int i = 0; i < next.size(); i++) {
-        if (alone || seen.add(spec.key(next.elementAt(i)))) {
-          open.add(next.elementAt(i));
+        if (alone || seen.add(spec.key(next.get(i)))) {
+          open.add(next.get(i));
         }
       }
       limit(open.size());
@@ -169,25 +171,25 @@ final class Explanation {
     return distinct(arrived);
   }
 
-  private List<TLCState> closure(List<TLCState> from, Value event) {
-    List<TLCState> closed = from;
+  private List<State> closure(List<State> from, Value event) {
+    List<State> closed = from;
     Set<Long> seen = null;
     for (int i = 0; i < closed.size(); i++) {
-      TLCState state = closed.get(i);
+      State state = closed.get(i);
       if (!spec.stirs(state, event)) {
         continue;
       }
-      StateVec next = spec.silent(state, event);
+      List<State> next = spec.silent(state, event);
       if (next.size() > 0 && seen == null) {
         closed = new ArrayList<>(closed);
         seen = new HashSet<>();
-        for (TLCState known : closed) {
+        for (State known : closed) {
           seen.add(spec.key(known));
         }
       }
       for (int k = 0; k < next.size(); k++) {
-        if (seen.add(spec.key(next.elementAt(k)))) {
-          closed.add(next.elementAt(k));
+        if (seen.add(spec.key(next.get(k)))) {
+          closed.add(next.get(k));
         }
       }
       limit(closed.size());
@@ -196,10 +198,10 @@ final class Explanation {
   }
 
   /** The states that come nearest to the event, by the specification's own measure. */
-  private List<TLCState> nearest(List<TLCState> from, Value event) {
-    List<TLCState> nearest = new ArrayList<>();
+  private List<State> nearest(List<State> from, Value event) {
+    List<State> nearest = new ArrayList<>();
     int least = Integer.MAX_VALUE;
-    for (TLCState state : from) {
+    for (State state : from) {
       int distance = spec.distance(state, event);
       if (distance < least) {
         least = distance;
@@ -213,23 +215,23 @@ final class Explanation {
   }
 
   private Refusal refusal(
-      Contract.Failing failing, List<TLCState> from, List<TLCState> near, Value event) {
+      Contract.Failing failing, List<State> from, List<State> near, Value event) {
     Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
-    for (TLCState state : from) {
+    for (State state : from) {
       for (JsonElement e : spec.expected(failing, state, event)) {
         allowed.put(e.toString(), e);
       }
     }
     var requirements = new TreeSet<String>();
-    for (TLCState state : near) {
+    for (State state : near) {
       for (JsonElement r : spec.deciding(failing, state, event, lines)) {
         requirements.add(r.getAsString());
       }
     }
     var situations = new LinkedHashMap<String, JsonElement>();
     var candidates = new LinkedHashSet<Guards.Failure>();
-    for (TLCState state : near.subList(0, Math.min(near.size(), MOST_NEAR))) {
+    for (State state : near.subList(0, Math.min(near.size(), MOST_NEAR))) {
       JsonElement situation = spec.situation(state);
       if (situations.size() < MOST_SHOWN) {
         situations.put(situation.toString(), situation);
@@ -250,7 +252,7 @@ final class Explanation {
   }
 
   /** None if they cannot be found: a report without candidates is better than no report. */
-  private Set<Guards.Failure> failures(Contract.Failing failing, TLCState state, Value event) {
+  private Set<Guards.Failure> failures(Contract.Failing failing, State state, Value event) {
     try {
       return spec.failures(failing, state, event);
     } catch (RuntimeException | StackOverflowError e) {
@@ -258,31 +260,18 @@ final class Explanation {
     }
   }
 
-  private List<TLCState> distinct(List<TLCState> from) {
+  private List<State> distinct(List<State> from) {
     if (from.size() < 2) {
       return from;
     }
     var seen = new HashSet<Long>();
-    var distinct = new ArrayList<TLCState>(from.size());
-    for (TLCState state : from) {
+    var distinct = new ArrayList<State>(from.size());
+    for (State state : from) {
       if (seen.add(spec.key(state))) {
         distinct.add(state);
       }
     }
     return distinct;
-  }
-
-  private List<TLCState> list(StateVec vector) {
-    var list = new ArrayList<TLCState>(vector.size());
-    addAll(list, vector);
-    return distinct(list);
-  }
-
-  private static void addAll(List<TLCState> list, StateVec vector) {
-    for (int i = 0; i < vector.size(); i++) {
-      list.add(vector.elementAt(i));
-    }
-    limit(list.size());
   }
 
   private static void limit(int size) {

@@ -23,17 +23,23 @@ final class Actions {
 
   private final Compiler compiler;
   private final Machine machine;
+  private final boolean initial;
 
-  Actions(Compiler compiler, Machine machine) {
+  /**
+   * @param initial whether the actions are predicates of the first states, in which a variable itself
+   *     stands for its next value
+   */
+  Actions(Compiler compiler, Machine machine, boolean initial) {
     this.compiler = compiler;
     this.machine = machine;
+    this.initial = initial;
   }
 
   /**
    * @param then the part that comes after the action
    */
   Act compile(SemanticNode node, Scope scope, Act then) {
-    if (compiler.primes(node)) {
+    if (initial || compiler.primes(node)) {
       if (node instanceof LetInNode let) {
         var lazy = new ArrayList<Integer>();
         Scope inner = compiler.let(let, scope, lazy);
@@ -157,6 +163,11 @@ final class Actions {
 
   /** The number of the variable if the expression is a variable's next value, else -1. */
   private int primed(SemanticNode node) {
+    if (initial) {
+      return node instanceof OpApplNode apply && apply.getOperator() instanceof OpDeclNode variable
+          ? machine.numbers.get(variable)
+          : -1;
+    }
     if (node instanceof OpApplNode prime
         && prime.getOperator().getName().toString().equals("'")
         && prime.getArgs()[0] instanceof OpApplNode inner

@@ -302,6 +302,8 @@ final class Compiler {
           throw new Unsupported("a primed expression that is primed");
         }
         return compile(node.getArgs()[0], scope.primed(true));
+      case "ENABLED":
+        return enabled(node.getArgs()[0], scope);
       case "=":
         return equality(node.getArgs(), scope);
       case "/=", "#":
@@ -310,6 +312,24 @@ final class Compiler {
       default:
         return simple(name, node, compile(node.getArgs(), scope));
     }
+  }
+
+  /** Whether an action has a successor; the next state that is under way stays as it is. */
+  private Expr enabled(SemanticNode action, Scope scope) {
+    if (scope.primed) {
+      throw new Unsupported("ENABLED in the next state");
+    }
+    var found = new boolean[1];
+    Actions.Act act = new Actions(this, machine, false).compile(action, scope, f -> found[0] = true);
+    return (Expr.Test)
+        f -> {
+          Value[] underWay = machine.next.clone();
+          Arrays.fill(machine.next, null);
+          found[0] = false;
+          act.run(f);
+          System.arraycopy(underWay, 0, machine.next, 0, underWay.length);
+          return found[0];
+        };
   }
 
   /** The operators that evaluate their operands and no more. */

@@ -1,12 +1,13 @@
 package tla.eval;
 
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 
 import tla2sany.semantic.FormalParamNode;
+import tla2sany.semantic.OpDeclNode;
 import tla2sany.semantic.OpDefNode;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
+import tla2sany.semantic.SemanticNode;
 import tlc2.value.impl.Value;
 
 /**
@@ -25,29 +26,42 @@ import tlc2.value.impl.Value;
  * an error; then TLC's interpreter has the last word. An evaluator serves one thread.
  */
 public final class Evaluator {
-  private final Machine machine;
-  private final Compiler compiler;
-  private final Actions actions;
+  final Machine machine;
+  final Compiler compiler;
   private final Map<OpDefNode, Program> programs = new IdentityHashMap<>();
   private final Hash.Parts hashes = new Hash.Parts();
-  private int leftToTlc;
+
+  /** The use of an operator: by its value, as a step, or as the predicate of the first states. */
+  private enum Use {
+    VALUE,
+    STEP,
+    INITIAL
+  }
 
   /** A compiled operator; {@code act} is null for a state function, both are if it is not supported. */
   private record Program(Object[] frame, Expr expr, Actions.Act act) {}
 
   /**
-   * @param state some state of the specification
+   * @param variables all variables, in the order in which a {@link State} has their values
    */
-  public Evaluator(TLCState state) {
-    machine = new Machine(state.getVars());
+  public Evaluator(OpDeclNode... variables) {
+    machine = new Machine(variables);
     compiler = new Compiler(machine);
-    actions = new Actions(compiler, machine);
+  }
+
+  /** The states that satisfy an initial predicate; null if TLC has to find them. */
+  public List<State> initial(OpDefNode operator) {
+    return states(operator, Use.INITIAL, new State(new Value[machine.now.length]));
   }
 
   /** The successors of {@code state} under an action; null if TLC has to find them. */
-  public StateVec successors(OpDefNode operator, TLCState state, Value... arguments) {
+  public List<State> successors(OpDefNode operator, State state, Value... arguments) {
+    return states(operator, Use.STEP, state, arguments);
+  }
+
+  private List<State> states(OpDefNode operator, Use use, State state, Value... arguments) {
     try {
-      Program program = program(operator, true);
+      Program program = program(operator, use);
       if (program.act != null) {
         machine.load(state);
         machine.begin();
@@ -58,14 +72,13 @@ public final class Evaluator {
     } catch (RuntimeException e) {
       // TLC names the error.
     }
-    leftToTlc++;
     return null;
   }
 
   /** The value of a state function; null if TLC has to find it. */
-  public Value value(OpDefNode operator, TLCState state, Value... arguments) {
+  public Value value(OpDefNode operator, State state, Value... arguments) {
     try {
-      Program program = program(operator, false);
+      Program program = program(operator, Use.VALUE);
       if (program.expr != null) {
         machine.load(state);
         System.arraycopy(arguments, 0, program.frame, 0, operator.getParams().length);
@@ -74,50 +87,66 @@ public final class Evaluator {
     } catch (RuntimeException e) {
       // TLC names the error.
     }
-    leftToTlc++;
     return null;
   }
 
   /**
    * A number that is the same for states in which a state function has the same value and, as good
    * as certainly, another for others.
+   *
+   * @throws IllegalArgumentException if the state function has no value
    */
-  public long key(OpDefNode operator, TLCState state) {
+  public long key(OpDefNode operator, State state) {
     Value value = value(operator, state);
-    return value == null ? state.fingerPrint() : hashes.of(value);
+    if (value == null) {
+      throw new IllegalArgumentException(operator.getName() + " has no value");
+    }
+    return hashes.of(value);
   }
 
-  /** The number of evaluations that were left to TLC. */
-  public int leftToTlc() {
-    return leftToTlc;
+  /** The body of an operator in a state, with its parameters bound. */
+  public Place place(OpDefNode operator, State state, Value... arguments) {
+    Scope scope = parameters(operator, false);
+    return new Place(this, state, scope, arguments.clone());
   }
 
-  private Program program(OpDefNode operator, boolean action) {
+  /** Whether an expression refers to the next state. */
+  public boolean isAction(SemanticNode node) {
+    return compiler.primes(node);
+  }
+
+  private Program program(OpDefNode operator, Use use) {
     Program program = programs.get(operator);
     if (program == null) {
-      program = compiled(operator, action);
+      program = compiled(operator, use);
       programs.put(operator, program);
     }
     return program;
   }
 
-  private Program compiled(OpDefNode operator, boolean action) {
-    var slots = new Scope.Slots();
-    Scope scope = Scope.empty(slots, false);
-    for (FormalParamNode parameter : operator.getParams()) {
-      scope = scope.with(parameter, Scope.Binding.value(slots.take()));
-    }
+  private Program compiled(OpDefNode operator, Use use) {
+    Scope scope = parameters(operator, use == Use.INITIAL);
     Expr expr = null;
     Actions.Act act = null;
     try {
-      if (action) {
-        act = actions.compile(operator.getBody(), scope, f -> machine.emit());
-      } else {
+      if (use == Use.VALUE) {
         expr = compiler.compile(operator.getBody(), scope);
+      } else {
+        act =
+            new Actions(compiler, machine, use == Use.INITIAL)
+                .compile(operator.getBody(), scope, f -> machine.emit());
       }
     } catch (Unsupported e) {
       return new Program(null, null, null);
     }
-    return new Program(new Object[slots.count()], expr, act);
+    return new Program(new Object[scope.slots.count()], expr, act);
+  }
+
+  private static Scope parameters(OpDefNode operator, boolean primed) {
+    Scope scope = Scope.empty(new Scope.Slots(), primed);
+    for (FormalParamNode parameter : operator.getParams()) {
+      scope = scope.with(parameter, Scope.Binding.value(scope.slots.take()));
+    }
+    return scope;
   }
 }

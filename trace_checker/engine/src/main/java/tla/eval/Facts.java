@@ -81,6 +81,11 @@ final class Facts {
 
     private void application(Facts facts, OpApplNode node) {
       String name = node.getOperator().getName().toString();
+      if (name.equals("ENABLED")) {
+        facts.add(of(node.getArgs()[0]));
+        facts.primes = false;
+        return;
+      }
       for (SemanticNode argument : node.getArgs()) {
         if (argument != null) {
           facts.add(of(argument));

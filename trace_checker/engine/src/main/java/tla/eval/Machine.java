@@ -1,14 +1,13 @@
 package tla.eval;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 
 import tla2sany.semantic.OpDeclNode;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
 import tlc2.value.impl.Value;
-import util.UniqueString;
 
 /** The variables of a specification in the current state and in the next one. */
 final class Machine {
@@ -20,49 +19,39 @@ final class Machine {
   /** The values assigned so far; null elsewhere. */
   final Value[] next;
 
-  private final UniqueString[] names;
-  private TLCState loaded;
-  private StateVec found;
+  private final OpDeclNode[] variables;
+  private List<State> found;
 
   Machine(OpDeclNode[] variables) {
-    names = new UniqueString[variables.length];
-    for (int i = 0; i < names.length; i++) {
-      names[i] = variables[i].getName();
+    this.variables = variables;
+    for (int i = 0; i < variables.length; i++) {
       numbers.put(variables[i], i);
     }
-    now = new Value[names.length];
-    next = new Value[names.length];
+    now = new Value[variables.length];
+    next = new Value[variables.length];
   }
 
   /** Takes {@code state} as the current one. */
-  void load(TLCState state) {
+  void load(State state) {
     Arrays.fill(next, null);
-    if (state == loaded) {
-      return;
-    }
-    for (int i = 0; i < names.length; i++) {
-      now[i] = (Value) state.lookup(names[i]);
-    }
-    loaded = state;
+    System.arraycopy(state.values, 0, now, 0, now.length);
   }
 
   void begin() {
-    found = new StateVec(1);
+    found = new ArrayList<>(1);
   }
 
   /** Notes a successor: all variables are assigned. */
   void emit() {
-    TLCState state = loaded.createEmpty();
-    for (int i = 0; i < names.length; i++) {
+    for (int i = 0; i < next.length; i++) {
       if (next[i] == null) {
-        throw new IllegalStateException(names[i] + " is not assigned");
+        throw new IllegalStateException(variables[i].getName() + " is not assigned");
       }
-      state.bind(names[i], next[i]);
     }
-    found.addElement(state);
+    found.add(new State(next.clone()));
   }
 
-  StateVec found() {
+  List<State> found() {
     return found;
   }
 }

@@ -7,19 +7,14 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 
+import tla.eval.Evaluator;
+import tla.eval.Place;
 import tla2sany.semantic.ExprOrOpArgNode;
 import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.LevelNode;
 import tla2sany.semantic.OpApplNode;
 import tla2sany.semantic.OpDefNode;
 import tla2sany.semantic.SemanticNode;
 import tla2sany.semantic.SymbolNode;
-import tlc2.tool.EvalControl;
-import tlc2.tool.IContextEnumerator;
-import tlc2.tool.TLCState;
-import tlc2.tool.impl.FastTool;
-import tlc2.util.Context;
-import tlc2.value.IValue;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
@@ -29,7 +24,7 @@ import tlc2.value.impl.Value;
 /**
  * Finds why an action is not enabled: the first false conjunct on every way through its definition.
  *
- * <p>It walks the action's own syntax tree with TLC's evaluator, so nothing is said twice, neither
+ * <p>It walks the action's own syntax tree with the evaluator, so nothing is said twice, neither
  * here nor in the specification. It tells built-in operators apart by their names, which all
  * versions of SANY share.
  */
@@ -39,7 +34,6 @@ public final class Guards {
 
   private static final int LONGEST = 240;
   private static final int LONGEST_VALUE = 60;
-  private static final int ACTION_LEVEL = 2;
 
   /**
    * An action that fails.
@@ -56,43 +50,39 @@ public final class Guards {
   /** An operator on the way: its definition and the action whose part it is. */
   private record Frame(OpDefNode operator, String action, Frame outer) {}
 
-  private final FastTool tool;
+  private final Evaluator evaluator;
   private final Source source;
   private final Function<RecordValue, String> label;
-  private final TLCState state;
-  private final TLCState none;
 
-  Guards(FastTool tool, Source source, Function<RecordValue, String> label, TLCState state) {
-    this.tool = tool;
+  Guards(Evaluator evaluator, Source source, Function<RecordValue, String> label) {
+    this.evaluator = evaluator;
     this.source = source;
     this.label = label;
-    this.state = state;
-    this.none = state.createEmpty();
   }
 
-  /** The failures of an operator; none if it is enabled, or if TLC cannot tell. */
-  Set<Failure> of(OpDefNode operator, Context context) {
-    var found = walk(operator.getBody(), context, new Frame(operator, operator.getName().toString(), null));
+  /** The failures of an operator; none if it is enabled, or if the evaluator cannot tell. */
+  Set<Failure> of(OpDefNode operator, Place place) {
+    var found = walk(operator.getBody(), place, new Frame(operator, operator.getName().toString(), null));
     return new LinkedHashSet<>(found.subList(0, Math.min(found.size(), MOST)));
   }
 
-  /** Empty if the node is not false, or if TLC cannot tell. */
-  private List<Failure> walk(SemanticNode node, Context context, Frame frame) {
+  /** Empty if the node is not false, or if the evaluator cannot tell. */
+  private List<Failure> walk(SemanticNode node, Place place, Frame frame) {
     if (node instanceof LetInNode let) {
-      return walk(let.getBody(), context, frame);
+      return walk(let.getBody(), place.let(let), frame);
     }
-    boolean action = ((LevelNode) node).getLevel() >= ACTION_LEVEL;
-    if (!action && !isFalse(node, context)) {
+    boolean action = evaluator.isAction(node);
+    if (!action && !isFalse(node, place)) {
       return List.of();
     }
     if (!(node instanceof OpApplNode apply)) {
-      return action ? List.of() : leaf(node, context, frame);
+      return action ? List.of() : leaf(node, place, frame);
     }
     ExprOrOpArgNode[] args = apply.getArgs();
     switch (apply.getOperator().getName().toString()) {
       case "$ConjList", "\\land":
         for (ExprOrOpArgNode conjunct : args) {
-          List<Failure> failures = walk(conjunct, context, frame);
+          List<Failure> failures = walk(conjunct, place, frame);
           if (!failures.isEmpty()) {
             return failures;
           }
@@ -100,18 +90,18 @@ public final class Guards {
         return List.of();
       case "$DisjList", "\\lor":
         return action || hasConjuncts(args)
-            ? either(args, context, frame, action)
-            : leaf(node, context, frame);
+            ? either(args, place, frame, action)
+            : leaf(node, place, frame);
       case "=>":
-        return walk(args[1], context, frame);
+        return walk(args[1], place, frame);
       case "$IfThenElse":
-        return walk(isFalse(args[0], context) ? args[2] : args[1], context, frame);
+        return walk(isFalse(args[0], place) ? args[2] : args[1], place, frame);
       case "$Case":
-        return ofCase(args, context, frame);
+        return ofCase(args, place, frame);
       case "$BoundedExists":
-        return action ? exists(apply, context, frame) : leaf(node, context, frame);
+        return action ? exists(apply, place, frame) : leaf(node, place, frame);
       default:
-        return ofOperator(apply, context, frame, action);
+        return ofOperator(apply, place, frame, action);
     }
   }
 
@@ -125,10 +115,10 @@ public final class Guards {
     return false;
   }
 
-  private List<Failure> either(SemanticNode[] args, Context context, Frame frame, boolean action) {
+  private List<Failure> either(SemanticNode[] args, Place place, Frame frame, boolean action) {
     List<Failure> all = new ArrayList<>();
     for (SemanticNode disjunct : args) {
-      List<Failure> failures = walk(disjunct, context, frame);
+      List<Failure> failures = walk(disjunct, place, frame);
       if (failures.isEmpty()) {
         return List.of();
       }
@@ -138,21 +128,20 @@ public final class Guards {
     return action ? all : all.subList(0, 1);
   }
 
-  private List<Failure> ofCase(SemanticNode[] args, Context context, Frame frame) {
+  private List<Failure> ofCase(SemanticNode[] args, Place place, Frame frame) {
     for (SemanticNode each : args) {
       ExprOrOpArgNode[] pair = ((OpApplNode) each).getArgs();
-      if (pair[0] == null || !isFalse(pair[0], context)) {
-        return walk(pair[1], context, frame);
+      if (pair[0] == null || !isFalse(pair[0], place)) {
+        return walk(pair[1], place, frame);
       }
     }
     return List.of();
   }
 
-  private List<Failure> exists(OpApplNode apply, Context context, Frame frame) {
+  private List<Failure> exists(OpApplNode apply, Place place, Frame frame) {
     List<Failure> all = new ArrayList<>();
     boolean any = false;
-    IContextEnumerator each = tool.contexts(apply, context, state, none, EvalControl.Clear);
-    for (Context bound = each.nextElement(); bound != null; bound = each.nextElement()) {
+    for (Place bound : place.each(apply)) {
       any = true;
       List<Failure> failures = walk(apply.getArgs()[0], bound, frame);
       if (failures.isEmpty()) {
@@ -170,20 +159,20 @@ public final class Guards {
     return List.of(failure(bound, variable + " \\in " + source.text(bound), "the set is empty", frame));
   }
 
-  private List<Failure> ofOperator(OpApplNode apply, Context context, Frame frame, boolean action) {
+  private List<Failure> ofOperator(OpApplNode apply, Place place, Frame frame, boolean action) {
     SymbolNode symbol = apply.getOperator();
     if (!(symbol instanceof OpDefNode operator) || operator.getBody() == null || !source.has(operator)) {
-      return action ? List.of() : leaf(apply, context, frame);
+      return action ? List.of() : leaf(apply, place, frame);
     }
-    Context inside = tool.getOpContext(operator, apply.getArgs(), context, true);
-    boolean isAction = ((LevelNode) operator.getBody()).getLevel() >= ACTION_LEVEL;
-    String name = isAction ? named(operator, apply.getArgs(), context) : frame.action;
+    Place inside = place.inside(operator, apply.getArgs());
+    boolean isAction = evaluator.isAction(operator.getBody());
+    String name = isAction ? named(operator, apply.getArgs(), place) : frame.action;
     List<Failure> failures = walk(operator.getBody(), inside, new Frame(operator, name, frame));
-    return failures.isEmpty() && !action ? leaf(apply, context, frame) : failures;
+    return failures.isEmpty() && !action ? leaf(apply, place, frame) : failures;
   }
 
-  private List<Failure> leaf(SemanticNode node, Context context, Frame frame) {
-    return List.of(failure(node, source.text(node), values(node, context), frame));
+  private List<Failure> leaf(SemanticNode node, Place place, Frame frame) {
+    return List.of(failure(node, source.text(node), values(node, place), frame));
   }
 
   private Failure failure(SemanticNode node, String text, String values, Frame frame) {
@@ -195,10 +184,10 @@ public final class Guards {
   }
 
   /** An action with the arguments that a line of text can hold. */
-  private String named(OpDefNode operator, ExprOrOpArgNode[] args, Context context) {
+  private String named(OpDefNode operator, ExprOrOpArgNode[] args, Place place) {
     var shown = new ArrayList<String>();
     for (ExprOrOpArgNode arg : args) {
-      Value value = valueOf(arg, context);
+      Value value = valueOf(arg, place);
       if (value instanceof IntValue || value instanceof StringValue) {
         shown.add(value.toString());
       } else if (value != null && value.toRcd() instanceof RecordValue record) {
@@ -212,7 +201,7 @@ public final class Guards {
   }
 
   /** The operands of a comparison, but for literals. */
-  private String values(SemanticNode node, Context context) {
+  private String values(SemanticNode node, Place place) {
     if (!(node instanceof OpApplNode apply)) {
       return "";
     }
@@ -221,7 +210,7 @@ public final class Guards {
       if (!(arg instanceof OpApplNode)) {
         continue;
       }
-      Value value = valueOf(arg, context);
+      Value value = valueOf(arg, place);
       String text = value == null ? "" : value.toString();
       if (!text.isEmpty() && text.length() <= LONGEST_VALUE && !text.equals(source.text(arg))) {
         shown.add(source.text(arg) + " = " + text);
@@ -230,20 +219,12 @@ public final class Guards {
     return String.join(", ", shown);
   }
 
-  private Value valueOf(SemanticNode node, Context context) {
-    if (node instanceof LevelNode level && level.getLevel() >= ACTION_LEVEL) {
-      return null;
-    }
-    try {
-      IValue value = tool.eval(node, context, state, none, EvalControl.Clear);
-      return (Value) value;
-    } catch (RuntimeException e) {
-      return null;
-    }
+  private Value valueOf(SemanticNode node, Place place) {
+    return place.value(node);
   }
 
-  private boolean isFalse(SemanticNode node, Context context) {
-    return valueOf(node, context) instanceof BoolValue truth && !truth.val;
+  private boolean isFalse(SemanticNode node, Place place) {
+    return valueOf(node, place) instanceof BoolValue truth && !truth.val;
   }
 
   private static String cut(String text, int longest) {

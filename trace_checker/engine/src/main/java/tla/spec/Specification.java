@@ -1,36 +1,36 @@
 package tla.spec;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.Supplier;
 
 import tla.eval.Evaluator;
-import tla2sany.semantic.FormalParamNode;
+import tla.eval.State;
+import tla2sany.drivers.FrontEndException;
+import tla2sany.drivers.SANY;
+import tla2sany.modanalyzer.SpecObj;
 import tla2sany.semantic.ModuleNode;
 import tla2sany.semantic.OpDefNode;
-import tlc2.tool.Action;
-import tlc2.tool.EvalControl;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
-import tlc2.tool.impl.FastTool;
-import tlc2.util.Context;
-import tlc2.util.FP64;
-import tlc2.value.IValue;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.RecordValue;
-import tlc2.value.impl.SetEnumValue;
+import tlc2.value.impl.TupleValue;
 import tlc2.value.impl.Value;
+import util.FilenameToStream;
 import util.SimpleFilenameToStream;
 
 /**
- * The operators of a TLA+ module. TLC parses it, {@link Evaluator} evaluates it, and TLC's own
- * interpreter evaluates the operators that the evaluator leaves to it. With {@code
- * -Dtla.compare=true} both evaluate every operator, and the first difference is an error.
- *
- * <p>TLC keeps a specification in static fields, so one JVM can hold one at a time. This class calls
- * only methods that TLC 2.18 and the TLC of 2026 both have.
+ * The operators of a TLA+ module. TLC's parser reads it, {@link Evaluator} evaluates it, and {@link
+ * Interpreter}, set up when it is first needed, evaluates the operators that the evaluator leaves to
+ * it. With {@code -Dtla.compare=true} both evaluate every operator, and the first difference is an
+ * error.
  *
  * <p>Every method throws an IllegalStateException for an operator that the module does not have, and
  * another RuntimeException where TLC cannot evaluate it.
@@ -38,84 +38,107 @@ import util.SimpleFilenameToStream;
 public final class Specification {
   private static final boolean COMPARE = Boolean.getBoolean("tla.compare");
 
-  private final FastTool tool;
+  private final Path folder;
+  private final String module;
+  private final FilenameToStream resolver;
   private final ModuleNode root;
   private final Source source;
   private final Evaluator evaluator;
   private final Map<String, OpDefNode> operators = new HashMap<>();
+  private Interpreter interpreter;
 
   /**
-   * Parses {@code module} and its configuration of the same name.
+   * Parses {@code module}; a configuration of the same name names its initial predicate.
    *
    * @param folder the folder of the modules
-   * @throws RuntimeException if TLC cannot read or parse them
+   * @throws IllegalArgumentException if the modules cannot be parsed
    */
   public Specification(Path folder, String module) {
-    FP64.Init(); // without it every state has the same fingerprint
-    var resolver = new SimpleFilenameToStream(folder.toAbsolutePath().toString());
-    tool = new FastTool(folder.toAbsolutePath().toString(), module, module, resolver);
-    root = tool.getSpecProcessor().getRootModule();
-    source = new Source(folder.toAbsolutePath());
-    evaluator = new Evaluator(TLCState.Empty);
+    this.folder = folder.toAbsolutePath();
+    this.module = module;
+    resolver = new SimpleFilenameToStream(this.folder.toString());
+    root = parsed();
+    source = new Source(this.folder);
+    evaluator = new Evaluator(root.getVariableDecls());
   }
 
-  /** The only state that satisfies the module's initial predicate. */
-  public TLCState initialState() {
-    return tool.getInitStates().elementAt(0);
+  private ModuleNode parsed() {
+    var spec = new SpecObj(folder.resolve(module).toString(), resolver);
+    var said = new ByteArrayOutputStream();
+    try {
+      SANY.frontEndMain(spec, module, new PrintStream(said, true, StandardCharsets.UTF_8));
+    } catch (FrontEndException e) {
+      throw new IllegalArgumentException("Parsing or semantic analysis failed: " + said, e);
+    }
+    ModuleNode parsed = spec.getExternalModuleTable().getRootModule();
+    if (parsed == null || spec.getParseErrors().isFailure() || spec.getSemanticErrors().isFailure()) {
+      throw new IllegalArgumentException("Parsing or semantic analysis failed: " + said);
+    }
+    return parsed;
+  }
+
+  /** The only state that satisfies the initial predicate {@code name}. */
+  public State initialState(String name) {
+    return chosen(evaluator.initial(operator(name)), () -> tlc().initial(), name).get(0);
   }
 
   /** The successors of {@code state} under the action {@code name}, applied to {@code arguments}. */
-  public StateVec successors(String name, TLCState state, Value... arguments) {
-    OpDefNode operator = operator(name);
-    StateVec found = evaluator.successors(operator, state, arguments);
-    if (found != null && !COMPARE) {
-      return found;
-    }
-    StateVec byTlc =
-        tool.getNextStates(
-            new Action(operator.getBody(), bind(operator, arguments), operator), state);
-    if (COMPARE && found == null) {
-      System.err.println("left to TLC: " + name);
-    }
-    if (found != null && !asSet(found).equals(asSet(byTlc))) {
-      throw new IllegalStateException("the evaluator and TLC differ in the successors of " + name);
-    }
-    return byTlc;
+  public List<State> successors(String name, State state, Value... arguments) {
+    List<State> found = evaluator.successors(operator(name), state, arguments);
+    return chosen(found, () -> tlc().successors(name, state, arguments), name);
   }
 
   /** The value of a state function or state predicate. */
-  public Value value(String name, TLCState state, Value... arguments) {
-    OpDefNode operator = operator(name);
-    Value found = evaluator.value(operator, state, arguments);
+  public Value value(String name, State state, Value... arguments) {
+    Value found = evaluator.value(operator(name), state, arguments);
     if (found != null && !COMPARE) {
       return found;
     }
-    IValue byTlc =
-        tool.eval(
-            operator.getBody(),
-            bind(operator, arguments),
-            state,
-            state.createEmpty(),
-            EvalControl.Clear);
-    if (COMPARE && found == null) {
-      System.err.println("left to TLC: " + name);
-    }
-    if (found != null && !found.equals(byTlc)) {
-      throw new IllegalStateException("the evaluator and TLC differ in the value of " + name);
-    }
-    return (Value) byTlc;
+    Value byTlc = tlc().value(name, state, arguments);
+    differs(name, found == null, found == null || found.equals(byTlc));
+    return byTlc;
   }
 
-  private static Value asSet(StateVec states) {
-    var records = new Value[states.size()];
-    for (int i = 0; i < records.length; i++) {
-      records[i] = new RecordValue(states.elementAt(i));
+  private List<State> chosen(List<State> found, Supplier<List<State>> interpreted, String name) {
+    if (found != null && !COMPARE) {
+      return found;
     }
-    return new SetEnumValue(records, false);
+    List<State> byTlc = interpreted.get();
+    differs(name, found == null, found == null || asSet(found).equals(asSet(byTlc)));
+    return byTlc;
+  }
+
+  private static void differs(String name, boolean left, boolean same) {
+    if (COMPARE && left) {
+      System.err.println("left to TLC: " + name);
+    }
+    if (!same) {
+      throw new IllegalStateException("the evaluator and TLC differ in " + name);
+    }
+  }
+
+  private Set<Value> asSet(List<State> states) {
+    var values = new HashSet<Value>();
+    int count = root.getVariableDecls().length;
+    for (State state : states) {
+      var all = new Value[count];
+      for (int i = 0; i < count; i++) {
+        all[i] = state.value(i);
+      }
+      values.add(new TupleValue(all));
+    }
+    return values;
+  }
+
+  private Interpreter tlc() {
+    if (interpreter == null) {
+      interpreter = new Interpreter(folder, module, resolver);
+    }
+    return interpreter;
   }
 
   /** The value of a state predicate. */
-  public boolean holds(String name, TLCState state, Value... arguments) {
+  public boolean holds(String name, State state, Value... arguments) {
     return ((BoolValue) value(name, state, arguments)).val;
   }
 
@@ -126,16 +149,17 @@ public final class Specification {
    *     null for none
    */
   public Set<Guards.Failure> failures(
-      String name, Function<RecordValue, String> label, TLCState state, Value... arguments) {
+      String name, Function<RecordValue, String> label, State state, Value... arguments) {
     OpDefNode operator = operator(name);
-    return new Guards(tool, source, label, state).of(operator, bind(operator, arguments));
+    return new Guards(evaluator, source, label)
+        .of(operator, evaluator.place(operator, state, arguments));
   }
 
   /**
    * A number that is the same for states in which the state function {@code name} has the same value
    * and, as good as certainly, another for others.
    */
-  public long key(String name, TLCState state) {
+  public long key(String name, State state) {
     return evaluator.key(operator(name), state);
   }
 
@@ -155,15 +179,5 @@ public final class Specification {
           }
           return found;
         });
-  }
-
-  /** Binds the operator's parameters. */
-  private static Context bind(OpDefNode operator, Value... arguments) {
-    Context context = Context.Empty;
-    FormalParamNode[] parameters = operator.getParams();
-    for (int i = 0; i < parameters.length; i++) {
-      context = context.cons(parameters[i], arguments[i]);
-    }
-    return context;
   }
 }

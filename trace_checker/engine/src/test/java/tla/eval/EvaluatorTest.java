@@ -10,6 +10,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tla2sany.semantic.OpDeclNode;
 import tla2sany.semantic.OpDefNode;
 import tlc2.tool.Action;
 import tlc2.tool.EvalControl;
@@ -34,7 +36,7 @@ import util.ToolIO;
 
 class EvaluatorTest {
   private static FastTool tool;
-  private static TLCState initial;
+  private static State initial;
   private static Evaluator evaluator;
 
   @BeforeAll
@@ -44,8 +46,8 @@ class EvaluatorTest {
     String folder =
         Path.of(EvaluatorTest.class.getResource("/eval/Words.tla").toURI()).getParent().toString();
     tool = new FastTool(folder, "Words", "Words", new SimpleFilenameToStream(folder));
-    initial = tool.getInitStates().elementAt(0);
-    evaluator = new Evaluator(initial);
+    evaluator = new Evaluator(variables());
+    initial = ofTlc(tool.getInitStates().elementAt(0));
   }
 
   private static Stream<String> operators(String prefix) {
@@ -80,15 +82,34 @@ class EvaluatorTest {
     return tool.getSpecProcessor().getRootModule().getOpDef(name);
   }
 
-  private static Value byTlc(String name, TLCState state) {
-    return (Value)
-        tool.eval(
-            operator(name).getBody(), Context.Empty, state, state.createEmpty(), EvalControl.Clear);
+  private static OpDeclNode[] variables() {
+    return tool.getSpecProcessor().getRootModule().getVariableDecls();
   }
 
-  private static StateVec successorsByTlc(String name, TLCState state) {
+  private static State ofTlc(TLCState state) {
+    return new State(
+        Arrays.stream(variables()).map(v -> (Value) state.lookup(v.getName())).toArray(Value[]::new));
+  }
+
+  private static TLCState forTlc(State state) {
+    TLCState bound = TLCState.Empty.createEmpty();
+    for (int i = 0; i < variables().length; i++) {
+      bound.bind(variables()[i].getName(), state.value(i));
+    }
+    return bound;
+  }
+
+  private static Value byTlc(String name, State state) {
+    TLCState now = forTlc(state);
+    return (Value)
+        tool.eval(
+            operator(name).getBody(), Context.Empty, now, now.createEmpty(), EvalControl.Clear);
+  }
+
+  private static Value successorsByTlc(String name, State state) {
     OpDefNode operator = operator(name);
-    return tool.getNextStates(new Action(operator.getBody(), Context.Empty, operator), state);
+    var action = new Action(operator.getBody(), Context.Empty, operator);
+    return asSet(tool.getNextStates(action, forTlc(state)));
   }
 
   private static Value asSet(StateVec states) {
@@ -99,9 +120,26 @@ class EvaluatorTest {
     return new SetEnumValue(records, false);
   }
 
+  private static Value asSet(List<State> states) {
+    return new SetEnumValue(
+        states.stream().map(state -> new RecordValue(forTlc(state))).toArray(Value[]::new), false);
+  }
+
   /** The initial state, its successors, and the initial state again. */
-  private static Stream<TLCState> states() {
-    return Stream.of(initial, successorsByTlc("ActAssign", initial).elementAt(0), initial);
+  private static Stream<State> states() {
+    return Stream.of(initial, next(), initial);
+  }
+
+  private static State next() {
+    return evaluator.successors(operator("ActAssign"), initial).get(0);
+  }
+
+  @Test
+  @DisplayName("the first states are those of TLC")
+  void initialStates() {
+    var found = evaluator.initial(operator("InitSeveral"));
+    assertEquals(4, found.size());
+    assertEquals(asSet(tool.getInitStates()), asSet(evaluator.initial(operator("Init"))));
   }
 
   @ParameterizedTest
@@ -125,9 +163,9 @@ class EvaluatorTest {
     states()
         .forEach(
             state -> {
-              StateVec found = evaluator.successors(operator(name), state);
+              List<State> found = evaluator.successors(operator(name), state);
               assertNotNull(found, "left to TLC");
-              assertEquals(asSet(successorsByTlc(name, state)), asSet(found));
+              assertEquals(successorsByTlc(name, state), asSet(found));
             });
   }
 
@@ -158,7 +196,7 @@ class EvaluatorTest {
   @Test
   @DisplayName("keys tell states apart by the value of a state function")
   void keys() {
-    TLCState next = successorsByTlc("ActAssign", initial).elementAt(0);
+    State next = next();
     assertNotEquals(evaluator.key(operator("vars"), initial), evaluator.key(operator("vars"), next));
     assertEquals(
         evaluator.key(operator("others"), initial), evaluator.key(operator("others"), next));

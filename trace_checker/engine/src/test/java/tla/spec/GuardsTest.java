@@ -21,7 +21,7 @@ class GuardsTest {
   }
 
   private static List<Guards.Failure> failures(String action, int argument) {
-    return List.copyOf(spec.failures(action, record -> null, spec.initialState(), IntValue.gen(argument)));
+    return List.copyOf(spec.failures(action, record -> null, spec.initialState("Init"), IntValue.gen(argument)));
   }
 
   @Test

@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashSet;
+import java.util.List;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import tla.Tiny;
+import tla.eval.State;
 import tla.json.Values;
-import tlc2.tool.StateVec;
-import tlc2.tool.TLCState;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.Value;
 
@@ -26,63 +26,64 @@ class SpecificationTest {
   }
 
   private static Value header(String json) {
-    return Values.like(spec.value("NoHeader", spec.initialState()), Tiny.text(json));
+    return Values.like(spec.value("NoHeader", spec.initialState("Init")), Tiny.text(json));
   }
 
   private static Value noEvent() {
-    return spec.value("NoEvent", spec.initialState());
+    return spec.value("NoEvent", spec.initialState("Init"));
   }
 
-  private static StateVec begin(String header) {
-    return spec.successors("Begin", spec.initialState(), header(header));
+  private static List<State> begin(String header) {
+    return spec.successors("Begin", spec.initialState("Init"), header(header));
   }
 
   @Test
-  @DisplayName("distinct states have distinct fingerprints")
-  void fingerprints() {
-    StateVec states = begin("{'choices': [1, 2, 3, 4, 5]}");
+  @DisplayName("distinct states have distinct keys")
+  void keys() {
+    List<State> states = begin("{'choices': [1, 2, 3, 4, 5]}");
     var seen = new HashSet<Long>();
     for (int i = 0; i < states.size(); i++) {
-      seen.add(states.elementAt(i).fingerPrint());
+      seen.add(spec.key("Distinct", states.get(i)));
     }
     assertEquals(6, seen.size());
   }
 
   @Test
-  @DisplayName("equal states have equal fingerprints, however they were reached")
+  @DisplayName("equal states have equal keys, however they were reached")
   void equalStates() {
-    TLCState two = begin("{'first': 2}").elementAt(0);
-    TLCState doubled = spec.successors("Silent", two, noEvent()).elementAt(0);
-    assertEquals(begin("{'first': 4}").elementAt(0).fingerPrint(), doubled.fingerPrint());
+    State two = begin("{'first': 2}").get(0);
+    State doubled = spec.successors("Silent", two, noEvent()).get(0);
+    assertEquals(
+        spec.key("Distinct", begin("{'first': 4}").get(0)), spec.key("Distinct", doubled));
   }
 
   @Test
   @DisplayName("an action that is not enabled has no successors")
   void notEnabled() {
-    assertEquals(0, spec.successors("Silent", begin("{'first': 8}").elementAt(0), noEvent()).size());
+    assertEquals(0, spec.successors("Silent", begin("{'first': 8}").get(0), noEvent()).size());
   }
 
   @Test
   @DisplayName("a state predicate depends on the state and on its argument")
   void predicates() {
-    assertFalse(spec.holds("Stirs", spec.initialState(), noEvent()));
-    assertTrue(spec.holds("Stirs", begin("{'first': 1}").elementAt(0), noEvent()));
-    assertTrue(spec.holds("Arrived", spec.initialState(), noEvent()));
+    assertFalse(spec.holds("Stirs", spec.initialState("Init"), noEvent()));
+    assertTrue(spec.holds("Stirs", begin("{'first': 1}").get(0), noEvent()));
+    assertTrue(spec.holds("Arrived", spec.initialState("Init"), noEvent()));
     Value later = Values.like(noEvent(), Tiny.text("{'at': 1}"));
-    assertFalse(spec.holds("Arrived", spec.initialState(), later));
+    assertFalse(spec.holds("Arrived", spec.initialState("Init"), later));
   }
 
   @Test
   @DisplayName("a constant is evaluated")
   void constants() {
-    assertEquals(IntValue.gen(99), spec.value("Full", spec.initialState()));
+    assertEquals(IntValue.gen(99), spec.value("Full", spec.initialState("Init")));
   }
 
   @Test
   @DisplayName("an operator that is missing is named")
   void missingOperator() {
     var error = assertThrows(
-        IllegalStateException.class, () -> spec.value("Missing", spec.initialState()));
+        IllegalStateException.class, () -> spec.value("Missing", spec.initialState("Init")));
     assertTrue(error.getMessage().contains("Missing"));
   }
 
