@@ -2,6 +2,7 @@
 
 import os
 import sys
+import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -32,6 +33,9 @@ _WHOLE = {
 
 _TRIED = 10
 """Rejected logs of a call for which other readings are tried unasked."""
+
+_BUDGET = 5.0
+"""Seconds of a call in which other readings are tried unasked."""
 
 _DRAWN = 50
 """Logs of a call that get a timeline."""
@@ -80,18 +84,27 @@ Over several logs the exit code is the highest of theirs.
     f"changed at a time, and say which change the verdict. all, every log; auto, the first {_TRIED} rejected ones.",
 )
 @click.option(
+    "--budget",
+    type=click.FloatRange(min=0),
+    help=f"Seconds for other readings in this call: {_BUDGET} with --readings auto, no limit with all. Those that bear "
+    "on the rule that decided come first; the report names the others.",
+    metavar="SECONDS",
+)
+@click.option(
     "--profile",
     type=click.Choice(PROFILES),
     help="Judge every log by this edition of the manual; its header has no say.",
 )
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
-def trace_command(output: str, file: Path | None, readings: str, profile: str | None, logs: tuple[str, ...]) -> int:
+def trace_command(
+    output: str, file: Path | None, readings: str, budget: float | None, profile: str | None, logs: tuple[str, ...]
+) -> int:
     """Judge the logs and report."""
     names = logs_of(logs)
     reports: list[Report] = []
     written: list[bytes] = []
     with Engine() as engine, ProgressBar(len(names)) as progress:
-        work = _Work(engine, progress, readings, profile, drawn=output == "html")
+        work = _Work(engine, progress, readings, budget, profile, drawn=output == "html")
         for name in names:
             report = work.report(name)
             if output in _WHOLE:
@@ -119,12 +132,21 @@ def trace_command(output: str, file: Path | None, readings: str, profile: str | 
 class _Work:
     """Judges log after log."""
 
-    def __init__(self, engine: Engine, progress: ProgressBar, readings: str, profile: str | None, drawn: bool) -> None:
+    def __init__(
+        self,
+        engine: Engine,
+        progress: ProgressBar,
+        readings: str,
+        budget: float | None,
+        profile: str | None,
+        drawn: bool,
+    ) -> None:
         self._engine = engine
         self._progress = progress
         self._readings = readings
         self._profile = profile
         self._tried = 0
+        self._left = _BUDGET if budget is None and readings == "auto" else budget
         self._to_draw = _DRAWN if drawn else 0
 
     def report(self, name: str) -> Report:
@@ -148,7 +170,10 @@ class _Work:
         if tries:
             self._tried += 1
             self._progress.trying()
-            report = with_readings(report, self._engine, replay)
+            begun = time.monotonic()
+            report = with_readings(report, self._engine, replay, None if self._left is None else begun + self._left)
+            if self._left is not None:
+                self._left = max(0, self._left - (time.monotonic() - begun))
         if draws:
             self._to_draw -= 1
             report = with_steps(report, self._engine, replay)

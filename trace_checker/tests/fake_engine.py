@@ -10,6 +10,7 @@ import json
 import os
 import signal
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -35,7 +36,17 @@ def _die() -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-FAILURES: dict[int, Callable[[], None]] = {0xDEAD: _crash, 0x0003: _exhaust, 0xBABE: _babble, 0x0009: _die}
+def _sleep() -> None:
+    time.sleep(60)
+
+
+FAILURES: dict[int, Callable[[], None]] = {
+    0x51EE: _sleep,
+    0xDEAD: _crash,
+    0x0003: _exhaust,
+    0xBABE: _babble,
+    0x0009: _die,
+}
 
 
 MOMENT = {"min": 19_401_479, "ms": 31_000}

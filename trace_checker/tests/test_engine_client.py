@@ -15,8 +15,10 @@ import pytest
 from s7check.engine.answer import Allowed, Answer, Frame
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.engine.process import EngineTooSlowError
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
+from s7check.judging.verdict import Report
 from s7check.log.reader import Batch, read_log
 from tests.conftest import FAKE_ENGINE
 from tests.logs import BEGIN, HEADER, event, log_text
@@ -167,6 +169,35 @@ def test_readings_after_a_failure(engine: Engine, tmp_path: Path) -> None:
             ("AMB-01 a", "accepted"),
             ("AMB-12 a", "no verdict"),
         ]
+
+
+@pytest.mark.parametrize("events", [1, 20_000])
+def test_too_slow(engine: Engine, events: int) -> None:
+    """An engine that is not done in time is ended, whether it is to answer or does not even take its input."""
+    (batch,) = read_log([log_text(event("stop", cause=0x51EE), *[event("run")] * events)])
+    assert batch.header is not None
+    begun = time.monotonic()
+    engine.begin(batch.header, until=begun + 1)
+    with pytest.raises(EngineTooSlowError):  # noqa: PT012 - either may raise it
+        engine.send(batch.events)
+        engine.finish()
+    assert 1 <= time.monotonic() - begun < 30
+    assert feed(engine, event("run")) == Answer("accepted", events=1)
+
+
+def test_readings_in_time(engine: Engine, tmp_path: Path) -> None:
+    """The readings for which there is no time are named; those that bear on the rule that decided come first."""
+    log = tmp_path / "log"
+    header = HEADER | {"readings": {"AMB-12": "b"}}
+    log.write_bytes(log_text(event("EN_AIRT", ret=1), event("stop", cause=0x51EE), header=header))
+    report = Report(str(log), "rejected", "", requirements=["AMB-12"])
+    tried = with_readings(report, engine, Replay(str(log), []), time.monotonic() + 3)
+    assert tried.readings is not None
+    assert "AMB-12 a" in [one.change for one in tried.readings]
+    assert with_readings(report, engine, Replay(str(log), []), time.monotonic()).readings == []
+    everything = with_readings(report, engine, Replay(str(log), []), time.monotonic()).untried
+    assert set(everything) == {one.change for one in tried.readings} | set(tried.untried)
+    assert everything[-2:] == ["AMB-01 a", "AMB-12 a"]
 
 
 def test_failure_while_waiting(engine: Engine) -> None:

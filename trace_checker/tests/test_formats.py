@@ -174,6 +174,17 @@ def test_readings(capsys: pytest.CaptureFixture[str]) -> None:
     assert "readings" not in json.loads(capsys.readouterr().out)
 
 
+def test_no_time_for_readings(capsys: pytest.CaptureFixture[str]) -> None:
+    """Those that were not tried are named."""
+    cli.main(["trace", "--format", "json", "--budget", "0", "bad <b>.ndjson"])
+    report = json.loads(capsys.readouterr().out)
+    assert report["readings"] == []
+    assert report["untried"] == ["cpu S7-300", "profile 2006", "AMB-01 a", "AMB-12 b"]
+    cli.main(["trace", "--budget", "0", "bad <b>.ndjson"])
+    said = capsys.readouterr().out
+    assert "not tried for lack of time: cpu S7-300, profile 2006, AMB-01 a, AMB-12 b (see --budget)" in said
+
+
 def test_readings_unasked(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Unasked they are tried for the first rejected logs of a call only."""
     monkeypatch.setattr(trace_command, "_TRIED", 3)

@@ -149,16 +149,19 @@ def test_killed_engine(tmp_path: Path) -> None:
 def test_killed_parent(tmp_path: Path) -> None:
     """The engine ends with it, and removes its folder."""
     with subprocess.Popen(
-        [*RUNNER, "trace", "-"], env=ENVIRONMENT | {"TMPDIR": str(tmp_path)}, stdin=subprocess.PIPE
+        [sys.executable, "-m", "s7check", "trace", "-"],
+        env=ENVIRONMENT | {"TMPDIR": str(tmp_path)},
+        stdin=subprocess.PIPE,
     ) as run:
         assert run.stdin is not None
         run.stdin.write(log_text(event("restart", type="warm")))
         run.stdin.flush()
-        while not list(tmp_path.glob("*/*.tla")):
+        limit = time.monotonic() + 60
+        while not list(tmp_path.glob("*/*.tla")) and time.monotonic() < limit:
             time.sleep(0.05)
         time.sleep(1)
         run.kill()
-    for _ in range(200):
+    for _ in range(400):
         if not (left := list(tmp_path.iterdir())):
             break
         time.sleep(0.05)

@@ -46,6 +46,7 @@ class Engine:
         self._idle: EngineProcess | None = None
         self._at_work: EngineProcess | None = None
         self._answer: Answer | None = None
+        self._until: float | None = None
         self._alternatives: Alternatives | None = None
         self._encoder = msgspec.json.Encoder()
 
@@ -58,14 +59,19 @@ class Engine:
                 process.end(at_once=kind is not None or process is self._at_work)
         self._idle = self._at_work = None
 
-    def begin(self, header: dict[str, Any], follow: int = 0) -> None:
-        """Begins a log with its normalised header; the answer will have the last ``follow`` steps."""
+    def begin(self, header: dict[str, Any], follow: int = 0, until: float | None = None) -> None:
+        """Begins a log with its normalised header; the answer will have the last ``follow`` steps.
+
+        The log must be decided at the time ``until`` of ``time.monotonic``: else ``send`` and ``finish`` raise
+        EngineTooSlowError.
+        """
         if self._at_work is not None:
             # The log before was given up after an error; nobody knows what is still under way.
             self._drop(self._at_work)
         process = self._ready()
         self._at_work, self._idle = process, None
         self._answer = None
+        self._until = until
         message: dict[str, Any] = {"message": "begin", "header": header}
         if follow:
             message["follow"] = follow
@@ -114,7 +120,7 @@ class Engine:
         process = self._at_work
         if process is not None and self._answer is None and events:
             with self._dropped_on_error(process):
-                process.write(self._encoder.encode_lines(events))
+                process.write(self._encoder.encode_lines(events), self._until)
 
     def wait(self, fd: int) -> bool:
         """Waits until ``fd`` can be read. False once the log is decided, with or without input."""
@@ -134,15 +140,15 @@ class Engine:
         if process is None:
             raise EngineError("no log was begun")
         with self._dropped_on_error(process):
-            process.write(self._encoder.encode({"message": "finish"}) + b"\n")
-            answer = self._answer or _decode(process.line(), Answer)
+            process.write(self._encoder.encode({"message": "finish"}) + b"\n", self._until)
+            answer = self._answer or _decode(process.line(self._until), Answer)
         self._idle, self._at_work = process, None
         return answer
 
 
 def _explained(error: EngineError, process: EngineProcess, program: str) -> EngineError:
     """Why the engine did not get ready: its Java may be unfit, which costs too much to ask before."""
-    if process.failed and Path(program).stem == "java":
+    if process.ended_by_itself and Path(program).stem == "java":
         try:
             check_java(program)
         except JavaMissingError as reason:

@@ -5,9 +5,11 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 
 from s7check.engine.command import EngineError
 from s7check.log.errors import printable
+from s7check.readable import AT_ONCE, readable, writable
 from s7check.resources import REMEDY
 
 _PATIENCE = 5
@@ -18,6 +20,10 @@ FOLDER = "s7check-engine-"
 
 _READ = 64 * 1024
 _SHOWN = 300
+
+
+class EngineTooSlowError(EngineError):
+    """The engine has not done its work in the time that it was given."""
 
 
 class EngineProcess:
@@ -53,22 +59,33 @@ class EngineProcess:
         return self._process.poll() is None
 
     @property
-    def failed(self) -> bool:
-        """Whether the process has ended by itself with an error."""
-        return (self._process.poll() or 0) > 0
+    def ended_by_itself(self) -> bool:
+        """Whether the process has ended, and not by a signal."""
+        code = self._process.poll()
+        return code is not None and code >= 0
 
-    def write(self, data: bytes) -> None:
-        """Sends ``data``; blocks while the engine is busy with earlier data."""
+    def write(self, data: bytes, until: float | None = None) -> None:
+        """Sends ``data``; blocks while the engine is busy with earlier data.
+
+        Raises EngineTooSlowError if it has not taken the data at the time ``until`` of ``time.monotonic``.
+        """
         rest = memoryview(data)
         try:
             while rest:
-                rest = rest[os.write(self._input, rest) :]
+                if until is not None and not writable(self._input, until - time.monotonic()):
+                    raise EngineTooSlowError
+                rest = rest[os.write(self._input, rest if until is None else rest[:AT_ONCE]) :]
         except OSError as error:  # a broken pipe, for which Windows has another number
             raise self._ended() from error
 
-    def line(self) -> bytes:
-        """The next line from the engine, without its end; blocks until it has come."""
+    def line(self, until: float | None = None) -> bytes:
+        """The next line from the engine, without its end; blocks until it has come.
+
+        Raises EngineTooSlowError if it has not come at the time ``until`` of ``time.monotonic``.
+        """
         while b"\n" not in self._received:
+            if until is not None and not readable(self.output, seconds=until - time.monotonic()):
+                raise EngineTooSlowError
             piece = os.read(self.output, _READ)
             if not piece:
                 raise self._ended()

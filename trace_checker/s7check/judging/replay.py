@@ -1,5 +1,6 @@
 """A log judged again: under other headers, or for the steps between its lines."""
 
+import time
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -8,11 +9,13 @@ from typing import Any
 from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.engine.process import EngineTooSlowError
 from s7check.judging.verdict import Reading, Report, Verdict
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 from s7check.log.tables import PRIORITY_CPUS
+from s7check.report.clauses import clause, named
 
 LONGEST = 4 * 1024 * 1024
 """Bytes of a log that is judged again."""
@@ -44,16 +47,32 @@ class Replay:
         if profile is not None and self.header:
             self.header["profile"] = profile
 
-    def judge(self, engine: Engine, header: dict[str, Any], last: int | None = None, follow: int = 0) -> Answer:
-        """The engine's answer to the log under ``header``, up to the line ``last``."""
-        engine.begin(header, follow)
+    def judge(
+        self,
+        engine: Engine,
+        header: dict[str, Any],
+        last: int | None = None,
+        follow: int = 0,
+        until: float | None = None,
+    ) -> Answer:
+        """The engine's answer to the log under ``header``, up to the line ``last``; ``until`` as in ``begin``."""
+        engine.begin(header, follow, until)
         engine.send([event for event in self._events if last is None or event["line"] <= last])
         return engine.finish()
 
-    def reading(self, engine: Engine, reading: Reading, changes: dict[str, Any]) -> Reading:
-        """``reading`` with the verdict about the log when its header is changed; none if the engine fails."""
+    def reading(
+        self, engine: Engine, reading: Reading, changes: dict[str, Any], until: float | None = None
+    ) -> Reading | None:
+        """``reading`` with the verdict about the log when its header is changed; none if the engine fails.
+
+        None if the engine has no verdict at the time ``until`` of ``time.monotonic``.
+        """
+        if until is not None and time.monotonic() > until:
+            return None
         try:
-            answer = self.judge(engine, self.header | changes)
+            answer = self.judge(engine, self.header | changes, until=until)
+        except EngineTooSlowError:
+            return None
         except EngineError:
             return replace(reading, verdict="no verdict")
         if answer.verdict == "rejected":
@@ -64,14 +83,34 @@ class Replay:
         return replace(reading, verdict=verdict, line=self._unusable)
 
 
-def with_readings(report: Report, engine: Engine, replay: Replay) -> Report:
-    """The report with the verdicts under other CPUs, other profiles, and one other letter at a time."""
+def with_readings(report: Report, engine: Engine, replay: Replay, until: float | None = None) -> Report:
+    """The report with the verdicts under other CPUs, other profiles, and one other letter at a time.
+
+    Those that bear on the rule that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
+    """
     if not replay.header:
         return report
-    tried = [
-        replay.reading(engine, reading, changes) for reading, changes in _changes(replay.header, engine.alternatives())
-    ]
-    return replace(report, readings=tried)
+    all_changes = list(_changes(replay.header, engine.alternatives()))
+    tried: dict[str, Reading | None] = {}
+    for reading, changes in sorted(all_changes, key=lambda pair: _distance(pair[0], report)):
+        tried[reading.change] = replay.reading(engine, reading, changes, until)
+    outcomes = [(reading.change, tried[reading.change]) for reading, _ in all_changes]
+    return replace(
+        report,
+        readings=[outcome for _, outcome in outcomes if outcome is not None],
+        untried=[change for change, outcome in outcomes if outcome is None],
+    )
+
+
+def _distance(reading: Reading, report: Report) -> int:
+    """How far a reading is from the rule that decided: 0 if the rule is the question that it answers."""
+    if reading.kind != "letter":
+        return 2
+    ambiguity = reading.change.split()[0]
+    rules = {*report.requirements, *(rule for candidate in report.candidates for rule in candidate.requirements)}
+    if ambiguity in rules:
+        return 0
+    return 1 if any(ambiguity in named(clause(rule).text) for rule in rules) else 3
 
 
 def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:

@@ -34,7 +34,8 @@ class Report:
     Of a rejected log also: ``late``, where the line comes too late: what is ``expected`` had to come
     before it, and until when; ``states``, in how many ways the lines before can be explained; the
     ``situations`` of those that come nearest to the line; the ``candidates``, each an action with its
-    first false conjunct. ``readings`` are None where no others were tried. ``lines`` are the log's
+    first false conjunct. ``readings`` are None where no others were to be tried, ``untried`` those for which there was
+    no time. ``lines`` are the log's
     lines from the first one, as far as they are at hand, ``steps`` the situations after them.
     """
 
@@ -51,6 +52,7 @@ class Report:
     situations: list[Situation] = field(default_factory=list)
     candidates: list[Candidate] = field(default_factory=list)
     readings: list[Reading] | None = None
+    untried: list[str] = field(default_factory=list)
     lines: list[bytes] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
 

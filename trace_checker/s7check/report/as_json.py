@@ -22,7 +22,7 @@ def to_json(report: Report) -> bytes:
             "requirements": report.requirements,
             "message": report.message,
             **(_explanation(report) if report.verdict == "rejected" else {}),
-            **({} if report.readings is None else {"readings": _readings(report)}),
+            **({} if report.readings is None else {"readings": _readings(report), "untried": report.untried}),
         }
     )
 

@@ -66,10 +66,16 @@ def readings(report: Report) -> Iterator[Part]:
     """Under which other headers the verdict would be another."""
     if report.readings is None:
         return
-    passing = [one for one in report.readings if one.verdict == "accepted"]
-    others = [one for one in report.readings if one.verdict != "accepted"]
+    yield from _other_readings(report, report.readings)
+    if report.untried:
+        yield Part("not tried for lack of time", [_list(report.untried, MOST_EXPECTED) + " (see --budget)"])
+
+
+def _other_readings(report: Report, tried: list[Reading]) -> Iterator[Part]:
+    passing = [one for one in tried if one.verdict == "accepted"]
+    others = [one for one in tried if one.verdict != "accepted"]
     if report.verdict == "accepted":
-        yield Part("also accepted by", [f"{len(passing)} of {len(report.readings)} other readings"])
+        yield Part("also accepted by", [f"{len(passing)} of {len(tried)} other readings"])
         yield Part("rejected by", [_outcome(one) for one in others] or ["none of them"])
         return
     yield Part("would pass with", [reading_text(one) for one in passing] or ["no other reading that was tried"])

@@ -2,13 +2,15 @@
 (***************************************************************************)
 (* A specification for the engine's own tests: a counter that can be read, *)
 (* set, and set to any number up to a limit.  Before it is read it may     *)
-(* double unseen while it is under 8.  At Full no time elapses.            *)
+(* double unseen while it is under 8.  At Full no time elapses; at Round   *)
+(* it starts again and again.                                              *)
 (***************************************************************************)
 EXTENDS Integers, Sequences
 
 VARIABLES count, time
 
 Full == 99
+Round == 98
 
 NoHeader == [first |-> 0, choices |-> {}, foreign |-> {}]
 NoEvent == [event |-> "", line |-> 0, at |-> 0, value |-> 0]
@@ -22,7 +24,7 @@ Begin(h) == count' \in {h.first} \cup h.choices /\ time' = 0
 Arrived(e) == time = e.at
 Elapse(e) == /\ count # Full
              /\ time < e.at
-             /\ time' = time + 1
+             /\ time' = IF count = Round THEN (time + 1) % 30000 ELSE time + 1
              /\ count' = count
 
 Stirs(e) == count > 0

@@ -30,6 +30,9 @@ final class Explanation {
   /** The most states that are followed; nobody can follow the open questions of a log with more. */
   static final int MOST_STATES = 20_000;
 
+  /** The most steps of several states from one line to the next. */
+  private static final int MOST_STEPS = 1_000_000;
+
   /** Situations and candidates that a report can show. */
   private static final int MOST_SHOWN = 3;
 
@@ -146,7 +149,7 @@ final class Explanation {
     List<State> arrived = new ArrayList<>();
     var open = new ArrayDeque<State>(states);
     var seen = new HashSet<Long>();
-    int lonely = 0;
+    var circle = new Circle();
     while (!open.isEmpty()) {
       State state = open.poll();
       if (spec.arrived(state, event)) {
@@ -157,18 +160,44 @@ final class Explanation {
       if (next.size() == 0) {
         stuck.add(state);
       }
-      // A single state that goes on alone, the usual case, needs no fingerprint, unless it goes
-      // round in circles.
-      boolean alone =
-          open.isEmpty() && next.size() == 1 && arrived.isEmpty() && ++lonely < MOST_STATES;
-      for (int i = 0; i < next.size(); i++) {
-        if (alone || seen.add(spec.key(next.get(i)))) {
-          open.add(next.get(i));
+      // A single state that goes on alone, the usual case, is not remembered: it may take millions
+      // of steps.
+      boolean alone = open.isEmpty() && next.size() == 1 && arrived.isEmpty();
+      for (State each : next) {
+        if (alone ? !circle.closes(each) : seen.add(spec.key(each))) {
+          open.add(each);
         }
       }
       limit(open.size());
+      if (seen.size() > MOST_STEPS) {
+        throw new NotCovered("more than " + MOST_STEPS + " steps of time lead to the line");
+      }
     }
     return distinct(arrived);
+  }
+
+  /**
+   * Tells when a state that goes on alone comes back to where it was, in memory that does not grow:
+   * it keeps one state of the past, of a later step each time that the number of steps has doubled.
+   */
+  private final class Circle {
+    private long steps;
+    private long kept;
+
+    boolean closes(State state) {
+      // Most circles are short, and most ways are no circle: the first steps need no key.
+      if (++steps < MOST_STATES) {
+        return false;
+      }
+      long key = spec.key(state);
+      if (steps > MOST_STATES && key == kept) {
+        return true;
+      }
+      if (steps == MOST_STATES || Long.bitCount(steps) == 1) {
+        kept = key;
+      }
+      return false;
+    }
   }
 
   private List<State> closure(List<State> from, Value event) {

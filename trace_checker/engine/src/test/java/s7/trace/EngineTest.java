@@ -73,7 +73,7 @@ class EngineTest {
                 + " 'requirements': ['TINY-01', 'TINY-read'], 'states': 1,"
                 + " 'situations': [{'count': 10}],"
                 + " 'candidates': [{'action': 'Observe', 'conjunct': 'count = e.value',"
-                + " 'values': 'count = 10, e.value = 11', 'place': 'Explain:35', 'requirements': ['TINY-03']}],"
+                + " 'values': 'count = 10, e.value = 11', 'place': 'Explain:37', 'requirements': ['TINY-03']}],"
                 + " 'verdict': 'rejected', 'events': 1}");
     assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
     assertEquals(

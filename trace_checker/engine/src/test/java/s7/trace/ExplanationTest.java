@@ -75,6 +75,20 @@ class ExplanationTest {
   }
 
   @Test
+  @DisplayName("a state that goes on alone takes as many steps as it needs, in constant memory")
+  void manySteps() {
+    var explanation = begin("{'first': 9}");
+    assertNull(observe(explanation, "{'event': 'read', 'at': 3000000, 'value': 9}"));
+  }
+
+  @Test
+  @DisplayName("a state that goes round in circles never arrives")
+  void circle() {
+    var refusal = observe(begin("{'first': 98}"), "{'event': 'read', 'at': 100000, 'value': 98}");
+    assertTrue(refusal.late());
+  }
+
+  @Test
   @DisplayName("a refusal has the events that each state allows and the requirements; the states stay")
   void refusal() {
     var explanation = begin("{'first': 10, 'choices': [20]}");
