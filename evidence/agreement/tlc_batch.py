@@ -18,6 +18,7 @@ from evidence.harness.manifest import HEAP_MB
 from evidence.tlc import log_as_tla
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import CONFIG_NAME, Workspace
+from s7check.log.source import open_log
 
 MODULE = "Agreement"
 TIMEOUT = 3600.0
@@ -81,5 +82,7 @@ def _apart(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequen
 
 def _verdict(file: Path, reached: int) -> Judged:
     """The verdict if TLC went as far as this event, counted from 1; the header is 0."""
-    lines = [number for number, line in enumerate(file.read_bytes().split(b"\n"), 1) if line.strip()]
+    with open_log(str(file)) as source:
+        content = b"".join(source.chunks())
+    lines = [number for number, line in enumerate(content.split(b"\n"), 1) if line.strip()]
     return Judged("rejected", lines[reached]) if reached < len(lines) else Judged("accepted")
