@@ -34,6 +34,10 @@ Activated(execution, m) ==
     [ NotConfigured EXCEPT !.execution = execution, !.start = Six + m,
                            !.active = TRUE ]
 
+(* The runs of points that an OB remembers of earlier settings. *)
+ShortMemory == 1
+NoMemory == 0
+
 (* One CPU of each kind whose rules differ. *)
 TwoFamilies == {"S7-300", "S7-400"}
 

@@ -38,19 +38,19 @@ DaysInv ==
     /\ YearOf(day) = date.year
     /\ MonthOf(day) = date.month
     /\ DayOf(day) = date.day
-    /\ ValidDate(date)
+    /\ ValidMinute(date)
     /\ MinuteOf([date EXCEPT !.hour = 13, !.minute = 59]) = day * 1440 + 839
 
 (* The day after the last of a month does not exist. *)
 NoSuchDateInv ==
-    /\ ValidDate([date EXCEPT !.day = @ + 1]) <=> date.day < LastDay(date.year, date.month)
-    /\ ~ValidDate([date EXCEPT !.hour = 24])
-    /\ ~ValidDate([date EXCEPT !.minute = 60])
-    /\ ~ValidDate([date EXCEPT !.second = 60])
-    /\ ~ValidDate([date EXCEPT !.month = 13])
-    /\ ~ValidDate([date EXCEPT !.day = 0])
+    /\ ValidMinute([date EXCEPT !.day = @ + 1]) <=> date.day < LastDay(date.year, date.month)
+    /\ ~ValidMinute([date EXCEPT !.hour = 24])
+    /\ ~ValidMinute([date EXCEPT !.minute = 60])
+    /\ OddSeconds([date EXCEPT !.second = 60])
+    /\ ~ValidMinute([date EXCEPT !.month = 13])
+    /\ ~ValidMinute([date EXCEPT !.day = 0])
     /\ date.month = 1 /\ date.day = 1 =>
-         ~ValidDate([date EXCEPT !.year = IF date.year = 1990 THEN 1989 ELSE 2090])
+         ~ValidMinute([date EXCEPT !.year = IF date.year = 1990 THEN 1989 ELSE 2090])
 
 (* Starts: day number, date, minute of the day. *)
 Starts == { <<0, Midnight(1990, 1, 1), 0>>,

@@ -7,7 +7,7 @@
 EXTENDS LifeCycle
 
 Most == 2
-Settings == {"unset", "set", "active"}
+Settings == {"unset", "set", "active", "called"}
 Pasts == {"none", "served", "cancelled", "lost", "cleared"}
 
 (* LifeCycle leaves open some of what follows: every next state is tried.    *)
@@ -34,8 +34,14 @@ Starts == running' /\ ~running
 (* Only what is active and waits starts [TINT-09] [TINT-23]. *)
 StartStep == Starts => setting = "active" /\ (waiting > 0 \/ perhaps)
 
-(* A once interrupt runs once [TINT-08]. *)
-OnceStep == Starts /\ once => setting' = "unset" /\ waiting' = 0 /\ ~perhaps'
+(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71], and   *)
+(* its OB, when it ends, leaves nothing set.                               *)
+OnceStep ==
+    /\ Starts /\ once => /\ setting' \in {"unset", "called"}
+                         /\ waiting' = 0 /\ ~perhaps'
+    /\ setting = "called" /\ on => setting' \in {"unset", "called", "set"}
+    /\ setting = "called" /\ past' = "served" /\ running /\ ~running'
+         => setting' = "unset"
 
 (* What waits stays, until it starts, is cancelled or set anew, or STOP.     *)
 StaysStep ==

@@ -52,6 +52,7 @@ LifeSpec == LifeInit /\ [][LifeNext]_LifeVars
 Life == INSTANCE LifeCycle WITH
             on      <- mode # "STOP",
             setting <- IF ~tod[10].set THEN "unset"
+                       ELSE IF tod[10].called THEN "called"
                        ELSE IF tod[10].active THEN "active" ELSE "set",
             once    <- tod[10].set /\ tod[10].period = Once,
             blocked <- Blocked(10),

@@ -77,13 +77,16 @@ DayOf(n) ==
 (* Dates that a program passes, right or wrong [TINT-39] *)
 
 \* @type: $date => Bool;
-ValidDate(d) ==
+ValidMinute(d) ==
     /\ FirstYear <= d.year /\ d.year <= LastYear
     /\ 1 <= d.month /\ d.month <= 12
     /\ 1 <= d.day /\ d.day <= DaysInMonth(d.year, d.month)
     /\ 0 <= d.hour /\ d.hour < 24
     /\ 0 <= d.minute /\ d.minute < 60
-    /\ 0 <= d.second /\ d.second < 60
+
+(* [AMB-79] Seconds and milliseconds that no date has. *)
+\* @type: $date => Bool;
+OddSeconds(d) == d.second \notin 0..59 \/ d.ms \notin 0..999
 
 (* [TINT-11] Seconds and milliseconds are dropped. *)
 \* @type: $date => Int;

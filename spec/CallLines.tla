@@ -15,12 +15,12 @@ CallEvents == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "SRT_DINT",
 \* @type: $event => Set(Int);
 AnswersTo(e) ==
     CASE e.event = "SET_TINT" ->
-           Answers(e.ob, SetErrors(e.ob, e.sdt, e.period))
+           SetAnswers(e.ob, e.sdt, e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
       [] e.event = "QRY_TINT" -> Answers(e.ob, ObErrors(e.ob))
       [] e.event = "SRT_DINT" -> Answers(e.ob, SrtErrors(e.ob, e.dtime))
-      [] e.event = "CAN_DINT" -> Answers(e.ob, CanDintErrors(e.ob))
+      [] e.event = "CAN_DINT" -> CanDintAnswers(e.ob)
       [] e.event = "QRY_DINT" -> Answers(e.ob, DintErrors(e.ob))
       [] e.event = "DIS_IRT"  -> Usual(IrtErrors(e.mode, e.ob, DisModes))
       [] e.event = "EN_IRT"   -> Usual(IrtErrors(e.mode, e.ob, EnModes))

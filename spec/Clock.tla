@@ -34,16 +34,16 @@ IsBack(to) == Before(to, clock)
 
 (* [AMB-59] A request stays when the clock is set back. *)
 \* @type: $moment => Set($request);
-RequestsThatStay(to) ==
-    IF IsBack(to) /\ SetBackWithdrawsRuns
-    THEN Close({ r \in requests : r.ob \notin TodObs }) ELSE requests
+RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
+                        ELSE Close(requests \ WithdrawnBy(to))
 
-(* [AMB-40] (b) An S7-300 that is set back calls every active OB. *)
+(* [AMB-40] (b) An S7-300 that is set back calls every active OB, but not    *)
+(* that of a once whose call runs [CLK-12].                                *)
 \* @type: $moment => Set(Int);
 CalledBySetBack(to) ==
     IF /\ IsBack(to) /\ Watching
        /\ cpu.family = "S7-300" /\ SetBackCallsActiveObs
-    THEN { o \in TodObs : /\ tod[o].active /\ ~Idle(o)
+    THEN { o \in TodObs : /\ tod[o].active /\ ~tod[o].called /\ ~Idle(o)
                           /\ ~PendingIn(RequestsThatStay(to), o) }
     ELSE {}
 
@@ -64,25 +64,32 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
        /\ Defer(skipped)
 
-(* The settings after the clock was set.  An OB whose skip is `held' keeps *)
-(* its setting until the release.                                          *)
-\* @type: ($moment, Bool, Set(Int)) => (Int -> $tod);
-TodAfterClock(to, over, held) ==
-    [ o \in DOMAIN tod |-> IF mode = "STOP" THEN Repeating(tod[o], to)
-                           ELSE IF o \in held THEN tod[o]
-                           ELSE Rearmed(o, to, over) ]
+(* [AMB-71] A once is used up by the call, too. *)
+\* @type: $tod => $tod;
+CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
+                                         ELSE [t EXCEPT !.next = Never]
 
-(* Set back, a CPU that remembers shows how it reads [AMB-56] [AMB-57]. *)
+(* The settings after the clock was set; those of OBs whose skip is `held'   *)
+(* stay until the release.                                                 *)
+\* @type: ($moment, $cpu, Set(Int)) => (Int -> $tod);
+TodAfterClock(to, c, held) ==
+    [ o \in DOMAIN tod |->
+        IF mode = "STOP" THEN Repeating(tod[o], to)
+        ELSE IF o \in held THEN tod[o]
+        ELSE IF o \in CalledBySetBack(to) /\ tod[o].period = Once
+        THEN CalledOnce(SettingAt(o, to))
+        ELSE Rearmed(o, to, c) ]
+
+(* [CLK-01] *)
 \* @type: $moment => Bool;
 ClockSet(to) ==
     LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to)
-        shows   == Remembers /\ IsBack(to)
+        active  == IF mode = "STOP" THEN {} ELSE ActiveAt(to)
     IN  /\ to # clock
         /\ clock' = to
-        /\ \E shown \in IF shows THEN CpusShown ELSE {cpu}, held \in Deferring :
-             /\ cpu' = shown
-             /\ tod' = TodAfterClock(to, UnservedAreOver(shown),
-                                     IF held THEN skipped ELSE {})
+        /\ \E c \in CpusThatShow(active, to), held \in Deferring :
+             /\ cpu' = c
+             /\ tod' = TodAfterClock(to, c, IF held THEN skipped ELSE {})
              /\ IF skipped = {} \/ held THEN NothingSkipped(to)
                                         ELSE SomeSkipped(to, skipped)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>

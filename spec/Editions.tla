@@ -17,27 +17,29 @@ ReadByB ==
     { "AMB-02", "AMB-27", "AMB-31", "AMB-44", "AMB-63" }
 \* @type: Set(Str);
 ReadByC ==
-    { "AMB-01", "AMB-11", "AMB-28", "AMB-45", "AMB-47", "AMB-48",
+    { "AMB-01", "AMB-28", "AMB-34", "AMB-45", "AMB-47", "AMB-48",
       "AMB-49", "AMB-50", "AMB-52", "AMB-53", "AMB-54", "AMB-55",
-      "AMB-56", "AMB-57", "AMB-60", "AMB-61", "AMB-67", "AMB-68", "AMB-70" }
+      "AMB-56", "AMB-57", "AMB-60", "AMB-61", "AMB-67", "AMB-68", "AMB-70",
+      "AMB-79" }
 \* @type: Set(Str);
-ReadByD == { "AMB-13", "AMB-18", "AMB-77" }
+ReadByD == { "AMB-11", "AMB-13", "AMB-18", "AMB-71", "AMB-77" }
 
 (* How many letters of each some formula tells apart. *)
 \* @type: Set(Str);
-FourLetters == { "AMB-13", "AMB-18", "AMB-77" }
+FourLetters ==
+    { "AMB-11", "AMB-13", "AMB-18", "AMB-56", "AMB-71", "AMB-77" }
 \* @type: Set(Str);
 ThreeLetters ==
-    { "AMB-01", "AMB-03", "AMB-04", "AMB-05", "AMB-06", "AMB-11",
-      "AMB-14", "AMB-15", "AMB-19", "AMB-28", "AMB-39", "AMB-45",
+    { "AMB-01", "AMB-03", "AMB-04", "AMB-05", "AMB-06",
+      "AMB-14", "AMB-15", "AMB-19", "AMB-28", "AMB-34", "AMB-39", "AMB-45",
       "AMB-47", "AMB-48", "AMB-49", "AMB-50", "AMB-52", "AMB-53",
-      "AMB-54", "AMB-55", "AMB-56", "AMB-57", "AMB-60", "AMB-61",
-      "AMB-67", "AMB-68", "AMB-70", "AMB-71" }
+      "AMB-54", "AMB-55", "AMB-57", "AMB-60", "AMB-61",
+      "AMB-67", "AMB-68", "AMB-70", "AMB-79" }
 \* @type: Set(Str);
 TwoLetters ==
     { "AMB-02", "AMB-07", "AMB-08", "AMB-09", "AMB-10", "AMB-12",
       "AMB-16", "AMB-17", "AMB-20", "AMB-21", "AMB-22", "AMB-23",
-      "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-33", "AMB-34", "AMB-35",
+      "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-33", "AMB-35",
       "AMB-36", "AMB-37", "AMB-38", "AMB-40", "AMB-41", "AMB-42",
       "AMB-43", "AMB-44", "AMB-46", "AMB-51", "AMB-59", "AMB-63",
       "AMB-65", "AMB-66", "AMB-72", "AMB-73", "AMB-74", "AMB-75", "AMB-76" }
@@ -76,10 +78,6 @@ PartBy(letter, whole) == CASE letter = "a" -> {{}}
                            [] letter = "b" -> {whole}
                            [] OTHER        -> SUBSET whole
 
-(* The letters that a CPU may turn out to read by, where its own is open. *)
-\* @type: Str => Set(Str);
-Shown(a) == IF Reading(a) = "c" THEN {"a", "b"} ELSE {Reading(a)}
-
 (* The CPU c with a letter of its own. *)
 \* @type: (Str, Str, $cpu) => $cpu;
 ReadAs(a, letter, c) ==
@@ -98,16 +96,13 @@ Profile(name) ==
     CASE name = "1997" ->
            { <<"AMB-01", "a">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
              <<"AMB-05", "b">>, <<"AMB-14", "c">>, <<"AMB-17", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-34", "b">>, <<"AMB-43", "b">>,
-             <<"AMB-71", "c">> }
+             <<"AMB-20", "b">>, <<"AMB-43", "b">> }
       [] name = "2006" ->
            { <<"AMB-01", "b">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-22", "b">>, <<"AMB-34", "b">>,
-             <<"AMB-36", "b">>, <<"AMB-40", "b">>, <<"AMB-41", "b">>,
-             <<"AMB-42", "b">>, <<"AMB-71", "c">> }
+             <<"AMB-20", "b">>, <<"AMB-22", "b">>, <<"AMB-36", "b">>,
+             <<"AMB-40", "b">>, <<"AMB-41", "b">>, <<"AMB-42", "b">> }
       [] name = "2010" ->
            { <<"AMB-01", "b">>, <<"AMB-06", "delay">>, <<"AMB-20", "b">>,
-             <<"AMB-34", "b">>, <<"AMB-36", "b">>, <<"AMB-71", "c">>,
-             <<"AMB-74", "b">> }
+             <<"AMB-36", "b">>, <<"AMB-74", "b">> }
       [] OTHER -> {}
 =============================================================================

@@ -15,7 +15,8 @@ VARIABLES
     (* The CPU is not in STOP. *)
     \* @type: Bool;
     on,
-    (* "unset", "set" or "active"; TRUE if PERIOD is "once". *)
+    (* "unset", "set", "active" or, of a once that its run uses up,         *)
+    (* "called"; and whether PERIOD is "once".                              *)
     \* @type: Str;
     setting,
     \* @type: Bool;
@@ -66,7 +67,7 @@ Cancel == /\ on /\ setting # "unset"
 
 (* [TINT-60] [TINT-61] *)
 Activate == /\ on /\ setting # "unset"
-            /\ setting' = "active"
+            /\ setting' = IF setting = "called" THEN "called" ELSE "active"
             /\ UNCHANGED <<on, once, blocked, waiting, perhaps, running, past>>
 
 (* [TINT-05] [TINT-09] Only an active interrupt has a start event.  The    *)
@@ -84,14 +85,15 @@ Lost == /\ on /\ setting = "active" /\ blocked
         /\ past' = "lost"
         /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
 
-(* [TINT-23] [TINT-08] The OB is called for a waiting start event; a once  *)
-(* interrupt is no longer set then.                                        *)
+(* [TINT-23] [TINT-08] The OB is called for what waits; a once interrupt is *)
+(* no longer set then, or when its OB ends [AMB-71].                       *)
 Start == /\ on /\ ~running /\ running' = TRUE
          /\ setting = "active"
          /\ IF once
             THEN /\ waiting > 0 \/ perhaps
                  /\ waiting' = 0 /\ perhaps' = FALSE
-                 /\ setting' = "unset" /\ once' = FALSE
+                 /\ setting' \in {"unset", "called"}
+                 /\ once' = (setting' = "called")
             ELSE /\ \/ waiting > 0 /\ waiting' = waiting - 1
                     \/ perhaps /\ waiting' = waiting
                  /\ UNCHANGED <<setting, once>>
@@ -99,7 +101,9 @@ Start == /\ on /\ ~running /\ running' = TRUE
 
 End == /\ on /\ running /\ running' = FALSE
        /\ past' = "served"
-       /\ UNCHANGED <<on, setting, once, blocked, waiting, perhaps>>
+       /\ IF setting = "called" THEN setting' = "unset" /\ once' = FALSE
+                                ELSE UNCHANGED <<setting, once>>
+       /\ UNCHANGED <<on, blocked, waiting, perhaps>>
 
 (* The merged start event has had no effect. *)
 Fade == /\ on /\ perhaps /\ perhaps' = FALSE

@@ -7,12 +7,12 @@
 (***************************************************************************)
 EXTENDS StartEvents, Scheduler
 
-(* [AMB-46] After a missing OB; under (b) its interrupt is not active. *)
+(* [AMB-46] A missing OB counts as called; or its interrupt is not active. *)
 \* @type: $request => (Int -> $tod);
 TodAfterMissing(r) ==
     IF r.ob \in TodObs /\ MissingObEndsItsSource
     THEN [tod EXCEPT ![r.ob].active = FALSE, ![r.ob].next = Never]
-    ELSE TodAfterCall(r)
+    ELSE IF LastCall(r) THEN TodUsedUp(r.ob) ELSE tod
 
 (* [AMB-06] The missing OB was noticed when the program set its interrupt. *)
 \* @type: Int => Bool;
@@ -28,13 +28,6 @@ ObMissing(r) ==
                             TimeError(UnknownFault, {}, r.ob, r.word))
        ELSE ProgramErrorOccurs(RequestsAfterCall(r), r)
     \/ NoticedBefore(r.ob) /\ RequestsBecome(RequestsAfterCall(r))
-
-(* [OBS-23] [AMB-75] Asynchronous errors without their OB. *)
-ErrorObsNotMissed ==
-    IF ErrorObsAreNotReported THEN {70, 72, 81, 84, 87} ELSE {81}
-ErrorObsAs85 ==
-    IF ErrorObsAreNotReported THEN {} ELSE {70, 72, 84, 87}
-ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
 
 (* [OBS-21] OB 85 is missing; OB 80 was deleted meanwhile. *)
 \* @type: Int => Int;

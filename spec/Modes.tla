@@ -40,9 +40,16 @@ PastOnce(o) ==
 
 (* [OBS-50] The STEP 7 parameters apply again. *)
 \* @type: Int => $tod;
-Reconfigured(o) ==
-    LET t == WithMemory(Configured(cpu.step7[o]), tod[o])
-    IN  IF t.active THEN Armed(t, clock) ELSE t
+Unarmed(o) == WithMemory(Configured(cpu.step7[o]), tod[o])
+
+(* [OBS-50] *)
+Reconfigure ==
+    LET active == { t \in { Unarmed(o) : o \in TodObs } : t.active }
+    IN  \E c \in CpusThatShow(active, clock) :
+          /\ cpu' = c
+          /\ tod' = [ o \in TodObs |-> IF Unarmed(o).active
+                                       THEN Armed(Unarmed(o), clock, c)
+                                       ELSE Unarmed(o) ]
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
@@ -63,7 +70,7 @@ Restart(type) ==
     /\ type = "cold" /\ cpu.family = "S7-300" => S7300RestartsCold
     /\ mode'    = "STARTUP"
     /\ startup' = type
-    /\ tod'     = [o \in TodObs |-> Reconfigured(o)]
+    /\ Reconfigure
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
@@ -71,7 +78,7 @@ Restart(type) ==
     /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
     /\ stack' = <<>>
     /\ delay' = 0
-    /\ UNCHANGED <<deviceVars, clock>>
+    /\ UNCHANGED <<loaded, clock>>
 
 (* [OBS-42] STARTUP is over when the startup OB has been processed. *)
 Run ==
@@ -91,20 +98,24 @@ Hold ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars, runVars>>
 
-(* The settings when HOLD ends: a point may have passed meanwhile. *)
-TodAfterHold ==
-    [ o \in DOMAIN tod |->
-        IF tod[o].active /\ IsPast(NextMoment(tod[o]), clock)
-        THEN Rearmed(o, clock, UnservedAreOver(cpu)) ELSE tod[o] ]
+(* HOLD ends: points may have passed meanwhile. *)
+RearmPassed ==
+    LET passed == { o \in DOMAIN tod :
+                      tod[o].active /\ IsPast(NextMoment(tod[o]), clock) }
+    IN  \E c \in CpusThatShow({ tod[o] : o \in passed }, clock) :
+          /\ cpu' = c
+          /\ tod' = [ o \in DOMAIN tod |-> IF o \in passed
+                                           THEN Rearmed(o, clock, c)
+                                           ELSE tod[o] ]
 
 (* [OBS-46] OB 80 reports the points that passed in HOLD. *)
 Release ==
     LET skipped == SkippedBy(clock)
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
-        /\ tod'  = TodAfterHold
+        /\ RearmPassed
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
-        /\ UNCHANGED <<deviceVars, startup, clock, dint, irt, runVars>>
+        /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
 (* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  The      *)
 (* settings made by SFCs are of no use any more: a restart follows         *)

@@ -42,7 +42,9 @@ CanDintProp ==
           IN  /\ v \in {\h0000, \h8090, \h80A0}
               /\ v = \h8090 => o \notin 20..23 \/ Deselected(o)
               /\ v = \h80A0 => o \in DintObs /\ ~dint[o].started
-              /\ v = 0 => o \in DintObs /\ dint[o].started /\ ~dint'[o].started ]_vars
+              /\ v = 0 => /\ o \in DintObs /\ ~dint'[o].started
+                         /\ \/ dint[o].started
+                            \/ PendingIn(requests, o) \/ OpenIn(requests, o) ]_vars
 
 (* [DINT-16] [IRT-17] [AIRT-13] *)
 QryDintProp ==
@@ -55,16 +57,31 @@ QryDintProp ==
                    /\ status < 32 /\ ~bit(8)
                    /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
                    /\ bit(2) <=> o \in irt.blocked
-                   /\ bit(4) <=> dint[o].started
+                   /\ dint[o].started => bit(4)
+                   /\ bit(4) => \/ dint[o].started
+                                 \/ PendingIn(requests, o) \/ OpenIn(requests, o)
                    /\ bit(16) <=> o \in loaded
               /\ step'.value # 0 => step'.value = \h8090 ]_vars
 
-(* A call moves no request [DINT-08] [AMB-11]; an error and a query change  *)
-(* nothing.                                                                *)
+(* An error and a query change nothing; a call moves no request but one of  *)
+(* its OB that waits [DINT-15].                                            *)
 DintCallProp ==
     [][ step'.event \in DintCalls =>
-          /\ UNCHANGED <<requests, stack, mode, clock, delay, stopCause>>
-          /\ step'.value # 0 \/ Did("QRY_DINT") => UNCHANGED dint ]_vars
+          /\ UNCHANGED <<stack, mode, clock, delay, stopCause>>
+          /\ step'.value # 0 \/ Did("QRY_DINT") => UNCHANGED dint
+          /\ Did("QRY_DINT") \/ ~PendingIn(requests, step'.ob) =>
+               { r \in requests : ~r.open } = { r \in requests' : ~r.open }
+          /\ { q.ob : q \in requests } \ {step'.ob}
+               \subseteq { q.ob : q \in requests' } ]_vars
+
+(* [DINT-14] [DINT-15] [AMB-11] Where the OB waits, a CAN_DINT that works   *)
+(* takes the run away, one that does not leaves it; and a CPU that has     *)
+(* done the one does not do the other.                                     *)
+CanWaitingProp ==
+    [][ Did("CAN_DINT") /\ PendingIn(requests, step'.ob) /\ ~dint[step'.ob].started =>
+          /\ step'.value = 0 <=> ~PendingIn(requests', step'.ob)
+          /\ "AMB-11" \in DOMAIN cpu'.readings
+          /\ cpu'.readings["AMB-11"] = (IF step'.value = 0 THEN "b" ELSE "c") ]_vars
 
 (* [DINT-03] [DINT-06] [DINT-20] A delay that has elapsed is over, at most 1 *)
 (* ms early, and leads to its OB, with DTIME and SIGN, unless it is blocked. *)

@@ -90,11 +90,12 @@ RestartProp ==
           /\ stopCause' = \h454A <=>
                \E o \in loaded \cap TodObs : cpu.step7[o].deselected ]_vars
 
-(* The CPU itself does not change, and OBs come and go by load and delete. *)
+(* The CPU itself does not change, but that it shows how it reads what no   *)
+(* source decides; and OBs come and go by load and delete.                 *)
 CpuProp ==
     [][ /\ cpu'.family = cpu.family /\ cpu'.priority = cpu.priority
         /\ cpu'.step7 = cpu.step7
-        /\ cpu'.readings # cpu.readings => Did("clock") /\ Before(clock', clock)
+        /\ \A a \in DOMAIN cpu.readings : cpu'.readings[a] = cpu.readings[a]
         /\ loaded' # loaded => step'.event \in {"load", "delete"}
         /\ step'.event \in {"load", "delete"} =>
              UNCHANGED <<mode, clock, tod, requests, stack, delay>> ]_vars

@@ -139,7 +139,10 @@ EndProp ==
     [][ Did("end") => /\ stack # <<>>
                       /\ step'.ob = Top(stack).ob
                       /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-                      /\ UNCHANGED <<mode, clock, tod>>
+                      /\ UNCHANGED <<mode, clock>>
+                      /\ \A o \in TodObs \ {step'.ob} : tod'[o] = tod[o]
+                      /\ step'.ob \in TodObs /\ ~tod[step'.ob].called
+                         => UNCHANGED tod
                       /\ step'.ob # ProgramErrorOb => UNCHANGED requests ]_vars
 
 (* [OBS-01] OB 1 starts where nothing runs. *)

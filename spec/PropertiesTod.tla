@@ -94,7 +94,7 @@ ActProp ==
               /\ step'.value = \h80A1 =>
                    /\ o \in TodObs /\ tod[o].period = Once
                    /\ \/ Before(At(tod[o].start), clock)
-                      \/ PendingIn(requests, o)  \* AMB-60
+                      \/ PendingIn(requests, o) \/ tod[o].called  \* AMB-60
               /\ step'.value = 0 =>
                    /\ o \in TodObs
                    /\ tod[o].set /\ tod'[o].active
@@ -193,11 +193,23 @@ AfterTimeErrorProp ==
             /\ r.follows # 0 =>
                  ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late ]_vars
 
-(* [TINT-08] [TINT-64] [AMB-08] A once is no longer set when its OB starts  *)
-(* (it may be set anew in its OB).                                         *)
+(* [TINT-08] [TINT-64] [AMB-08] [AMB-71] A once is no longer set when its   *)
+(* OB starts, or when it ends (it may be set anew in its OB).              *)
 OnceProp ==
     [][ \A o \in TodObs :
-          Started(o) /\ tod[o].period = Once => ~tod'[o].set ]_vars
+          /\ Started(o) /\ tod[o].period = Once => ~tod'[o].set \/ tod'[o].called
+          /\ tod'[o].called => tod'[o].set /\ tod'[o].next = Never
+          /\ Did("end") /\ step'.ob = o => ~tod'[o].called ]_vars
+
+(* [CLK-12] [AMB-71] [AMB-46] Set back, the clock does not arm a once again *)
+(* whose call waits or runs; nor does its missing OB leave it set.         *)
+OnceOverProp ==
+    [][ \A o \in TodObs :
+          /\ /\ Did("clock") /\ tod[o].active /\ tod[o].period = Once
+             /\ tod[o].next = Never /\ (tod[o].called \/ PendingIn(requests, o))
+             => tod'[o].next = Never
+          /\ Did("missing") /\ step'.ob = o /\ tod[o].period = Once
+             => ~tod'[o].set ]_vars
 
 (* A setting of STEP 7 or the program stays until a call, a start of the   *)
 (* OB itself, or a restart [TINT-38].                                      *)
@@ -206,6 +218,7 @@ SettingStaysProp ==
           tod'[o].set # tod[o].set \/ tod'[o].active # tod[o].active
             \/ tod'[o].start # tod[o].start
           => \/ step'.ob = o /\ step'.event \in TodCalls \cup {"start", "missing"}
+             \/ Did("end") /\ step'.ob = o /\ tod[o].called
              \/ Did("restart")
              \/ /\ o \in irt.blocked  \* a once that is lost is used up [AMB-12]
                 /\ step'.event \in {"reached", "clock", "release"} ]_vars

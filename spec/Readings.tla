@@ -43,9 +43,14 @@ CanTintNeedsActive == Reading("AMB-09") = "b"
 (* [AMB-10] ACT_TINT on an active interrupt computes its next point anew. *)
 ActTintComputesAnew == Reading("AMB-10") = "b"
 
-(* [AMB-11] A call that cancels an interrupt withdraws a run that waits. *)
+(* [AMB-11] A call that cancels an interrupt withdraws a run that waits.    *)
+(* Of a delay that may be open: a CPU shows one way and keeps to it.       *)
 TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
-DintCallsWithdrawRuns == Reading("AMB-11") = "b"
+\* @type: $cpu => Bool;
+DintCallsWithdrawRuns(c) == ReadingOf(c, "AMB-11") = "b"
+CpusByDintCalls ==
+    IF Reading("AMB-11") # "d" THEN {cpu}
+    ELSE { ReadAs("AMB-11", letter, cpu) : letter \in {"b", "c"} }
 
 (* [AMB-12] A once or a delay is over when its start event is lost. *)
 LostEventEndsItsSource == Reading("AMB-12") = "a"
@@ -64,7 +69,6 @@ DisIrtStopsCatchUp  == Reading("AMB-15") = "c"
 
 (* [AMB-16] After a skip OB 80 gives the new time, not the first point. *)
 SkipGivesNewTime == Reading("AMB-16") = "a"
-
 (* [AMB-17] An S7-300 does not serve a point again either. *)
 S7300RemembersServed == Reading("AMB-17") = "b"
 
@@ -87,10 +91,8 @@ BlocksHaveLevels == Reading("AMB-21") = "b"
 Mode0TakesOb0Alone == Reading("AMB-22") = "b"
 (* [AMB-23] An error without its OB stops the CPU also if it is blocked.   *)
 BlockedErrorStopsTheCpu == Reading("AMB-23") = "b"
-
 (* [AMB-25] The delay count outlives the end of OB 1. *)
 CountOutlivesTheCycle == Reading("AMB-25") = "b"
-
 (* [AMB-27] OB 80 names the OB that ran, not the requested OB. *)
 TimeErrorNamesRunningOb == Reading("AMB-27") = "a"
 
@@ -100,14 +102,16 @@ MissingObIsEitherFault == Reading("AMB-28") = "c"
 
 (* [AMB-29] Points of one moment come in the order of their OBs' numbers. *)
 PointsComeByNumber == Reading("AMB-29") = "b"
-
 (* [AMB-31] DTIME in the start information is the time that has elapsed. *)
 DtimeIsElapsedTime == Reading("AMB-31") = "a"
-
 (* [AMB-33] OB 85 blocked stops the CPU. *)
 BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
-(* [AMB-34] STATUS bit 2 of a once is 1 until its OB starts. *)
-WaitingOnceIsActive == Reading("AMB-34") = "a"
+
+(* [AMB-34] STATUS bit 2 of a once is 1 until its OB starts; or 0 as soon   *)
+(* as it waits.                                                            *)
+WaitingOnceIsActive   == Reading("AMB-34") = "a"
+WaitingOnceIsInactive == Reading("AMB-34") = "b"
+
 (* [AMB-35] The points that pass in STARTUP bring one run for each OB. *)
 StartupDefersOneRun == Reading("AMB-35") = "a"
 (* [AMB-36] A periodic interrupt first runs one period after its start. *)
@@ -132,7 +136,6 @@ LostEventIsEntered  == Reading("AMB-41") = "b"
 EnIrtMode1Blocks == Reading("AMB-42") = "b"
 (* [AMB-43] PERIOD 0401 is daily. *)
 Period0401IsDaily == Reading("AMB-43") = "b"
-
 (* [AMB-44] A missing OB is noticed when due, though it could not start.   *)
 MissingNoticedWhenDue == Reading("AMB-44") = "a"
 
@@ -178,24 +181,33 @@ CatchUpsComeByNumber == Reading("AMB-54") = "b"
 NoCatchUpAfterHold     == Reading("AMB-55") = "b"
 CatchUpAfterHoldIsOpen == Reading("AMB-55") = "c"
 
-(* [AMB-56] In a time that is repeated, points not served before are over. *)
+(* [AMB-56] In the time that the clock repeats, points that were not served *)
+(* are over, all of them; or those up to the last call of the OB.          *)
 \* @type: $cpu => Bool;
 UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
+\* @type: $cpu => Bool;
+UnservedAreOverToLastCall(c) == ReadingOf(c, "AMB-56") = "d"
 
-(* [AMB-57] A new setting keeps the memory of the points that were served. *)
-MemoryOutlivesSetting == Reading("AMB-57") = "b"
+(* [AMB-57] A new setting of an OB keeps no memory of the points that an    *)
+(* earlier one served.                                                     *)
+\* @type: $cpu => Bool;
+NewSettingForgets(c) == ReadingOf(c, "AMB-57") = "a"
 
-(* [AMB-56] [AMB-57] Set back, a CPU shows how it reads the two. *)
-CpusShown ==
-    { ReadAs("AMB-56", unserved, ReadAs("AMB-57", memory, cpu))
-      : unserved \in Shown("AMB-56"), memory \in Shown("AMB-57") }
+(* [AMB-56] [AMB-57] An open reading shows one way, and the CPU keeps to it. *)
+CpusByMemory ==
+    { ReadAs("AMB-56", x, ReadAs("AMB-57", y, cpu)) :
+        x \in IF Reading("AMB-56") = "c" THEN {"a", "b", "d"}
+              ELSE {Reading("AMB-56")},
+        y \in IF Reading("AMB-57") = "c" THEN {"a", "b"}
+              ELSE {Reading("AMB-57")} }
 
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
 
-(* [AMB-60] ACT_TINT on an active once that waits: 0000; or 80A1. *)
-WaitingOnceIsAhead == Reading("AMB-60") = "a"
-WaitingOnceIsPast  == Reading("AMB-60") = "b"
+(* [AMB-60] ACT_TINT on an active once whose call waits or runs: 0000; or   *)
+(* 80A1.                                                                   *)
+CalledOnceIsAhead == Reading("AMB-60") = "a"
+CalledOnceIsPast  == Reading("AMB-60") = "b"
 
 (* [AMB-61] A call for a deselected OB is refused; or judged as any other. *)
 DeselectedIsRefused  == Reading("AMB-61") = "a"
@@ -203,10 +215,8 @@ DeselectedIsOrdinary == Reading("AMB-61") = "b"
 
 (* [AMB-63] Of several errors the first is answered. *)
 FirstErrorIsAnswered == Reading("AMB-63") = "a"
-
 (* [AMB-65] An S7-300 has the cold restart. *)
 S7300RestartsCold == Reading("AMB-65") = "a"
-
 (* [AMB-66] An OB that is deleted takes the requests for it along. *)
 DeletedObTakesRequests == Reading("AMB-66") = "b"
 
@@ -222,9 +232,11 @@ EndedSeriesIsInactive == Reading("AMB-68") = "b"
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"
 
-(* [AMB-71] Else a once is used up when its OB starts.                     *)
-OnceUsedUpAtItsPoint == Reading("AMB-71") = "b"
-OnceUsedUpAtItsEnd   == Reading("AMB-71") = "c"
+(* [AMB-71] A once is used up when its point is reached; or when its OB     *)
+(* ends; or when its OB starts; or at one of the last two.                 *)
+OnceUsedUpAtItsPoint  == Reading("AMB-71") = "b"
+OnceMayEndAtItsStart  == Reading("AMB-71") # "c"
+OnceMayEndAtItsEnd    == Reading("AMB-71") \in {"c", "d"}
 
 (* [AMB-72] DIS_IRT drops a request that waits already. *)
 DisIrtDropsRequests == Reading("AMB-72") = "b"
@@ -241,4 +253,8 @@ EnIrtTakesMode8x == Reading("AMB-76") = "b"
 ExternalAgainIsTimeError == Reading("AMB-77") = "a"
 ExternalAgainIsBuffered  == Reading("AMB-77") = "b"
 ExternalAgainIsLost      == Reading("AMB-77") = "c"
+
+(* [AMB-79] Seconds that no date has are dropped like any; or refused. *)
+OddSecondsMayPass     == Reading("AMB-79") # "b" /\ ~SecondsAreKept
+OddSecondsMayBeWrong  == Reading("AMB-79") # "a" \/ SecondsAreKept
 =============================================================================

@@ -143,8 +143,22 @@ TimeError(fault, obs, cause, word) ==
 \* @type: $request => Bool;
 Preempts(r) == r.class > Running.class
 
+(* [OBS-23] [AMB-75] Asynchronous errors without their OB. *)
+ErrorObsNotMissed ==
+    IF ErrorObsAreNotReported THEN {70, 72, 81, 84, 87} ELSE {81}
+ErrorObsAs85 ==
+    IF ErrorObsAreNotReported THEN {} ELSE {70, 72, 84, 87}
+ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
+
 (* [AIRT-01] [AIRT-09] Whatever may interrupt the running OB is delayed. *)
 Undelayed == delay = 0
+
+(* [AMB-49] (a) But not an error whose missing OB stops the CPU. *)
+\* @type: $request => Bool;
+StopsUndelayed(r) ==
+    /\ r.ob \notin loaded
+    /\ r.ob \in ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
+    /\ StopIsNotDelayed
 
 (* [OBS-02] [TINT-12] A request held back by the mode does not block those *)
 (* behind it.  Within a place the numbers may decide [AMB-29].             *)
@@ -166,7 +180,7 @@ NoticedAtOnce(r) == r.ob \notin loaded /\ MissingNoticedWhenDue
 
 \* @type: $request => Bool;
 MayStart(r) == /\ ModeAllows(r)
-               /\ \/ /\ Undelayed
+               /\ \/ /\ Undelayed \/ StopsUndelayed(r)
                      /\ Preempts(r)
                      /\ InTurn(r)
                      /\ Reported(r)

@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Left out: OBs that are missing (MissingObs).                            *)
 (***************************************************************************)
-EXTENDS Requests, TodSettings
+EXTENDS ServedPoints
 
 (* An open request has no effect: seen when its OB could start. *)
 \* @type: $request => Bool;
@@ -27,18 +27,21 @@ LastCall(r) ==
     /\ r.ob \in TodObs /\ tod[r.ob].active /\ tod[r.ob].period = Once
     /\ tod[r.ob].next = Never \/ r.since = FirstMoment(tod[r.ob])
 
-(* [AMB-71] At the start of the OB; under (c) at its end. *)
-\* @type: $request => (Int -> $tod);
-TodAfterCall(r) ==
-    IF LastCall(r) /\ ~OnceUsedUpAtItsEnd
-    THEN [tod EXCEPT ![r.ob] = UsedUp(@)] ELSE tod
+\* @type: Int => (Int -> $tod);
+TodUsedUp(o) == [tod EXCEPT ![o] = UsedUp(@)]
 
 \* @type: Int => (Int -> $tod);
-TodAfterEnd(o) ==
-    IF /\ o \in TodObs /\ OnceUsedUpAtItsEnd
-       /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
-       /\ ~PendingIn(requests, o)
-    THEN [tod EXCEPT ![o] = UsedUp(@)] ELSE tod
+TodCalled(o) == [tod EXCEPT ![o].next = Never, ![o].called = TRUE]
+
+(* [AMB-71] A once is used up when its OB starts, or when it ends. *)
+\* @type: $request => Set(Int -> $tod);
+TodsAfterStart(r) ==
+    IF ~LastCall(r) THEN {tod}
+    ELSE (IF OnceMayEndAtItsStart THEN {TodUsedUp(r.ob)} ELSE {})
+           \cup (IF OnceMayEndAtItsEnd THEN {TodCalled(r.ob)} ELSE {})
+
+\* @type: Int => (Int -> $tod);
+TodAfterEnd(o) == IF o \in TodObs /\ tod[o].called THEN TodUsedUp(o) ELSE tod
 
 (* Other requests of an interrupt that is cancelled are withdrawn [AMB-11]. *)
 \* @type: $request => Set($request);
@@ -56,7 +59,7 @@ Start(r) ==
     /\ r.ob \in loaded
     /\ stack'    = Append(stack, Frame(r.ob, r.class))
     /\ requests' = RequestsAfterCall(r)
-    /\ tod'      = TodAfterCall(r)
+    /\ tod'      \in TodsAfterStart(r)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, delay>>
 

@@ -17,20 +17,46 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
 -----------------------------------------------------------------------------
 (* The settings after a skip *)
 
+(* The last minute whose point, if it has one, is no longer ahead [AMB-14]. *)
+\* @type: $tod => Int;
+PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
+                 THEN clock.min - 1 ELSE clock.min
+
 (* A clock that is set back repeats the time until now. *)
 \* @type: ($tod, $moment) => $tod;
 Repeating(t, to) ==
-    IF Remembers /\ Before(to, clock) /\ clock.min > t.repeatTo
-    THEN [t EXCEPT !.repeatTo = clock.min] ELSE t
+    IF ~(Remembers /\ Before(to, clock)) THEN t
+    ELSE [ t EXCEPT !.anew = FALSE,
+                    !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
 
-(* The setting of an OB when the clock is at `to'; in a time that is         *)
-(* repeated, points that were not served may all be `over'.                *)
-\* @type: (Int, $moment, Bool) => $tod;
-Rearmed(o, to, over) ==
-    LET t    == Repeating(tod[o], to)
-        next == NextPoint(t, to, over)
+(* [AMB-59] (b) The runs that a clock set back withdraws. *)
+\* @type: $moment => Set($request);
+WithdrawnBy(to) == IF Before(to, clock) /\ SetBackWithdrawsRuns
+                   THEN { r \in requests : r.ob \in TodObs } ELSE {}
+
+(* The setting of an OB when the clock is set, before it is armed. *)
+\* @type: (Int, $moment) => $tod;
+SettingAt(o, to) ==
+    LET points == { r.since.min : r \in { q \in WithdrawnBy(to) : q.ob = o } }
+        t      == Repeating(tod[o], to)
+    IN  IF points = {} THEN t
+        ELSE NotServed(t, CHOOSE p \in points : \A q \in points : p <= q)
+
+\* @type: $moment => Set($tod);
+ActiveAt(to) == { SettingAt(o, to) : o \in { p \in DOMAIN tod : tod[p].active } }
+
+(* [CLK-12] A once that its call uses up, which stays [AMB-59]. *)
+\* @type: (Int, $moment) => Bool;
+StaysUsed(o, to) ==
+    CallUsesUp(o) /\ { r \in WithdrawnBy(to) : r.ob = o } = {}
+
+(* The setting of an OB when the clock is at `to'. *)
+\* @type: (Int, $moment, $cpu) => $tod;
+Rearmed(o, to, c) ==
+    LET t    == SettingAt(o, to)
+        next == NextPoint(t, to, c)
         done == IF Blocked(o) THEN t ELSE Served(t, t.next)
-    IN  IF ~t.active \/ next = t.next THEN t
+    IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
         ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
         ELSE AfterPoint(o, [done EXCEPT !.next = next])
 

@@ -22,15 +22,18 @@ RequestsBecome(q) ==
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* ... to a time error [TINT-14] [DINT-10], with a run that follows it or    *)
-(* without ...                                                             *)
+(* ... to a time error, after which these requests wait: among them a run   *)
+(* that follows it, or not [TINT-14] [DINT-10] ...                         *)
+\* @type: (Set($request), $request, Int) => Bool;
+OverlapThen(runs, new, fault) ==
+    TimeErrorOccurs(runs, requests,
+                    [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
+                        !.since = new.since ])
+
 \* @type: ($request, Int, Bool) => Bool;
 Overlap(new, fault, again) ==
-    LET runs  == IF again THEN Enter(requests, [new EXCEPT !.follows = fault])
-                 ELSE requests
-        error == [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
-                     !.since = new.since ]
-    IN  TimeErrorOccurs(runs, requests, error)
+    OverlapThen(IF again THEN Enter(requests, [new EXCEPT !.follows = fault])
+                ELSE requests, new, fault)
 
 (* ... or to nothing. *)
 Nothing == UNCHANGED outcomeVars /\ NothingEntered
@@ -101,13 +104,21 @@ AgainWhilePending(new) ==
       [] SecondRequestIsMerged    -> Nothing
       [] OTHER                    -> AnyEffect(new)
 
+(* The run that may wait comes for sure, or the new one in its place. *)
+\* @type: $request => Set(Set($request));
+OneRunFor(new) ==
+    { Confirmed(requests, new),
+      Enter(Withdraw(requests, new.ob), [new EXCEPT !.follows = StillRunning]) }
+
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs: one run is     *)
-(* kept for later.                                                         *)
+(* kept for later.  A catch-up that waits is that run, if it comes.        *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
     LET again == PendingIn(requests, new.ob)
     IN  CASE EveryPointRunsLater -> Overlap(new, StillRunning, TRUE)
           [] OnlyFirstPointIsReported /\ again -> Nothing
+          [] ~again /\ OpenIn(requests, new.ob) ->
+               \E runs \in OneRunFor(new) : OverlapThen(runs, new, StillRunning)
           [] OTHER -> Overlap(new, StillRunning, ~again)
 
 (* [DINT-10] [AMB-47] *)

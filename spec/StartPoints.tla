@@ -1,28 +1,10 @@
 ----------------------------- MODULE StartPoints ------------------------------
 (***************************************************************************)
-(* A start point of a time-of-day interrupt is reached (section 1.1), and  *)
-(* which points were served, for a clock that is set back [CLK-09].        *)
+(* A start point of a time-of-day interrupt is reached (section 1.1).      *)
 (*                                                                         *)
 (* Left out: the effect of a point on its OB (StartEvents).                *)
 (***************************************************************************)
-EXTENDS StartEvents, TodSettings
-
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
-(* was set back; other CPUs remember which were served [AMB-17].           *)
-Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
-
-(* [CLK-09] The OB is called for point p, which joins the runs of points    *)
-(* beside it.  A point that is lost [IRT-18], or skipped without a run of  *)
-(* its own, is over and yet was not served.                                *)
-\* @type: ($tod, Int) => $tod;
-Served(t, p) ==
-    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
-        after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
-        first  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
-        last   == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
-        run    == [from |-> first, to |-> last]
-    IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
-        ELSE t
+EXTENDS StartEvents, ServedPoints
 
 (* [AMB-12] A start event is lost, and no earlier one of its OB waits. *)
 \* @type: Int => Bool;
@@ -36,11 +18,18 @@ AfterPoint(o, t) ==
     IF t.period = Once /\ (LostForGood(o) \/ OnceUsedUpAtItsPoint)
     THEN UsedUp(t) ELSE t
 
-(* The setting of the OB when the point that it watches for is over. *)
-\* @type: (Int, $tod) => $tod;
-PastItsPoint(o, t) ==
-    AfterPoint(o, Armed(IF Blocked(o) THEN t ELSE Served(t, t.next),
-                        [clock EXCEPT !.ms = @ + 1]))
+(* The OB is called for its point, unless it is blocked. *)
+\* @type: Int => $tod;
+AfterCallFor(o) == IF Blocked(o) THEN tod[o] ELSE Served(tod[o], tod[o].next)
+
+(* The next point is armed. *)
+\* @type: Int => Bool;
+PassesItsPoint(o) ==
+    LET t    == AfterCallFor(o)
+        then == [clock EXCEPT !.ms = @ + 1]
+    IN  \E c \in CpusThatShow({t}, then) :
+          /\ cpu' = c
+          /\ tod' = [tod EXCEPT ![o] = AfterPoint(o, Armed(t, then, c))]
 
 (* In STARTUP one run is deferred [AMB-35]. *)
 \* @type: Int => Bool;
@@ -52,9 +41,9 @@ PointReached(o) ==
     /\ Watching
     /\ clock = NextMoment(tod[o])
     /\ PointsComeByNumber => \A q \in TodObs : q < o => clock # NextMoment(tod[q])
-    /\ tod' = [tod EXCEPT ![o] = PastItsPoint(o, @)]
+    /\ PassesItsPoint(o)
     /\ IF ~RunIsDeferred(o) THEN Occurs(TodRequest(o, clock, 0))
        ELSE IF StartupDefersOneRun THEN Nothing
        ELSE Ordinary(TodRequest(o, clock, 0))
-    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
+    /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, runVars>>
 =============================================================================

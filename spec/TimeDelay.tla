@@ -16,10 +16,17 @@ Ended(o) == CallsComeAfterTheEnd /\ o \in DintObs
 \* @type: Int => Set(Int);
 DintErrors(o) == IF o \notin DintObs THEN {BadOb} ELSE {}
 
-(* [AMB-11] A run that waits stays, but under (b). *)
-\* @type: Int => Set($request);
-DintWithdrawn(o) == IF DintCallsWithdrawRuns THEN Withdraw(requests, o)
-                                             ELSE requests
+(* [DINT-15] The delay is over and its OB waits, surely or perhaps. *)
+\* @type: Int => Bool;
+Elapsed(o) == PendingIn(requests, o) \/ OpenIn(requests, o)
+
+(* [AMB-11] The run that waits is withdrawn or stays; a call shows which. *)
+\* @type: Int => Set($cpu);
+CpusThatShowRun(o) == IF Elapsed(o) THEN CpusByDintCalls ELSE {cpu}
+
+\* @type: (Int, $cpu) => Set($request);
+DintWithdrawn(o, c) == IF DintCallsWithdrawRuns(c) THEN Withdraw(requests, o)
+                                                   ELSE requests
 
 -----------------------------------------------------------------------------
 (* SFC 32 *)
@@ -42,46 +49,58 @@ StartedWith(job, dtime, sign) ==
 \* @type: (Int, Int, Int) => Bool;
 StartsJob(o, dtime, sign) ==
     /\ dint' = [dint EXCEPT ![o] = StartedWith(@, dtime, sign)]
-    /\ IF o \notin loaded /\ MissingNoticedAtSrtDint
-       THEN ProgramErrorOccurs(DintWithdrawn(o),
-              [NoRequest EXCEPT !.ob = o, !.word = dint'[o].sign])
-       ELSE RequestsBecome(DintWithdrawn(o))
+    /\ \E c \in CpusThatShowRun(o) :
+         /\ cpu' = c
+         /\ IF o \notin loaded /\ MissingNoticedAtSrtDint
+            THEN ProgramErrorOccurs(DintWithdrawn(o, c),
+                   [NoRequest EXCEPT !.ob = o, !.word = dint'[o].sign])
+            ELSE RequestsBecome(DintWithdrawn(o, c))
 
 (* [DINT-03] *)
 \* @type: (Int, Int, Int, Int) => Bool;
 SrtDint(o, dtime, sign, ret) ==
     /\ Called /\ Ended(o)
     /\ ret \in Answers(o, SrtErrors(o, dtime))
-    /\ IF ret = OK THEN StartsJob(o, dtime, sign) ELSE dint' = dint /\ Nothing
-    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, irt, runVars>>
+    /\ IF ret = OK THEN StartsJob(o, dtime, sign) ELSE UNCHANGED <<cpu, dint>> /\ Nothing
+    /\ UNCHANGED <<loaded, modeVars, clock, tod, irt, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 33 *)
 
-(* [DINT-14] [DINT-15] Once it has elapsed, the job is no longer started.    *)
+(* [DINT-14] [DINT-15] A job that is over can be cancelled while its OB      *)
+(* waits, or is no longer started [AMB-11].                                *)
+\* @type: (Int, $cpu) => Set(Int);
+CanDintAnswersOf(o, c) ==
+    LET withdraws == DintCallsWithdrawRuns(c)
+    IN  IF o \notin DintObs THEN Answers(o, {BadOb})
+        ELSE IF dint[o].started THEN Answers(o, {})
+        ELSE (IF withdraws /\ Elapsed(o) THEN Answers(o, {}) ELSE {})
+               \cup (IF withdraws /\ PendingIn(requests, o) THEN {}
+                     ELSE Answers(o, {NotStarted}))
+
 \* @type: Int => Set(Int);
-CanDintErrors(o) ==
-    IF o \notin DintObs THEN {BadOb}
-    ELSE IF \/ dint[o].started
-            \/ DintCallsWithdrawRuns /\ PendingIn(requests, o)
-         THEN {} ELSE {NotStarted}
+CanDintAnswers(o) == UNION { CanDintAnswersOf(o, c) : c \in CpusThatShowRun(o) }
 
 (* [DINT-14] *)
 \* @type: (Int, Int) => Bool;
 CanDint(o, ret) ==
     /\ Called /\ Ended(o)
-    /\ ret \in Answers(o, CanDintErrors(o))
-    /\ dint'     = IF ret = OK THEN [dint EXCEPT ![o] = NoJob] ELSE dint
-    /\ requests' = IF ret = OK THEN DintWithdrawn(o) ELSE requests
+    /\ \E c \in CpusThatShowRun(o) :
+         /\ ret \in CanDintAnswersOf(o, c)
+         /\ cpu'      = IF ret = BadOb THEN cpu ELSE c
+         /\ requests' = IF ret = BadOb THEN requests ELSE DintWithdrawn(o, c)
+    /\ dint' = IF ret = OK THEN [dint EXCEPT ![o] = NoJob] ELSE dint
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, irt, stopCause, runVars>>
+    /\ UNCHANGED <<loaded, modeVars, clock, tod, irt, stopCause, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 34 *)
 
-(* [DINT-16] *)
+(* [DINT-16] [AMB-34] While its OB waits, bit 2 is either. *)
 \* @type: Int => Set(Int);
-DintStatuses(o) == StatusWithBit2(o, IF dint[o].started THEN {4} ELSE {0})
+DintStatuses(o) ==
+    StatusWithBit2(o, IF dint[o].started THEN {4}
+                      ELSE IF Elapsed(o) THEN {0, 4} ELSE {0})
 
 (* [DINT-16] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;

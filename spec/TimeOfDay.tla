@@ -6,7 +6,7 @@
 (* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
 (* is local time, STATUS bit 6 [TINT-78].                                  *)
 (***************************************************************************)
-EXTENDS Calls, StartEvents, TodSettings
+EXTENDS Calls, StartEvents, ServedPoints
 
 \* @type: Int => Set(Int);
 ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
@@ -29,7 +29,7 @@ SettingStays == UNCHANGED <<tod, requests>>
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
     /\ tod[o].period = Once /\ tod[o].next = Never
-    /\ ~PendingIn(requests, o) /\ ~OnStack(o)
+    /\ ~PendingIn(requests, o) /\ ~tod[o].called
     /\ LostEventEndsItsSource
 
 -----------------------------------------------------------------------------
@@ -44,7 +44,7 @@ ValidPeriods ==
 (* [TINT-18] [TINT-39] [AMB-05] [AMB-38] [AMB-39] *)
 \* @type: ($date, Int) => Bool;
 ValidSdt(sdt, period) ==
-    /\ ValidDate(sdt)
+    /\ ValidMinute(sdt)
     /\ period = Monthly /\ MonthlyEndsWithDay28 => sdt.day <= 28
     /\ period = Yearly /\ YearlyNotOnLeapDay => sdt.month # 2 \/ sdt.day # 29
     /\ period = EndOfMonth /\ EndOfMonthTakesNoOtherDay =>
@@ -57,7 +57,7 @@ ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 \* @type: ($date, Int) => Bool;
 StartIsPast(sdt, period) ==
     /\ period = Once \/ EveryPastStartIsRefused
-    /\ ValidDate(sdt)
+    /\ ValidMinute(sdt)
     /\ IsPast(IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt))
                                         ELSE ExactMoment(sdt), clock)
 
@@ -68,6 +68,15 @@ SetErrors(o, sdt, period) ==
       \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
       \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
+
+(* [AMB-79] Seconds that no date has are dropped like any, or are wrong. *)
+\* @type: (Int, $date, Int) => Set(Int);
+SetAnswers(o, sdt, period) ==
+    LET errors == SetErrors(o, sdt, period)
+    IN  IF ~OddSeconds(sdt) THEN Answers(o, errors)
+        ELSE (IF OddSecondsMayPass THEN Answers(o, errors) ELSE {})
+               \cup (IF OddSecondsMayBeWrong
+                     THEN Answers(o, errors \cup {BadSdt}) ELSE {})
 
 (* [TINT-31] Set anew, it is not active. *)
 \* @type: ($tod, $date, Int) => $tod;
@@ -83,7 +92,7 @@ SetAnew(t, sdt, period) ==
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
     /\ Called
-    /\ ret \in Answers(o, SetErrors(o, sdt, period))
+    /\ ret \in SetAnswers(o, sdt, period)
     /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
        THEN SettingBecomes(o, Unset(tod[o]))
@@ -128,28 +137,28 @@ ActErrors(o) ==
             /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
-\* @type: Int => Bool;
-OnceWaits(o) == /\ o \in TodObs /\ tod[o].active /\ tod[o].period = Once
-                /\ PendingIn(requests, o)
-
-(* An active once whose start event waits: open [AMB-60]. *)
+(* An active once whose call waits or runs: open [AMB-60]. *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
     IF Spent(o)
     THEN Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
-    ELSE IF OnceWaits(o)
-    THEN CASE WaitingOnceIsAhead -> Answers(o, {})
-           [] WaitingOnceIsPast  -> Answers(o, {PastStart})
-           [] OTHER              -> Answers(o, {}) \cup {PastStart}
+    ELSE IF o \in TodObs /\ CallUsesUp(o)
+    THEN CASE CalledOnceIsAhead -> Answers(o, {})
+           [] CalledOnceIsPast  -> Answers(o, {PastStart})
+           [] OTHER             -> Answers(o, {}) \cup {PastStart}
     ELSE Answers(o, ActErrors(o))
 
 (* [TINT-10] [TINT-24] On an active interrupt no effect [TINT-63], or the   *)
 (* next point is computed anew [AMB-10].                                   *)
-\* @type: $tod => $tod;
-AfterActivation(t) ==
-    IF ~t.active
-    THEN Armed(WithMemory([ Forgotten(t) EXCEPT !.active = TRUE ], t), clock)
-    ELSE IF ActTintComputesAnew THEN Armed(t, clock) ELSE t
+\* @type: Int => $tod;
+ActiveSetting(o) ==
+    IF tod[o].active THEN tod[o]
+    ELSE WithMemory([tod[o] EXCEPT !.active = TRUE], tod[o])
+
+\* @type: (Int, $cpu) => $tod;
+AfterActivation(o, c) ==
+    IF tod[o].active /\ (CallUsesUp(o) \/ ~ActTintComputesAnew) THEN tod[o]
+    ELSE Armed(ActiveSetting(o), clock, c)
 
 (* [AMB-15] (b) In OB 80 it keeps a catch-up from coming [CLK-04]. *)
 \* @type: Int => Set($request);
@@ -161,7 +170,9 @@ RequestsAfterAct(o) ==
 (* [TINT-60] A missing OB is noticed later [TINT-17], or at once [AMB-06]. *)
 \* @type: Int => Bool;
 Activates(o) ==
-    /\ tod' = [tod EXCEPT ![o] = AfterActivation(@)]
+    /\ \E c \in CpusThatShow({ActiveSetting(o)}, clock) :
+         /\ cpu' = c
+         /\ tod' = [tod EXCEPT ![o] = AfterActivation(o, c)]
     /\ IF o \notin loaded /\ MissingNoticedAtActivation
        THEN ProgramErrorOccurs(RequestsAfterAct(o), TodRequest(o, clock, 0))
        ELSE RequestsBecome(RequestsAfterAct(o))
@@ -171,14 +182,14 @@ Activates(o) ==
 ActTint(o, ret) ==
     /\ Called
     /\ ret \in ActAnswers(o)
-    /\ IF ret = OK THEN Activates(o) ELSE tod' = tod /\ Nothing
-    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
+    /\ IF ret = OK THEN Activates(o) ELSE UNCHANGED <<cpu, tod>> /\ Nothing
+    /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
 (* [TINT-74] Bit 2 of an interrupt without a further point [AMB-68], of a    *)
-(* once that waits [AMB-34], and of a once that runs [AMB-71].             *)
+(* once that waits [AMB-34], and of any other.                             *)
 \* @type: Int => Set(Int);
 ActiveBit(o) ==
     IF ~tod[o].active THEN {0}
@@ -188,8 +199,8 @@ ActiveBit(o) ==
            [] EndedSeriesIsInactive -> {0}
            [] OTHER                 -> {0, 4}
     ELSE IF Spent(o) THEN {0, 4}
-    ELSE IF WaitingOnceIsActive THEN {4}
-    ELSE IF OnStack(o) THEN {0, 4} ELSE {0}
+    ELSE IF ~PendingIn(requests, o) \/ WaitingOnceIsActive THEN {4}
+    ELSE IF WaitingOnceIsInactive THEN {0} ELSE {0, 4}
 
 \* @type: Int => Set(Int);
 Statuses(o) == StatusWithBit2(o, ActiveBit(o))

@@ -39,7 +39,7 @@ OfDelay(o, past) ==
     IN  When(LastOf(past, {"clock"}) > srt \/ Unseen("clock"), {"DINT-18"})
           \cup When(LastOf(past, {"hold"}) > srt, {"DINT-19"})
           \cup When(TimesSince(past, {"SRT_DINT"}, o, LastStart(past, o)) > 1,
-                    {"DINT-07"} \cup When(DintCallsWithdrawRuns, {"DINT-15"}))
+                    {"DINT-07"} \cup When(DintCallsWithdrawRuns(cpu), {"DINT-15"}))
 
 -----------------------------------------------------------------------------
 (* Since a line *)

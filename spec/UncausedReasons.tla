@@ -49,7 +49,7 @@ NoTodRequest(o, past) ==
                      \cup When(ClockWasSet(past, from) # 0
                                  /\ TouchedInOb80(o, past), {"CLK-04", "TINT-54"})
                      \cup When(clock.min <= tod[o].repeatTo
-                                 /\ WasServed(tod[o], clock.min), {"CLK-09"})
+                                 /\ WasServed(tod[o], clock.min, cpu), {"CLK-09"})
                      \cup When(again, {"OBS-07"})
                      \cup When(again /\ moved = {}, {"TINT-10", "TINT-32"})
                      \cup When(again /\ moved = {}

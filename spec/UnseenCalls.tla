@@ -48,7 +48,7 @@ SkipsByCall(e) ==
            \/ e.event = "clock" /\ PassesMinute(to) /\ mode # "STOP"
         /\ mode'  = IF held THEN "RUN" ELSE mode
         /\ clock' = to
-        /\ tod'   = [o \in DOMAIN tod |-> Rearmed(o, to, FALSE)]
+        /\ tod'   = [o \in DOMAIN tod |-> Rearmed(o, to, cpu)]
         /\ requests'  = IF TimeErrorOb \in loaded THEN Enter(requests, error)
                         ELSE requests
         /\ stopCause' = IF TimeErrorOb \in loaded THEN stopCause

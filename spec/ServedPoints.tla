@@ -1,0 +1,137 @@
+----------------------------- MODULE ServedPoints ---------------------------
+(***************************************************************************)
+(* The points for which an OB was called, and the next point to watch for, *)
+(* for a clock that is set back: an S7-400 does not serve a point again    *)
+(* [CLK-09], an S7-300 does [CLK-10].  Points are kept as runs: from one   *)
+(* point to another without an unserved point of the series between.       *)
+(*                                                                         *)
+(* Left out: runs of earlier settings beyond the latest LongestMemory.     *)
+(***************************************************************************)
+EXTENDS Requests, TodSettings
+
+LongestMemory == 8
+
+(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
+(* was set back; other CPUs remember which were served [AMB-17].           *)
+Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
+
+(* [CLK-09] The OB is called for point p, which joins the runs of points    *)
+(* beside it.  A point that is lost [IRT-18], or skipped without a run of  *)
+(* its own, is over and yet was not served.                                *)
+\* @type: ($tod, Int) => $tod;
+Served(t, p) ==
+    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
+        after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
+        first  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
+        last   == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
+        run    == [from |-> first, to |-> last]
+    IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
+        ELSE t
+
+(* [AMB-59] (b) The run for point p is withdrawn: the point was not served. *)
+\* @type: ($tod, Int) => $tod;
+NotServed(t, p) ==
+    LET hit  == { i \in t.served : i.from <= p /\ p <= i.to }
+        rest == { [i EXCEPT !.to = p - 1] : i \in hit }
+                  \cup { [i EXCEPT !.from = p + 1] : i \in hit }
+    IN  [t EXCEPT !.served = (@ \ hit) \cup { i \in rest : i.from <= i.to }]
+
+-----------------------------------------------------------------------------
+(* A new setting *)
+
+(* [AMB-57] The points that a setting and those before it have served, each *)
+(* run with the series that it belongs to.                                 *)
+\* @type: $tod => Set($memory);
+Memory(t) ==
+    LET runs == t.earlier \cup
+                  { [ from |-> i.from, to |-> i.to,
+                      start |-> t.start, period |-> t.period ] : i \in t.served }
+    IN  IF NewSettingForgets(cpu) THEN {}
+        ELSE { i \in runs :
+                 Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
+
+(* [AMB-57] anew: made in a time that the clock repeats.                    *)
+\* @type: ($tod, $tod) => $tod;
+WithMemory(new, old) ==
+    LET repeats == clock.min <= old.repeatTo
+    IN  [ new EXCEPT !.served = {}, !.earlier = Memory(old), !.anew = repeats,
+                     !.repeatTo = IF repeats THEN old.repeatTo ELSE -1 ]
+
+\* @type: $tod => $tod;
+Unset(t) == WithMemory(NoSetting, t)
+
+(* [AMB-08] A once interrupt that has been called is no longer set. *)
+\* @type: $tod => $tod;
+UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
+             ELSE [t EXCEPT !.active = FALSE, !.next = Never, !.called = FALSE]
+
+(* [CLK-12] [AMB-71] The call of a once that waits or runs uses it up: the  *)
+(* clock, set back, does not arm it again.                                 *)
+\* @type: Int => Bool;
+CallUsesUp(o) ==
+    /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
+    /\ tod[o].called \/ PendingIn(requests, o)
+
+-----------------------------------------------------------------------------
+(* The next point, of a CPU c that reads AMB-56 and AMB-57 its way *)
+
+(* [AMB-57] The memory of earlier settings, if it counts. *)
+\* @type: ($tod, $cpu) => Set($memory);
+Remembered(t, c) == IF NewSettingForgets(c) THEN {} ELSE t.earlier
+
+\* @type: ($memory, Int) => Bool;
+IsPointOf(i, p) ==
+    PointFrom([NoSetting EXCEPT !.start = i.start, !.period = i.period], p) = p
+
+\* @type: ($tod, Int, $cpu) => Bool;
+WasServed(t, p, c) ==
+    \/ \E i \in t.served : i.from <= p /\ p <= i.to
+    \/ \E i \in Remembered(t, c) : i.from <= p /\ p <= i.to /\ IsPointOf(i, p)
+
+(* The last point of each run. *)
+\* @type: ($tod, $cpu) => Set(Int);
+LastCalls(t, c) == { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
+
+(* [AMB-56] Up to this minute points that were not served are over, too, if *)
+(* the interrupt was active when the clock was set back.                   *)
+\* @type: ($tod, $cpu) => Int;
+OverUntil(t, c) ==
+    LET calls == LastCalls(t, c)
+    IN  IF t.anew THEN -1
+        ELSE IF UnservedAreOver(c) THEN t.repeatTo
+        ELSE IF UnservedAreOverToLastCall(c) /\ calls # {}
+        THEN CHOOSE p \in calls : \A q \in calls : q <= p
+        ELSE -1
+
+(* The first point from p on that was not served: p, one of the next two,   *)
+(* which may lie between points of another series, or one behind a run.    *)
+\* @type: ($tod, Int, $cpu) => Int;
+FirstUnserved(t, p, c) ==
+    LET second == PointFrom(t, p + 1)
+        points == {p, second, PointFrom(t, second + 1)} \cup
+                    { PointFrom(t, q + 1) : q \in { r \in LastCalls(t, c) : r >= p } }
+        free   == { q \in points : ~WasServed(t, q, c) }
+    IN  CHOOSE q \in free : \A r \in free : q <= r
+
+(* The first point at or after moment m that is served.  In a time that the *)
+(* clock repeats, points that were served are not served again [CLK-09];   *)
+(* the others may be over [AMB-56].                                        *)
+\* @type: ($tod, $moment, $cpu) => Int;
+NextPoint(t, m, c) ==
+    LET p    == PointFrom(t, FirstMinute(t, m))
+        over == OverUntil(t, c)
+    IN  IF p > t.repeatTo THEN p
+        ELSE FirstUnserved(t, IF p > over THEN p ELSE PointFrom(t, over + 1), c)
+
+\* @type: ($tod, $moment, $cpu) => $tod;
+Armed(t, m, c) == [t EXCEPT !.next = NextPoint(t, m, c)]
+
+(* [AMB-56] [AMB-57] Settings are armed at moment m: where the reading makes *)
+(* a difference, the CPU shows how it reads.                               *)
+\* @type: (Set($tod), $moment) => Set($cpu);
+CpusThatShow(settings, m) ==
+    IF \E t \in settings :
+         /\ m.min <= t.repeatTo
+         /\ Cardinality({ NextPoint(t, m, c) : c \in CpusByMemory }) > 1
+    THEN CpusByMemory ELSE {cpu}
+=============================================================================
