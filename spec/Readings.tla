@@ -48,9 +48,7 @@ ActTintComputesAnew == Reading("AMB-10") = "b"
 TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
 \* @type: $cpu => Bool;
 DintCallsWithdrawRuns(c) == ReadingOf(c, "AMB-11") = "b"
-CpusByDintCalls ==
-    IF Reading("AMB-11") # "d" THEN {cpu}
-    ELSE { ReadAs("AMB-11", letter, cpu) : letter \in {"b", "c"} }
+CpusByDintCalls == Turned(cpu, "AMB-11", "d", {"b", "c"})
 
 (* [AMB-12] A once or a delay is over when its start event is lost. *)
 LostEventEndsItsSource == Reading("AMB-12") = "a"
@@ -107,8 +105,7 @@ DtimeIsElapsedTime == Reading("AMB-31") = "a"
 (* [AMB-33] OB 85 blocked stops the CPU. *)
 BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
 
-(* [AMB-34] STATUS bit 2 of a once is 1 until its OB starts; or 0 as soon   *)
-(* as it waits.                                                            *)
+(* [AMB-34] STATUS bit 2 of a once that waits is 1; or 0; else either. *)
 WaitingOnceIsActive   == Reading("AMB-34") = "a"
 WaitingOnceIsInactive == Reading("AMB-34") = "b"
 
@@ -157,8 +154,7 @@ LateRunIsLostWithOb80 == Reading("AMB-48") = "b"
 (* [AMB-49] DIS_AIRT does not delay a STOP by rule; else it may. *)
 StopIsNotDelayed == Reading("AMB-49") = "a"
 
-(* [AMB-50] The blocked OBs with a skipped point that OB 80 does not       *)
-(* report.                                                                 *)
+(* [AMB-50] The blocked OBs whose skipped point OB 80 does not report. *)
 \* @type: Set(Int) => Set(Set(Int));
 UnreportedAmong(blocked) == PartBy(Reading("AMB-50"), blocked)
 
@@ -188,18 +184,13 @@ UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
 \* @type: $cpu => Bool;
 UnservedAreOverToLastCall(c) == ReadingOf(c, "AMB-56") = "d"
 
-(* [AMB-57] A new setting of an OB keeps no memory of the points that an    *)
-(* earlier one served.                                                     *)
+(* [AMB-57] A new setting forgets the points that earlier ones served. *)
 \* @type: $cpu => Bool;
 NewSettingForgets(c) == ReadingOf(c, "AMB-57") = "a"
 
 (* [AMB-56] [AMB-57] An open reading shows one way, and the CPU keeps to it. *)
-CpusByMemory ==
-    { ReadAs("AMB-56", x, ReadAs("AMB-57", y, cpu)) :
-        x \in IF Reading("AMB-56") = "c" THEN {"a", "b", "d"}
-              ELSE {Reading("AMB-56")},
-        y \in IF Reading("AMB-57") = "c" THEN {"a", "b"}
-              ELSE {Reading("AMB-57")} }
+CpusByMemory == UNION { Turned(c, "AMB-57", "c", {"a", "b"}) :
+                          c \in Turned(cpu, "AMB-56", "c", {"a", "b", "d"}) }
 
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
@@ -232,8 +223,7 @@ EndedSeriesIsInactive == Reading("AMB-68") = "b"
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"
 
-(* [AMB-71] A once is used up when its point is reached; or when its OB     *)
-(* ends; or when its OB starts; or at one of the last two.                 *)
+(* [AMB-71] A once is used up at its point, or when its OB starts or ends. *)
 OnceUsedUpAtItsPoint  == Reading("AMB-71") = "b"
 OnceMayEndAtItsStart  == Reading("AMB-71") # "c"
 OnceMayEndAtItsEnd    == Reading("AMB-71") \in {"c", "d"}
