@@ -84,12 +84,6 @@ ReadAs(a, letter, c) ==
     [ c EXCEPT !.readings = [ x \in DOMAIN c.readings \cup {a} |->
                                 IF x = a THEN letter ELSE c.readings[x] ] ]
 
-(* The CPUs that c may turn out to be, if its letter is the open one. *)
-\* @type: ($cpu, Str, Str, Set(Str)) => Set($cpu);
-Turned(c, a, open, letters) ==
-    IF ReadingOf(c, a) # open THEN {c}
-    ELSE { ReadAs(a, letter, c) : letter \in letters }
-
 -----------------------------------------------------------------------------
 (* Profiles: an edition as printed, where the defaults would reject it.     *)
 (* "delay": of AMB-06, (b) for time-delay interrupts alone, as the edition  *)

@@ -12,6 +12,12 @@
 (***************************************************************************)
 EXTENDS Editions
 
+(* The CPUs that c may turn out to be, if its letter is the open one. *)
+\* @type: ($cpu, Str, Str, Set(Str)) => Set($cpu);
+Turned(c, a, open, letters) ==
+    IF ReadingOf(c, a) # open THEN {c}
+    ELSE { ReadAs(a, letter, c) : letter \in letters }
+
 (* [AMB-01] Of the PERIODs 1201 and 1202 one is weekly, or both are. *)
 OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
 OnlyPeriod1202IsWeekly == Reading("AMB-01") = "b"
@@ -23,7 +29,6 @@ EveryPastStartIsRefused == Reading("AMB-02") = "a"
 Bit0MeansStartup == Reading("AMB-03") = "a"
 (* [AMB-04] STATUS bit 5 is 1 where no test function blocks the OB. *)
 Bit5MeansNoTest == Reading("AMB-04") = "b"
-
 (* [AMB-05] Monthly on day 31: refused; or on the last day of any month.   *)
 MonthlyEndsWithDay28   == Reading("AMB-05") = "a"
 MonthlyFallsOnLastDay  == Reading("AMB-05") = "c"
@@ -49,18 +54,14 @@ TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
 \* @type: $cpu => Bool;
 DintCallsWithdrawRuns(c) == ReadingOf(c, "AMB-11") = "b"
 CpusByDintCalls == Turned(cpu, "AMB-11", "d", {"b", "c"})
-
 (* [AMB-12] A once or a delay is over when its start event is lost. *)
 LostEventEndsItsSource == Reading("AMB-12") = "a"
-
 (* [AMB-13] When OB 80 has class 28. *)
 Class28InStartup  == Reading("AMB-13") \in {"a", "d"}
 Class28OnOverflow == Reading("AMB-13") \in {"b", "d"}
-
 (* [AMB-14] Seconds of SDT are dropped before it is judged; or never. *)
 SecondsAreDroppedFirst == Reading("AMB-14") = "a"
 SecondsAreKept         == Reading("AMB-14") = "c"
-
 (* [AMB-15] In OB 80 these calls keep a catch-up from coming, too. *)
 ActTintStopsCatchUp == Reading("AMB-15") = "b"
 DisIrtStopsCatchUp  == Reading("AMB-15") = "c"
@@ -76,7 +77,6 @@ SecondRequestIsBuffered  == Reading("AMB-18") = "b"
 SecondRequestIsMerged    == Reading("AMB-18") = "c"
 BuffersMayOverflow       == Reading("AMB-18") \in {"b", "d"}
 SecondRequestIsOpen      == Reading("AMB-18") = "d"
-
 (* [AMB-19] Of several points during one run of the OB.                    *)
 EveryPointRunsLater      == Reading("AMB-19") = "b"
 OnlyFirstPointIsReported == Reading("AMB-19") = "c"
