@@ -38,9 +38,9 @@ ALLOWED = {
         *("10 GB", "1,000,000 events", "10 lines", "1,000 logs", "100 lines", "10,000,000 events", "20 s", "600 MB"),
         *("100,000 events", "8 GB", "4 GB", "16 MB"),
     ),
-    "docs/checking/commands.md": ("4 GB", "1 GB", "50 logs", "300 MB", "448 MB"),
+    "docs/checking/commands.md": ("4 GB", "1 GB", "50 logs", "300 MB", "448 MB", "5 s"),
     "docs/checking/log-format.md": ("1 %",),
-    "docs/checking/reports.md": ("80 lines",),
+    "docs/checking/reports.md": ("80 lines", "5 s"),
     "docs/project/agreement.md": ("10,000 logs", "59 events"),
     "docs/project/commands.md": ("60 s", "8 minutes", "60 minutes"),
     "docs/project/mutation.md": ("60 mutants",),
@@ -76,7 +76,8 @@ def main(*arguments: str) -> int:
 def test_no_number_of_a_run(path: Path) -> None:
     """No page but the generated ones counts models, logs, states or the like, nor says how long something took."""
     found = {match[0] for match in NUMBER.finditer(path.read_text(encoding="utf-8"))}
-    assert found == set(ALLOWED.get(name(path), ())), "numbers of a run stand in docs/project/results.md alone"
+    others = found - set(ALLOWED.get(name(path), ()))
+    assert not others, "numbers of a run stand in docs/project/results.md alone; ALLOWED has limits and the like"
 
 
 def test_every_allowance_has_a_page() -> None:
