@@ -38,15 +38,13 @@ APInit ==
 (* a copy for each use: a point of OB 10 falls due at any time.             *)
 PointAtAnyTime ==
     /\ Occurs(TodRequest(10, clock, 0))
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
-                   delay>>
-TimeGoesOn ==
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, runVars>>
+ClockGoesOn ==
     /\ \E t \in HalfMinutes(1, 2) : Before(clock, t) /\ clock' = t
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, dint, irt, requests, stack,
-                   delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, settingVars, outcomeVars, runVars>>
 
-(* Without the urgency of System too: what holds of this holds of System.    *)
+(* Without the urgency of System: an invariant of this is one of System.     *)
 APNext ==
     \/ \E r \in requests : Start(r) /\ Seen("start", r.ob, r.class)
     \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
@@ -55,7 +53,7 @@ APNext ==
     \/ \E o \in {1, 10, 40, 80} : End(o) /\ Seen("end", o, 0)
     \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
     \/ PointAtAnyTime /\ Seen("reached", 10, clock.min)
-    \/ TimeGoesOn /\ Seen("time", 0, 0)
+    \/ ClockGoesOn /\ Seen("time", 0, 0)
 
 StackAndAirtInv == StackInv /\ AirtInv
 =============================================================================

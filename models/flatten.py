@@ -1,7 +1,7 @@
 """Puts a TLA+ module and all that it extends into one, for Apalache.
 
-Apalache 0.62.1 takes twice the time for each step of a chain of EXTENDS, and those of spec/ are
-long. Before a check it also inlines what the check does not need; --only leaves that out.
+Apalache 0.62.1 takes half as long again for the type check of System where it follows EXTENDS
+itself. Before a check it also inlines what the check does not need; --only leaves that out.
 The definitions are copied as they stand.
 
 usage: flatten.py [--only NAME,...] MODULE FOLDER...
@@ -16,7 +16,7 @@ from pathlib import Path
 
 STANDARD = {"Integers", "Sequences", "FiniteSets"}
 MODULE = re.compile(r"^-{4,} *MODULE \w+ *-{4,}\n(.*?)^={4,}", re.DOTALL | re.MULTILINE)
-EXTENDS = re.compile(r"^EXTENDS (.+)$", re.MULTILINE)
+EXTENDS = re.compile(r"^EXTENDS\s+(\w+(?:\s*,\s*\w+)*)", re.MULTILINE)
 DEFINITION = re.compile(r"^(?P<types>(?:\\\* @type.*\n)*)(?P<name>[A-Za-z]\w*)(?:\([^=]*\))? *==", re.MULTILINE)
 """Up to the == of a definition, which begins in the first column in spec/ and models/."""
 OTHER = re.compile(r"^(?:\(\*|-{4,}|VARIABLES?\b|ASSUME\b|\\\*)", re.MULTILINE)

@@ -68,10 +68,15 @@ VARIABLES
 -----------------------------------------------------------------------------
 (* Variables in groups *)
 
+\* @type: <<$cpu, Set(Int)>>;
 deviceVars  == <<cpu, loaded>>
+\* @type: <<Str, Str>>;
 modeVars    == <<mode, startup>>
+\* @type: <<Int -> $tod, Int -> $job, $irt>>;
 settingVars == <<tod, dint, irt>>
+\* @type: <<Set($request), Int>>;
 outcomeVars == <<requests, stopCause>>
+\* @type: <<Seq($frame), Int>>;
 runVars     == <<stack, delay>>
 
 (* All of the CPU; only an observer sees the entries of a step. *)
