@@ -88,7 +88,8 @@ enum {
     S7LOG_MODE = 8,
     S7LOG_INTERRUPT = 16,
     S7LOG_LOAD = 32,
-    S7LOG_DIAG = 64
+    S7LOG_DIAG = 64,
+    S7LOG_STATE = 128 /* no line of it is owed, listed or not */
 };
 
 enum s7log_execution {
@@ -155,6 +156,20 @@ struct s7log_info {
     {                                                                                              \
         S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE,        \
             S7LOG_NONE, S7LOG_NONE, S7LOG_NONE                                                     \
+    }
+
+/* The state of an OB by SZL 16#0222, INDEX = OB number. Truth values: 0 or 1. A field that was not
+ * read is S7LOG_NONE; begin with S7LOG_OB_STATE_NONE. */
+struct s7log_ob_state {
+    int active;      /* al1 bit 2 */
+    int blocked;     /* al1 bit 1 */
+    int loaded;      /* al1 bit 4 */
+    int entries_off; /* al1 bit 6 */
+    int left;        /* ms, while a delay runs */
+};
+#define S7LOG_OB_STATE_NONE                                                                        \
+    {                                                                                              \
+        S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE                                 \
     }
 
 /* ---- dates ------------------------------------------------------------------------------- */
@@ -509,11 +524,12 @@ static inline bool s7log__may_have_class(int ob, int priority)
 
 static inline void s7log__records(struct s7log *l, unsigned records)
 {
-    static const char *const names[] = {"call", "ob", "clock", "mode", "interrupt", "load", "diag"};
+    static const char *const names[] = {"call",      "ob",   "clock", "mode",
+                                        "interrupt", "load", "diag",  "state"};
     const char *separator = "";
-    s7log__require(l, records < 1u << 7);
+    s7log__require(l, records < 1u << 8);
     s7log__text(l, ",\"records\":[");
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < 8; i++)
         if (records >> i & 1) {
             s7log__text(l, separator);
             s7log__string(l, names[i]);
@@ -824,7 +840,7 @@ static inline enum s7log_result s7log_release(struct s7log *l, struct s7log_now 
     return s7log__plain(l, now, "release");
 }
 
-/* ---- start events, blocks, diagnostic buffer ------------------------------------------------- */
+/* ---- start events, blocks, diagnostic buffer, state ------------------------------------------ */
 
 /* flt_id: for OB 80 and 85, else S7LOG_NONE */
 static inline enum s7log_result s7log_interrupt(struct s7log *l, struct s7log_now now, int ob,
@@ -862,6 +878,29 @@ static inline enum s7log_result s7log_diag(struct s7log *l, struct s7log_now now
         s7log__number(l, "priority", priority, 0, 255);
     if (info != NULL)
         s7log__info(l, info);
+    return s7log__end_event(l);
+}
+
+static inline void s7log__truth(struct s7log *l, const char *name, int value)
+{
+    if (value == S7LOG_NONE)
+        return;
+    s7log__require(l, value == 0 || value == 1);
+    s7log__name(l, name);
+    s7log__text(l, value ? "true" : "false");
+}
+
+static inline enum s7log_result s7log_state(struct s7log *l, struct s7log_now now, int ob,
+                                            const struct s7log_ob_state *state)
+{
+    s7log__begin_event(l, now, "state");
+    s7log__ob(l, ob);
+    s7log__truth(l, "active", state->active);
+    s7log__truth(l, "blocked", state->blocked);
+    s7log__truth(l, "loaded", state->loaded);
+    s7log__truth(l, "entries_off", state->entries_off);
+    if (state->left != S7LOG_NONE)
+        s7log__number(l, "left", state->left, 0, INT32_MAX);
     return s7log__end_event(l);
 }
 

@@ -62,7 +62,7 @@ static void header(void)
     static const struct s7log_tod tods[] = {{10, S7LOG_DAILY, 0, true, false},
                                             {17, S7LOG_NOT_GIVEN, S7LOG_NONE, false, true}};
     static const struct s7log_reading readings[] = {{"AMB-02", 'a'}, {"AMB-77", 'd'}};
-    struct s7log_header h = {S7LOG_CPU_318, obs, 3, 1500, S7LOG_RUN, 20, 127, true, priorities, 2,
+    struct s7log_header h = {S7LOG_CPU_318, obs, 3, 1500, S7LOG_RUN, 20, 255, true, priorities, 2,
                              tods, 2, readings, 2};
     struct s7log l;
     struct sink s;
@@ -73,7 +73,8 @@ static void header(void)
     CHECK(strcmp(s.line,
                  "{\"format\":\"s7-interrupt-log/1\",\"cpu\":\"CPU 318\",\"obs\":[1,10,122],"
                  "\"clock\":\"1990-01-01T00:00:01.500\",\"mode\":\"RUN\",\"latency_ms\":20,"
-                 "\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\",\"diag\"],"
+                 "\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\",\"diag\","
+                 "\"state\"],"
                  "\"cycle\":true,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
                  "\"10\":{\"execution\":\"daily\",\"active\":true,\"start\":"
                  "\"1990-01-01T00:00:00.000\"},\"17\":{\"deselected\":true}}},"
@@ -103,7 +104,7 @@ static void header_ranges(void)
     h.latency_ms = -1;
     CHECK(s7log_header(&l, &h) == S7LOG_RANGE);
     h.latency_ms = 0;
-    h.records = 128;
+    h.records = 256;
     CHECK(s7log_header(&l, &h) == S7LOG_RANGE);
     h.records = 0;
     CHECK(s7log_header(&l, &h) == S7LOG_OK && strstr(s.line, "\"records\":[]") != NULL);
@@ -170,8 +171,14 @@ static void events(void)
     LINE(s7log_diag(&l, now, 0x3502, 80, 26, &info),
          "\"diag\"," AT ",\"id\":\"16#3502\",\"ob\":80,\"priority\":26,\"info\":{"
          "\"sign\":\"16#0000\",\"dtime\":60000}");
+    struct s7log_ob_state state = S7LOG_OB_STATE_NONE;
+    LINE(s7log_state(&l, now, 40, &state), "\"state\"," AT ",\"ob\":40");
+    state = (struct s7log_ob_state){1, 0, 1, 0, 60000};
+    LINE(s7log_state(&l, now, 20, &state),
+         "\"state\"," AT ",\"ob\":20,\"active\":true,\"blocked\":false,\"loaded\":true,"
+         "\"entries_off\":false,\"left\":60000");
 #undef LINE
-    CHECK(l.events == 30 && s.lines == 31);
+    CHECK(l.events == 32 && s.lines == 33);
 }
 
 static void event_ranges(void)
@@ -200,6 +207,12 @@ static void event_ranges(void)
     CHECK(s7log_interrupt(&l, now, 35, 1) == S7LOG_RANGE);
     info.priority = 30;
     CHECK(s7log_start(&l, now, 10, &info) == S7LOG_RANGE);
+    struct s7log_ob_state state = S7LOG_OB_STATE_NONE;
+    state.active = 2;
+    CHECK(s7log_state(&l, now, 10, &state) == S7LOG_RANGE);
+    state.active = 1;
+    state.left = -1;
+    CHECK(s7log_state(&l, now, 10, &state) == S7LOG_RANGE);
     CHECK(s.lines == 1 && l.events == 0);
 }
 
