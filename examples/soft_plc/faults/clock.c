@@ -27,23 +27,70 @@ static bool repeats(const struct s7cpu *cpu)
     return cpu->config.family != S7CPU_S7_300 && has(cpu, FAULT_REPEAT_S7_400);
 }
 
+/* Once interrupts whose OB runs and whose point lies ahead again. */
+static void arm_again(struct s7cpu *cpu, int64_t before)
+{
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        struct s7cpu_tod *t = &cpu->tod[k];
+        if (t->period != PERIOD_ONCE || !s7_ob_is_running(cpu, S7CPU_TOD_FIRST + k) ||
+            (t->set && !t->called) || t->start > before || t->start < s7cpu_clock(cpu))
+            continue;
+        t->set = t->active = true;
+        t->called = false;
+        t->next = t->start;
+    }
+}
+
+static void remember(struct faulty_cpu *f, int64_t before)
+{
+    f->clock_before = before;
+    if (before > f->clock_highest)
+        f->clock_highest = before;
+}
+
 void faulty_tod_clock_changed(struct s7cpu *cpu, int64_t before)
 {
     bool back = s7cpu_clock(cpu) < before;
-    ((struct faulty_cpu *)cpu)->clock_before = before;
+    remember((struct faulty_cpu *)cpu, before);
     forward(cpu, before);
     if (back && goes_on(cpu))
         return;
     s7_tod_clock_changed(cpu, before);
     if (back && repeats(cpu) && cpu->mode != S7CPU_STOP)
         repeat(cpu);
+    if (back && has(cpu, FAULT_ONCE_RUNS_TWICE))
+        arm_again(cpu, before);
 }
 SUBSTITUTES(tod_clock_changed);
+
+/* Puts the clock forward, once a minute, where that skips no start point. */
+static void run_away(struct s7cpu *cpu)
+{
+    enum { GAIN_MS = 3000 };
+    struct faulty_cpu *f = (struct faulty_cpu *)cpu;
+    bool skips = false;
+    for (int k = 0; k < S7CPU_TODS; k++)
+        skips |= cpu->tod[k].active && cpu->tod[k].next <= s7cpu_clock(cpu) + GAIN_MS;
+    if (cpu->up / S7CPU_MINUTE == f->minute || skips)
+        return;
+    f->minute = cpu->up / S7CPU_MINUTE;
+    cpu->offset += GAIN_MS;
+}
+
+void faulty_tod_poll(struct s7cpu *cpu)
+{
+    if (has(cpu, FAULT_CLOCK_RUNS_AWAY))
+        run_away(cpu);
+    s7_tod_poll(cpu);
+}
+SUBSTITUTES(tod_poll);
 
 void faulty_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
 {
     if (has(cpu, FAULT_NO_OB80_SKIP))
         return;
+    if (has(cpu, FAULT_SKIP_AS_INTERRUPT))
+        s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_INTERRUPT, .ob = 80, .flt_id = flt_id});
     s7_error_skipped(cpu, flt_id, has(cpu, FAULT_SKIP_MASK) ? late << 1 : late);
 }
 SUBSTITUTES(error_skipped);

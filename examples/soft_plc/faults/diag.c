@@ -21,9 +21,3 @@ void faulty_diag_suppressed(struct s7cpu *cpu)
         s7_diag_suppressed(cpu);
 }
 SUBSTITUTES(diag_suppressed);
-
-void faulty_emit_diag(struct s7cpu *cpu, int id, int ob, const struct s7cpu_info *info)
-{
-    s7_emit_diag(cpu, id == 0x3506 && has(cpu, FAULT_DIAG_3505) ? 0x3505 : id, ob, info);
-}
-SUBSTITUTES(emit_diag);

@@ -20,6 +20,8 @@ int faulty_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
 {
     struct s7cpu_dint *d = dint_of(cpu, ob_nr);
     const struct s7cpu_dint before = d != NULL ? *d : (struct s7cpu_dint){0};
+    if (has(cpu, FAULT_DINT_CAN_MIXED))
+        cpu->config.choices.waiting_delay_is_withdrawn = false;
     int ret = s7_dint_start(cpu, ob_nr, limited(cpu, dtime), sign);
     if (ret != RET_OK)
         return ret;
@@ -38,11 +40,17 @@ SUBSTITUTES(dint_start);
 int faulty_dint_cancel(struct s7cpu *cpu, int ob_nr)
 {
     struct s7cpu_dint *d = dint_of(cpu, ob_nr);
-    if (has(cpu, FAULT_DINT_CAN_WITHDRAWS) && d != NULL && s7_queue_has(cpu, ob_nr)) {
-        s7_queue_withdraw(cpu, ob_nr);
+    bool waits = d != NULL && s7_queue_has(cpu, ob_nr);
+    if (has(cpu, FAULT_DINT_CAN_RUNS) && waits) {
         d->started = false;
         return RET_OK;
     }
+    if (has(cpu, FAULT_DINT_CAN_LOSES) && waits) {
+        s7_queue_withdraw(cpu, ob_nr);
+        cpu->config.choices.waiting_delay_is_withdrawn = false;
+    }
+    if (has(cpu, FAULT_DINT_CAN_MIXED))
+        cpu->config.choices.waiting_delay_is_withdrawn = true;
     int ret = s7_dint_cancel(cpu, ob_nr);
     if (ret == RET_OK && has(cpu, FAULT_DINT_CAN_KEEPS))
         d->started = true;

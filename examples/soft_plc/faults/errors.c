@@ -16,7 +16,7 @@ void faulty_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
     if (s7_ob_kind(r->ob) == OB_ASYNC_ERROR || !has(cpu, FAULT_MISSING_SILENT))
         s7_error_missing(cpu, r);
     else if (s7_ob_kind(r->ob) == OB_TOD)
-        s7_tod_called(cpu, r->ob);
+        s7_tod_used_up(cpu, r->ob);
 }
 SUBSTITUTES(error_missing);
 

@@ -54,8 +54,10 @@ enum fault {
     FAULT_DINT_INFO_REST,
     FAULT_DINT_CAN_ANY,
     FAULT_DINT_CAN_KEEPS,
-    FAULT_DINT_CAN_WITHDRAWS,
-    FAULT_DINT_WAITING_ACTIVE,
+    FAULT_DINT_CAN_RUNS,
+    FAULT_DINT_CAN_LOSES,
+    FAULT_DINT_CAN_MIXED,
+    FAULT_DINT_RUNNING_ACTIVE,
     FAULT_DINT_OVERLAP_SILENT,
     FAULT_DINT_OVERLAP_DTIME,
     FAULT_DINT_FOLLOWS_CLOCK,
@@ -91,6 +93,19 @@ enum fault {
     FAULT_STARTUP_CLASS,
     FAULT_OVERFLOW_CLASS,
     FAULT_ASYNC_RUNS_ON,
+    FAULT_FIFO,
+    FAULT_ONCE_RUNS_TWICE,
+    FAULT_BACK_BLOCKS_NEW,
+    FAULT_CLOCK_RUNS_AWAY,
+    FAULT_OVERLAP_RUNS_EACH,
+    FAULT_SKIP_AS_INTERRUPT,
+    FAULT_STOP_CAUSE,
+    FAULT_STARTUP_TIME,
+    FAULT_STATE_ACTIVE,
+    FAULT_STATE_BLOCKED,
+    FAULT_STATE_LOADED,
+    FAULT_STATE_ENTRIES,
+    FAULT_STATE_LEFT,
     FAULT_COUNT
 };
 
@@ -104,6 +119,8 @@ struct faulty_cpu {
     struct fault_set faults;
     int irt_depth[S7CPU_OBS]; /* calls of SFC 39, where they count by mistake */
     int64_t clock_before;     /* the reading before the last change of the clock */
+    int64_t clock_highest;    /* of the readings before its changes */
+    int64_t minute;           /* of elapsed time, in which the clock was last put forward */
 };
 
 bool fault_by_name(const char *name, enum fault *f);

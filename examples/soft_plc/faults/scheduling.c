@@ -52,6 +52,9 @@ SUBSTITUTES(may_start);
 int faulty_queue_choose(const struct s7cpu *cpu)
 {
     int best = s7_queue_choose(cpu);
+    for (int i = 0; i < best && has(cpu, FAULT_FIFO); i++)
+        if (s7_may_start(cpu, &cpu->queue[i]))
+            return i;
     if (best < 0 || !has(cpu, FAULT_LIFO))
         return best;
     for (int i = best + 1; i < cpu->queue_length; i++)

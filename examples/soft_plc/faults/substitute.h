@@ -21,6 +21,8 @@
 #define s7_dint_start faulty_dint_start
 #endif
 #ifndef IN_emit
+#define s7_emit faulty_emit
+#define s7_emit_start faulty_emit_start
 #define s7_emit_diag faulty_emit_diag
 #endif
 #ifndef IN_errors
@@ -54,6 +56,7 @@
 #define s7_may_start faulty_may_start
 #endif
 #ifndef IN_status
+#define s7_state faulty_state
 #define s7_status faulty_status
 #endif
 #ifndef IN_time_error
@@ -61,7 +64,9 @@
 #endif
 #ifndef IN_tod
 #define s7_tod_begin_running faulty_tod_begin_running
+#define s7_tod_poll faulty_tod_poll
 #define s7_tod_restart faulty_tod_restart
+#define s7_tod_used_up faulty_tod_used_up
 #endif
 #ifndef IN_tod_clock
 #define s7_tod_clock_changed faulty_tod_clock_changed
@@ -70,7 +75,6 @@
 #define s7_tod_first_point faulty_tod_first_point
 #endif
 #ifndef IN_tod_requests
-#define s7_tod_called faulty_tod_called
 #define s7_tod_catch_up faulty_tod_catch_up
 #define s7_tod_overlap faulty_tod_overlap
 #endif

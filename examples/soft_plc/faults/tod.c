@@ -67,7 +67,8 @@ int faulty_tod_cancel(struct s7cpu *cpu, int ob_nr)
     int status;
     bool offered = s7_tod_query(cpu, ob_nr, &status) == RET_OK;
     if (has(cpu, FAULT_CAN_KEEPS_REQUEST) && offered && tod_of(cpu, ob_nr)->set) {
-        *tod_of(cpu, ob_nr) = (struct s7cpu_tod){.next = S7CPU_NEVER};
+        *tod_of(cpu, ob_nr) =
+            (struct s7cpu_tod){.next = S7CPU_NEVER, .served = S7CPU_NONE};
         return RET_OK;
     }
     int ret = s7_tod_cancel(cpu, ob_nr);
@@ -79,7 +80,11 @@ SUBSTITUTES(tod_cancel);
 
 int faulty_tod_activate(struct s7cpu *cpu, int ob_nr)
 {
+    int64_t highest = faulty(cpu)->clock_highest;
     int ret = s7_tod_activate(cpu, ob_nr);
+    if (ret == RET_OK && has(cpu, FAULT_BACK_BLOCKS_NEW) && highest > s7cpu_clock(cpu) &&
+        cpu->config.family != S7CPU_S7_300)
+        tod_of(cpu, ob_nr)->next = s7_tod_first_point(cpu, ob_nr - S7CPU_TOD_FIRST, highest);
     if (ret != RET_PAST || !has(cpu, FAULT_ACT_NO_80A1))
         return ret;
     tod_of(cpu, ob_nr)->active = true;
@@ -87,12 +92,21 @@ int faulty_tod_activate(struct s7cpu *cpu, int ob_nr)
 }
 SUBSTITUTES(tod_activate);
 
-void faulty_tod_called(struct s7cpu *cpu, int ob)
+void faulty_tod_used_up(struct s7cpu *cpu, int ob)
 {
     if (!has(cpu, FAULT_ONCE_STAYS))
-        s7_tod_called(cpu, ob);
+        s7_tod_used_up(cpu, ob);
 }
-SUBSTITUTES(tod_called);
+SUBSTITUTES(tod_used_up);
+
+static void overlap_with_run(struct s7cpu *cpu, int k, int64_t point)
+{
+    struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
+    r.info.period = cpu->tod[k].period;
+    s7_error_overlap(cpu, r.ob, r.info.period);
+    if (cpu->mode != S7CPU_STOP)
+        s7_queue_put(cpu, &r);
+}
 
 void faulty_tod_overlap(struct s7cpu *cpu, int k, int64_t point)
 {
@@ -100,6 +114,8 @@ void faulty_tod_overlap(struct s7cpu *cpu, int k, int64_t point)
         s7_tod_request(cpu, k, point);
     else if (has(cpu, FAULT_OVERLAP_LOST))
         s7_error_overlap(cpu, S7CPU_TOD_FIRST + k, cpu->tod[k].period);
+    else if (has(cpu, FAULT_OVERLAP_RUNS_EACH))
+        overlap_with_run(cpu, k, point);
     else
         s7_tod_overlap(cpu, k, point);
 }
@@ -108,7 +124,7 @@ SUBSTITUTES(tod_overlap);
 static void forget_all(struct s7cpu *cpu)
 {
     for (int k = 0; k < S7CPU_TODS; k++)
-        cpu->tod[k] = (struct s7cpu_tod){.next = S7CPU_NEVER};
+        cpu->tod[k] = (struct s7cpu_tod){.next = S7CPU_NEVER, .served = S7CPU_NONE};
 }
 
 void faulty_tod_restart(struct s7cpu *cpu)

@@ -2,6 +2,7 @@
 
 void actions_step(struct s7cpu *cpu, const struct step *s)
 {
+    struct s7cpu_state state;
     int status;
     switch (s->kind) {
     case STEP_BUSY:
@@ -45,11 +46,15 @@ void actions_step(struct s7cpu *cpu, const struct step *s)
     case STEP_EN_AIRT:
         s7cpu_en_airt(cpu);
         break;
+    case STEP_STATE:
+        s7cpu_read_state(cpu, s->ob, &state);
+        break;
     }
 }
 
 void actions_act(struct s7cpu *cpu, const struct action *a)
 {
+    struct s7cpu_state state;
     switch (a->kind) {
     case ACTION_SET_CLOCK:
         s7cpu_set_clock(cpu, a->ms);
@@ -80,6 +85,9 @@ void actions_act(struct s7cpu *cpu, const struct action *a)
         break;
     case ACTION_DELETE:
         s7cpu_delete(cpu, a->ob);
+        break;
+    case ACTION_STATE:
+        s7cpu_read_state(cpu, a->ob, &state);
         break;
     }
 }

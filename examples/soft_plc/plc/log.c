@@ -106,6 +106,16 @@ static void log_diag(struct log *log, struct s7log_now t, const struct s7cpu_eve
     }
 }
 
+static void log_state(struct s7log *l, struct s7log_now t, const struct s7cpu_event *e)
+{
+    const struct s7log_ob_state state = {.active = or_none(e->state->active),
+                                         .blocked = or_none(e->state->blocked),
+                                         .loaded = or_none(e->state->loaded),
+                                         .entries_off = or_none(e->state->entries_off),
+                                         .left = or_none(e->state->left)};
+    s7log_state(l, t, e->ob, &state);
+}
+
 void log_event(void *context, const struct s7cpu_event *e)
 {
     struct log *log = context;
@@ -147,6 +157,9 @@ void log_event(void *context, const struct s7cpu_event *e)
         break;
     case S7CPU_DIAG:
         log_diag(log, t, e);
+        break;
+    case S7CPU_STATE:
+        log_state(l, t, e);
         break;
     default:
         log_call(l, t, e);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "choices.h"
 #include "plc.h"
 #include "random_program.h"
 #include "scenario.h"
@@ -11,12 +12,16 @@
 enum { EXIT_DONE = 0, EXIT_IO = 1, EXIT_WRONG = 2 };
 enum { LATENCY_SIMULATED_MS = 10, LATENCY_REAL_MS = 50 };
 
+enum { CHOICES_MAX = 32 };
+
 struct options {
     const char *scenario, *output;
-    bool real_time, up, cycle, diag, random, family_given;
+    bool real_time, up, cycle, diag, state, random, family_given;
     uint64_t seed, events;
     enum s7cpu_family family;
     struct fault_set faults;
+    const char *choices[CHOICES_MAX];
+    int choice_count;
 };
 
 static void usage(FILE *out)
@@ -28,9 +33,12 @@ static void usage(FILE *out)
           "  --up            add `up`, elapsed ms, to every event (always with --real-time)\n"
           "  --cycle         log every start and end of OB 1\n"
           "  --diag          log the entries of the diagnostic buffer\n"
+          "  --state         read the state of OBs now and then, with a random program\n"
           "  --random SEED   run a random program instead of a scenario\n"
           "  --events N      end after N events\n"
           "  --cpu FAMILY    S7-300, S7-400 or 318, with --random\n"
+          "  --choose N=V    a behaviour that the requirements leave open; repeatable; `help` lists\n"
+          "                  them\n"
           "  --fault NAME    make this deliberate mistake; repeatable; `help` lists them\n"
           "  --help          this text\n"
           "exit status: 0 done, 1 input or output failed, 2 wrong scenario or arguments\n",
@@ -61,6 +69,17 @@ static bool add_fault(const char *name, struct fault_set *set)
     return true;
 }
 
+static bool add_choice(const char *text, struct options *o)
+{
+    struct s7cpu_choices any;
+    if (text == NULL || !choice_set(&any, text))
+        return wrong("--choose", "a choice that --choose help lists, as AMB-34=b");
+    if (o->choice_count == CHOICES_MAX)
+        return wrong("--choose", "at most 32 choices");
+    o->choices[o->choice_count++] = text;
+    return true;
+}
+
 static bool set_family(const char *name, struct options *o)
 {
     static const char *const names[] = {"S7-300", "S7-400", "318"};
@@ -84,6 +103,8 @@ static bool flag(const char *a, struct options *o)
         o->cycle = true;
     else if (strcmp(a, "--diag") == 0)
         o->diag = true;
+    else if (strcmp(a, "--state") == 0)
+        o->state = true;
     else
         return false;
     return true;
@@ -113,6 +134,8 @@ static bool read_options(int argc, char **argv, struct options *o)
             ok = set_family(value, o);
         else if (strcmp(a, "--fault") == 0)
             ok = add_fault(value, &o->faults);
+        else if (strcmp(a, "--choose") == 0)
+            ok = add_choice(value, o);
         else
             ok = wrong(a, "an option that --help lists");
         if (!ok)
@@ -150,6 +173,7 @@ static int prepare_and_run(const struct options *o, struct scenario *s, FILE *ou
     struct plc_config *c = &s->config;
     if (o->random || s->random) {
         random_program(&random, o->random ? o->seed : s->seed);
+        random.states = o->state;
         program = &random.program;
     }
     if (o->random) {
@@ -166,6 +190,8 @@ static int prepare_and_run(const struct options *o, struct scenario *s, FILE *ou
     c->log.diag |= o->diag;
     c->log.up = o->up || o->real_time;
     c->faults = o->faults;
+    for (int i = 0; i < o->choice_count; i++)
+        choice_set(&c->cpu.choices, o->choices[i]);
     return run(o, c, program, out);
 }
 
@@ -209,8 +235,14 @@ int main(int argc, char **argv)
             usage(stdout);
             return EXIT_DONE;
         }
-        if (strcmp(argv[i], "--fault") == 0 && i + 1 < argc && strcmp(argv[i + 1], "help") == 0) {
+        if (i + 1 == argc || strcmp(argv[i + 1], "help") != 0)
+            continue;
+        if (strcmp(argv[i], "--fault") == 0) {
             faults_help(stdout);
+            return EXIT_DONE;
+        }
+        if (strcmp(argv[i], "--choose") == 0) {
+            choices_help(stdout);
             return EXIT_DONE;
         }
     }
@@ -219,6 +251,10 @@ int main(int argc, char **argv)
         return EXIT_WRONG;
     }
     int status = o.random ? EXIT_DONE : read_scenario(o.scenario, &scenario);
+    if (status == EXIT_DONE && o.state && !o.random && !scenario.random) {
+        wrong("--state", "a random program; a scenario says `state OB` itself");
+        status = EXIT_WRONG;
+    }
     if (status == EXIT_DONE)
         status = with_output(&o, &scenario);
     scenario_free(&scenario);

@@ -22,7 +22,8 @@ enum step_kind {
     STEP_DIS_AIRT,
     STEP_EN_AIRT,
     STEP_SET_CLOCK,
-    STEP_MOVE_CLOCK
+    STEP_MOVE_CLOCK,
+    STEP_STATE /* SZL 16#0222 of an OB is read */
 };
 
 /* One instruction of an OB. The arguments may be wrong: the SFCs answer that. */
@@ -46,7 +47,8 @@ enum action_kind {
     ACTION_HOLD,
     ACTION_RELEASE,
     ACTION_LOAD,
-    ACTION_DELETE
+    ACTION_DELETE,
+    ACTION_STATE
 };
 
 /* Something that comes from outside: an operator, a module, a clock master. */

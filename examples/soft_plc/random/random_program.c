@@ -84,10 +84,12 @@ static int64_t clamp(int64_t t)
     return t < margin ? margin : t > S7CPU_LAST - margin ? S7CPU_LAST - margin : t;
 }
 
-static void draw_sdt(struct random_program *r, int64_t now, struct s7cpu_date *c)
+static void draw_sdt(struct random_program *r, int64_t now, int period, struct s7cpu_date *c)
 {
     int64_t t = now;
-    if (percent(r, 80))
+    if (period == 0 && percent(r, 80)) /* a once that is not past */
+        t += between(r, 1, 2) * S7CPU_MINUTE;
+    else if (percent(r, 80))
         t += between(r, -2, 3) * S7CPU_MINUTE;
     else
         t += between(r, -400, 400) * S7CPU_DAY;
@@ -107,6 +109,9 @@ static void draw_sdt(struct random_program *r, int64_t now, struct s7cpu_date *c
         break;
     case 3:
         c->day = between(r, 29, 31);
+        break;
+    case 4:
+        c->second = between(r, 60, 99);
         break;
     default:
         break;
@@ -159,14 +164,18 @@ static void begin(struct program *p, const struct s7cpu *cpu, struct activation 
     a->step = (uint32_t)(a->ob == 1 ? between(r, 1, 12) : between(r, 0, 4));
 }
 
+static bool is_tod(int ob)
+{
+    return ob >= S7CPU_TOD_FIRST && ob < S7CPU_TOD_FIRST + S7CPU_TODS;
+}
+
 static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
         return percent(r, 75) ? between(r, 1000, 40000) : between(r, 1, 800);
     if (ob >= S7CPU_DINT_FIRST && ob < S7CPU_DINT_FIRST + S7CPU_DINTS && percent(r, 30))
         return between(r, 200, 2000);
-    bool tod = ob >= S7CPU_TOD_FIRST && ob < S7CPU_TOD_FIRST + S7CPU_TODS;
-    if ((tod || ob >= 100) && percent(r, 8))
+    if ((is_tod(ob) || ob >= 100) && percent(r, 8))
         return between(r, 30, 130) * INT64_C(1000);
     return between(r, 1, 200);
 }
@@ -189,14 +198,28 @@ static enum step_kind draw_kind(struct random_program *r)
     return mix[i].kind;
 }
 
+static int draw_state_ob(struct random_program *r)
+{
+    static const int obs[] = {10, 11, 12, 13, 17, 20, 20, 21, 21, 22, 23, 35, 40, 80, 82, 85};
+    return obs[below(r, 16)];
+}
+
 static bool next(struct program *p, const struct s7cpu *cpu, struct activation *a,
                  struct step *step)
 {
     struct random_program *r = (struct random_program *)p;
     if (a->step == 0)
         return false;
+    if (r->states && percent(r, 15)) {
+        *step = (struct step){.kind = STEP_STATE, .ob = draw_state_ob(r)};
+        return true;
+    }
     a->step--;
-    *step = (struct step){.kind = draw_kind(r)};
+    if (is_tod(a->ob) && percent(r, 4)) { /* its own point comes again [CLK-10, CLK-12] */
+        *step = (struct step){.kind = STEP_MOVE_CLOCK, .ms = -between(r, 10, 90) * INT64_C(1000)};
+        return true;
+    }
+    *step = (struct step){.kind = r->activates ? STEP_ACT_TINT : draw_kind(r)};
     switch (step->kind) {
     case STEP_BUSY:
         step->ms = draw_busy(r, a->ob);
@@ -204,10 +227,12 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
     case STEP_SET_TINT:
         step->ob = r->last_set = draw_ob_nr(r);
         step->period = draw_period(r);
-        draw_sdt(r, s7cpu_clock(cpu), &step->sdt);
+        draw_sdt(r, s7cpu_clock(cpu), step->period, &step->sdt);
+        r->activates = percent(r, 70);
         break;
     case STEP_ACT_TINT:
-        step->ob = percent(r, 60) ? r->last_set : draw_ob_nr(r);
+        step->ob = r->activates || percent(r, 60) ? r->last_set : draw_ob_nr(r);
+        r->activates = false;
         break;
     case STEP_CAN_TINT:
     case STEP_QRY_TINT:
@@ -301,6 +326,11 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
     struct random_program *r = (struct random_program *)p;
     int n = below(r, 1000);
     *action = (struct action){.flt_id = S7CPU_NONE};
+    if (r->states && percent(r, 20)) { /* the next one comes at the same moment */
+        action->kind = ACTION_STATE;
+        action->ob = draw_state_ob(r);
+        return true;
+    }
     r->next_action = s7cpu_up(cpu) + draw_pause(r);
     if (s7cpu_mode(cpu) == S7CPU_STOP && n < 100) {
         action->kind = ACTION_SET_CLOCK;

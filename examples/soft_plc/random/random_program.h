@@ -8,7 +8,9 @@ struct random_program {
     struct program program; /* first, as in a scenario */
     uint64_t state;
     int64_t next_action;
-    int last_set; /* OB_NR of the last SFC 28, which SFC 30 mostly follows */
+    int last_set;    /* OB_NR of the last SFC 28 */
+    bool activates;  /* SFC 30 for it is next */
+    bool states;     /* SZL 16#0222 is read now and then; false: never */
 };
 
 void random_program(struct random_program *r, uint64_t seed);

@@ -14,21 +14,26 @@ int s7_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
         return RET_BAD_OB;
     if (dtime < 1 || dtime > DTIME_MAX)
         return RET_BAD_DTIME; /* [DINT-04] */
+    if (cpu->config.choices.waiting_delay_is_withdrawn)
+        s7_queue_withdraw(cpu, ob_nr);
     /* [DINT-07]: a job that is started already begins anew, with its SIGN (AMB-74, reading a). */
     cpu->dint[ob_nr - S7CPU_DINT_FIRST] = (struct s7cpu_dint){
         .started = true, .end = cpu->up + dtime, .dtime = (int)dtime, .sign = sign};
     return RET_OK;
 }
 
-/* [DINT-15], AMB-11 (reading c): once the delay has elapsed there is no job to cancel, and a
- * request that waits stays. */
+/* [DINT-15], AMB-11 (reading d): a delay that has elapsed is either cancelled while its OB has not
+ * started, or there is no job any more and the OB runs. */
 int s7_dint_cancel(struct s7cpu *cpu, int ob_nr)
 {
     if (!is_offered(ob_nr))
         return RET_BAD_OB;
     struct s7cpu_dint *d = &cpu->dint[ob_nr - S7CPU_DINT_FIRST];
-    if (!d->started)
+    bool withdrawn = cpu->config.choices.waiting_delay_is_withdrawn && s7_queue_has(cpu, ob_nr);
+    if (!d->started && !withdrawn)
         return RET_NOT_STARTED; /* [DINT-14] */
+    if (withdrawn)
+        s7_queue_withdraw(cpu, ob_nr);
     d->started = false;
     return RET_OK;
 }
@@ -37,8 +42,7 @@ int s7_dint_query(const struct s7cpu *cpu, int ob_nr, int *status)
 {
     if (!is_offered(ob_nr))
         return RET_BAD_OB;
-    /* An elapsed delay is no longer active, though its OB may still wait (AMB-34). */
-    *status = s7_status(cpu, ob_nr, cpu->dint[ob_nr - S7CPU_DINT_FIRST].started);
+    *status = s7_status(cpu, ob_nr);
     return RET_OK;
 }
 

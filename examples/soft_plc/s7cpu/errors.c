@@ -21,6 +21,7 @@ void s7_error_overlap(struct s7cpu *cpu, int ob, int z1)
 void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
 {
     struct s7cpu_request r = error(cpu, 80, flt_id);
+    r.keeps_time = true;
     r.info.error_info = (int)late;
     s7_time_error(cpu, &r);
 }
@@ -32,6 +33,12 @@ void s7_error_overflow(struct s7cpu *cpu, int ob)
     r.info.ev = s7_ob_start_event(ob);
     r.info.ev_ob = ob;
     s7_time_error(cpu, &r);
+}
+
+/* AMB-49, either: under SFC 41 too (reading a) [AIRT-11], or when the delay ends (b). */
+bool s7_missing_is_noticed(const struct s7cpu *cpu)
+{
+    return !(s7_airt_delays(cpu) && cpu->config.choices.stop_waits_for_delay);
 }
 
 void s7_error_missing_async(struct s7cpu *cpu, int ob)
@@ -80,7 +87,7 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
     case OB_REDUNDANCY: /* AMB-75, reading a */
         break;
     case OB_TOD:
-        s7_tod_called(cpu, r->ob); /* AMB-46: periodic stays active, once is used up */
+        s7_tod_used_up(cpu, r->ob); /* AMB-46: periodic stays active, once is used up */
         priority_class_error(cpu, r->ob);
         break;
     default:

@@ -124,10 +124,16 @@ void s7_tod_request(struct s7cpu *cpu, int k, int64_t point);
 void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point);
 /* Points before the present clock have been skipped [CLK-03]. */
 void s7_tod_catch_up(struct s7cpu *cpu, int k);
-/* The OB of a request is called, or would be called and is missing [TINT-08, AMB-46]. */
-void s7_tod_called(struct s7cpu *cpu, int ob);
+
+/* tod_once.c */
+/* The OB is called for this point, and has been processed to its end. */
+void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point);
+void s7_tod_ended(struct s7cpu *cpu, int ob);
 
 /* tod.c */
+/* A once interrupt is over: its OB was called, or would have been and is missing [TINT-08,
+ * AMB-46]. */
+void s7_tod_used_up(struct s7cpu *cpu, int ob);
 /* Drops what SFCs have set; the STEP 7 parameters apply [OBS-50]. */
 void s7_tod_restart(struct s7cpu *cpu);
 /* The CPU begins in RUN with its STEP 7 parameters in force and nothing pending. */
@@ -156,8 +162,13 @@ int64_t s7_dint_next_up(const struct s7cpu *cpu);
 /* HOLD is over: it froze the delays for this long [DINT-19]. */
 void s7_dint_released(struct s7cpu *cpu, int64_t held);
 
-/* status.c: STATUS of SFC 31 and 34, one scheme for both [TINT-72 to TINT-79, DINT-16] */
-int s7_status(const struct s7cpu *cpu, int ob, bool active);
+/* status.c */
+/* The source of the start events of OB 10 to 17 and 20 to 23 is active [TINT-74, DINT-16]. */
+bool s7_is_active(const struct s7cpu *cpu, int ob);
+/* STATUS of SFC 31 and 34, one scheme for both [TINT-72 to TINT-79, DINT-16]. */
+int s7_status(const struct s7cpu *cpu, int ob);
+/* The same, and more, by SZL 16#0222 [OBS-60]. */
+struct s7cpu_state s7_state(const struct s7cpu *cpu, int ob);
 
 /* irt.c: SFC 39 and 40 */
 int s7_irt_disable(struct s7cpu *cpu, int mode, int ob_nr);
@@ -199,6 +210,9 @@ void s7_error_overlap(struct s7cpu *cpu, int ob, int z1);
 void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late);
 /* Fault 07: the request buffer is full [OBS-08]. */
 void s7_error_overflow(struct s7cpu *cpu, int ob);
+/* An event of OB 80 to 87 leads at once to the reaction to its missing OB; else it waits, and the
+ * OB is missing when it would be called. */
+bool s7_missing_is_noticed(const struct s7cpu *cpu);
 /* An event of OB 80 to 87 whose OB is missing [OBS-23]. */
 void s7_error_missing_async(struct s7cpu *cpu, int ob);
 /* The OB of a request is to be called and is missing [TINT-16, OBS-20]. */

@@ -57,6 +57,6 @@ bool s7_irt_loses(struct s7cpu *cpu, int ob)
     if (!s7_irt_blocks(cpu, ob))
         return false;
     if (s7_ob_kind(ob) == OB_TOD)
-        s7_tod_called(cpu, ob);
+        s7_tod_used_up(cpu, ob);
     return true;
 }

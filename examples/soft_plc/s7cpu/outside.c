@@ -29,12 +29,19 @@ void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id)
         s7_diag_error(cpu, &r);
     if (s7_irt_blocks(cpu, ob))
         return;
-    if (!cpu->loaded[ob] && s7_ob_kind(ob) == OB_ASYNC_ERROR && cpu->mode != S7CPU_HOLD)
+    if (!cpu->loaded[ob] && s7_ob_kind(ob) == OB_ASYNC_ERROR && cpu->mode != S7CPU_HOLD &&
+        s7_missing_is_noticed(cpu))
         s7_error_missing_async(cpu, ob);
     else if (ob != 80 && s7_queue_held(cpu, r.rank) >= cpu->config.buffer)
         s7_error_overflow(cpu, ob); /* [OBS-08]: the new request is lost */
     else
         s7_queue_put(cpu, &r);
+}
+
+void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state)
+{
+    *state = s7_state(cpu, ob);
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_STATE, .ob = ob, .state = state});
 }
 
 /* AMB-66: an OB that runs goes on, one that waits will be missing. */

@@ -82,8 +82,32 @@ struct s7cpu_step7 {
     bool deselected;
 };
 
+/* Where the requirements leave a choice (docs/rules/readings.md); all false is one right CPU. */
+struct s7cpu_choices {
+    /* AMB-11: SFC 32 and 33 withdraw a delay interrupt that waits for its OB; else it runs. */
+    bool waiting_delay_is_withdrawn;
+    /* DINT-16: STATUS bit 2 of a delay interrupt that waits is 1; else 0. */
+    bool waiting_delay_is_active;
+    /* AMB-34: STATUS bit 2 of a once interrupt is 0 from its request on; else 1 until it starts. */
+    bool waiting_once_is_inactive;
+    /* AMB-49: a missing OB stops the CPU when SFC 42 ends the delay; else at once. */
+    bool stop_waits_for_delay;
+    /* AMB-56, S7-400 and CPU 318, clock back: points after the last one for which the OB was called
+     * are served; else none before the point that was next. */
+    bool uncalled_points_are_served;
+    /* AMB-60: SFC 30 for a once interrupt that waits answers 80A1; else 0000. */
+    bool waiting_once_is_past;
+    /* AMB-71: a once interrupt is over at the end of its OB; else at the start. */
+    bool once_ends_with_its_ob;
+    /* AMB-79: seconds 60 to 99 of SDT are ignored; else 8091. */
+    bool wrong_seconds_are_ignored;
+    /* OBS-10: start information shows the time of the call; else that of the event. */
+    bool info_has_time_of_call;
+};
+
 struct s7cpu_config {
     enum s7cpu_family family;
+    struct s7cpu_choices choices;
     bool loaded[S7CPU_OBS];
     int priority[S7CPU_OBS]; /* 0: default class; s7cpu_class_range() says which may differ */
     struct s7cpu_step7 step7[S7CPU_TODS]; /* OB 10 + index */
@@ -126,7 +150,8 @@ enum s7cpu_event_kind {
     S7CPU_INTERRUPT, /* ob, flt_id: for OB 80 and 85, else S7CPU_NONE */
     S7CPU_LOAD,      /* ob */
     S7CPU_DELETE,    /* ob */
-    S7CPU_DIAG       /* id, ob or S7CPU_NONE, info or NULL: an entry of the diagnostic buffer */
+    S7CPU_DIAG,      /* id, ob or S7CPU_NONE, info or NULL: an entry of the diagnostic buffer */
+    S7CPU_STATE      /* ob, state */
 };
 
 /* Start information of an OB. A field that does not apply is S7CPU_NONE. */
@@ -143,6 +168,15 @@ struct s7cpu_info {
     int64_t time;
 };
 
+/* The state of an OB, as SZL 16#0222 shows it [OBS-60]: 0 or 1, or S7CPU_NONE where the CPU does not
+ * show it. In STOP it shows no more than `loaded`. */
+struct s7cpu_state {
+    int active; /* OB 10 to 17 and 20 to 23 */
+    int blocked, entries_off; /* by SFC 39; OBs that it can block */
+    int loaded;
+    int left; /* ms, while a delay runs */
+};
+
 /* Only the fields that its kind names are set. */
 struct s7cpu_event {
     enum s7cpu_event_kind kind;
@@ -156,7 +190,8 @@ struct s7cpu_event {
     int flt_id, id;
     int64_t to;
     bool cold;
-    const struct s7cpu_info *info; /* valid until the sink returns */
+    const struct s7cpu_info *info; /* this and the next: valid until the sink returns */
+    const struct s7cpu_state *state;
 };
 
 typedef void s7cpu_sink(void *context, const struct s7cpu_event *event);
@@ -166,9 +201,11 @@ typedef void s7cpu_sink(void *context, const struct s7cpu_event *event);
 /* A time-of-day interrupt, OB 10 + index. */
 struct s7cpu_tod {
     bool set, active;
+    bool called; /* a once interrupt whose OB runs */
     int64_t start;
     int period;
-    int64_t next; /* the point that is due next; S7CPU_NEVER where none is left */
+    int64_t next;   /* the point that is due next; S7CPU_NEVER where none is left */
+    int64_t served; /* the last point for which the OB was called; S7CPU_NONE where there is none */
 };
 
 /* The job of a time-delay interrupt, OB 20 + index. */
@@ -189,6 +226,7 @@ struct s7cpu_mask {
 struct s7cpu_request {
     int ob;
     int rank; /* the class it is dispatched in */
+    bool keeps_time; /* info.time is not the time of the call, whatever the choice of OBS-10 */
     struct s7cpu_info info;
 };
 
@@ -275,6 +313,8 @@ void s7cpu_set_clock(struct s7cpu *cpu, int64_t to);
 /* A start event for an OB that s7cpu_ob_from_outside() takes. flt_id: for OB 80 and 85, one that
  * no rule of the CPU makes; else S7CPU_NONE. */
 void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id);
+/* SZL 16#0222 is read, for an OB that exists. */
+void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state);
 /* A block is loaded into the CPU or deleted. */
 void s7cpu_load(struct s7cpu *cpu, int ob);
 void s7cpu_delete(struct s7cpu *cpu, int ob);

@@ -32,9 +32,12 @@ static void push(struct s7cpu *cpu, int ob, int rank)
 
 void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
+    struct s7cpu_info info = r->info;
     if (s7_ob_kind(r->ob) == OB_TOD)
-        s7_tod_called(cpu, r->ob);
-    s7_emit_start(cpu, r->ob, &r->info);
+        s7_tod_called(cpu, r->ob, r->info.time);
+    if (cpu->config.choices.info_has_time_of_call && !r->keeps_time)
+        info.time = s7cpu_clock(cpu); /* OBS-10 */
+    s7_emit_start(cpu, r->ob, &info);
     push(cpu, r->ob, r->rank);
 }
 
@@ -82,6 +85,8 @@ void s7cpu_end_ob(struct s7cpu *cpu)
     if (top == NULL)
         return;
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_OB_END, .ob = top->ob});
+    if (s7_ob_kind(top->ob) == OB_TOD)
+        s7_tod_ended(cpu, top->ob);
     cpu->depth--;
     s7_airt_ob_ended(cpu);
 }

@@ -27,7 +27,7 @@ static void take_step7(struct s7cpu *cpu, int k)
 {
     const struct s7cpu_step7 *s = &cpu->config.step7[k];
     struct s7cpu_tod *t = &cpu->tod[k];
-    *t = (struct s7cpu_tod){.next = S7CPU_NEVER};
+    *t = (struct s7cpu_tod){.next = S7CPU_NEVER, .served = S7CPU_NONE};
     if (s->deselected || s->execution < S7CPU_ONCE)
         return; /* AMB-62: with "none" [TINT-07] nothing is set */
     t->set = true;
@@ -50,7 +50,16 @@ void s7_tod_begin_running(struct s7cpu *cpu)
     for (int k = 0; k < S7CPU_TODS; k++) {
         take_step7(cpu, k);
         if (cpu->tod[k].next < s7cpu_clock(cpu)) /* the past once had its run */
-            cpu->tod[k] = (struct s7cpu_tod){.next = S7CPU_NEVER};
+            s7_tod_used_up(cpu, S7CPU_TOD_FIRST + k);
+    }
+}
+
+void s7_tod_used_up(struct s7cpu *cpu, int ob)
+{
+    struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
+    if (t->set && t->period == PERIOD_ONCE) {
+        t->set = t->active = t->called = false;
+        t->next = S7CPU_NEVER;
     }
 }
 

@@ -25,13 +25,38 @@ static void skipped(struct s7cpu *cpu, int flt_id)
             s7_tod_catch_up(cpu, k);
 }
 
-/* [CLK-09, CLK-10]: an S7-300 serves the points again; the others go on with the next point that
- * they had, and so do not serve those of AMB-56 and AMB-57 before it (either). */
+/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. */
+static int64_t last_served(const struct s7cpu *cpu, int k)
+{
+    int64_t last = cpu->tod[k].served;
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (cpu->queue[i].ob == S7CPU_TOD_FIRST + k && cpu->queue[i].info.time > last)
+            last = cpu->queue[i].info.time;
+    return last;
+}
+
+/* [CLK-10]: an S7-300 serves the points again. [CLK-09], AMB-56, either: the others serve again
+ * only those after the last one served (reading d), or none before the point that was next (b). */
+static int64_t next_again(const struct s7cpu *cpu, int k)
+{
+    int64_t from = s7cpu_clock(cpu);
+    if (cpu->config.family != S7CPU_S7_300) {
+        if (!cpu->config.choices.uncalled_points_are_served)
+            return cpu->tod[k].next;
+        if (last_served(cpu, k) >= from)
+            from = last_served(cpu, k) + 1;
+    }
+    return s7_tod_first_point(cpu, k, from);
+}
+
 static void moved_back(struct s7cpu *cpu)
 {
-    for (int k = 0; k < S7CPU_TODS && cpu->config.family == S7CPU_S7_300; k++)
-        if (cpu->tod[k].active)
-            cpu->tod[k].next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        struct s7cpu_tod *t = &cpu->tod[k];
+        bool used = t->period == PERIOD_ONCE && t->next == S7CPU_NEVER; /* [CLK-12], AMB-71 */
+        if (t->active && !used)
+            t->next = next_again(cpu, k);
+    }
 }
 
 void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before)

@@ -3,12 +3,18 @@
  * (readings c and b). */
 #include "internal.h"
 
-void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)
+static void put(struct s7cpu *cpu, int k, int64_t point, bool keeps_time)
 {
     struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
     r.info.period = cpu->tod[k].period;
+    r.keeps_time = keeps_time;
     if (!s7_queue_has(cpu, r.ob))
         s7_queue_put(cpu, &r);
+}
+
+void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)
+{
+    put(cpu, k, point, false);
 }
 
 /* OB 80 goes first, then the OB that runs, then the run that is due [TINT-15]. */
@@ -25,14 +31,5 @@ void s7_tod_catch_up(struct s7cpu *cpu, int k)
     int64_t first = t->next;
     /* [CLK-08]; a point equal to the clock is reached */
     t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
-    s7_tod_request(cpu, k, first); /* [CLK-03, CLK-07]: once, with the first skipped point */
-}
-
-void s7_tod_called(struct s7cpu *cpu, int ob)
-{
-    struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
-    if (t->set && t->period == PERIOD_ONCE) {
-        t->set = t->active = false; /* [TINT-08], AMB-08 (reading a), AMB-71: when it starts */
-        t->next = S7CPU_NEVER;
-    }
+    put(cpu, k, first, true); /* [CLK-03, CLK-07]: once, with the first skipped point */
 }

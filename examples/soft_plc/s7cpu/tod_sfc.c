@@ -11,9 +11,12 @@ static bool is_offered(const struct s7cpu *cpu, int ob_nr) /* [TINT-01] */
 }
 
 /* [TINT-18, TINT-39], AMB-05 */
-static bool sdt_is_right(const struct s7cpu_date *sdt, int period)
+static bool sdt_is_right(const struct s7cpu *cpu, const struct s7cpu_date *sdt, int period)
 {
-    return s7cpu_date_exists(sdt) && (period != PERIOD_MONTHLY || sdt->day <= MONTHLY_LAST_DAY);
+    struct s7cpu_date date = *sdt;
+    if (cpu->config.choices.wrong_seconds_are_ignored)
+        date.second = 0; /* AMB-79 */
+    return s7cpu_date_exists(&date) && (period != PERIOD_MONTHLY || date.day <= MONTHLY_LAST_DAY);
 }
 
 /* Seconds are cut off [TINT-11], before anything is compared (AMB-14, reading a). */
@@ -34,7 +37,7 @@ int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int p
 {
     if (!is_offered(cpu, ob_nr))
         return RET_BAD_OB;
-    if (!sdt_is_right(sdt, period))
+    if (!sdt_is_right(cpu, sdt, period))
         return RET_BAD_SDT;
     if (!s7_period_known(period))
         return RET_BAD_PERIOD;
@@ -45,7 +48,7 @@ int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int p
     s7_queue_withdraw(cpu, ob_nr); /* [TINT-31] */
     cpu->tod[ob_nr - S7CPU_TOD_FIRST] = (struct s7cpu_tod){
         .set = true, .active = false, /* [TINT-05, TINT-30] */
-        .start = start, .period = period, .next = S7CPU_NEVER};
+        .start = start, .period = period, .next = S7CPU_NEVER, .served = S7CPU_NONE};
     return RET_OK;
 }
 
@@ -56,8 +59,8 @@ int s7_tod_cancel(struct s7cpu *cpu, int ob_nr)
     struct s7cpu_tod *t = &cpu->tod[ob_nr - S7CPU_TOD_FIRST];
     if (!t->set)
         return RET_NOT_SET; /* [TINT-51] */
-    s7_queue_withdraw(cpu, ob_nr); /* AMB-11; a running OB goes on [TINT-53] */
-    t->set = t->active = false;    /* [TINT-50]: SET must come before ACT */
+    s7_queue_withdraw(cpu, ob_nr);          /* AMB-11; a running OB goes on [TINT-53] */
+    t->set = t->active = t->called = false; /* [TINT-50]: SET must come before ACT */
     t->next = S7CPU_NEVER;
     return RET_OK;
 }
@@ -70,10 +73,12 @@ int s7_tod_activate(struct s7cpu *cpu, int ob_nr)
     struct s7cpu_tod *t = &cpu->tod[k];
     if (!t->set)
         return RET_NOT_SET;
-    if (t->active)
-        return RET_OK; /* [TINT-63], AMB-10; AMB-60, either: also while a once waits (reading a) */
+    if (t->active && !cpu->config.choices.waiting_once_is_past)
+        return RET_OK; /* [TINT-63], AMB-10, AMB-60 */
     if (is_past(cpu, t->start, t->period))
         return RET_PAST;
+    if (t->active)
+        return RET_OK;
     t->active = true;
     t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu)); /* [TINT-10] */
     return RET_OK;
@@ -83,7 +88,6 @@ int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status)
 {
     if (!is_offered(cpu, ob_nr))
         return RET_BAD_OB;
-    /* A once is active until its OB starts (AMB-34, AMB-71). */
-    *status = s7_status(cpu, ob_nr, cpu->tod[ob_nr - S7CPU_TOD_FIRST].active);
+    *status = s7_status(cpu, ob_nr);
     return RET_OK;
 }

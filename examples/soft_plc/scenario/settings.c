@@ -1,6 +1,7 @@
 /* The settings of a scenario: what stands in the header of the log, and how long it runs. */
 #include <string.h>
 
+#include "choices.h"
 #include "parser.h"
 
 /* A program can call itself without time passing, as an OB 80 that moves the clock. */
@@ -145,6 +146,14 @@ static bool set_priority(struct parser *p)
     return parse_word_count(p, "priority", 3, "an OB and a class");
 }
 
+static bool set_choice(struct parser *p)
+{
+    const char *s = parser_word(p, 1);
+    if (s == NULL || !choice_set(&p->scenario->config.cpu.choices, s))
+        return parser_fail(p, "choose", "a choice that --choose help lists, as AMB-34=b", s);
+    return parse_word_count(p, "choose", 2, "one choice");
+}
+
 static bool set_execution(const char *s, struct s7cpu_step7 *t)
 {
     static const char *const names[] = {
@@ -203,7 +212,7 @@ static const struct {
     {"duration", set_duration, false}, {"log_cycle", set_log_cycle, false},
     {"log_diag", set_log_diag, false}, {"buffer", set_buffer, false},
     {"random", set_random, false},     {"priority", set_priority, true},
-    {"step7", set_step7, true},
+    {"step7", set_step7, true},        {"choose", set_choice, true},
 };
 
 static bool was_given(const struct parser *p, const char *name)

@@ -109,6 +109,11 @@ static bool step_busy(struct parser *p, const char *name, struct step *step)
     return parse_word_count(p, name, 2, "one duration");
 }
 
+static bool step_state(struct parser *p, const char *name, struct step *step)
+{
+    return parse_ob(p, name, 1, &step->ob) && parse_word_count(p, name, 2, "one OB");
+}
+
 static bool step_set_clock(struct parser *p, const char *name, struct step *step)
 {
     bool moves;
@@ -139,6 +144,7 @@ bool parse_step(struct parser *p)
         {"DIS_AIRT", STEP_DIS_AIRT, step_plain},
         {"EN_AIRT", STEP_EN_AIRT, step_plain},
         {"set_clock", STEP_SET_CLOCK, step_set_clock},
+        {"state", STEP_STATE, step_state},
     };
     struct body *b = &p->scenario->bodies[p->body];
     for (unsigned i = 0; i < sizeof steps / sizeof steps[0]; i++) {
@@ -212,6 +218,11 @@ static bool parse_action(struct parser *p, int word, struct action *a)
         a->kind = ACTION_INTERRUPT;
         return parse_interrupt(p, word + 1, a);
     }
+    if (strcmp(name, "state") == 0) {
+        a->kind = ACTION_STATE;
+        return parse_ob(p, name, word + 1, &a->ob) &&
+               parse_word_count(p, name, word + 2, "one OB");
+    }
     if (strcmp(name, "restart") == 0)
         return parse_restart(p, word + 1, a);
     if (strcmp(name, "load") == 0 || strcmp(name, "delete") == 0) {
@@ -226,7 +237,7 @@ static bool parse_action(struct parser *p, int word, struct action *a)
         a->kind = ACTION_RELEASE;
     else
         return parser_fail(p, "action",
-                           "clock, interrupt, stop, restart, hold, release, load or delete", name);
+                           "clock, interrupt, stop, restart, hold, release, load, delete or state", name);
     return parse_word_count(p, name, word + 1, "the end of the line");
 }
 

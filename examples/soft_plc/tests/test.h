@@ -33,6 +33,7 @@ void test_irt(void);
 void test_diag(void);
 void test_faults(void);
 void test_scheduling(void);
+void test_choices(void);
 void test_clock(void);
 void test_modes(void);
 void test_scenario(void);

@@ -12,6 +12,8 @@
     "cpu " family "\nobs 1 10 11 20 21 35 40 55 56 70 72 80 85 100\nclock 2026-11-21T05:59:30\n"   \
     "mode RUN\nduration 3min\nlog_diag on\nat +2min50s load 12\n"
 #define S7_400 CPU("S7-400")
+#define WAITING_DELAY                                                                              \
+    S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\nDIS_AIRT\nbusy 2s\n"
 #define MINUTE_10 "step7 10 minute 2026-11-21T00:00 active\n"
 #define STARTED(ob) "\"start\",\"at\":\"2026-11-21T05:59:3" ob
 #define STATUS(word) "\"status\":\"16#" word "\""
@@ -38,12 +40,17 @@ static const struct {
     {FAULT_DINT_CAN_ANY, S7_400 "ob 1 run 1 {\nCAN_DINT 20\n}\n", RET("80A0"), 1, 0},
     {FAULT_DINT_CAN_KEEPS, S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\nCAN_DINT 20\n}\n",
      ":\"start\"", 0, 1},
-    {FAULT_DINT_CAN_WITHDRAWS,
-     S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\nDIS_AIRT\nbusy 2s\nCAN_DINT 20\n}\n", ":\"start\"",
-     1, 0},
-    {FAULT_DINT_WAITING_ACTIVE,
-     S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\nDIS_AIRT\nbusy 2s\nQRY_DINT 20\n}\n",
-     STATUS("0010"), 1, 0},
+    {FAULT_DINT_CAN_RUNS, WAITING_DELAY "CAN_DINT 20\n}\n", RET("0000"), 1, 2},
+    {FAULT_DINT_CAN_RUNS, WAITING_DELAY "CAN_DINT 20\n}\n", ":\"start\"", 1, 1},
+    {FAULT_DINT_CAN_LOSES, WAITING_DELAY "CAN_DINT 20\n}\n", RET("80A0"), 1, 1},
+    {FAULT_DINT_CAN_LOSES, WAITING_DELAY "CAN_DINT 20\n}\n", ":\"start\"", 1, 0},
+    {FAULT_DINT_CAN_MIXED,
+     WAITING_DELAY "CAN_DINT 20\nSRT_DINT 20 1s 16#0\nbusy 2s\nSRT_DINT 20 1s 16#0\n}\n",
+     ":\"start\"", 2, 2},
+    {FAULT_DINT_CAN_MIXED, WAITING_DELAY "CAN_DINT 20\n}\n", ":\"start\"", 1, 0},
+    {FAULT_DINT_RUNNING_ACTIVE,
+     S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\n}\nob 20 {\nQRY_DINT 20\n}\n", STATUS("0010"), 1,
+     0},
     {FAULT_DINT_OVERLAP_SILENT,
      S7_400 "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\n}\n"
             "ob 20 run 1 {\nSRT_DINT 20 1s 16#0\nbusy 2s\n}\n",
@@ -130,6 +137,39 @@ static const struct {
      CPU("S7-300") "buffer 1\nat +1s interrupt 35\nat +1s interrupt 35\n",
      "\"info\":{\"priority\":28,\"flt_id\":\"16#07\"", 2, 0},
     {FAULT_ASYNC_RUNS_ON, S7_400 "at +1s interrupt 86\n", "\"stop\"", 1, 0},
+    {FAULT_FIFO,
+     S7_400 "ob 1 run 1 {\nDIS_AIRT\nbusy 4s\nEN_AIRT\n}\nob 35 {\nbusy 5s\n}\n"
+            "at +1s interrupt 35\nat +2s interrupt 40\n",
+     STARTED("4.000\",\"ob\":40"), 1, 1},
+    {FAULT_FIFO,
+     S7_400 "ob 1 run 1 {\nDIS_AIRT\nbusy 4s\nEN_AIRT\n}\nob 40 {\nbusy 1s\n}\n"
+            "at +1s interrupt 35\nat +2s interrupt 40\n",
+     STARTED("5.000\",\"ob\":35"), 1, 0},
+    {FAULT_ONCE_RUNS_TWICE,
+     S7_400 "step7 10 once 2026-11-21T06:00 active\n"
+            "ob 10 run 1 {\nset_clock 2026-11-21T05:59:30\n}\n",
+     ":\"start\"", 1, 2},
+    {FAULT_BACK_BLOCKS_NEW,
+     S7_400 "ob 1 run 1 {\nset_clock +1h\nset_clock -1h\nSET_TINT 10 2026-11-21T06:00 16#0201\n"
+            "ACT_TINT 10\n}\n",
+     "\"ob\":10,\"info\"", 3, 0},
+    {FAULT_CLOCK_RUNS_AWAY, S7_400 "", "\"at\":\"2026-11-21T06:02:20.000\"", 1, 0},
+    {FAULT_OVERLAP_RUNS_EACH, S7_400 MINUTE_10 "ob 10 run 1 {\nbusy 121s\n}\n",
+     "\"ob\":10,\"info\"", 2, 3},
+    {FAULT_SKIP_AS_INTERRUPT, S7_400 MINUTE_10 "at +1s clock +5min\n", "\"interrupt\",\"at\"", 0, 1},
+    {FAULT_STOP_CAUSE, S7_400 "at +1s stop\n", "\"cause\":\"16#4568\"", 0, 1},
+    {FAULT_STARTUP_TIME, S7_400 "at +1s restart warm\n", "\"time\":\"2026-11-21T05:59:31.000\"", 1,
+     0},
+    {FAULT_STATE_ACTIVE, S7_400 MINUTE_10 "ob 1 run 1 {\nstate 10\nstate 20\n}\n",
+     "\"ob\":10,\"active\":true", 1, 0},
+    {FAULT_STATE_BLOCKED, S7_400 "ob 1 run 1 {\nDIS_IRT 16#02 35\nstate 35\n}\n",
+     "\"ob\":35,\"blocked\":true", 1, 0},
+    {FAULT_STATE_LOADED, S7_400 "at +1s state 12\n", "\"loaded\":true", 0, 1},
+    {FAULT_STATE_ENTRIES, S7_400 "ob 1 run 1 {\nDIS_IRT 16#82 35\nstate 35\n}\n",
+     "\"entries_off\":true", 1, 0},
+    {FAULT_STATE_LEFT,
+     S7_400 "ob 1 run 1 {\nSRT_DINT 20 5s 16#0\n}\nat +1s hold\nat +3s state 20\n",
+     "\"left\":4000", 1, 0},
 };
 
 void test_faults(void)

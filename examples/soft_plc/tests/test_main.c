@@ -92,6 +92,7 @@ char *test_random(uint64_t seed, uint64_t events, enum fault fault)
     struct plc_config c;
     memset(&c, 0, sizeof c);
     random_program(&r, seed);
+    r.states = true;
     random_config(&r, &c.cpu, NULL);
     c.log.diag = true;
     c.cycle_ms = 10;
@@ -139,6 +140,7 @@ int main(void)
     test_diag();
     test_faults();
     test_scheduling();
+    test_choices();
     test_clock();
     test_modes();
     test_scenario();

@@ -8,7 +8,7 @@
 static bool fault_shows(enum fault f)
 {
     bool shows = false;
-    for (uint64_t seed = 1; seed <= 12 && !shows; seed++) {
+    for (uint64_t seed = 1; seed <= 40 && !shows; seed++) {
         char *right = test_random(seed, 6000, 0);
         char *wrong = test_random(seed, 6000, f);
         shows = strcmp(right, wrong) != 0;

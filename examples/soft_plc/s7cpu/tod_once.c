@@ -1,0 +1,22 @@
+/* A once interrupt is cancelled by the call of its OB [TINT-08], AMB-08 (reading a). AMB-71, a or c:
+ * when the OB starts or when it ends; a clock that is set back meanwhile does not arm it again
+ * [CLK-12], and a SET_TINT inside the OB lasts [TINT-65]. */
+#include "internal.h"
+
+void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
+{
+    struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
+    t->served = point;
+    if (t->set && t->period == PERIOD_ONCE) {
+        if (cpu->config.choices.once_ends_with_its_ob)
+            t->called = true;
+        else
+            s7_tod_used_up(cpu, ob);
+    }
+}
+
+void s7_tod_ended(struct s7cpu *cpu, int ob)
+{
+    if (cpu->tod[ob - S7CPU_TOD_FIRST].called)
+        s7_tod_used_up(cpu, ob);
+}
