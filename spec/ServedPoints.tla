@@ -22,9 +22,9 @@ Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
 Served(t, p) ==
     LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
         after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
-        first  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
-        last   == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
-        run    == [from |-> first, to |-> last]
+        begin  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
+        end    == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
+        run    == [from |-> begin, to |-> end]
     IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
         ELSE t
 

@@ -4,28 +4,7 @@
 (*                                                                         *)
 (* Left out: the effect of a point on its OB (StartEvents).                *)
 (***************************************************************************)
-<<<<<<< HEAD
 EXTENDS StartEvents, ServedPoints
-=======
-EXTENDS StartEvents, TodSettings
-
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
-(* was set back; other CPUs remember which were served [AMB-17].           *)
-Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
-
-(* [CLK-09] The OB is called for point p, which joins the runs of points    *)
-(* beside it.  A point that is lost [IRT-18], or skipped without a run of  *)
-(* its own, is over and yet was not served.                                *)
-\* @type: ($tod, Int) => $tod;
-Served(t, p) ==
-    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
-        after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
-        begin  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
-        end    == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
-        run    == [from |-> begin, to |-> end]
-    IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
-        ELSE t
->>>>>>> 01484b2 (Types of the groups of variables; Apalache types the diamond)
 
 (* [AMB-12] A start event is lost, and no earlier one of its OB waits. *)
 \* @type: Int => Bool;
