@@ -104,7 +104,7 @@ REFUSED: list[tuple[str, object, str]] = [
     ("step7", {"tod": {"10": {"active": 0}}}, "step7.tod.10.active"),
     ("step7", {"tod": {"10": {"deselected": None}}}, "step7.tod.10.deselected"),
     ("step7", {"tod": {"10": []}}, "step7.tod.10"),
-    ("readings", {"AMB-79": "a"}, "readings.AMB-79"),
+    ("readings", {"AMB-80": "a"}, "readings.AMB-80"),
     ("profile", "1998", "profile"),
     ("profile", 2006, "profile"),
     ("readings", {"AMB-00": "a"}, "readings.AMB-00"),
