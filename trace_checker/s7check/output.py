@@ -1,8 +1,33 @@
-"""A file that is written whole or not at all."""
+"""Output: a file that is written whole or not at all, and standard output."""
 
 import os
+import sys
 import tempfile
 from pathlib import Path
+
+import click
+
+
+def echo(text: str | bytes) -> None:
+    """Writes ``text`` to standard output, bytes as they are, a string with a line end and, on a terminal, its colours.
+
+    Nothing happens if the reader of a pipe is gone: it has seen enough. Raises click.ClickException if the output
+    cannot be written.
+    """
+    if sys.stdout is None:
+        raise click.ClickException("standard output is closed: expected an open one, or --output FILE")
+    try:
+        click.echo(text, nl=isinstance(text, str), color=False if "NO_COLOR" in os.environ else None)
+    except BrokenPipeError:
+        _give_up()
+    except OSError as error:
+        _give_up()
+        raise click.ClickException(f"standard output: cannot be written: {error.strerror or error}") from error
+
+
+def _give_up() -> None:
+    """Python writes the rest of its buffer as it ends, which would fail once more."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def write_whole(path: Path, data: bytes) -> None:

@@ -1,7 +1,5 @@
 """``s7check trace``."""
 
-import os
-import sys
 import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -19,7 +17,7 @@ from s7check.judging.replay import Replay, TooLongError, with_readings, with_ste
 from s7check.judging.verdict import Report
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
-from s7check.output import write_whole
+from s7check.output import echo, write_whole
 from s7check.report.as_json import to_json
 from s7check.report.as_text import to_text
 from s7check.report.progress import ProgressBar
@@ -100,6 +98,8 @@ def trace_command(
     output: str, file: Path | None, readings: str, budget: float | None, profile: str | None, logs: tuple[str, ...]
 ) -> int:
     """Judge the logs and report."""
+    if "" in logs:
+        raise click.UsageError("LOG: expected the name of a file or folder, a pattern or -; found an empty text")
     names = logs_of(logs)
     reports: list[Report] = []
     written: list[bytes] = []
@@ -113,14 +113,14 @@ def trace_command(
             text = to_json(report) if output == "json" else to_text(report).encode()
             if file is None:
                 progress.pause()
-                _print(text)
+                echo(text.decode())
             else:
                 written.append((click.unstyle(text.decode()) if output == "text" else text.decode()).encode() + b"\n")
             reports.append(_without_bulk(report))
     if output in _WHOLE:
         written = [_document(output, reports)]
         if file is None:
-            _print(written[0].rstrip(b"\n"))
+            echo(written[0].rstrip(b"\n").decode())
     if file is not None:
         try:
             write_whole(file, b"".join(written))
@@ -189,11 +189,3 @@ def _document(output: str, reports: Sequence[Report]) -> bytes:
 def _without_bulk(report: Report) -> Report:
     """The part that the exit code needs; the rest was written."""
     return Report(report.log, report.verdict, report.message)
-
-
-def _print(text: bytes) -> None:
-    try:
-        click.echo(text.decode(), color=False if "NO_COLOR" in os.environ else None)
-    except BrokenPipeError:
-        # Whoever read the output has seen enough; the exit code still counts.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -238,6 +238,8 @@ def test_gzip(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ["trace", "--format", "xml", "x"],
         ["trace", "--profile", "1998", "x"],
         ["trace", "--nope"],
+        ["trace", ""],
+        ["trace", "x", ""],
         ["nope"],
         ["trace", "--format"],
     ],
@@ -375,6 +377,31 @@ def test_reader_of_the_output_is_gone() -> None:
     )
     os.close(write)
     assert (run.returncode, run.stderr) == (1, b"")
+
+
+@pytest.mark.usefixtures("logs")
+@pytest.mark.parametrize("output", ["text", "json", "html"])
+@pytest.mark.parametrize(
+    ("redirection", "message"),
+    [
+        (">/dev/full", "Error: standard output: cannot be written: No space left on device\n"),
+        (">&-", "Error: standard output is closed: expected an open one, or --output FILE\n"),
+    ],
+)
+def test_report_that_cannot_be_written(output: str, redirection: str, message: str) -> None:
+    """It is no report: exit code 2 and one message, whatever the verdict."""
+    command = ["sh", "-c", f'"$@" {redirection}', "sh", *RUNNER, "trace", "--format", output, "accepted"]
+    run = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=60, check=False, env=ENVIRONMENT)
+    assert (run.returncode, run.stderr) == (2, message)
+
+
+@pytest.mark.usefixtures("logs")
+def test_file_of_the_report_while_standard_output_is_closed() -> None:
+    """The report does not need it then."""
+    command = ["sh", "-c", '"$@" >&-', "sh", *RUNNER, "trace", "--output", "report", "accepted"]
+    run = subprocess.run(command, stderr=subprocess.PIPE, timeout=60, check=False, env=ENVIRONMENT)
+    assert (run.returncode, run.stderr) == (0, b"")
+    assert Path("report").read_text(encoding="utf-8").startswith("accepted: accepted")
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "cp437"])

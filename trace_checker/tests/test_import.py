@@ -391,6 +391,17 @@ def test_failed_writing_leaves_the_file(
     assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
 
 
+def test_standard_output_that_cannot_be_written() -> None:
+    """One message, exit code 2."""
+    arguments = ["import", "--from", "step7", str(DATA / "english.txt"), *CPU]
+    with Path("/dev/full").open("wb") as full:
+        run = subprocess.run(
+            [sys.executable, "-m", "s7check", *arguments], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    message = "Error: standard output: cannot be written: No space left on device\n"
+    assert (run.returncode, run.stderr) == (2, message)
+
+
 def test_no_file(tmp_path: Path, refused: Callable[..., str]) -> None:
     """A file that is not there, an output that cannot be."""
     name = tmp_path / "absent"

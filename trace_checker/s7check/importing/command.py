@@ -1,6 +1,5 @@
 """``s7check import``."""
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,7 @@ from s7check.importing.errors import SourceError
 from s7check.importing.options import JsonFile, Letters, Numbers, Span, Words
 from s7check.importing.recording import Recording
 from s7check.log.errors import printable
-from s7check.output import write_whole
+from s7check.output import echo, write_whole
 
 _KINDS = ("step7", "szl", "csv", "ring")
 
@@ -50,7 +49,8 @@ or not at all.
 \b
 Exit codes:
   0  the log is written
-  2  SOURCE or an option cannot be used: which entry, and what was expected
+  2  SOURCE or an option cannot be used: which entry, and what was expected;
+     or the log cannot be written
   3  something else failed
 """
 
@@ -109,8 +109,7 @@ def import_command(kind: str | None, output: Path | None, source: str, **options
     except SourceError as error:
         raise click.ClickException(f"{name}: {error}") from error
     if output is None:
-        sys.stdout.buffer.write(text)
-        sys.stdout.flush()
+        echo(text)
     else:
         try:
             write_whole(output, text)
