@@ -190,16 +190,49 @@ def test_full_disk(tmp_path: Path, old: str | None) -> None:
     assert [path.read_text() for path in folder.iterdir()] == ([] if old is None else [old])
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
-def test_output_that_takes_nothing(tmp_path: Path) -> None:
-    """Where standard output is full there is no verdict, and a sentence."""
-    (tmp_path / "log").write_bytes(REJECTED)
-    with Path("/dev/full").open("wb") as full:
-        run = subprocess.run(
-            [*RUNNER, "trace", tmp_path / "log"], stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT, check=False
-        )
-    assert run.returncode == 3
-    assert run.stderr.splitlines() == [b"Error: OSError: [Errno 28] No space left on device"]
+@pytest.mark.parametrize(
+    ("what", "size", "advice"),
+    [
+        (resource.RLIMIT_NOFILE, 8, "allow 16 open files or more, ulimit -n; found 8"),
+        (resource.RLIMIT_AS, 1024 * MEGABYTE, "allow 4 GB of address space or more, ulimit -v; found 1.0 GB"),
+        (resource.RLIMIT_AS, 200 * MEGABYTE, "allow 4 GB of address space or more, ulimit -v; found 0.2 GB"),
+    ],
+)
+def test_limits_too_small_for_java(tmp_path: Path, what: int, size: int, advice: str) -> None:
+    """There is no verdict, and the message names the limit to raise; no folder is left."""
+    (tmp_path / "scratch").mkdir()
+    (tmp_path / "log").write_bytes(log_text(event("restart", type="warm")))
+    run = subprocess.run(
+        [sys.executable, "-m", "s7check", "trace", "log"],
+        cwd=tmp_path,
+        env=ENVIRONMENT | {"TMPDIR": str(tmp_path / "scratch")},
+        capture_output=True,
+        text=True,
+        preexec_fn=limited(what, size),
+        check=False,
+    )
+    assert (run.returncode, run.stderr) == (3, "")
+    assert run.stdout.startswith("log: no verdict: ")
+    assert run.stdout.endswith(f"{advice}\n")
+    assert list((tmp_path / "scratch").iterdir()) == []
+
+
+@pytest.mark.parametrize(("options", "code"), [("", 0), ("-Xmx400000g", 3)])
+def test_folder_that_was_deleted(tmp_path: Path, options: str, code: int) -> None:
+    """The current folder is not needed, not even to say why Java does not start."""
+    (tmp_path / "log").write_bytes(log_text(event("restart", type="warm")))
+    script = 'mkdir gone && cd gone && rmdir ../gone && exec "$@"'
+    run = subprocess.run(
+        ["sh", "-c", script, "sh", sys.executable, "-m", "s7check", "trace", str(tmp_path / "log")],
+        cwd=tmp_path,
+        env=ENVIRONMENT | {"JDK_JAVA_OPTIONS": options},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (run.returncode, run.stderr) == (code, "")
+    assert "working directory" not in run.stdout
+    assert ("400000g" in run.stdout) == (code == 3)
 
 
 def test_damaged_logs_and_sources(tmp_path: Path) -> None:

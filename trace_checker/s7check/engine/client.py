@@ -8,6 +8,7 @@ from typing import Any, Literal, Self, TypeVar
 
 import msgspec
 
+from s7check.engine import limits
 from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import JavaMissingError, check_java
@@ -147,13 +148,14 @@ class Engine:
 
 
 def _explained(error: EngineError, process: EngineProcess, program: str) -> EngineError:
-    """Why the engine did not get ready: its Java may be unfit, which costs too much to ask before."""
+    """Why the engine did not get ready: its Java may be unfit, which costs too much to ask before, or a limit."""
     if process.ended_by_itself and Path(program).stem == "java":
         try:
             check_java(program)
         except JavaMissingError as reason:
             return EngineError(str(reason))
-    return error
+    too_small = limits.advice()
+    return EngineError(f"the engine did not start: {too_small}") if too_small else error
 
 
 def _decode(line: bytes, shape: type[_Shape]) -> _Shape:

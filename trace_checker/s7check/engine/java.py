@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from s7check.engine import limits
 from s7check.log.errors import printable
 
 LEAST_JAVA = 17
@@ -53,13 +54,15 @@ def check_java(java: str) -> None:
             check=True,
             text=True,
             errors="replace",
+            # Java refuses to run in a folder that was deleted.
+            cwd=Path(java).parent,
         )
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise JavaMissingError(f"{java} -version failed ({error}): {_ADVICE}") from error
+        raise JavaMissingError(f"{java} -version failed ({error}): {limits.advice() or _ADVICE}") from error
     except subprocess.CalledProcessError as error:
         # Such as a wrong option in JDK_JAVA_OPTIONS.
         words = printable(" ".join(f"{error.stdout} {error.stderr}".split()), _SHOWN) or f"exit code {error.returncode}"
-        raise JavaMissingError(f"{java} -version failed ({words}): {_ADVICE}") from error
+        raise JavaMissingError(f"{java} -version failed ({words}): {limits.advice() or _ADVICE}") from error
     match = _VERSION.search(said.stderr)
     if match is None or int(match[1]) < LEAST_JAVA:
         version = match[1] if match else "of an unknown version"

@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import time
 
+from s7check.engine import limits
 from s7check.engine.command import EngineError
 from s7check.log.errors import printable
 from s7check.readable import AT_ONCE, readable, writable
@@ -34,24 +35,30 @@ class EngineProcess:
     """
 
     def __init__(self, command: list[str]) -> None:
-        # A file for what it says on standard error: a pipe that nobody empties would block it.
-        with tempfile.TemporaryFile() as errors:
-            self._errors = os.dup(errors.fileno())
-        self._folder = tempfile.mkdtemp(prefix=FOLDER)
         self._received = b""
-        input_end, self._input = os.pipe()
-        self.output, output_end = os.pipe()
+        self._fds: list[int] = []
+        self._folder = ""
         try:
+            self._folder = tempfile.mkdtemp(prefix=FOLDER)
+            # A file for what it says on standard error: a pipe that nobody empties would block it.
+            with tempfile.TemporaryFile() as errors:
+                self._errors = os.dup(errors.fileno())
+            self._fds.append(self._errors)
+            input_end, self._input = os.pipe()
+            self._fds += [input_end, self._input]
+            self.output, output_end = os.pipe()
+            self._fds += [self.output, output_end]
             self._process = subprocess.Popen(
                 command, stdin=input_end, stdout=output_end, stderr=self._errors, cwd=self._folder
             )
         except OSError as error:
             self._close()
             self._clear()
-            raise EngineError(f"the engine could not be started: {error}") from error
-        finally:
-            os.close(input_end)
-            os.close(output_end)
+            remedy = f": {raised}" if (raised := limits.advice()) else ""
+            raise EngineError(f"the engine could not be started ({error}){remedy}") from error
+        for fd in (input_end, output_end):
+            os.close(fd)
+            self._fds.remove(fd)
 
     @property
     def running(self) -> bool:
@@ -106,11 +113,12 @@ class EngineProcess:
         self._clear()
 
     def _clear(self) -> None:
-        shutil.rmtree(self._folder, ignore_errors=True)
+        if self._folder:
+            shutil.rmtree(self._folder, ignore_errors=True)
 
     def _close(self) -> None:
-        for fd in (self._input, self.output, self._errors):
-            os.close(fd)
+        while self._fds:
+            os.close(self._fds.pop())
 
     def _ended(self) -> EngineError:
         """Why a process that has closed its pipes is gone."""
