@@ -44,7 +44,7 @@ _HELP = """Check whether recorded runs of a CPU keep to the rules of the S7-300/
 A LOG is a file of the format s7-interrupt-log/1: what the CPU did, one JSON object a line, the
 SFC calls with their RET_VAL, OBs starting and ending, the clock being set. A file whose name
 ends in .gz is unpacked; - reads standard input while it is being written. A folder stands for all
-logs in it (*.ndjson, *.ndjson.gz), a pattern such as 'logs/**/*.ndjson' for those that it fits.
+logs in it (*.ndjson, *.jsonl, packed or not), a pattern such as 'logs/**/*.ndjson' for those that it fits.
 
 \b
 Verdicts, and the exit code that each stands for:

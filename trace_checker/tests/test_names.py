@@ -12,7 +12,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with logs and other files."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "a" / "b").mkdir(parents=True)
-    for name in ("a/x.ndjson", "a/y.ndjson.gz", "a/b/z.ndjson", "a/notes.txt", "[1].ndjson"):
+    for name in ("a/x.ndjson", "a/y.ndjson.gz", "a/b/z.ndjson", "a/v.jsonl", "a/notes.txt", "[1].ndjson"):
         (tmp_path / name).touch()
     return tmp_path
 
@@ -21,7 +21,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.parametrize(
     ("arguments", "names"),
     [
-        (["a"], ["a/b/z.ndjson", "a/x.ndjson", "a/y.ndjson.gz"]),
+        (["a"], ["a/b/z.ndjson", "a/v.jsonl", "a/x.ndjson", "a/y.ndjson.gz"]),
         (["a/*.ndjson"], ["a/x.ndjson"]),
         (["**/*.ndjson"], ["[1].ndjson", "a/b/z.ndjson", "a/x.ndjson"]),
         (["a/notes.txt", "-", "a/x.ndjson", "a/x.ndjson"], ["a/notes.txt", "-", "a/x.ndjson", "a/x.ndjson"]),

@@ -4,6 +4,7 @@ Nothing here knows what an S7 does; it knows what a line of a log may look like.
 
 - ``errors``: the one exception, and how values are quoted in it
 - ``source``: files, gzip and standard input as chunks of bytes
+- ``encoding``: chunks in UTF-8, whatever the byte order mark
 - ``lines``: chunks to numbered physical lines
 - ``jsonline``: a line to a JSON object, stricter than JSON
 - ``values``: the spellings of words, durations, dates

@@ -11,6 +11,14 @@ _decode = msgspec.json.Decoder().decode
 _position = re.compile(r" \(byte ([0-9]+)\)$").search
 _key_like = re.compile(rb'"[ \t\r\n]*:').findall
 
+_SURROGATE = b"\xed\xa0"
+"""The first bytes of D800 to DFFF, the halves of UTF-16, in the pattern of UTF-8, which forbids them."""
+
+_whole_escaped = re.compile(rb"\\\\|\\ud[89ab][0-9a-f]{2}\\ud[c-f][0-9a-f]{2}", re.IGNORECASE)
+_half_escaped = re.compile(rb"\\ud[89a-f][0-9a-f]{2}", re.IGNORECASE).search
+
+_LONE = ("whole characters", "a lone surrogate")
+
 _EXCERPT = 30
 
 
@@ -19,10 +27,15 @@ def decode_object(line: bytes) -> dict[str, object]:
     try:
         decoded = _decode(line)
     except UnicodeDecodeError as error:
-        raise UnusableLogError("UTF-8", f"the byte 16#{error.object[error.start]:02X}") from error
+        wrong = error.object[error.start :]
+        if wrong[0] == _SURROGATE[0] and wrong[1:2] >= _SURROGATE[1:]:
+            raise UnusableLogError(*_LONE) from error
+        raise UnusableLogError("UTF-8", f"the byte 16#{wrong[0]:02X}") from error
     except RecursionError as error:
         raise UnusableLogError("a JSON object", "too many levels of nesting") from error
     except msgspec.MsgspecError as error:
+        if _half_escaped(_whole_escaped.sub(b"", line)):
+            raise UnusableLogError(*_LONE) from error
         raise UnusableLogError("a JSON object", _shown(line, error)) from error
     if type(decoded) is not dict:
         raise UnusableLogError("a JSON object", quote(decoded))

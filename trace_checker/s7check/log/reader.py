@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from s7check.log.elapsed import Clocks
+from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import read_event
 from s7check.log.header import read_header
@@ -28,7 +29,7 @@ def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
     Raises UnusableLogError, with its line, after everything before that line has been yielded.
     """
     clocks: Clocks | None = None
-    for lines in split_lines(chunks):
+    for lines in split_lines(as_utf8(chunks)):
         header: dict[str, Any] | None = None
         events: list[dict[str, Any]] = []
         number = lines.first

@@ -13,10 +13,10 @@ from s7check.readable import readable
 CHUNK = 64 * 1024
 """Bytes asked for at a time; a pipe gives what it has, so lines arrive when they are written."""
 
-ENDINGS = (".ndjson", ".ndjson.gz")
+ENDINGS = (".ndjson", ".ndjson.gz", ".jsonl", ".jsonl.gz")
 """How the names of logs end, in a folder that is given as a whole."""
 
-_LOGS = " or ".join(f"*{ending}" for ending in ENDINGS)
+_LOGS = "*.ndjson or *.jsonl"
 _UNPACKED = 1024 * 1024
 _GZIP = 16 + zlib.MAX_WBITS
 

@@ -61,6 +61,10 @@ _CASELESS = re.IGNORECASE | re.ASCII
 _WORD = re.compile(r"(?:(?:W#)?16#([0-9A-F]{1,4})|B#16#([0-9A-F]{1,2}))", _CASELESS)
 
 
+_OF_C = re.compile(r"0x([0-9A-F]{1,4})", _CASELESS)
+"""A common spelling that the format does not have."""
+
+
 def _hexadecimal(low: int, high: int, expected: str) -> Callable[[object], int]:
     """A reader of integers from ``low`` to ``high`` and S7's hexadecimal spellings up to it."""
     known: dict[str, int] = {}
@@ -79,6 +83,10 @@ def _hexadecimal(low: int, high: int, expected: str) -> Callable[[object], int]:
                     if len(known) < _CACHED:
                         known[value] = number
                     return number
+            match = _OF_C.fullmatch(value)
+            if match is not None and int(match[1], 16) <= high:
+                digits = 2 if high == 0xFF else 4
+                raise UnusableLogError(f'the spelling "16#{int(match[1], 16):0{digits}X}"', quote(value))
         raise UnusableLogError(expected, quote(value))
 
     return read

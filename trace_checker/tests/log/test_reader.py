@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from s7check.log import lines as lines_module
 from s7check.log import source as source_module
+from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import split_lines
 from s7check.log.reader import read_log
@@ -102,9 +103,13 @@ def test_empty(text: bytes) -> None:
         (b'{"x_a": ' + b"9" * 5000 + b"}", None, "integer value out of range"),
         (b'{"x_a": "\xff"}', None, "the byte 16#FF"),
         (b'{"x_\xff": 1}', None, "the byte 16#FF"),
-        (b'{"x_a": "\xed\xa0\x80"}', None, "the byte 16#ED"),
-        (b'{"x_a": "\\ud800"}', None, ""),
-        (b'{"x_a": "\\udc00x"}', None, "surrogate"),
+        (b'{"x_a": "\xed\xa0\x80"}', None, "a lone surrogate"),
+        (b'{"x_a": "\xed"}', None, "the byte 16#ED"),
+        (b'{"x_a": "\\ud800"}', None, "a lone surrogate"),
+        (b'{"x_a": "\\ud800\\n"}', None, "a lone surrogate"),
+        (b'{"x_a": "\\\\ud800}', None, "a line cut off"),
+        (b'{"x_a": "\\ud83d\\udc0c}', None, "a line cut off"),
+        (b'{"x_a": "\\udc00x"}', None, "a lone surrogate"),
         (b'{"x_a": "\x1b"}', None, "(invalid character)"),
         (b"\xef\xbb\xbf{}", None, "a byte order mark"),
         (b"{} {}", None, "trailing characters"),
@@ -125,6 +130,28 @@ def test_strict_json(line: bytes, field: str | None, found: str) -> None:
     assert (error.line, error.field) == (3, field)
     assert found in error.found
     assert error.found.isprintable()
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 1000])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be"])
+def test_encodings(encoding: str, size: int) -> None:
+    """A byte order mark is skipped, UTF-16 is read if it has one, in chunks of any size."""
+    text = log_text(event("run", x_a="\u20ac \U0001f40c"), event("stop")).decode()
+    mark = {"utf-16-le": "\ufeff", "utf-16-be": "\ufeff"}.get(encoding, "")
+    content = (mark + text).encode(encoding)
+    chunks = [content[at : at + size] for at in range(0, len(content), size)]
+    assert b"".join(as_utf8(chunks)) == text.encode()
+    assert [entry["event"] for entry in events_of(chunks)] == ["run", "stop"]
+
+
+def test_damaged_utf16() -> None:
+    """The line is named; what is before it is read."""
+    content = log_text(event("run")).decode().encode("utf-16")
+    assert str(unusable(content + b"\n")) == "line 3: expected UTF-16; found half a character at its end"
+    assert (
+        str(unusable(content + '{"x_a": "\udc00"}'.encode("utf-16-le", "surrogatepass")))
+        == "line 3: expected whole characters; found a lone surrogate"
+    )
 
 
 def test_keys_in_strings_are_no_duplicates() -> None:
@@ -244,7 +271,7 @@ def test_log_that_cannot_be_opened(tmp_path: Path) -> None:
 
 def test_folder_without_logs(tmp_path: Path) -> None:
     """Of a folder it is said what it should hold."""
-    expected = r"expected a folder with \*\.ndjson or \*\.ndjson\.gz in it; found a folder without any"
+    expected = r"expected a folder with \*\.ndjson or \*\.jsonl in it; found a folder without any"
     with pytest.raises(UnusableLogError, match=expected), open_log(str(tmp_path)):
         pass
 

@@ -42,13 +42,29 @@ def test_no_word(value: object) -> None:
         values.word(value)
 
 
+@pytest.mark.parametrize(
+    ("read", "value", "spelling"),
+    [
+        (values.word, "0x8090", "16#8090"),
+        (values.word, "0XA1", "16#00A1"),
+        (values.byte, "0x5", "16#05"),
+        (values.word_or_null, "0x8090", "16#8090"),
+    ],
+)
+def test_hexadecimal_numbers_of_c(read: Callable[[object], int], value: str, spelling: str) -> None:
+    """They are refused, and the message has the number as S7 spells it."""
+    with pytest.raises(UnusableLogError) as caught:
+        read(value)
+    assert caught.value.expected.startswith(f'the spelling "{spelling}"')
+
+
 @pytest.mark.parametrize(("value", "number"), [("B#16#A2", 0xA2), ("W#16#00A2", 0xA2), ("16#5", 5), (255, 255), (0, 0)])
 def test_byte(value: object, number: int) -> None:
     """A byte is spelled like a word."""
     assert values.byte(value) == number
 
 
-@pytest.mark.parametrize("value", [-1, 256, "16#0100", "W#16#FFFF", True, 2.0, None])
+@pytest.mark.parametrize("value", [-1, 256, "16#0100", "W#16#FFFF", "0x100", True, 2.0, None])
 def test_no_byte(value: object) -> None:
     """Bytes have no sign and 8 bits."""
     with pytest.raises(UnusableLogError, match="a byte such as"):
