@@ -124,6 +124,22 @@ CALLS: list[tuple[dict[str, Any], dict[str, Any]]] = [
         {"event": "SET_TINT", "ob": 10, "sdt": "2026-02-31T25:00:00.000", "period": "W#16#0000", "ret": "W#16#8091"},
     ),
     (
+        entry(51, 1, ob=20, status=0x14, info_2=1500),
+        {
+            "event": "state",
+            "ob": 20,
+            "blocked": False,
+            "loaded": True,
+            "entries_off": False,
+            "active": True,
+            "left": 1500,
+        },
+    ),
+    (
+        entry(51, 1, ob=35, status=0x42, info_2=7),
+        {"event": "state", "ob": 35, "blocked": True, "loaded": False, "entries_off": True},
+    ),
+    (
         entry(0, 1, stamp=bcd("2026-12-24T18:00:00.000")),
         {"event": "clock", "to": "2026-12-24T18:00:00.000"},
     ),
@@ -182,6 +198,13 @@ def test_clock_that_was_not_set() -> None:
     recording = ring.convert(dump(entry(30, 1, ob=10), entry(0, 2, ret=-32639)))
     assert len(events(recording)) == 1
     assert recording.skipped == {"SET_CLK that did not set the clock": 1}
+
+
+def test_state_that_was_not_read() -> None:
+    """A system list that is still being read, or an index that the CPU refuses, is counted."""
+    recording = ring.convert(dump(entry(30, 1, ob=10), entry(51, 2, ob=20, done=0), entry(51, 3, ob=20, ret=-32637)))
+    assert len(events(recording)) == 1
+    assert recording.skipped == {"RDSYSST that did not answer": 2}
 
 
 def test_overwritten() -> None:
@@ -356,7 +379,7 @@ BLOCKS = re.findall(r"^FUNCTION FC(\d+) : \w+$(.*?)^END_FUNCTION$", SOURCE, re.M
 
 def test_wrappers_of_the_source() -> None:
     """FC 100 + n calls SFC n once, logs it under n, passes its result on; locks are taken back."""
-    sfcs = {0, 28, 29, 30, 31, 32, 33, 34, 39, 40, 41, 42}
+    sfcs = {0, 28, 29, 30, 31, 32, 33, 34, 39, 40, 41, 42, 51}
     assert {int(number) - 100 for number, _ in BLOCKS} == sfcs | {10, 11}
     for number, body in BLOCKS:
         sfc = int(number) - 100

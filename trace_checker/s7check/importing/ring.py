@@ -10,7 +10,7 @@ from s7check.importing.recording import Placed, Recording, select
 from s7check.importing.ring_layout import RingEntry, RingHeader, read_header, read_slots
 from s7check.importing.start_info import byte, duration, start_info, word
 
-_SET_CLK, _OB_BEGINS, _OB_ENDS = 0, 200, 201
+_SET_CLK, _STATE, _OB_BEGINS, _OB_ENDS = 0, 51, 200, 201
 
 _CALLS = {
     28: "SET_TINT",
@@ -29,6 +29,10 @@ _CALLS = {
 
 _MODES_AT_BEGIN = {1: "RUN", 100: "STARTUP", 102: "STARTUP"}
 """OB that makes the first entry -> the mode; with another one, what it interrupts is unknown."""
+
+_DELAYS = range(20, 24)
+_WITH_SOURCE = frozenset({*range(10, 18), *_DELAYS})
+"""OBs of which SZL 16#0222 shows whether the source of their start events is active."""
 
 _RESTARTS = {100: "warm", 102: "cold"}
 _HOT_RESTART = 101
@@ -101,6 +105,11 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
         yield {"event": "start", "ob": entry.ob_nr, "info": _info(entry)}
     elif entry.code == _OB_ENDS:
         yield {"event": "end", "ob": entry.ob_nr}
+    elif entry.code == _STATE:
+        if entry.done and not entry.ret:
+            yield {"event": "state", "ob": entry.ob_nr, **_state(entry), **own}
+        else:
+            recording.skip("RDSYSST that did not answer")
     elif entry.code == _SET_CLK:
         if entry.done and not entry.ret:
             yield {"event": "clock", "to": _date(entry), **own}
@@ -147,6 +156,17 @@ def _result(entry: RingEntry) -> dict[str, Any]:
     if entry.code in (31, 34):
         result["status"] = word(entry.status)
     return result
+
+
+def _state(entry: RingEntry) -> dict[str, Any]:
+    """What SZL 16#0222 showed: bits of its word al1, and the rest of a delay."""
+    bits = {"blocked": 1, "loaded": 4, "entries_off": 6}
+    state: dict[str, Any] = {name: bool(entry.status >> bit & 1) for name, bit in bits.items()}
+    if entry.ob_nr in _WITH_SOURCE:
+        state["active"] = bool(entry.status >> 2 & 1)
+    if entry.ob_nr in _DELAYS and state["active"]:
+        state["left"] = duration(entry.info_2)
+    return state
 
 
 def _info(entry: RingEntry) -> dict[str, Any]:
