@@ -1,6 +1,7 @@
 """The soft PLC's logs, right and with deliberate faults, judged by the real engine."""
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -169,6 +170,22 @@ def test_random_program(seed: int, family: str, run: Run, judge: Callable[[Path]
     report = judge(run(f"--random {seed} --events 400 --cpu {family}", *(["--diag", "--state"] if seed % 2 else [])))
     assert report.verdict == "accepted", report
     assert report.events >= 400
+
+
+def choices(program: str) -> list[str]:
+    """NAME=VALUE of both values of every choice."""
+    text = subprocess.run([program, "--choose", "help"], check=True, capture_output=True, text=True).stdout
+    both = re.findall(r"^ +(\S+) *=(\w+) or (\w+):", text, re.MULTILINE)
+    assert len(both) == len(text.splitlines())
+    return [f"{name}={value}" for name, *values in both for value in values]
+
+
+def test_choices(program: str, run: Run, judge: Callable[[Path], Report]) -> None:
+    """Whatever is chosen where the requirements leave it open, the log is explained."""
+    for index, choice in enumerate(choices(program)):
+        for arguments in ("waiting_delay", "once_and_clock_back", f"--random {index} --events 200 --cpu S7-300"):
+            report = judge(run(arguments, "--choose", choice))
+            assert report.verdict == "accepted", (choice, report)
 
 
 def test_every_fault_is_tried(program: str) -> None:
