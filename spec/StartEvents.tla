@@ -22,18 +22,13 @@ RequestsBecome(q) ==
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* ... to a time error, after which these requests wait: among them a run   *)
-(* that follows it, or not [TINT-14] [DINT-10] ...                         *)
-\* @type: (Set($request), $request, Int) => Bool;
-OverlapThen(runs, new, fault) ==
-    TimeErrorOccurs(runs, requests,
-                    [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
-                        !.since = new.since ])
-
-\* @type: ($request, Int, Bool) => Bool;
-Overlap(new, fault, again) ==
-    OverlapThen(IF again THEN Enter(requests, [new EXCEPT !.follows = fault])
-                ELSE requests, new, fault)
+(* ... to a time error [TINT-14] [DINT-10], after which requests are `kept', *)
+(* among them the run that follows it, if there is one ...                 *)
+\* @type: ($request, Int, Set($request)) => Bool;
+Overlap(new, fault, kept) ==
+    TimeErrorOccurs(kept, requests,
+        [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
+            !.since = new.since ])
 
 (* ... or to nothing. *)
 Nothing == UNCHANGED outcomeVars /\ NothingEntered
@@ -98,42 +93,47 @@ AgainWhileOpen(new) ==
 (* under (b) the run is kept or the buffer overflows [OBS-08].             *)
 \* @type: $request => Bool;
 AgainWhilePending(new) ==
-    CASE SecondRequestIsTimeError -> Overlap(new, StillRunning, FALSE)
+    CASE SecondRequestIsTimeError -> Overlap(new, StillRunning, requests)
       [] SecondRequestIsBuffered  -> \/ Ordinary(new)
-                                     \/ Overlap(new, BufferOverflow, FALSE)
+                                     \/ Overlap(new, BufferOverflow, requests)
       [] SecondRequestIsMerged    -> Nothing
       [] OTHER                    -> AnyEffect(new)
 
-(* The run that may wait comes for sure, or the new one in its place. *)
-\* @type: $request => Set(Set($request));
-OneRunFor(new) ==
-    { Confirmed(requests, new),
-      Enter(Withdraw(requests, new.ob), [new EXCEPT !.follows = StillRunning]) }
+\* @type: $request => $request;
+LateRun(new) == [new EXCEPT !.follows = StillRunning]
 
-(* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs: one run is     *)
-(* kept for later.  A catch-up that waits is that run, if it comes.        *)
+(* An OB that runs has at most one run for later: the run that waits, or a   *)
+(* new one.  An open run becomes certain, or the new one stands for it, if *)
+(* it had no effect.                                                       *)
+\* @type: $request => Set(Set($request));
+WithOneLateRun(new) ==
+    IF PendingIn(requests, new.ob) THEN {requests}
+    ELSE { Enter(Withdraw(requests, new.ob), LateRun(new)) }
+           \cup (IF OpenIn(requests, new.ob)
+                 THEN { Confirmed(requests, new) } ELSE {})
+
+\* @type: $request => Bool;
+OverlapWithOneLateRun(new) ==
+    \E kept \in WithOneLateRun(new) : Overlap(new, StillRunning, kept)
+
+(* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs. *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
-    LET again == PendingIn(requests, new.ob)
-    IN  CASE EveryPointRunsLater -> Overlap(new, StillRunning, TRUE)
-          [] OnlyFirstPointIsReported /\ again -> Nothing
-          [] ~again /\ OpenIn(requests, new.ob) ->
-               \E runs \in OneRunFor(new) : OverlapThen(runs, new, StillRunning)
-          [] OTHER -> Overlap(new, StillRunning, ~again)
+    CASE EveryPointRunsLater ->
+           Overlap(new, StillRunning, Enter(requests, LateRun(new)))
+      [] OnlyFirstPointIsReported /\ PendingIn(requests, new.ob) -> Nothing
+      [] OTHER -> OverlapWithOneLateRun(new)
 
 (* [DINT-10] [AMB-47] *)
 \* @type: $request => Bool;
 DintWhileRunning(new) ==
-    \E follows \in CASE OverlappingDelayRuns    -> {TRUE}
-                     [] OverlappingDelayRunsNot -> {FALSE}
-                     [] OTHER                   -> BOOLEAN :
-      Overlap(new, StillRunning, follows /\ ~PendingIn(requests, new.ob))
+    \/ ~OverlappingDelayRunsNot /\ OverlapWithOneLateRun(new)
+    \/ ~OverlappingDelayRuns /\ Overlap(new, StillRunning, requests)
 
 (* [AMB-77] *)
 \* @type: $request => Bool;
 ExternalWhileRunning(new) ==
-    CASE ExternalAgainIsTimeError ->
-           Overlap(new, StillRunning, ~PendingIn(requests, new.ob))
+    CASE ExternalAgainIsTimeError -> OverlapWithOneLateRun(new)
       [] ExternalAgainIsBuffered -> Ordinary(new)
       [] ExternalAgainIsLost     -> Nothing
       [] OTHER                   -> AnyEffect(new)
