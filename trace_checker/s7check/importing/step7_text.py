@@ -46,6 +46,11 @@ class _Block:
     time: re.Match[str] | None = None
 
 
+def has_entry(content: bytes) -> bool:
+    """Whether an entry begins in the text."""
+    return any(_BEGIN.fullmatch(line) for line in _decode(content).splitlines())
+
+
 def read(content: bytes, date_order: str | None = None) -> Buffer:
     """The buffer of a text.
 

@@ -16,6 +16,19 @@ _LIST = 0xA0
 """The list's number, the lower byte of the SZL-ID."""
 
 
+def has_record(raw: bytes) -> bool:
+    """Whether the bytes begin with a record that has an entry, with or without a header before it."""
+    return any(_is_entry(raw[header : header + LENGTH]) for header in (0, _COUNTED, _IDENTIFIED))
+
+
+def _is_entry(record: bytes) -> bool:
+    try:
+        from_record(1, record)
+    except SourceError:
+        return False
+    return True
+
+
 def read(content: bytes) -> Buffer:
     """The buffer of records in binary or as hexadecimal digits; the SZL's header may come first."""
     records = _records(decode(content))

@@ -19,6 +19,9 @@ from s7check.report.expected import format_allowed, format_late
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
 
+_LOOKED_AT = 1000
+"""Lines of a file without a header that are looked at to tell what it is."""
+
 _OVERHEAD = 48
 """Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
 
@@ -52,7 +55,7 @@ def check_log(name: str, engine: Engine, progress: Progress, profile: str | None
                     events += len(batch.events)
                     progress(source, events)
         except UnusableLogError as error:
-            unusable = error
+            unusable = error if begun else _source_of_import(error, recent)
         # The engine was sent the lines before the unusable one: what it says of them comes first.
         # If it has decided already, reading was broken off and the rest means nothing.
         if begun:
@@ -67,6 +70,18 @@ def check_log(name: str, engine: Engine, progress: Progress, profile: str | None
     if unusable is not None:
         return Report(log, "unusable", unusable.reason, line=unusable.line or None, events=events)
     return Report(log, "accepted", "the specification explains every event", events=events)
+
+
+def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
+    """The error, or one that says that the bytes are a diagnostic buffer, from which a log can be made."""
+    from s7check.importing.kinds import kind_of  # logs do not wait for it
+
+    kind = kind_of(b"\n".join(recent.up_to(_LOOKED_AT)))
+    if kind is None:
+        return error
+    return UnusableLogError(
+        "a log", f"a diagnostic buffer, of which `s7check import --from {kind}` makes one", line=error.line
+    )
 
 
 def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
