@@ -13,8 +13,10 @@ from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
+from s7check.judging.chosen import Chosen
 from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
 from s7check.judging.verdict import Report
+from s7check.letters import set_option
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
 from s7check.output import echo, write_whole
@@ -93,9 +95,19 @@ Over several logs the exit code is the highest of theirs.
     type=click.Choice(PROFILES),
     help="Judge every log by this edition of the manual; its header has no say.",
 )
+@set_option(
+    "Judge every log by this reading of an open question (docs/rules/readings.md); its header has no say, nor "
+    "--profile. May be given several times."
+)
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(
-    output: str, file: Path | None, readings: str, budget: float | None, profile: str | None, logs: tuple[str, ...]
+    output: str,
+    file: Path | None,
+    readings: str,
+    budget: float | None,
+    profile: str | None,
+    letters: dict[str, str],
+    logs: tuple[str, ...],
 ) -> int:
     """Judge the logs and report."""
     if "" in logs:
@@ -104,7 +116,7 @@ def trace_command(
     reports: list[Report] = []
     written: list[bytes] = []
     with Engine() as engine, ProgressBar(len(names)) as progress:
-        work = _Work(engine, progress, readings, budget, profile, drawn=output == "html")
+        work = _Work(engine, progress, readings, budget, Chosen(profile, letters), drawn=output == "html")
         for name in names:
             report = work.report(name)
             if output in _WHOLE:
@@ -138,20 +150,20 @@ class _Work:
         progress: ProgressBar,
         readings: str,
         budget: float | None,
-        profile: str | None,
+        chosen: Chosen,
         drawn: bool,
     ) -> None:
         self._engine = engine
         self._progress = progress
         self._readings = readings
-        self._profile = profile
+        self._chosen = chosen
         self._tried = 0
         self._left = _BUDGET if budget is None and readings == "auto" else budget
         self._to_draw = _DRAWN if drawn else 0
 
     def report(self, name: str) -> Report:
         self._progress.begin(click.format_filename(name))
-        report = check_log(name, self._engine, self._progress.update, self._profile)
+        report = check_log(name, self._engine, self._progress.update, self._chosen)
         lines, report = report.lines, replace(report, lines=[])
         with suppress(TooLongError, EngineError):  # the verdict stands without it
             report = self._completed(report, name, lines)
@@ -166,7 +178,7 @@ class _Work:
         draws = judged and self._to_draw > 0
         if not tries and not draws:
             return report
-        replay = Replay(name, lines, self._profile)
+        replay = Replay(name, lines, self._chosen)
         if tries:
             self._tried += 1
             self._progress.trying()

@@ -23,7 +23,7 @@ from s7check.judging import check
 from s7check.report.clauses import clause
 from s7check.report.expected import format_allowed
 from tests.fake_engine import CANDIDATE
-from tests.logs import event, log_text
+from tests.logs import HEADER, event, log_text
 from tests.processes import heed_ctrl_c
 
 pytestmark = pytest.mark.usefixtures("_fake_engine")
@@ -115,6 +115,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
                 {"change": "AMB-01 a", "verdict": "rejected", "line": 3, "place": clause("AMB-01").place},
                 {"change": "AMB-12 b", "verdict": "accepted", "line": None, "place": clause("AMB-12").place},
             ],
+            "untried": [],
         },
         nothing
         | {
@@ -159,6 +160,21 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
     ]
+
+
+@pytest.mark.parametrize("header", [{}, {"readings": {"AMB-12": "a"}}])
+def test_set(logs: Path, header: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
+    """A reading of the command line goes before that of the header; other readings are tried from there."""
+    (logs / "log").write_bytes(log_text(event("EN_AIRT", ret=1), header=HEADER | header))
+    assert cli.main(["trace", "log"]) == 1
+    capsys.readouterr()
+    arguments = ["trace", "--format", "json", "--readings", "all", "--set", "AMB-01=a", "--set", "AMB-12=b", "log"]
+    assert cli.main(arguments) == 0
+    (report,) = objects(capsys)
+    assert {one["change"]: one["verdict"] for one in report["readings"] if one["change"].startswith("AMB")} == {
+        "AMB-01 c": "accepted",
+        "AMB-12 a": "rejected",
+    }
 
 
 def test_first_line_decides(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -259,6 +275,10 @@ def test_gzip(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ["trace", "--format", "xml", "x"],
         ["trace", "--profile", "1998", "x"],
         ["trace", "--nope"],
+        ["trace", "--set", "AMB-12", "x"],
+        ["trace", "--set", "AMB-12=z", "x"],
+        ["trace", "--set", "AMB-12=", "x"],
+        ["trace", "--set", "AMB-12=a,AMB-99=a", "x"],
         ["trace", ""],
         ["trace", "x", ""],
         ["nope"],

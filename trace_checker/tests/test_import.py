@@ -217,7 +217,7 @@ def test_text_that_cannot_be_read(refused: Callable[..., str], tmp_path: Path, c
             'header: field "clock": expected a date and time such as "2026-11-21T06:00:00.000"; found',
         ),
         ([*CPU, "--clock", "2013-01-01T00:00"], 'entry 7 (line 64): field "at": expected no time before 2013-01-01'),
-        ([*CPU, "--readings", "AMB-02=z"], 'header: field "readings.AMB-02": expected "a" or'),
+        ([*CPU, "--set", "AMB-02=z"], "Invalid value for '--set': AMB-02: expected a or b; found 'z'"),
         ([*CPU, "--records", "everything"], 'found "everything"'),
         ([*CPU, "--entries", "9-"], "expected an entry to import; found entries 1 to 7"),
         ([*CPU, "--latency", "-1"], 'header: field "latency_ms": expected an integer'),
@@ -232,7 +232,8 @@ def test_wrong_header(refused: Callable[..., str], arguments: list[str], message
     "arguments",
     [
         ["--obs", "one"],
-        ["--readings", "AMB-02"],
+        ["--set", "AMB-02"],
+        ["--set", "AMB-99=a"],
         ["--entries", "7"],
         ["--step7", str(DATA / "english.txt")],
         ["--header", str(DATA / "absent.json")],
@@ -268,7 +269,7 @@ def test_header_file_and_options(run: Run, tmp_path: Path) -> None:
     header, _, _ = run(
         *("--from", "step7", DATA / "english.txt", "--header", tmp_path / "header.json"),
         *("--cpu", "CPU 318", "--obs", "1,10,80", "--step7", tmp_path / "step7.json", "--latency", "50"),
-        *("--readings", "AMB-02=a,AMB-17=b", "--mode", "STOP", "--clock", "2012-01-01T00:00"),
+        *("--set", "AMB-02=a", "--set", "AMB-17=b", "--mode", "STOP", "--clock", "2012-01-01T00:00"),
     )
     assert header == {
         "format": "s7-interrupt-log/1",

@@ -8,8 +8,9 @@ import click
 from s7check.completion import complete_files
 from s7check.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
 from s7check.importing.errors import SourceError
-from s7check.importing.options import JsonFile, Letters, Numbers, Span, Words
+from s7check.importing.options import JsonFile, Numbers, Span, Words
 from s7check.importing.recording import Recording
+from s7check.letters import set_option
 from s7check.log.errors import printable
 from s7check.output import echo, write_whole
 
@@ -75,12 +76,7 @@ Exit codes:
     metavar="MS",
     help="Longest time in milliseconds until an OB that is due has started; 10 by default.",
 )
-@click.option(
-    "--readings",
-    type=Letters(),
-    metavar="AMB-NN=LETTER,...",
-    help="How open questions of the manuals are answered, where not by the default (docs/rules/readings.md).",
-)
+@set_option("How open questions of the manuals are answered, where not by the default (docs/rules/readings.md).")
 @click.option("--step7", type=JsonFile(), metavar="FILE", help="STEP 7 parameters of the OBs, as in the header, JSON.")
 @click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
 @click.option("--header", "fields", type=JsonFile(), metavar="FILE", help="Any fields of the header, JSON.")
@@ -165,8 +161,9 @@ def _record_live(kind: str | None, address: live.Address, db: int | None, chosen
 
 def _given(options: dict[str, Any]) -> dict[str, Any]:
     """The fields of the header that the user gives; an option counts more than --header."""
-    fields = {name: options[name] for name in ("cpu", "obs", "clock", "mode", "readings", "step7", "records")}
+    fields = {name: options[name] for name in ("cpu", "obs", "clock", "mode", "step7", "records")}
     fields["latency_ms"] = options["latency"]
+    fields["readings"] = options["letters"] or None
     given: dict[str, Any] = options["fields"] or {}
     return given | {name: value for name, value in fields.items() if value is not None}
 

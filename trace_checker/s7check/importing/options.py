@@ -32,19 +32,6 @@ class Words(click.ParamType[list[str]]):
         return value.split(",") if value else []
 
 
-class Letters(click.ParamType[dict[str, str]]):
-    """Ambiguities and their letters, ``AMB-02=a,AMB-17=b``."""
-
-    name = "letters"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
-        """The mapping."""
-        pairs = [pair.partition("=") for pair in value.split(",")]
-        if not all(ambiguity and letter for ambiguity, _, letter in pairs):
-            self.fail(f"expected readings such as AMB-02=a,AMB-17=b; found {value!r}", param, ctx)
-        return {ambiguity: letter for ambiguity, _, letter in pairs}
-
-
 class Span(click.ParamType[range]):
     """Numbers of entries, ``5-20``, ``5-`` or ``-20``."""
 

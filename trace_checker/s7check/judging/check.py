@@ -9,6 +9,7 @@ import click
 from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import Lines
@@ -32,10 +33,10 @@ Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of events read from it."""
 
 
-def check_log(name: str, engine: Engine, progress: Progress, profile: str | None = None) -> Report:
+def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NOTHING) -> Report:
     """The verdict about the log ``name`` (``-`` for standard input); never raises for a log.
 
-    ``profile`` takes the place of that of the header.
+    ``chosen`` takes the place of the header's own choices.
     """
     log = click.format_filename(name)
     recent = _RecentLines()
@@ -49,7 +50,7 @@ def check_log(name: str, engine: Engine, progress: Progress, profile: str | None
                 for batch in read_log(source.chunks(engine.wait)):
                     recent.add(batch.lines)
                     if batch.header is not None:
-                        engine.begin(batch.header if profile is None else batch.header | {"profile": profile})
+                        engine.begin(chosen.in_place_of(batch.header))
                         begun = True
                     engine.send(batch.events)
                     events += len(batch.events)

@@ -10,6 +10,7 @@ from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
+from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.verdict import Reading, Report, Verdict
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
@@ -31,7 +32,7 @@ class TooLongError(Exception):
 class Replay:
     """The events of a log, in memory. Raises TooLongError."""
 
-    def __init__(self, name: str, lines: Sequence[bytes], profile: str | None = None) -> None:
+    def __init__(self, name: str, lines: Sequence[bytes], chosen: Chosen = NOTHING) -> None:
         data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
         self.lines: list[bytes] = []
         self.header: dict[str, Any] = {}
@@ -44,8 +45,8 @@ class Replay:
                 self._events += batch.events
         except UnusableLogError as error:
             self._unusable = error.line
-        if profile is not None and self.header:
-            self.header["profile"] = profile
+        if self.header:
+            self.header = chosen.in_place_of(self.header)
 
     def judge(
         self,

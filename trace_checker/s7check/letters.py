@@ -1,0 +1,39 @@
+"""The option ``--set``: readings of ambiguities on the command line."""
+
+from collections.abc import Callable
+from typing import Any
+
+import click
+
+from s7check.log.errors import printable
+from s7check.log.tables import READINGS
+
+
+class Letters(click.ParamType[dict[str, str]]):
+    """Ambiguities and the letters of their readings, ``AMB-02=a,AMB-17=b``."""
+
+    name = "letters"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
+        """The mapping."""
+        pairs = [pair.partition("=") for pair in value.split(",")]
+        for ambiguity, _, letter in pairs:
+            letters = READINGS.get(ambiguity)
+            if letters is None:
+                self.fail(f"expected readings such as AMB-02=a,AMB-17=b; found {printable(value)!r}", param, ctx)
+            if letter not in [*letters]:
+                self.fail(f"{ambiguity}: expected {' or '.join(letters)}; found {printable(letter)!r}", param, ctx)
+        return {ambiguity: letter for ambiguity, _, letter in pairs}
+
+
+def set_option(explanation: str) -> Callable[[click.decorators.FC], click.decorators.FC]:
+    """The option, which may be given several times; its value is one mapping, ``letters``."""
+    return click.option(
+        "--set",
+        "letters",
+        type=Letters(),
+        multiple=True,
+        callback=lambda _, __, mappings: {name: letter for one in mappings for name, letter in one.items()},
+        metavar="AMB-NN=LETTER,...",
+        help=explanation,
+    )
