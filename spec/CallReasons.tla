@@ -11,11 +11,10 @@ EXTENDS BlockReasons
 (* The right answer *)
 
 \* @type: $event => Set(Int);
-RightAnswers(e) == IF Unseen("call") THEN PossibleAnswers(e) ELSE AnswersTo(e)
+RightAnswers(e) == IF terms.loose THEN LooseAnswers(e) ELSE AnswersTo(e)
 
 \* @type: $event => Set(Int);
-RightStatuses(e) == IF Unseen("call") THEN PossibleStatuses(e.ob)
-                                      ELSE StatusesOf(e)
+RightStatuses(e) == IF terms.loose THEN LooseStatuses(e.ob) ELSE StatusesOf(e)
 
 \* @type: $event => Bool;
 AnswerRight(e) == e.ret = -1 \/ e.ret \in RightAnswers(e)

@@ -16,7 +16,8 @@ Init ==
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
-    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {}]
+    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
+                loose |-> FALSE]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
     /\ arrivals = [r \in {} |-> At(0)]
@@ -52,6 +53,12 @@ TodAtBegin(h, o, called) ==
         ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN UsedUp(t)
         ELSE [t EXCEPT !.next = n]
 
+(* Where calls, changes of the mode or of the clock may be unseen, or both *)
+(* OBs and start events, nothing tells when an OB has to start.            *)
+\* @type: $header => Bool;
+LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
+              \/ {"ob", "interrupt"} \cap h.records = {}
+
 (* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU  *)
 (* has just been restarted; the type of the restart is not known.  The     *)
 (* letters of this header decide how STEP 7's parameters are read: hence   *)
@@ -60,7 +67,7 @@ TodAtBegin(h, o, called) ==
 Begin(h) ==
     /\ cpu'    = CpuOf(h)
     /\ loaded' = h.obs
-    /\ mode'   = h.mode
+    /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
     /\ clock'  = h.clock
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
@@ -69,12 +76,15 @@ Begin(h) ==
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
-    /\ stack'  = IF h.mode = "RUN" THEN <<Frame(CycleOb, 1)>> ELSE <<>>
+    /\ stack'  = IF mode' = "RUN" THEN <<Frame(CycleOb, 1)>>
+                 ELSE IF h.mode = "STARTUP" /\ LooseBy(h)
+                 THEN <<Frame(StartupOb(startup'), 27)>> ELSE <<>>
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
     /\ NothingEntered
     /\ terms'  = [latency |-> h.latency, records |-> h.records,
-                  cycle |-> h.cycle /\ "ob" \in h.records]
+                  cycle |-> h.cycle /\ "ob" \in h.records,
+                  loose |-> LooseBy(h)]
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
     /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"

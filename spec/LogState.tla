@@ -10,7 +10,8 @@ EXTENDS Cpu, LogEvents
 VARIABLES
     (* latency: an OB starts at most so many ms after it may.  cycle: the   *)
     (* log has every start and end of OB 1.  records: the kinds of event    *)
-    (* that the log has completely.                                         *)
+    (* that the log has completely.  loose: the log does not tell when an   *)
+    (* OB has to start (LooseLogs).                                         *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)

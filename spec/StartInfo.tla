@@ -74,13 +74,14 @@ JustBefore(time, e) ==
 
 (* [CLK-07] [AMB-16] A catch-up shows the first point that was skipped, an *)
 (* OB 80 for skipped points the new time.  Another start shows the moment  *)
-(* of its start event or a later one [OBS-10].                             *)
+(* of its start event or a later one [OBS-10].  Of an unseen start event   *)
+(* no moment is known.                                                     *)
 \* @type: ($request, $event) => Bool;
 FitsTime(r, e) ==
     LET time  == e.info.time
         exact == IF r.ob \in TodObs THEN r.follows \in Skips
                                     ELSE r.fault \in Skips /\ r.late # {}
-    IN  \/ time = NoMoment
+    IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
         \/ /\ ~exact
            /\ \/ ~Before(time, r.since) /\ ~Before(Latest(e), time)

@@ -104,8 +104,10 @@ Depth(r, fault) ==
 (* The requests by which the OB of the line might start; one may have come *)
 (* unseen.                                                                 *)
 \* @type: $event => Set($request);
-Candidates(e) == { r \in requests : r.ob = e.ob }
-                   \cup (IF Partial THEN MayHaveOccurred(e) ELSE {})
+Candidates(e) ==
+    IF terms.loose THEN LooseRequests(e)
+    ELSE { r \in requests : r.ob = e.ob }
+           \cup (IF Unseen("interrupt") THEN MayHaveOccurred(e) ELSE {})
 
 \* @type: ($event, Seq($event)) => Set(Str);
 OfStart(e, past) ==

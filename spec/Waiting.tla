@@ -20,12 +20,6 @@ WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
 
-(* Something unseen may hold an OB back, so nothing has to come within the *)
-(* latency: calls or changes of mode are not recorded, or neither OBs nor  *)
-(* start events.                                                           *)
-Unbound == \/ ~({"call", "mode"} \subseteq terms.records)
-           \/ {"ob", "interrupt"} \cap terms.records = {}
-
 -----------------------------------------------------------------------------
 (* What an event leaves for later lines *)
 
@@ -57,7 +51,7 @@ NextEvent == NextCycle /\ NextArrivals /\ NextChanges
 (* wait if it now may.                                                     *)
 Rewait ==
     /\ NextEvent
-    /\ waiting' = IF Unbound \/ (requests' = {} /\ stopCause' = NoCause)
+    /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
                   THEN [c \in {} |-> 0]
                   ELSE [ c \in Awaited' |->
                            IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]

@@ -28,7 +28,7 @@ from s7check.resources import SPECIFICATION
 BATCH = 200
 """Logs of a run of TLC."""
 
-TOO_MANY = "states explain the log"
+TOO_MANY = ("states explain the log", "too many explanations")
 """The engine's words for a log with more explanations than it follows."""
 
 
@@ -114,7 +114,7 @@ def _decided(generator: Generator, engine: Engine, number: int, file: Path, refu
             refused["unreadable"] += 1
             continue
         report = check_log(str(file), engine, lambda _source, _events: None)
-        if TOO_MANY not in report.message:
+        if not any(words in report.message for words in TOO_MANY):
             break
         refused["endless"] += 1
     event = json.loads(report.event)["event"] if report.event is not None else ""

@@ -122,7 +122,8 @@ class Answer(msgspec.Struct, frozen=True):
 
     Of a rejected one: what was ``expected`` in the place of the line, or before it where the line comes
     too ``late``; the ``requirements`` that decide; how many ``states`` explained the lines before, the
-    ``situations`` that come nearest to the line, and the ``candidates``. ``steps`` are there if the log was
+    ``situations`` that come nearest to the line, and the ``candidates``. From the line ``loose`` on there were too
+    many explanations, and only what is certain was followed. ``steps`` are there if the log was
     begun with ``follow``.
     """
 
@@ -133,6 +134,7 @@ class Answer(msgspec.Struct, frozen=True):
     expected: list[Allowed] = []
     requirements: list[str] = []
     message: str = ""
+    loose: int | None = None
     states: int = 0
     situations: list[Situation] = []
     candidates: list[Candidate] = []

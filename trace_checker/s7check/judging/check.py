@@ -70,7 +70,7 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
     events = answer.events if answer else 0
     if unusable is not None:
         return Report(log, "unusable", unusable.reason, line=unusable.line or None, events=events)
-    return Report(log, "accepted", "the specification explains every event", events=events)
+    return Report(log, "accepted", "the specification explains every event" + _loosened(answer), events=events)
 
 
 def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
@@ -89,7 +89,7 @@ def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
     return Report(
         log,
         "rejected",
-        _TOO_LATE if answer.late else _UNEXPLAINED,
+        (_TOO_LATE if answer.late else _UNEXPLAINED) + _loosened(answer),
         line=answer.line,
         events=answer.events,
         event=recent.get(answer.line or 0),
@@ -101,6 +101,12 @@ def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
         candidates=_telling(answer.candidates),
         lines=recent.up_to(answer.line or 0),
     )
+
+
+def _loosened(answer: Answer | None) -> str:
+    if answer is None or answer.loose is None:
+        return ""
+    return f"; too many explanations: from line {answer.loose} on only what is certain is checked"
 
 
 def _telling(candidates: list[Candidate]) -> list[Candidate]:

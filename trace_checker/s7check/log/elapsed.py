@@ -29,11 +29,11 @@ class Clocks:
         at: int = event["at"]
         up: int | None = event.get("up")
         passed = at - self._clock
-        # Against an `up`, a jump of a clock whose settings are not logged is such a setting.
-        if passed < 0 and (self._jumps_logged or up is None):
+        if passed < 0 and self._jumps_logged:
             raise UnusableLogError(f"no time before {iso(self._clock)}, the clock's last reading", iso(at), field="at")
         if up is None:
-            self._elapsed += passed
+            # Where its settings are not logged, a clock that runs backward was set.
+            self._elapsed += max(passed, 0)
         elif up < self._up:
             raise UnusableLogError(f"no number below {self._up}, the last one", str(up), field="up")
         else:

@@ -39,6 +39,7 @@ final class Contract {
     STIRS("Stirs", 1),
     SILENT("Silent", 1),
     OBSERVE("Observe", 1),
+    LOOSEN("Loosen", 0),
     DISTINCT("Distinct", 0),
     DISTANCE("Distance", 1),
     SITUATION("Situation", 0),
@@ -141,6 +142,11 @@ final class Contract {
   /** The states after the event; none if it is not possible in this state. */
   List<State> observe(State state, Value event) {
     return successors(Operator.OBSERVE, state, event);
+  }
+
+  /** The state with what is certain of it alone; none where everything has to be followed. */
+  List<State> loosen(State state) {
+    return successors(Operator.LOOSEN, state);
   }
 
   /** A number that is the same for states that explain the rest of every log alike. */

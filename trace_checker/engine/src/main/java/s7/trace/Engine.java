@@ -55,6 +55,7 @@ public final class Engine {
   private boolean decided;
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
   private int follow;
+  private JsonElement loose;
 
   Engine(Contract spec, PrintStream out) {
     this.spec = spec;
@@ -164,6 +165,7 @@ public final class Engine {
   private void begin(JsonObject json) {
     decided = false;
     events = 0;
+    loose = null;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
     explanation = new Explanation(spec, Json.of(json.get("header").toString()));
@@ -187,6 +189,9 @@ public final class Engine {
 
   private void observe(Json event) {
     Explanation.Refusal refusal = explanation.observe(event);
+    if (loose == null && explanation.loosened()) {
+      loose = number(event);
+    }
     if (refusal == null) {
       events++;
       if (follow > 0) {
@@ -215,6 +220,9 @@ public final class Engine {
     JsonObject answer = details == null ? new JsonObject() : details;
     answer.addProperty("verdict", verdict);
     answer.addProperty("events", events);
+    if (loose != null) {
+      answer.add("loose", loose);
+    }
     if (!followed.isEmpty()) {
       var steps = new JsonArray();
       followed.forEach(steps::add);

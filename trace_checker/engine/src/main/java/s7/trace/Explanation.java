@@ -30,6 +30,9 @@ final class Explanation {
   /** The most states that are followed; nobody can follow the open questions of a log with more. */
   static final int MOST_STATES = 20_000;
 
+  /** The most states that are followed where the specification can keep what is certain instead. */
+  private static final int LOOSE_STATES = 1_000;
+
   /** The most steps of several states from one line to the next. */
   private static final int MOST_STEPS = 1_000_000;
 
@@ -60,6 +63,13 @@ final class Explanation {
   private final Contract spec;
   private final Past past = new Past();
   private List<State> states;
+  private int most = LOOSE_STATES;
+  private boolean loosened;
+
+  /** More states explain the log than are followed. */
+  private static final class TooMany extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+  }
 
   /**
    * Starts a log.
@@ -119,11 +129,43 @@ final class Explanation {
     }
   }
 
+  /** Whether a line was explained by what is certain alone: too many states explained the log. */
+  boolean loosened() {
+    return loosened;
+  }
+
   private Refusal observed(RecordValue event) {
+    try {
+      return followed(event);
+    } catch (TooMany e) {
+      loosen();
+    }
+    try {
+      return followed(event);
+    } catch (TooMany e) {
+      throw new NotCovered(
+          "more than " + most + " states explain the log; choose readings in the header");
+    }
+  }
+
+  private void loosen() {
+    List<State> loose = new ArrayList<>();
+    for (State state : states) {
+      loose.addAll(spec.loosen(state));
+    }
+    if (loose.isEmpty()) {
+      most = MOST_STATES;
+    } else {
+      states = distinct(loose);
+      loosened = true;
+    }
+  }
+
+  private Refusal followed(RecordValue event) {
     List<State> stuck = new ArrayList<>();
     List<State> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
-      // Where changes of mode may be unseen, every state goes on, round in circles.
+      // Where OBs start and end unseen, every state goes on, round in circles.
       List<State> late = stuck.isEmpty() ? states : stuck;
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
@@ -303,10 +345,9 @@ final class Explanation {
     return distinct;
   }
 
-  private static void limit(int size) {
-    if (size > MOST_STATES) {
-      throw new NotCovered(
-          "more than " + MOST_STATES + " states explain the log; choose readings in the header");
+  private void limit(int size) {
+    if (size > most) {
+      throw new TooMany();
     }
   }
 }

@@ -1,0 +1,255 @@
+------------------------------ MODULE LooseLogs -----------------------------
+(***************************************************************************)
+(* Logs that do not tell when an OB has to start, since calls, changes of  *)
+(* the mode or of the clock, or both OBs and start events may be missing;  *)
+(* and logs with too many explanations (Loosen).                           *)
+(*                                                                         *)
+(* Judged is what holds whatever happened unseen: answers that no setting  *)
+(* allows, OBs that nothing can have started, classes, modes, missing OBs, *)
+(* start information.  No start event is timed and nothing is due, so that *)
+(* one state explains such a log.  It keeps what may be: `requests' holds  *)
+(* a mark for each OB that may have been requested, tod and dint the       *)
+(* settings by the calls that the log shows, irt and delay as well.        *)
+(*                                                                         *)
+(* Source: docs/checking/log-format.md, fine point 9.                      *)
+(* Left out: the order of requests; info.time.                             *)
+(***************************************************************************)
+EXTENDS Trace
+
+-----------------------------------------------------------------------------
+(* What may be *)
+
+ModeKnown  == ~Unseen("mode")
+StackKnown == ModeKnown /\ ~Unseen("ob")
+
+\* @type: Int => Bool;
+MayBeLoaded(o) == o \in loaded \/ Unseen("load")
+\* @type: Int => Bool;
+MayBeMissing(o) == o \notin loaded \/ Unseen("load")
+
+(* The mark of an OB that may have been requested.                         *)
+\* @type: (Int, Int) => $request;
+Mark(o, fault) == [NoRequest EXCEPT !.ob = o, !.fault = fault, !.open = TRUE]
+\* @type: Int => Bool;
+Marked(o) == \E r \in requests : r.ob = o
+
+(* STEP 7 may have set the interrupt again, at an unseen restart.          *)
+\* @type: Int => Bool;
+SetByStep7(o) == ~ModeKnown /\ cpu.step7[o].execution # "none"
+
+\* @type: Int => Bool;
+MayBeSet(o) == tod[o].set \/ SetByStep7(o)
+(* A once may be over, and an unseen restart takes every setting away.     *)
+\* @type: Int => Bool;
+MayBeUnset(o) ==
+    ~tod[o].set \/ tod[o].period = Once \/ CanTintNeedsActive \/ ~ModeKnown
+
+\* @type: Int => Bool;
+MayBeActive(o) == tod[o].active \/ (SetByStep7(o) /\ cpu.step7[o].active)
+\* @type: Int => Bool;
+MayBeInactive(o) ==
+    \/ ~tod[o].active \/ tod[o].period = Once \/ ~ModeKnown
+    \/ PointFrom(tod[o], clock.min + 1) = Never
+
+\* @type: Int => Bool;
+MayBeOver(o) == ~dint[o].started \/ dint[o].left <= 1 \/ ~ModeKnown
+
+(* [AIRT-04] The OB that delayed may have ended unseen.                    *)
+Delays == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1) THEN {}
+                        ELSE {0})
+
+(* [OBS-25] STARTUP may be over.                                           *)
+MayRun == Unseen("load") \/ stopCause = NoCause \/ (~ModeKnown /\ RestartStop = NoCause)
+
+(* Start events of the OB may have come.                                   *)
+\* @type: Int => Bool;
+MayBeRequested(o) ==
+    /\ ~Deselected(o)
+    /\ CASE o \in TodObs      -> Unseen("call") \/ MayBeActive(o) \/ Marked(o)
+         [] o \in DintObs     -> Unseen("call") \/ Marked(o)
+         [] o \in ExternalObs -> Unseen("interrupt") \/ Marked(o)
+         [] OTHER             -> FALSE
+
+Timed == { o \in TodObs \cup DintObs : MayBeRequested(o) }
+MissingMayBeRequested ==
+    \E o \in Timed \cup (ExternalObs \ AsyncErrorObs) :
+      MayBeRequested(o) /\ MayBeMissing(o)
+
+-----------------------------------------------------------------------------
+(* Calls *)
+
+\* @type: (Bool, Set(Int)) => Set(Set(Int));
+If(condition, errors) == IF condition THEN {errors} ELSE {}
+
+(* The answers that some unseen course of events allows.                   *)
+\* @type: $event => Set(Int);
+LooseAnswers(e) ==
+    LET unseen == Unseen("call")
+        tods   == e.ob \in TodObs
+        dints  == e.ob \in DintObs
+        any(sets) == UNION { Answers(e.ob, s) : s \in sets }
+    IN  CASE e.event = "CAN_TINT" /\ tods ->
+               any(If(unseen \/ MayBeSet(e.ob), {})
+                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet}))
+          [] e.event = "ACT_TINT" /\ tods ->
+               any(If(unseen \/ MayBeSet(e.ob), {})
+                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet})
+                     \cup If(\/ unseen \/ SetByStep7(e.ob)
+                             \/ tod[e.ob].set /\ tod[e.ob].period = Once,
+                             {PastStart}))
+          [] e.event = "CAN_DINT" /\ dints ->
+               any(If(unseen \/ dint[e.ob].started \/ Marked(e.ob), {})
+                     \cup If(unseen \/ MayBeOver(e.ob), {NotStarted}))
+          [] e.event = "DIS_AIRT" -> IF unseen THEN 1..32767
+                                     ELSE { d + 1 : d \in Delays }
+          [] e.event = "EN_AIRT"  ->
+               IF unseen THEN (0..32767) \cup {NotDelayed}
+               ELSE { IF d = 0 THEN NotDelayed ELSE d - 1 : d \in Delays }
+          [] OTHER                -> AnswersTo(e)
+
+\* @type: Int => Set(Int);
+LooseBit1(o) == IF Unseen("call") \/ (Blocked(o) /\ ~ModeKnown) THEN {0, 2}
+                ELSE IF Blocked(o) THEN {2} ELSE {0}
+\* @type: Int => Set(Int);
+LooseBit2(o) ==
+    LET on  == IF o \in TodObs THEN MayBeActive(o)
+               ELSE dint[o].started \/ Marked(o)
+        off == IF o \in TodObs THEN MayBeInactive(o) ELSE MayBeOver(o)
+    IN  IF Unseen("call") THEN {0, 4}
+        ELSE (IF on THEN {4} ELSE {}) \cup (IF off THEN {0} ELSE {})
+
+\* @type: Int => Set(Int);
+LooseStatuses(o) ==
+    LET sure == (IF Blocked(o) THEN 2 ELSE 0) + (IF o \in loaded THEN 16 ELSE 0)
+        bit4 == (IF MayBeLoaded(o) THEN {16} ELSE {})
+                  \cup (IF MayBeMissing(o) THEN {0} ELSE {})
+    IN  { (IF ModeKnown THEN s ELSE s - (s % 2) + bit0) - sure + bit1 + b
+          : s \in StatusWithBit2(o, LooseBit2(o)), bit0 \in {0, 1},
+            bit1 \in LooseBit1(o), b \in bit4 }
+
+(* The answer tells what is set afterwards.                                *)
+\* @type: ($event, Int) => (Int -> $tod);
+TodAfterAnswer(e, ret) ==
+    CASE \/ e.event = "CAN_TINT" /\ ret = OK
+         \/ e.event \in {"CAN_TINT", "ACT_TINT"} /\ ret = NotSet ->
+           [tod EXCEPT ![e.ob] = NoSetting]
+      [] e.event = "ACT_TINT" /\ ret = OK ->
+           [tod EXCEPT ![e.ob].set = TRUE, ![e.ob].active = TRUE]
+      [] OTHER -> tod
+
+(* Calls whose answer depends on what was set before.                      *)
+\* @type: $event => Bool;
+IsLooseAnswer(e) ==
+    /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1} ELSE LooseAnswers(e) :
+         /\ e.ret \in {-1, ret}
+         /\ tod'   = TodAfterAnswer(e, ret)
+         /\ dint'  = IF e.event = "CAN_DINT" /\ ret = OK
+                     THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
+         /\ delay' = CASE Unseen("call") -> 0
+                       [] e.event = "DIS_AIRT" -> ret
+                       [] e.event = "EN_AIRT" ->
+                            IF ret = NotDelayed THEN 0 ELSE ret
+                       [] OTHER -> delay
+    /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
+         e.status \in LooseStatuses(e.ob)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, irt, requests, stack, stopCause>>
+
+\* @type: $event => Bool;
+LooseCall(e) ==
+    /\ Called
+    /\ IF e.event \in {"SET_TINT", "SRT_DINT", "DIS_IRT", "EN_IRT"} THEN IsCall(e)
+       ELSE IsLooseAnswer(e)
+
+-----------------------------------------------------------------------------
+(* Starts *)
+
+(* The fault that a start of OB 80 or OB 85 tells, or the unknown one.     *)
+\* @type: $event => Int;
+ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
+
+(* What is not known of it fits every line.                                *)
+\* @type: (Int, Int, Int) => $request;
+UnseenRequest(o, fault, class) ==
+    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
+                       !.dtime = -1, !.during = -1, !.since = NoMoment ]
+
+(* An error may have been in STARTUP.                                      *)
+\* @type: (Int, Int) => Set(Int);
+ClassesOf(o, fault) ==
+    IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
+
+(* The causes that OB 80 or OB 85 may have; 0 stands for those that are    *)
+(* not interrupts of calls.                                                *)
+\* @type: (Int, Int) => Set(Int);
+MayCause(o, fault) ==
+    LET told(f) == fault \in {UnknownFault} \cup f
+        outside == \/ Unseen("interrupt")
+                   \/ \E r \in requests : r.ob = o /\ told({r.fault})
+        skipped == Unseen("clock") /\ told(IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+        others  == /\ told({StillRunning, BufferOverflow})
+                   /\ \E r \in requests : r.ob \in ExternalObs
+    IN  IF o = TimeErrorOb
+        THEN (IF told({StillRunning, BufferOverflow}) THEN Timed ELSE {})
+               \cup (IF \/ outside \/ others
+                        \/ skipped /\ Timed \cap TodObs # {}
+                     THEN {0} ELSE {})
+        ELSE (IF told(ObNotLoaded) THEN { c \in Timed : MayBeMissing(c) } ELSE {})
+               \cup (IF outside \/ (told(ObNotLoaded) /\ MissingMayBeRequested)
+                     THEN {0} ELSE {})
+
+(* The requests by which the OB of the line may start.                     *)
+\* @type: $event => Set($request);
+LooseRequests(e) ==
+    LET fault  == IF e.ob \in {TimeErrorOb, ProgramErrorOb} THEN ToldFault(e)
+                  ELSE 0
+        causes == IF fault # 0 THEN MayCause(e.ob, fault)
+                  ELSE IF MayBeRequested(e.ob) THEN {0} ELSE {}
+    IN  { [UnseenRequest(e.ob, fault, class) EXCEPT !.cause = cause]
+          : class \in ClassesOf(e.ob, fault), cause \in causes }
+
+\* @type: $event => Bool;
+LooseInterruptStarts(e) ==
+    \E r \in LooseRequests(e) :
+      /\ FitsRequest(r, e)
+      /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
+      /\ ModeAllows(r)
+      /\ StackKnown => Preempts(r)
+      /\ StackKnown /\ ~Unseen("call") => 0 \in Delays
+      /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
+      /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes
+      /\ stack' = IF Unseen("ob") THEN stack ELSE Append(stack, Frame(e.ob, r.class))
+      /\ delay' = 0
+
+(* OB 1 and the startup OB are the first of the stack.                     *)
+\* @type: $event => Bool;
+LooseFirstStarts(e) ==
+    /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
+    /\ e.ob = CycleOb => MayRun
+    /\ StackKnown => Len(stack) = 1
+    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1 ELSE 27)
+    /\ e.ob # CycleOb => MayBeLoaded(e.ob)
+    /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+
+\* @type: $event => Bool;
+LooseStart(e) ==
+    /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
+       ELSE LooseInterruptStarts(e)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+                   stopCause>>
+
+\* @type: $event => Bool;
+LooseEnd(e) ==
+    /\ ModeKnown => mode \notin {"STOP", "HOLD"}
+    /\ \/ Unseen("ob") /\ UNCHANGED stack
+       \/ Running.ob = e.ob /\ Len(stack) > 1 /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+       \/ /\ e.ob \in {CycleOb} \cup StartupObs
+          /\ ModeKnown => Len(stack) = 1
+          /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+                   stopCause>>
+=============================================================================

@@ -1,0 +1,197 @@
+----------------------------- MODULE LooseModes -----------------------------
+(***************************************************************************)
+(* The other lines of a log that does not tell when an OB has to start     *)
+(* (LooseLogs), and time that elapses in it.                               *)
+(*                                                                         *)
+(* Where changes of the mode may be unseen, `mode' is RUN throughout and   *)
+(* forbids nothing.                                                        *)
+(* Source: docs/checking/log-format.md, fine point 9.                      *)
+(* Left out: entries of the diagnostic buffer but that of DIS_IRT.         *)
+(***************************************************************************)
+EXTENDS LooseLogs
+
+-----------------------------------------------------------------------------
+(* Modes *)
+
+\* @type: $event => Bool;
+LooseRestart(e) ==
+    /\ ModeKnown => mode = "STOP"
+    /\ e.type = "cold" /\ cpu.family = "S7-300" => S7300RestartsCold
+    /\ mode'  = IF ModeKnown THEN "STARTUP" ELSE "RUN"
+    /\ startup' = e.type
+    /\ tod'   = [o \in TodObs |-> Configured(cpu.step7[o])]
+    /\ dint' = NoJobs /\ irt' = NoneBlocked /\ delay' = 0
+    /\ requests'  = RestartRequests
+    /\ stopCause' = RestartStop
+    /\ stack' = <<Frame(StartupOb(e.type), 27)>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, clock>>
+
+\* @type: $event => Bool;
+LooseRun(e) ==
+    /\ ModeKnown => mode = "STARTUP"
+    /\ MayRun
+    /\ mode' = "RUN" /\ startup' = "none" /\ stack' = <<Frame(CycleOb, 1)>>
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, clock, tod, dint, irt, requests, delay, stopCause>>
+
+\* @type: $event => Bool;
+LooseStop(e) ==
+    /\ IF mode = "STOP" THEN UNCHANGED <<mode, stack>>
+       ELSE /\ mode' = IF ModeKnown THEN "STOP" ELSE "RUN"
+            /\ stack' = IF ModeKnown THEN <<>> ELSE <<Frame(CycleOb, 1)>>
+    /\ requests' = {} /\ dint' = NoJobs /\ delay' = 0 /\ stopCause' = NoCause
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, irt>>
+
+\* @type: Str => Bool;
+LooseHold(to) ==
+    /\ ModeKnown => mode = IF to = "HOLD" THEN "RUN" ELSE "HOLD"
+    /\ mode' = IF ModeKnown THEN to ELSE "RUN"
+    /\ requests' = IF to = "RUN" /\ Timed \cap TodObs # {}
+                   THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
+                   ELSE requests
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, dint, irt, stack, delay, stopCause>>
+
+-----------------------------------------------------------------------------
+(* The clock, start events, entries, the state of an OB *)
+
+(* [TINT-11] Between now and t lies a whole minute: a possible point.      *)
+\* @type: $moment => Bool;
+PassesMinute(t) ==
+    Before(IF SecondsAreKept THEN clock
+           ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
+
+(* ... of an interrupt that may be active.                                 *)
+\* @type: $moment => Bool;
+PassesPoint(t) ==
+    /\ PassesMinute(t)
+    /\ \E o \in Timed \cap TodObs :
+         \/ Unseen("call")
+         \/ \E s \in {tod[o], Configured(cpu.step7[o])} :
+              s.active /\ ~Before(t, [ min |-> PointFrom(s, clock.min),
+                                      ms |-> s.offset ])
+
+(* Points that pass, to the moment t, may be skipped by such a change of   *)
+(* the clock, or in an unseen HOLD.                                        *)
+\* @type: ($moment, Set(Int)) => Set($request);
+SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
+                        THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
+
+\* @type: Set(Int);
+SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
+
+\* @type: $event => Bool;
+LooseClock(e) ==
+    /\ clock' = e.to
+    /\ requests' = requests \cup SkipMarks(e.to, {SkippedByClock} \cup SkipsInHold)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, dint, irt, stack, delay, stopCause>>
+
+\* @type: $event => Bool;
+LooseEvent(e) ==
+    /\ requests' = IF mode = "STOP" THEN requests
+                   ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack, delay, stopCause>>
+
+(* An unseen event may have caused this entry.                             *)
+\* @type: $event => Bool;
+LooseEntry(e) ==
+    /\ e.id - ErrorEntry \in ObNotLoaded => MissingMayBeRequested
+    /\ e.id = NoTimeErrorOb => MayBeMissing(TimeErrorOb)
+    /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpuVars, reports>>
+
+\* @type: $event => Bool;
+LooseState(e) ==
+    LET known == mode # "STOP" /\ ~Unseen("call")
+        bit1  == { b \div 2 : b \in LooseBit1(e.ob) }
+        bit2  == { b \div 4 : b \in LooseBit2(e.ob) }
+    IN  /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
+        /\ known => /\ e.blocked \in {-1} \cup bit1
+                    /\ e.entries_off = 1 => Silenced(e.ob)
+                    /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
+                    /\ e.ob \in TodObs \cup DintObs => e.active \in {-1} \cup bit2
+                    /\ ModeKnown => FitsLeft(e)
+        /\ NothingEntered
+        /\ UNCHANGED cpuVars
+
+-----------------------------------------------------------------------------
+(* Lines *)
+
+\* @type: $event => Bool;
+LooseShows(e) ==
+    /\ CASE e.event \in CallEvents -> LooseCall(e)
+         [] e.event = "start"      -> LooseStart(e)
+         [] e.event = "end"        -> LooseEnd(e)
+         [] e.event = "interrupt"  -> LooseEvent(e)
+         [] e.event = "clock"      -> LooseClock(e)
+         [] e.event = "load"       -> LoadedAre(loaded \cup {e.ob})
+         [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
+         [] e.event = "restart"    -> LooseRestart(e)
+         [] e.event = "run"        -> LooseRun(e)
+         [] e.event = "hold"       -> LooseHold("HOLD")
+         [] e.event = "release"    -> LooseHold("RUN")
+         [] e.event = "stop"       -> LooseStop(e)
+         [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
+                                      ELSE IsEntry(e)
+         [] e.event = "state"      -> LooseState(e)
+    /\ IF e.event = "diag" THEN TRUE ELSE Report(0)
+    /\ UNCHANGED <<terms, up, waiting, eventVars>>
+
+-----------------------------------------------------------------------------
+(* Time *)
+
+(* Without `up' in a line nobody knows how much time has elapsed if the    *)
+(* clock may have been set.                                                *)
+\* @type: $event => Bool;
+ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
+
+(* A delay is over at the earliest when so many ms have elapsed; unseen, a *)
+(* HOLD may have made it last longer.                                      *)
+\* @type: (Int, Bool) => (Int -> $job);
+LooseJobs(d, known) ==
+    [ o \in DintObs |->
+        IF ~dint[o].started \/ mode = "HOLD" \/ dint[o].left = Gone THEN dint[o]
+        ELSE [dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d ELSE Gone] ]
+
+\* @type: $event => Bool;
+LooseElapse(e) ==
+    LET d     == Span(up, e.up)
+        known == ElapsedKnown(e)
+    IN  /\ known => EntriesLate(d) = {}
+        /\ clock' = e.at
+        /\ up' = e.up
+        /\ dint' = LooseJobs(d, known)
+        /\ requests' = requests
+             \cup { Mark(o, 0) : o \in { j \in DintObs : /\ dint'[j].started
+                                                       /\ dint'[j].left = Gone } }
+             \cup SkipMarks(e.at, SkipsInHold)
+        /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
+        /\ NothingEntered
+        /\ UNCHANGED <<cpu, loaded, mode, startup, tod, irt, stack, delay, stopCause,
+                       lineVars, waiting, eventVars>>
+
+-----------------------------------------------------------------------------
+(* Too many explanations *)
+
+(* From here on only what is certain is kept.  Calls and start events      *)
+(* before this line count as unseen, and an OB that runs may have ended.   *)
+Loosen ==
+    /\ Partial /\ ~terms.loose
+    /\ terms' = [terms EXCEPT !.loose = TRUE, !.records = @ \ {"call", "interrupt"}]
+    /\ tod' = [o \in TodObs |-> NoSetting] /\ dint' = NoJobs /\ irt' = NoneBlocked
+    /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0
+    /\ waiting' = [c \in {} |-> 0] /\ reports' = {}
+    /\ first' = "unknown" /\ overruns' = 0 /\ changes' = {}
+    /\ arrivals' = [r \in {} |-> up]
+    /\ stack' = IF mode = "STOP" THEN <<>>
+                ELSE IF Unseen("ob") \/ stack = <<>>
+                THEN <<IF mode = "STARTUP" THEN Frame(100, 27) ELSE Frame(CycleOb, 1)>>
+                ELSE stack
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, up, pace>>
+=============================================================================
