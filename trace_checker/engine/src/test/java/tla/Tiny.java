@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
+import java.util.Set;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -20,7 +21,7 @@ public final class Tiny {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
     try {
       var module = Path.of(Tiny.class.getResource("/tiny/Explain.tla").toURI());
-      return new Specification(module.getParent(), "Explain");
+      return new Specification(module.getParent(), "Explain", Set.of("time", "at"));
     } catch (URISyntaxException e) {
       throw new IllegalStateException(e);
     }

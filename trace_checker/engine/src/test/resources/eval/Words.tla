@@ -130,6 +130,22 @@ ActEnabled == /\ number' = 7
               /\ UNCHANGED <<set, others>>
 TlcEnabled == (ENABLED ActAssign)'
 
+\* Evaluated again and again with other numbers, which are its times.
+TimedPair(e) == [a |-> number + e.a, b |-> [c |-> e.c, d |-> {[a |-> number * 2], [a |-> e.a, k |-> 1]}]]
+TimedValue(e) ==
+    <<number < e.a, number <= e.a, number = e.a, (number + e.a) \div 3 = e.a % 7, number \in 3..9,
+      [a |-> number] = [a |-> e.a], [a |-> number] \in {[a |-> e.a], [a |-> 4]}, -number = 3 - e.a,
+      TimedPair(e).a > 10 /\ e.c = "x", TimedPair(e) = [a |-> 9, b |-> TimedPair(e).b],
+      LET f == [r \in {[a |-> number], [a |-> number, k |-> 2]} |-> r.a]
+      IN  f[[a |-> number]] = e.a \/ [a |-> e.a] \in DOMAIN f,
+      IF number > e.a THEN "more" ELSE "less">>
+ActTimed(e) ==
+    /\ IF number < e.a THEN number' = number + 2 ELSE number' \in {e.a, number - e.a}
+    /\ record' = IF number % 2 = 0 THEN TimedPair(e) ELSE [record EXCEPT !.a = @ + e.a]
+    /\ \/ set' = set
+       \/ e.c = "x" /\ set' = {1}
+    /\ UNCHANGED <<function, sequence>>
+
 ErrChoose == CHOOSE x \in set : x > 9
 ErrDomain == function[9]
 ErrField == record.z

@@ -76,7 +76,7 @@ public final class Engine {
     System.setOut(System.err);
     ToolIO.out = System.err;
     ToolIO.setMode(ToolIO.TOOL);
-    var engine = new Engine(new Contract(new Specification(Path.of(args[0]), Contract.MODULE)), out);
+    var engine = new Engine(new Contract(new Specification(Path.of(args[0]), Contract.MODULE, Contract.TIMES)), out);
     var ready = new JsonObject();
     ready.addProperty("engine", "ready");
     ready.addProperty("tlc", jarOfTlc());

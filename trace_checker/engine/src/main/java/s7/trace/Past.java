@@ -1,6 +1,7 @@
 package s7.trace;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,6 +45,10 @@ final class Past {
   }
 
   private static List<Object> kind(RecordValue event) {
-    return Contract.KIND.stream().map(field -> Values.field(event, field)).toList();
+    var kind = new Object[Contract.KIND.size()];
+    for (int i = 0; i < kind.length; i++) {
+      kind[i] = Values.field(event, Contract.KIND.get(i));
+    }
+    return Arrays.asList(kind);
   }
 }

@@ -185,7 +185,7 @@ final class Actions {
         next[variable] = value;
         then.run(f);
         next[variable] = null;
-      } else if (Builtins.equal(next[variable], value)) {
+      } else if (machine.equal(next[variable], value)) {
         then.run(f);
       }
     };

@@ -333,7 +333,7 @@ final class Compiler {
   }
 
   /** The operators that evaluate their operands and no more. */
-  private static Expr simple(String name, OpApplNode node, Expr[] x) {
+  private Expr simple(String name, OpApplNode node, Expr[] x) {
     Expr a = x.length > 0 ? x[0] : null;
     Expr b = x.length > 1 ? x[1] : null;
     return switch (name) {
@@ -345,16 +345,16 @@ final class Compiler {
       case "\\equiv" -> (Expr.Test) f -> a.test(f) == b.test(f);
       case "\\land", "$ConjList" -> all(x);
       case "\\lor", "$DisjList" -> any(x);
-      case "+" -> (Expr.Num) f -> Math.addExact(a.number(f), b.number(f));
-      case "-" -> (Expr.Num) f -> Math.subtractExact(a.number(f), b.number(f));
-      case "*" -> (Expr.Num) f -> Math.multiplyExact(a.number(f), b.number(f));
-      case "-." -> (Expr.Num) f -> Math.negateExact(a.number(f));
-      case "\\div" -> (Expr.Num) f -> Math.floorDiv(a.number(f), b.number(f));
-      case "%" -> (Expr.Num) f -> Builtins.modulo(a.number(f), b.number(f));
-      case "<" -> (Expr.Test) f -> a.number(f) < b.number(f);
-      case "\\leq", "<=", "=<" -> (Expr.Test) f -> a.number(f) <= b.number(f);
-      case ">" -> (Expr.Test) f -> a.number(f) > b.number(f);
-      case "\\geq", ">=" -> (Expr.Test) f -> a.number(f) >= b.number(f);
+      case "+" -> new Arithmetic(machine, Operation.ADD, a, b);
+      case "-" -> new Arithmetic(machine, Operation.SUBTRACT, a, b);
+      case "*" -> new Arithmetic(machine, Operation.MULTIPLY, a, b);
+      case "-." -> new Arithmetic(machine, Operation.SUBTRACT, constant(IntValue.gen(0)), a);
+      case "\\div" -> new Arithmetic(machine, Operation.DIVIDE, a, b);
+      case "%" -> new Arithmetic(machine, Operation.MODULO, a, b);
+      case "<" -> new Comparison(machine, Operation.LESS, a, b);
+      case "\\leq", "<=", "=<" -> new Comparison(machine, Operation.LESS_OR_EQUAL, a, b);
+      case ">" -> new Comparison(machine, Operation.LESS, b, a);
+      case "\\geq", ">=" -> new Comparison(machine, Operation.LESS_OR_EQUAL, b, a);
       case ".." -> f -> new IntervalValue(a.number(f), b.number(f));
       case "\\subseteq" -> (Expr.Test) f -> Builtins.subset(a.eval(f), b.eval(f));
       case "\\union", "\\cup" -> f -> Builtins.cup(a.eval(f), b.eval(f));
@@ -365,7 +365,7 @@ final class Compiler {
       case "DOMAIN" -> f -> Builtins.domain(a.eval(f));
       case "$SetEnumerate" -> f -> new SetEnumValue(values(x, f), false);
       case "$Tuple" -> f -> new TupleValue(values(x, f));
-      case "$FcnApply" -> f -> Builtins.apply(a.eval(f), b.eval(f));
+      case "$FcnApply" -> f -> machine.apply(a.eval(f), b.eval(f));
       case "$RcdSelect" -> new Field(a, ((StringNode) node.getArgs()[1]).getRep());
       case "Cardinality" -> (Expr.Num) f -> Builtins.cardinality(a.eval(f));
       case "Len" -> (Expr.Num) f -> Builtins.tuple(a.eval(f)).elems.length;
@@ -456,9 +456,9 @@ final class Compiler {
     Expr a = compile(operands[0], scope);
     Expr b = compile(operands[1], scope);
     if (a instanceof Expr.Num && b instanceof Expr.Num) {
-      return (Expr.Test) f -> a.number(f) == b.number(f);
+      return new Comparison(machine, Operation.EQUAL, a, b);
     }
-    return (Expr.Test) f -> Builtins.equal(a.eval(f), b.eval(f));
+    return (Expr.Test) f -> machine.equal(a.eval(f), b.eval(f));
   }
 
   private static boolean isEmptySet(SemanticNode node) {
@@ -494,18 +494,18 @@ final class Compiler {
           return (Expr.Test) f -> left.test(f) || right.test(f);
         case "DOMAIN":
           Expr function = compile(parts[0], scope);
-          return (Expr.Test) f -> Builtins.inDomain(function.eval(f), x.eval(f));
+          return (Expr.Test) f -> machine.inDomain(function.eval(f), x.eval(f));
         default:
           break;
       }
     }
     Expr s = compile(set, scope);
-    return (Expr.Test) f -> s.eval(f).member(x.eval(f));
+    return (Expr.Test) f -> machine.member(x.eval(f), s.eval(f));
   }
 
-  private static boolean contains(Expr[] elements, Value x, Object[] frame) {
+  private boolean contains(Expr[] elements, Value x, Object[] frame) {
     for (Expr element : elements) {
-      if (Builtins.equal(element.eval(frame), x)) {
+      if (machine.equal(element.eval(frame), x)) {
         return true;
       }
     }

@@ -3,6 +3,7 @@ package tla.eval;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 import tla2sany.semantic.FormalParamNode;
 import tla2sany.semantic.OpDeclNode;
@@ -30,6 +31,7 @@ public final class Evaluator {
   final Compiler compiler;
   private final Map<OpDefNode, Program> programs = new IdentityHashMap<>();
   private final Hash.Parts hashes = new Hash.Parts();
+  private final Memory memory;
 
   /** The use of an operator: by its value, as a step, or as the predicate of the first states. */
   private enum Use {
@@ -39,14 +41,34 @@ public final class Evaluator {
   }
 
   /** A compiled operator; {@code act} is null for a state function, both are if it is not supported. */
-  private record Program(Object[] frame, Expr expr, Actions.Act act) {}
+  private record Program(
+      Machine machine, long number, int parameters, Object[] frame, Expr expr, Actions.Act act)
+      implements Memory.Operator {
+
+    @Override
+    public Value value(Value... arguments) {
+      System.arraycopy(arguments, 0, frame, 0, parameters);
+      return expr.eval(frame);
+    }
+
+    @Override
+    public List<State> successors(Value... arguments) {
+      System.arraycopy(arguments, 0, frame, 0, parameters);
+      machine.begin();
+      act.run(frame);
+      return machine.found();
+    }
+  }
 
   /**
+   * @param times names of variables and fields whose integers are other ones each time while all else
+   *     comes again ({@link Memory}); they change no result, only the speed
    * @param variables all variables, in the order in which a {@link State} has their values
    */
-  public Evaluator(OpDeclNode... variables) {
+  public Evaluator(Set<String> times, OpDeclNode... variables) {
     machine = new Machine(variables);
     compiler = new Compiler(machine);
+    memory = new Memory(machine, variables, times);
   }
 
   /** The states that satisfy an initial predicate; null if TLC has to find them. */
@@ -63,11 +85,11 @@ public final class Evaluator {
     try {
       Program program = program(operator, use);
       if (program.act != null) {
+        if (use == Use.STEP && program.parameters == 1) {
+          return memory.successors(program, state, arguments[0]);
+        }
         machine.load(state);
-        machine.begin();
-        System.arraycopy(arguments, 0, program.frame, 0, operator.getParams().length);
-        program.act.run(program.frame);
-        return machine.found();
+        return program.successors(arguments);
       }
     } catch (RuntimeException e) {
       // TLC names the error.
@@ -80,9 +102,11 @@ public final class Evaluator {
     try {
       Program program = program(operator, Use.VALUE);
       if (program.expr != null) {
+        if (program.parameters == 1) {
+          return memory.value(program, state, arguments[0]);
+        }
         machine.load(state);
-        System.arraycopy(arguments, 0, program.frame, 0, operator.getParams().length);
-        return program.expr.eval(program.frame);
+        return program.value(arguments);
       }
     } catch (RuntimeException e) {
       // TLC names the error.
@@ -102,6 +126,11 @@ public final class Evaluator {
       throw new IllegalArgumentException(operator.getName() + " has no value");
     }
     return hashes.of(value);
+  }
+
+  /** The number of evaluations that were remembered ones. */
+  long remembered() {
+    return memory.hits();
   }
 
   /** The body of an operator in a state, with its parameters bound. */
@@ -137,9 +166,11 @@ public final class Evaluator {
                 .compile(operator.getBody(), scope, f -> machine.emit());
       }
     } catch (Unsupported e) {
-      return new Program(null, null, null);
+      return new Program(machine, 0, 0, null, null, null);
     }
-    return new Program(new Object[scope.slots.count()], expr, act);
+    int parameters = operator.getParams().length;
+    var frame = new Object[scope.slots.count()];
+    return new Program(machine, programs.size() + 1, parameters, frame, expr, act);
   }
 
   private static Scope parameters(OpDefNode operator, boolean primed) {

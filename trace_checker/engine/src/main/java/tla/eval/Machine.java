@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 import tla2sany.semantic.OpDeclNode;
+import tlc2.value.impl.FcnRcdValue;
 import tlc2.value.impl.Value;
 
 /** The variables of a specification in the current state and in the next one. */
@@ -18,6 +19,9 @@ final class Machine {
 
   /** The values assigned so far; null elsewhere. */
   final Value[] next;
+
+  /** The recording under way; null otherwise. */
+  Recording recording;
 
   private final OpDeclNode[] variables;
   private List<State> found;
@@ -33,8 +37,33 @@ final class Machine {
 
   /** Takes {@code state} as the current one. */
   void load(State state) {
+    load(state.values);
+  }
+
+  /** Takes the first {@code values} as those of the current state. */
+  void load(Value[] values) {
     Arrays.fill(next, null);
-    System.arraycopy(state.values, 0, now, 0, now.length);
+    System.arraycopy(values, 0, now, 0, now.length);
+  }
+
+  boolean member(Value element, Value set) {
+    return recording == null ? set.member(element) : recording.member(element, set);
+  }
+
+  boolean inDomain(Value function, Value x) {
+    return recording != null && function instanceof FcnRcdValue f && f.intv == null
+        ? recording.place(f, x) >= 0
+        : Builtins.inDomain(function, x);
+  }
+
+  Value apply(Value function, Value x) {
+    return recording != null && function instanceof FcnRcdValue f && f.intv == null
+        ? f.values[recording.place(f, x)]
+        : Builtins.apply(function, x);
+  }
+
+  boolean equal(Value a, Value b) {
+    return recording == null ? Builtins.equal(a, b) : recording.equal(a, b);
   }
 
   void begin() {

@@ -6,6 +6,11 @@ import tlc2.value.impl.Value;
 public final class State {
   final Value[] values;
 
+  /** The shapes of the values ({@link Shapes}) and of all of them; null before they are known. */
+  long[] shapes;
+
+  long shape;
+
   /**
    * @param values the values of all variables; the array belongs to the state from now on
    */

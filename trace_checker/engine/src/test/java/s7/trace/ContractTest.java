@@ -35,7 +35,7 @@ class ContractTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    spec = new Specification(Path.of("..", "..", "spec"), Contract.MODULE);
+    spec = new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES);
     contract = new Contract(spec);
   }
 

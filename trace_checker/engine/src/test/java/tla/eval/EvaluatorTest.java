@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -27,12 +29,15 @@ import tlc2.tool.TLCState;
 import tlc2.tool.impl.FastTool;
 import tlc2.util.Context;
 import tlc2.util.FP64;
+import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.SetEnumValue;
+import tlc2.value.impl.StringValue;
 import tlc2.value.impl.TupleValue;
 import tlc2.value.impl.Value;
 import util.SimpleFilenameToStream;
 import util.ToolIO;
+import util.UniqueString;
 
 class EvaluatorTest {
   private static FastTool tool;
@@ -46,7 +51,7 @@ class EvaluatorTest {
     String folder =
         Path.of(EvaluatorTest.class.getResource("/eval/Words.tla").toURI()).getParent().toString();
     tool = new FastTool(folder, "Words", "Words", new SimpleFilenameToStream(folder));
-    evaluator = new Evaluator(variables());
+    evaluator = new Evaluator(Set.of(), variables());
     initial = ofTlc(tool.getInitStates().elementAt(0));
   }
 
@@ -99,16 +104,25 @@ class EvaluatorTest {
     return bound;
   }
 
-  private static Value byTlc(String name, State state) {
+  private static Value byTlc(String name, State state, Value... arguments) {
     TLCState now = forTlc(state);
+    OpDefNode operator = operator(name);
     return (Value)
         tool.eval(
-            operator(name).getBody(), Context.Empty, now, now.createEmpty(), EvalControl.Clear);
+            operator.getBody(), bind(operator, arguments), now, now.createEmpty(), EvalControl.Clear);
   }
 
-  private static Value successorsByTlc(String name, State state) {
+  private static Context bind(OpDefNode operator, Value... arguments) {
+    Context context = Context.Empty;
+    for (int i = 0; i < arguments.length; i++) {
+      context = context.cons(operator.getParams()[i], arguments[i]);
+    }
+    return context;
+  }
+
+  private static Value successorsByTlc(String name, State state, Value... arguments) {
     OpDefNode operator = operator(name);
-    var action = new Action(operator.getBody(), Context.Empty, operator);
+    var action = new Action(operator.getBody(), bind(operator, arguments), operator);
     return asSet(tool.getNextStates(action, forTlc(state)));
   }
 
@@ -140,6 +154,24 @@ class EvaluatorTest {
     var found = evaluator.initial(operator("InitSeveral"));
     assertEquals(4, found.size());
     assertEquals(asSet(tool.getInitStates()), asSet(evaluator.initial(operator("Init"))));
+  }
+
+  @Test
+  @DisplayName("values and successors that come again with other times are those of TLC")
+  void times() {
+    var remembering = new Evaluator(Set.of("number", "a"), variables());
+    State state = initial;
+    for (int i = 0; i < 400; i++) {
+      Value[] values = {IntValue.gen(i * 7 % 23), new StringValue(i % 3 == 0 ? "x" : "y")};
+      UniqueString[] names = {UniqueString.uniqueStringOf("a"), UniqueString.uniqueStringOf("c")};
+      var event = new RecordValue(names, values, false);
+      Value value = remembering.value(operator("TimedValue"), state, event);
+      assertEquals(byTlc("TimedValue", state, event), value);
+      List<State> found = remembering.successors(operator("ActTimed"), state, event);
+      assertEquals(successorsByTlc("ActTimed", state, event), asSet(found));
+      state = i % 50 == 0 ? initial : found.get(i % found.size());
+    }
+    assertTrue(remembering.remembered() > 300, "remembered " + remembering.remembered());
   }
 
   @ParameterizedTest

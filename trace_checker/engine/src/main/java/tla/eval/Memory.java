@@ -1,0 +1,202 @@
+package tla.eval;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiFunction;
+
+import tla2sany.semantic.OpDeclNode;
+import tlc2.value.impl.Value;
+
+/**
+ * Remembers evaluations of operators by the shape of their inputs, the state and one argument: what
+ * differs between two inputs of one shape are times, and of those it knows how they decide.
+ *
+ * <p>An operator is recorded when a shape comes for the second time. A construct that the recording
+ * does not know ends it; the shape is then evaluated as usual.
+ */
+final class Memory {
+  /** The most shapes that are known; then all are forgotten. */
+  private static final int MOST_SHAPES = 50_000;
+
+  /** The most steps of recordings that are kept, some 60 MB with all that belongs to them. */
+  private static final int MOST_STEPS = 1_000_000;
+
+  /** A recording with few steps needs as much room as one with so many. */
+  private static final int LEAST_STEPS = 100;
+
+  private final Machine machine;
+  private final Shapes shapes;
+  private final boolean[] areTimes;
+  private final Value[] inputs;
+  private final int[] registers = new int[1 << 12];
+  private final Map<Long, Remembered<Part>> values = new HashMap<>();
+  private final Map<Long, Remembered<Next[]>> successors = new HashMap<>();
+  private long hits;
+  private long steps;
+  private Value argument;
+  private long argumentShape;
+
+  /** An operator with one parameter, evaluated in the loaded state. */
+  interface Operator {
+    /** Another number for each operator. */
+    long number();
+
+    Value value(Value... argument);
+
+    List<State> successors(Value... argument);
+  }
+
+  /** A successor: its values, of which some are those of an input, and their shapes. */
+  private record Next(Part[] values, int[] unchanged, long[] shapes, long shape) {}
+
+  Memory(Machine machine, OpDeclNode[] variables, Set<String> times) {
+    this.machine = machine;
+    shapes = new Shapes(times);
+    inputs = new Value[variables.length + 1];
+    areTimes = new boolean[inputs.length];
+    for (int i = 0; i < variables.length; i++) {
+      areTimes[i] = shapes.areTimes(variables[i].getName());
+    }
+  }
+
+  /** The value of a state function. */
+  Value value(Operator operator, State state, Value of) {
+    Remembered<Part> remembered = remembered(values, key(operator, state, of));
+    Part known = outcome(remembered);
+    if (known == null && remembered.worthRecording()) {
+      record(remembered, (recording, argument) -> recording.part(operator.value(argument)));
+      known = outcome(remembered);
+    }
+    if (known != null) {
+      return known.built(registers, inputs);
+    }
+    machine.load(state);
+    return operator.value(of);
+  }
+
+  /** The successors of a state under an action. */
+  List<State> successors(Operator operator, State state, Value of) {
+    Remembered<Next[]> remembered = remembered(successors, key(operator, state, of));
+    Next[] known = outcome(remembered);
+    if (known == null && remembered.worthRecording()) {
+      record(remembered, (recording, argument) -> nexts(recording, operator.successors(argument)));
+      known = outcome(remembered);
+    }
+    if (known == null) {
+      machine.load(state);
+      return operator.successors(of);
+    }
+    var found = new State[known.length];
+    for (int i = 0; i < found.length; i++) {
+      found[i] = state(known[i], state);
+    }
+    return Arrays.asList(found);
+  }
+
+  long hits() {
+    return hits;
+  }
+
+  private static <T> Remembered<T> remembered(Map<Long, Remembered<T>> all, long key) {
+    Remembered<T> remembered = all.get(key);
+    if (remembered == null) {
+      remembered = new Remembered<>();
+      all.put(key, remembered);
+    }
+    return remembered;
+  }
+
+  private long key(Operator operator, State state, Value of) {
+    if (values.size() + successors.size() > MOST_SHAPES || steps > MOST_STEPS) {
+      values.clear();
+      successors.clear();
+      steps = 0;
+    }
+    if (state.shapes == null) {
+      state.shapes = new long[state.values.length];
+      for (int i = 0; i < state.shapes.length; i++) {
+        state.shapes[i] = shapes.of(state.values[i], areTimes[i]);
+      }
+      state.shape = all(state.shapes);
+    }
+    System.arraycopy(state.values, 0, inputs, 0, state.values.length);
+    inputs[state.values.length] = of;
+    if (of != argument) {
+      argument = of;
+      argumentShape = shapes.of(of, false);
+    }
+    return Hash.mix(Hash.mix(state.shape + operator.number()) + argumentShape);
+  }
+
+  private static long all(long[] shapes) {
+    long all = 0;
+    for (long each : shapes) {
+      all = Hash.mix(all + each);
+    }
+    return all;
+  }
+
+  private <T> T outcome(Remembered<T> remembered) {
+    try {
+      T known = remembered.outcome(inputs, registers);
+      hits += known == null ? 0 : 1;
+      return known;
+    } catch (ArithmeticException e) {
+      return null; // TLC has the last word about numbers that are too large.
+    }
+  }
+
+  private <T> void record(
+      Remembered<T> remembered, BiFunction<Recording, Value, T> evaluation) {
+    var recording = new Recording(shapes);
+    try {
+      var recorded = new Value[inputs.length];
+      for (int i = 0; i < inputs.length; i++) {
+        recorded[i] = recording.recorded(inputs[i], areTimes[i], i);
+      }
+      machine.load(recorded);
+      machine.recording = recording;
+      T outcome = evaluation.apply(recording, recorded[inputs.length - 1]);
+      steps += LEAST_STEPS + recording.steps().size();
+      if (!remembered.add(recording, outcome)) {
+        remembered.giveUp();
+      }
+    } catch (RuntimeException e) {
+      remembered.giveUp();
+    } finally {
+      machine.recording = null;
+    }
+  }
+
+  private Next[] nexts(Recording recording, List<State> found) {
+    var nexts = new Next[found.size()];
+    for (int i = 0; i < nexts.length; i++) {
+      Value[] values = found.get(i).values;
+      var parts = new Part[values.length];
+      var unchanged = new int[values.length];
+      var its = new long[values.length];
+      for (int k = 0; k < values.length; k++) {
+        unchanged[k] = recording.input(values[k]);
+        parts[k] = recording.part(values[k]);
+        its[k] = shapes.of(values[k], areTimes[k]);
+      }
+      nexts[i] = new Next(parts, unchanged, its, all(its));
+    }
+    return nexts;
+  }
+
+  private State state(Next next, State before) {
+    var values = new Value[next.values.length];
+    for (int i = 0; i < values.length; i++) {
+      int input = next.unchanged[i];
+      values[i] = input < 0 ? next.values[i].built(registers, inputs) : inputs[input];
+    }
+    var state = new State(values);
+    state.shapes = next.shapes;
+    state.shape = next.shape;
+    return state;
+  }
+}
