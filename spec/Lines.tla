@@ -81,9 +81,9 @@ FitsActive(e) ==
 (* [DINT-17] While a delay runs; as exact as its end [DINT-06].            *)
 \* @type: $event => Bool;
 FitsLeft(e) ==
-    \/ e.left = -1 \/ e.ob \notin DintObs
-    \/ ~dint[e.ob].started \/ dint[e.ob].left < 0
-    \/ e.left \in {dint[e.ob].left, dint[e.ob].left - 1}
+    IF e.left = -1 \/ e.ob \notin DintObs THEN TRUE
+    ELSE \/ ~dint[e.ob].started \/ dint[e.ob].left < 0
+         \/ e.left \in {dint[e.ob].left, dint[e.ob].left - 1}
 
 (* [OBS-60] [IRT-20] What the CPU says of an OB.                           *)
 \* @type: $event => Bool;
