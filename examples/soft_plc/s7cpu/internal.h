@@ -1,4 +1,4 @@
-/* What the units of the library tell one another. */
+/* Declarations that the units of the library share. */
 #ifndef S7CPU_INTERNAL_H
 #define S7CPU_INTERNAL_H
 

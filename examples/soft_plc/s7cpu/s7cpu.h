@@ -168,8 +168,8 @@ struct s7cpu_info {
     int64_t time;
 };
 
-/* The state of an OB, as SZL 16#0222 shows it [OBS-60]: 0 or 1, or S7CPU_NONE where the CPU does not
- * show it. In STOP it shows no more than `loaded`. */
+/* The state of an OB, as SZL 16#0222 shows it [OBS-60]: 0 or 1, or S7CPU_NONE where the CPU does
+ * not show it. In STOP it shows no more than `loaded`. */
 struct s7cpu_state {
     int active; /* OB 10 to 17 and 20 to 23 */
     int blocked, entries_off; /* by SFC 39; OBs that it can block */

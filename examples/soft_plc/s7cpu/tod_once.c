@@ -1,5 +1,5 @@
-/* A once interrupt is cancelled by the call of its OB [TINT-08], AMB-08 (reading a). AMB-71, a or c:
- * when the OB starts or when it ends; a clock that is set back meanwhile does not arm it again
+/* A once interrupt is cancelled by the call of its OB [TINT-08], AMB-08 (reading a). AMB-71, a or
+ * c: when the OB starts or when it ends; a clock that is set back meanwhile does not arm it again
  * [CLK-12], and a SET_TINT inside the OB lasts [TINT-65]. */
 #include "internal.h"
 

@@ -237,7 +237,7 @@ static bool parse_action(struct parser *p, int word, struct action *a)
         a->kind = ACTION_RELEASE;
     else
         return parser_fail(p, "action",
-                           "clock, interrupt, stop, restart, hold, release, load, delete or state", name);
+                           "clock, interrupt, stop, restart, hold, release, load, delete, state", name);
     return parse_word_count(p, name, word + 1, "the end of the line");
 }
 

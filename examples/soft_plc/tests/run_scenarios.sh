@@ -37,5 +37,11 @@ status=0
 "$plc" --fault none - 2>/dev/null </dev/null || status=$?
 [ "$status" -eq 2 ] || { echo "a wrong fault gives exit $status, not 2"; exit 1; }
 status=0
+"$plc" --choose AMB-34=c --random 1 >/dev/null 2>&1 || status=$?
+[ "$status" -eq 2 ] || { echo "a wrong choice gives exit $status, not 2"; exit 1; }
+status=0
+"$plc" --state "$here"/../scenarios/hold.scn >/dev/null 2>&1 || status=$?
+[ "$status" -eq 2 ] || { echo "--state with a scenario gives exit $status, not 2"; exit 1; }
+status=0
 "$plc" --random 1 --events 200000 >/dev/full 2>/dev/null || status=$?
 [ "$status" -eq 1 ] || { echo "a full disk gives exit $status, not 1"; exit 1; }
