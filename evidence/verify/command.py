@@ -15,6 +15,7 @@ from rich.table import Table
 from evidence.common.checkout import ROOT, SOFT_PLC, SOFT_PLC_PROGRAM
 from evidence.common.console import console
 from evidence.common.shipped import difference, shipped_logs
+from evidence.left_out.command import leave_out
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 
@@ -162,6 +163,14 @@ def _agreement() -> list[Row]:
     return [Row("random logs, judged alike by the engine and TLC", tool, size, seconds, failures)]
 
 
+def _left_out() -> list[Row]:
+    begun = time.monotonic()
+    found = leave_out(LEFT_OUT, 1, BUILD / "left_out")
+    failures = [f"{one['file']}: {one['verdict']} at line {one['line']}" for one in found.worse]
+    size = f"{found.logs} logs, {found.verdicts.total():,} with kinds of event left out"
+    return [Row("accepted logs, still accepted", "trace checker", size, time.monotonic() - begun, failures)]
+
+
 def _mutants() -> list[Row]:
     results = BUILD / "mutants.json"
     results.unlink(missing_ok=True)
@@ -217,6 +226,9 @@ NO_APALACHE = "apalache-mc was not found"
 SAMPLE = 200
 """Random logs that both the engine and TLC judge."""
 
+LEFT_OUT = 8
+"""Accepted logs of which every subset of the kinds of event is left out."""
+
 MUTANTS, SEED = 12, 54
 """A sample in which the shipped logs notice every mutant, in half a minute; models run only for mutants left."""
 
@@ -225,6 +237,7 @@ STEPS: dict[str, Callable[[], list[Row]]] = {
     "the soft PLC, run and checked": _soft_plc,
     "the shipped logs": _shipped_logs,
     "random logs, judged by the engine and by TLC": _agreement,
+    "accepted logs with kinds of event left out": _left_out,
     "a few mutants of the specification": _mutants,
     "the requirements, traced": _requirements,
     "types, where Apalache is there": _apalache,

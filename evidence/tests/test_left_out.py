@@ -1,0 +1,45 @@
+"""Kinds of event left out of accepted logs."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from evidence.left_out import command
+from evidence.left_out.drop import EVERY_KIND, subsets, without
+from evidence.random_logs.damage import Log
+from s7check.judging.verdict import Report
+
+LOG = Log({"cycle": True}, [{"event": name} for name in ("SET_TINT", "start", "clock", "stop", "interrupt", "load")])
+
+
+def test_every_subset() -> None:
+    """Each choice of kinds is there once, but for none."""
+    chosen = list(subsets())
+    assert len(chosen) == len(set(chosen)) == 2 ** len(EVERY_KIND) - 1
+    assert frozenset() not in chosen
+
+
+@pytest.mark.parametrize("kind", EVERY_KIND)
+def test_without_a_kind(kind: str) -> None:
+    """One event is gone, and the header does not name its kind."""
+    left = without(LOG, {kind})
+    gone = [event for event in LOG.events if event not in left.events]
+    assert gone == [LOG.events[EVERY_KIND.index(kind)]]
+    assert kind not in left.header["records"]
+    assert ("cycle" in left.header) == (kind != "ob")
+
+
+def test_a_log_that_gets_worse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is kept and named, and the exit code says so."""
+
+    def judge(_engine: object, file: Path, log: Log) -> Report:
+        file.write_text("log", encoding="utf-8")
+        worse = set(log.header.get("records", [])) - {"diag"} == {"ob"}
+        return Report(str(file), "rejected" if worse else "accepted", "", line=3 if worse else None)
+
+    monkeypatch.setattr(command, "_judge", judge)
+    run = CliRunner().invoke(command.left_out_command, ["--logs", "2", "--keep", str(tmp_path)])
+    assert run.exit_code == command.WORSE
+    assert "2 accepted logs, 126 with kinds left out: 2 got worse" in run.output
+    assert len(list(tmp_path.iterdir())) == 2
