@@ -16,10 +16,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from s7check import __version__, cli, trace_command
-from s7check.engine.answer import Allowed
+from s7check.engine.answer import Allowed, Candidate
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging import check
+from s7check.report import words
 from s7check.report.clauses import clause
 from s7check.report.expected import format_allowed
 from tests.fake_engine import CANDIDATE
@@ -149,7 +150,10 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "  requirements: AIRT-07",
         f"    AIRT-07 {clause('AIRT-07').text} (SF06ru TIA, H; {PLACE})",
         "  shortest prefix that fails: lines 1 to 3",
-        "  why not: EnAirt(1): not ret = delay - 1; delay - 1 = 0 [AIRT-07, Airt:30]",
+        (
+            "  why not: EnAirt(1) does not explain the line, since a condition is false: ret = delay - 1; "
+            "here delay - 1 = 16#0000 [AIRT-07, Airt:30]"
+        ),
         "  before the line 1 of 2:",
         "    mode: RUN, clock 2026-11-21T05:59:31.000",
         "    running: OB 40 (class 16), interrupting OB 1 (class 1)",
@@ -338,6 +342,40 @@ def test_no_traceback(
 def test_allowed(allowed: Allowed, text: str) -> None:
     """What is expected is worded like the log."""
     assert format_allowed(allowed) == text
+
+
+@pytest.mark.parametrize(
+    ("action", "conjunct", "values", "text"),
+    [
+        ("DisAirt(3)", "ret = delay + 1", "ret = 3, delay + 1 = 2", "ret = 16#0003, delay + 1 = 16#0002"),
+        (
+            "EnAirt(3)",
+            "ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)",
+            "ret = 3, IF delay = 0 THEN NotDelayed ELSE delay - 1 = 32896",
+            "ret = 16#0003, IF delay = 0 THEN NotDelayed ELSE delay - 1 = 16#8080",
+        ),
+        (
+            "SetTint(10, 4610, 3)",
+            "ret \\in S(o)",
+            "ret = 3, S(o) = {0, 32914}",
+            "ret = 16#0003, S(o) = {16#0000, 16#8092}",
+        ),
+    ],
+)
+def test_candidate(action: str, conjunct: str, values: str, text: str) -> None:
+    """A sentence comes first; each RET_VAL is hexadecimal, other numbers stay."""
+    said = words.candidate(Candidate(action, conjunct, values))
+    action = action.replace("3)", "16#0003)")
+    assert said == f"{action} does not explain the line, since a condition is false: {conjunct}; here {text}"
+
+
+def test_candidate_without_ret() -> None:
+    """Classes and times are decimal."""
+    said = words.candidate(Candidate("Start(OB 10)", "r.class > c", "r.class = 2, c = 12"))
+    assert (
+        said
+        == "Start(OB 10) does not explain the line, since a condition is false: r.class > c; here r.class = 2, c = 12"
+    )
 
 
 def start(*arguments: str, **options: Any) -> subprocess.Popen[bytes]:

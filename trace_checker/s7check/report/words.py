@@ -1,5 +1,7 @@
 """The situation of a CPU in words."""
 
+import re
+
 from s7check.engine.answer import Candidate, Moment, Pending, Situation
 from s7check.log.errors import ranges
 from s7check.log.values import MS_PER_MINUTE, iso
@@ -17,6 +19,12 @@ _PERIODS = {
 }
 """In words, for people; which codes there are, and when each comes round, the specification says."""
 _NO_CAUSE = -1
+
+_ABOUT_RET = re.compile(r"\bret\b")
+_RET = re.compile(r"\bret = (\d+)(?=,|$)")
+_VALUES = re.compile(r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})")
+"""In the values of a condition those of its operands; numbers within an operand stay as the formula has them."""
+_NUMBER = re.compile(r"\d+")
 
 
 def moment(at: Moment) -> str:
@@ -53,9 +61,22 @@ def situation(state: Situation) -> list[tuple[str, str]]:
 
 
 def candidate(one: Candidate) -> str:
-    """Such as ``Start(OB 10): not r.class > Running.class; r.class = 2, Running.class = 12``."""
-    values = f"; {one.values}" if one.values else ""
-    return f"{one.action}: not {one.conjunct}{values}"
+    """A sentence, then the condition that is false and the values of its operands.
+
+    Such as ``EnAirt(16#0001) does not explain the line, since a condition is false: ret = delay - 1; here ret =
+    16#0001, delay - 1 = 16#0000``.
+    """
+    action, values = one.action, one.values
+    if _ABOUT_RET.search(one.conjunct):
+        values = _VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), values)
+        if ret := _RET.search(one.values):
+            action = re.sub(rf"\b{ret[1]}\)$", lambda _: f"{_as_word(ret)})", action)
+    here = f"; here {values}" if values else ""
+    return f"{action} does not explain the line, since a condition is false: {one.conjunct}{here}"
+
+
+def _as_word(number: re.Match[str]) -> str:
+    return f"16#{int(number[number.lastindex or 0]) & 0xFFFF:04X}"
 
 
 def _running(state: Situation) -> str:
