@@ -43,7 +43,9 @@ def test_long_log_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(sys, "stderr", Terminal())
     monkeypatch.setattr(progress, "_DELAY", 0)
     monkeypatch.setenv("TERM", "xterm")
-    assert "log: 1,235 events, 50%" in show(log)
+    shown = show(log)
+    assert "log" in shown
+    assert "1,235 events, 50%" in shown
 
 
 def test_many_logs_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -53,7 +55,22 @@ def test_many_logs_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setenv("TERM", "xterm")
     shown = show(log, 12)
     assert "0/12" in shown
-    assert "log: 1,235 events, 50%" in shown
+    assert "1,235 events, 50%" in shown
+
+
+def test_long_name_on_a_narrow_terminal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The name is cut; the counts are whole, on one line."""
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    monkeypatch.setattr(progress, "_DELAY", 0)
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "80")
+    path = tmp_path / ("TINT-33-a-name-that-says-what-the-log-is-about-" + "x" * 60 + ".ndjson")
+    path.write_bytes(b"x" * 100)
+    shown = show(path, 1234)
+    assert "0/1234" in shown
+    assert "TINT-33-a-name" in shown
+    assert "1,235 events, 50%" in shown
+    assert "0:00:00" in shown
 
 
 def test_short_log(log: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,9 @@ from s7check.log.source import Source
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
+_BAR = 12
+"""Characters of the bar itself."""
+
 _DELAY = 1.0
 """Seconds before anything is shown: most calls are done by then."""
 
@@ -36,16 +39,16 @@ class ProgressBar:
     def begin(self, name: str) -> None:
         """The log ``name`` is the next."""
         self._name = printable(name)
-        self._show(self._name)
+        self._show()
 
     def update(self, source: Source, events: int) -> None:
         """``events`` events have been read from ``source``."""
         part = f", {source.taken / source.size:.0%}" if source.size else ""
-        self._show(f"{self._name}: {events:,} events{part}")
+        self._show(f"{events:,} events{part}")
 
     def trying(self) -> None:
         """The log is being judged by other readings."""
-        self._show(f"{self._name}: other readings")
+        self._show("other readings")
 
     def done(self) -> None:
         """The log at work is done."""
@@ -57,12 +60,12 @@ class ProgressBar:
             self._bar.stop()
             self._bar = None
 
-    def _show(self, text: str) -> None:
+    def _show(self, counts: str = "") -> None:
         if not self._shown or time.monotonic() - self._begun < _DELAY:
             return
         if self._bar is None or self._task is None:
             self._bar, self._task = self._started()
-        self._bar.update(self._task, description=text, completed=self._done)
+        self._bar.update(self._task, description=self._name, counts=counts, completed=self._done)
 
     def _started(self) -> tuple["Progress", "TaskID"]:
         # Most calls show no bar: they do not wait for its library.
@@ -74,11 +77,20 @@ class ProgressBar:
             TextColumn,
             TimeElapsedColumn,
         )
+        from rich.table import Column
 
-        many = [BarColumn(), MofNCompleteColumn()] if self._logs > 1 else []
+        whole = Column(no_wrap=True)
+        many = [BarColumn(_BAR), MofNCompleteColumn(table_column=whole)] if self._logs > 1 else []
         console = Console(stderr=True, highlight=False)
         bar = Progress(
-            *many, TextColumn("{task.description}", markup=False), TimeElapsedColumn(), console=console, transient=True
+            *many,
+            # Where the line is short a name is cut, a count never.
+            TextColumn("{task.description}", markup=False, table_column=Column(no_wrap=True, ratio=1)),
+            TextColumn("{task.fields[counts]}", markup=False, table_column=whole),
+            TimeElapsedColumn(table_column=whole),
+            console=console,
+            transient=True,
+            expand=True,
         )
         bar.start()
-        return bar, bar.add_task("", total=self._logs)
+        return bar, bar.add_task("", total=self._logs, counts="")
