@@ -11,6 +11,41 @@
 EXTENDS LooseLogs
 
 -----------------------------------------------------------------------------
+(* OBs start and end *)
+
+(* OB 1 and the startup OB are the first of the stack.                     *)
+\* @type: $event => Bool;
+LooseFirstStarts(e) ==
+    /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
+    /\ e.ob = CycleOb => MayRun
+    /\ StackKnown => Len(stack) = 1
+    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1 ELSE 27)
+    /\ e.ob # CycleOb => MayBeLoaded(e.ob)
+    /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+
+\* @type: $event => Bool;
+LooseStart(e) ==
+    /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
+       ELSE LooseInterruptStarts(e)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+                   stopCause>>
+
+\* @type: $event => Bool;
+LooseEnd(e) ==
+    /\ ModeKnown => mode \notin {"STOP", "HOLD"}
+    /\ \/ Unseen("ob") /\ UNCHANGED stack
+       \/ Running.ob = e.ob /\ Len(stack) > 1 /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+       \/ /\ e.ob \in {CycleOb} \cup StartupObs
+          /\ ModeKnown => Len(stack) = 1
+          /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
+                   stopCause>>
+
+-----------------------------------------------------------------------------
 (* Modes *)
 
 \* @type: $event => Bool;
