@@ -21,7 +21,7 @@ from s7check.log.header import PROFILES
 from s7check.names import logs_of
 from s7check.output import echo, write_whole
 from s7check.report.as_json import to_json
-from s7check.report.as_text import to_text
+from s7check.report.as_text import TextReports
 from s7check.report.progress import ProgressBar
 
 _WHOLE = {
@@ -115,6 +115,15 @@ def trace_command(
     names = logs_of(logs)
     reports: list[Report] = []
     written: list[bytes] = []
+    texts = TextReports()
+
+    def write(piece: str) -> None:
+        if file is None:
+            progress.pause()
+            echo(piece)
+        else:
+            written.append((click.unstyle(piece) if output == "text" else piece).encode() + b"\n")
+
     with Engine() as engine, ProgressBar(len(names)) as progress:
         work = _Work(engine, progress, readings, budget, Chosen(profile, letters), drawn=output == "html")
         for name in names:
@@ -122,13 +131,10 @@ def trace_command(
             if output in _WHOLE:
                 reports.append(report)
                 continue
-            text = to_json(report) if output == "json" else to_text(report).encode()
-            if file is None:
-                progress.pause()
-                echo(text.decode())
-            else:
-                written.append((click.unstyle(text.decode()) if output == "text" else text.decode()).encode() + b"\n")
+            write(to_json(report).decode() if output == "json" else texts.add(report))
             reports.append(_without_bulk(report))
+        if texts.sum():
+            write(texts.sum())
     if output in _WHOLE:
         written = [_document(output, reports)]
         if file is None:

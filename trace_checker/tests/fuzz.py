@@ -32,7 +32,7 @@ from s7check.report.as_html import to_html
 from s7check.report.as_json import to_json
 from s7check.report.as_junit import to_junit
 from s7check.report.as_sarif import to_sarif
-from s7check.report.as_text import to_text
+from s7check.report.as_text import TextReports
 
 TRACES = Path(cli.__file__).parents[2] / "traces"
 KEPT = Path("build") / "fuzz"
@@ -231,7 +231,7 @@ def _faults_of(report: Report) -> Iterator[str]:
         yield f"no line, or nothing that was expected: {report.message}"
     if report.verdict == "rejected" and not (report.line and report.requirements):
         yield "rejected without a line or a requirement"
-    if not click.unstyle(to_text(report)).replace("\n", "").isprintable():
+    if not click.unstyle(TextReports().add(report)).replace("\n", "").isprintable():
         yield "control characters in the text"
     json.loads(to_json(report))
     json.loads(to_sarif([report]))

@@ -163,7 +163,25 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
+        "4 logs: 1 accepted, 1 rejected, 1 unusable, 1 no verdict",
+        "  rejected by: AIRT-07 (1)",
     ]
+
+
+def test_same_cause(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A cause is explained in full once; what was expected and the readings are told of each log."""
+    (logs / "again").write_bytes(REJECTED)
+    cli.main(["trace", "rejected", "again"])
+    out = capsys.readouterr().out
+    assert out.count("why not: ") == out.count("before the line 1 of 2:") == 1
+    again = out[out.index("again:3: rejected") :].splitlines()
+    assert again[2:5] == [
+        "  expected: EN_AIRT ret=16#0000",
+        "  requirements: AIRT-07",
+        "  the same cause as: rejected:3",
+    ]
+    assert again[5].startswith("  would pass with: AMB-12 b")
+    assert again[6:] == ["2 logs: 2 rejected", "  rejected by: AIRT-07 (2)"]
 
 
 @pytest.mark.parametrize("header", [{}, {"readings": {"AMB-12": "a"}}])

@@ -61,7 +61,9 @@ def test_little_memory(tmp_path: Path) -> None:
         check=False,
     )
     assert (run.returncode, run.stderr) == (2, "")
-    for line, (name, (_, _, found)) in zip(run.stdout.splitlines(), HOSTILE.items(), strict=True):
+    *said, total = run.stdout.splitlines()
+    assert total == f"{len(HOSTILE)} logs: {len(HOSTILE)} unusable"
+    for line, (name, (_, _, found)) in zip(said, HOSTILE.items(), strict=True):
         assert line.startswith(f"{name}.gz:3: unusable: expected ")
         assert line.endswith(found)
 
@@ -140,9 +142,10 @@ def test_killed_engine(tmp_path: Path) -> None:
             time.sleep(0.05)
         os.kill(int(engines[0]), signal.SIGKILL)
         run.stdin.close()
-        first, second = run.stdout.read().splitlines()
+        first, second, total = run.stdout.read().splitlines()
     assert first.startswith("-: no verdict: the engine ended (killed by SIGKILL)")
     assert second.startswith("after: accepted")
+    assert total == "2 logs: 1 accepted, 1 no verdict"
     assert list(scratch.iterdir()) == []
 
 

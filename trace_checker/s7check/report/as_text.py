@@ -1,24 +1,65 @@
 """A few lines a log, for a terminal or a file."""
 
+from collections import Counter
+
 import click
 
-from s7check.judging.verdict import Report
-from s7check.report.lines import message, parts, place, source
+from s7check.judging.verdict import EXIT_CODES, Report
+from s7check.report.lines import Part, decision, message, parts, place, readings, source
 
 COLOURS = {"accepted": "green", "rejected": "red", "unusable": "yellow", "no verdict": "magenta"}
 
+_Cause = tuple[str, tuple[str, ...], tuple[tuple[str, str], ...]]
 
-def to_text(report: Report) -> str:
-    """The report as text with colours, which the output drops where there is no terminal."""
-    verdict = click.style(report.verdict, fg=COLOURS[report.verdict], bold=True)
-    lines = [f"{place(report)}: {verdict}: {message(report)}"]
-    if report.event is not None:
-        lines.append(f"    {source(report.event)}")
-    for part in parts(report):
-        if len(part.lines) == 1 and part.heading:
-            lines.append(f"  {click.style(part.heading, bold=True)}: {part.lines[0]}")
-            continue
-        if part.heading:
-            lines.append(f"  {click.style(part.heading, bold=True)}:")
-        lines += [f"    {line}" for line in part.lines]
-    return "\n".join(lines)
+
+class TextReports:
+    """The reports of a call, one after the other, as text with colours, which the output drops where there is no
+    terminal.
+    """
+
+    def __init__(self) -> None:
+        self._explained: dict[_Cause, str] = {}
+        self._verdicts: Counter[str] = Counter()
+        self._deciding: Counter[str] = Counter()
+
+    def add(self, report: Report) -> str:
+        """The report; a cause that an earlier one has explained is named by that one's place."""
+        self._verdicts[report.verdict] += 1
+        self._deciding.update(report.requirements)
+        lines = [f"{place(report)}: {_coloured(report.verdict)}: {message(report)}"]
+        if report.event is not None:
+            lines.append(f"    {source(report.event)}")
+        for part in self._parts(report):
+            if len(part.lines) == 1 and part.heading:
+                lines.append(f"  {click.style(part.heading, bold=True)}: {part.lines[0]}")
+                continue
+            if part.heading:
+                lines.append(f"  {click.style(part.heading, bold=True)}:")
+            lines += [f"    {line}" for line in part.lines]
+        return "\n".join(lines)
+
+    def _parts(self, report: Report) -> list[Part]:
+        if report.verdict != "rejected":
+            return list(parts(report))
+        candidates = tuple((one.place, one.conjunct) for one in report.candidates)
+        cause = (report.message, tuple(report.requirements), candidates)
+        first = self._explained.setdefault(cause, place(report))
+        if first == place(report):
+            return list(parts(report))
+        return [*decision(report), Part("the same cause as", [first]), *readings(report)]
+
+    def sum(self) -> str:
+        """How many logs got which verdict, and how often each requirement decided; empty for a single log."""
+        logs = self._verdicts.total()
+        if logs < 2:
+            return ""
+        verdicts = ", ".join(f"{self._verdicts[name]} {_coloured(name)}" for name in EXIT_CODES if self._verdicts[name])
+        lines = [f"{logs} logs: {verdicts}"]
+        if self._deciding:
+            often = sorted(self._deciding.items(), key=lambda pair: (-pair[1], pair[0]))
+            lines.append("  rejected by: " + ", ".join(f"{name} ({count})" for name, count in often))
+        return "\n".join(lines)
+
+
+def _coloured(verdict: str) -> str:
+    return click.style(verdict, fg=COLOURS[verdict], bold=True)

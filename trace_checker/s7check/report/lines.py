@@ -38,12 +38,8 @@ def message(report: Report) -> str:
 
 def parts(report: Report) -> Iterator[Part]:
     """The explanation of the verdict, the most important part first."""
+    yield from decision(report)
     if report.verdict == "rejected":
-        if report.late:
-            yield Part("expected before it", report.late)
-        else:
-            yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
-        yield Part("requirements", [", ".join(report.requirements)])
         yield Part("", [clause_text(name) for name in report.requirements])
         yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
     if report.candidates:
@@ -53,6 +49,17 @@ def parts(report: Report) -> Iterator[Part]:
         said = words.situation(state)
         yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in said])
     yield from readings(report)
+
+
+def decision(report: Report) -> Iterator[Part]:
+    """What was expected, and the requirements that decide."""
+    if report.verdict != "rejected":
+        return
+    if report.late:
+        yield Part("expected before it", report.late)
+    else:
+        yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
+    yield Part("requirements", [", ".join(report.requirements)])
 
 
 def clause_text(name: str) -> str:
