@@ -44,11 +44,15 @@ NextDelayOver ==
     LET n == { dint[o].left : o \in Jobs }
     IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
 
-(* The moment on the clock of `up' when the CPU clock, now at a, is at b;  *)
-(* `last' at the latest.                                                   *)
-\* @type: ($moment, $moment, $moment) => $moment;
-UpAt(a, b, last) ==
-    LET t == Shifted(up, a, b) IN IF Before(t, last) THEN t ELSE last
+(* The moment on the clock of `up' when the CPU clock is at b, on the way  *)
+(* to line e.  The clocks differ a little: counted from now or back from   *)
+(* the line, whichever is later.                                           *)
+\* @type: ($moment, $event) => $moment;
+UpAt(b, e) ==
+    LET forward  == Shifted(up, clock, b)
+        backward == Shifted(e.up, e.at, b)
+        later    == IF Before(forward, backward) THEN backward ELSE forward
+    IN  IF Before(later, e.up) THEN later ELSE e.up
 
 -----------------------------------------------------------------------------
 (* Steps *)
@@ -75,7 +79,7 @@ ElapseTo(until, to) ==
 Advance(e) ==
     LET straight == clock = e.at \/ PassesNoPoint(e.at)
         point == IF straight THEN e.at ELSE NextPointDue
-        there == IF straight THEN e.up ELSE UpAt(clock, point, e.up)
+        there == IF straight THEN e.up ELSE UpAt(point, e)
         over  == IF Jobs = {} THEN there ELSE NextDelayOver
         until == IF Before(over, there) THEN over ELSE there
         by    == After(clock, Span(up, until))

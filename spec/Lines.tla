@@ -52,7 +52,7 @@ IsInterrupt(e) ==
 (* may be exceeded twice in a cycle where OB 80 is loaded.                 *)
 \* @type: Int => Bool;
 CauseHolds(cause) ==
-    \/ stopCause = cause
+    \/ stopCause = cause /\ (Undelayed \/ ~StopAwaitsTheDelay)
     \/ cause = NoTimeErrorOb /\ overruns = 2
     \/ Partial /\ stopCause \in {NoCause, OtherErrorOb}
 

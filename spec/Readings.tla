@@ -142,7 +142,6 @@ OneOb85ForEach == Reading("AMB-45") = "b"
 
 (* [AMB-46] After a missing OB its interrupt is no longer active. *)
 MissingObEndsItsSource == Reading("AMB-46") = "b"
-
 (* [AMB-47] A delay that is over while its OB runs: a second run; or none. *)
 OverlappingDelayRuns == Reading("AMB-47") = "a"
 OverlappingDelayRunsNot == Reading("AMB-47") = "b"
@@ -151,8 +150,9 @@ OverlappingDelayRunsNot == Reading("AMB-47") = "b"
 LateRunOutlivesBlock == Reading("AMB-48") = "a"
 LateRunIsLostWithOb80 == Reading("AMB-48") = "b"
 
-(* [AMB-49] DIS_AIRT does not delay a STOP by rule; else it may. *)
-StopIsNotDelayed == Reading("AMB-49") = "a"
+(* [AMB-49] DIS_AIRT does not delay a STOP by rule; or it does; else it may. *)
+StopIsNotDelayed   == Reading("AMB-49") = "a"
+StopAwaitsTheDelay == Reading("AMB-49") = "b"
 
 (* [AMB-50] The blocked OBs whose skipped point OB 80 does not report. *)
 \* @type: Set(Int) => Set(Set(Int));

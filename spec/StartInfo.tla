@@ -74,8 +74,8 @@ JustBefore(time, e) ==
 
 (* [CLK-07] [AMB-16] A catch-up shows the first point that was skipped, an *)
 (* OB 80 for skipped points the new time.  Another start shows the moment  *)
-(* of its start event or a later one [OBS-10].  Of an unseen start event   *)
-(* no moment is known.                                                     *)
+(* of its start event or a later one [OBS-10]; the clock, set back, may be *)
+(* before that moment.  Of an unseen start event no moment is known.       *)
 \* @type: ($request, $event) => Bool;
 FitsTime(r, e) ==
     LET time  == e.info.time
@@ -85,7 +85,8 @@ FitsTime(r, e) ==
         \/ time = r.since
         \/ /\ ~exact
            /\ \/ ~Before(time, r.since) /\ ~Before(Latest(e), time)
-              \/ JustBefore(time, e)
+              \/ /\ changes # {} \/ Before(clock, r.since)
+                 /\ JustBefore(time, e)
 
 (* [AMB-31] Under (a) the OB may have waited since the delay was over.     *)
 \* @type: (Int, Int) => Bool;
