@@ -83,6 +83,7 @@ Expected(e) ==
     THEN IF AnswerRight(e)
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
          ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
+                \cup (IF stopCause = NoCause THEN {} ELSE {Stopping})
     ELSE Possible
 
 (* What had to come before this line. *)

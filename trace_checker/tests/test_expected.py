@@ -12,6 +12,7 @@ from s7check import cli
 from s7check.judging.verdict import Report
 from s7check.log.source import open_log
 from s7check.log.values import instant, iso
+from tests.logs import HEADER, event, log_text
 from tests.shipped import INDEX, TRACES
 
 Judge = Callable[[Path], Report]
@@ -69,13 +70,33 @@ def test_expected(rejections: list[tuple[Path, Report]], judge: Judge, tmp_path:
             continue
         assert report.event is not None
         assert report.line is not None
-        events = (in_place_of(json.loads(report.event), item) for item in report.expected[:MOST])
-        for event in filter(None, events):
+        others = (in_place_of(json.loads(report.event), item) for item in report.expected[:MOST])
+        for other in filter(None, others):
             tried += 1
-            if judge(with_line(log, report.line, event, tmp_path)).verdict != "accepted":
-                refused.append((log.name, event))
+            if judge(with_line(log, report.line, other, tmp_path)).verdict != "accepted":
+                refused.append((log.name, other))
     assert refused == []
     assert tried > 500
+
+
+def test_stop_in_place_of_a_wrong_answer(judge: Judge, tmp_path: Path) -> None:
+    """DIS_AIRT is active, the clock was set over a point, OB 80 is missing: the CPU may as well stop."""
+    header = HEADER | {"obs": [1, 10, 100], "mode": "RUN", "cycle": True}
+    calls = [
+        event("SET_TINT", ob=10, sdt="2026-11-21T06:00", period="W#16#0201", ret=0),
+        event("ACT_TINT", ob=10, ret=0),
+        event("DIS_AIRT", ret=1),
+        event("clock", 32, to="2026-11-21T06:10:30"),
+    ]
+    wrong = {"event": "EN_AIRT", "at": "2026-11-21T06:10:30.001", "ret": 3}
+    log = tmp_path / "log.ndjson"
+    log.write_bytes(log_text(*calls, wrong, header=header))
+    report = judge(log)
+    assert report.expected == ["EN_AIRT ret=16#0000", "stop cause=16#4568"]
+    for item in report.expected:
+        right = in_place_of(wrong, item)
+        assert right is not None
+        assert judge(with_line(log, 6, right, tmp_path)).verdict == "accepted"
 
 
 def test_late(rejections: list[tuple[Path, Report]], judge: Judge, tmp_path: Path) -> None:
@@ -93,9 +114,9 @@ def test_late(rejections: list[tuple[Path, Report]], judge: Judge, tmp_path: Pat
                 continue
             tried += 1
             for more, verdict in ((0, "accepted"), (1, "rejected")):
-                event = in_place_of(line | {"at": iso(instant(since) + int(latency) + more)}, item)
-                assert event is not None
-                assert judge(with_line(log, report.line, event, tmp_path)).verdict == verdict, (log.name, event)
+                other = in_place_of(line | {"at": iso(instant(since) + int(latency) + more)}, item)
+                assert other is not None
+                assert judge(with_line(log, report.line, other, tmp_path)).verdict == verdict, (log.name, other)
     assert tried > 100
 
 
