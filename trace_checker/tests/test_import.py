@@ -216,7 +216,10 @@ def test_text_that_cannot_be_read(refused: Callable[..., str], tmp_path: Path, c
             [*CPU, "--clock", "yesterday"],
             'header: field "clock": expected a date and time such as "2026-11-21T06:00:00.000"; found',
         ),
-        ([*CPU, "--clock", "2013-01-01T00:00"], 'entry 7 (line 64): field "at": expected no time before 2013-01-01'),
+        (
+            [*CPU, "--records", "clock", "--clock", "2013-01-01T00:00"],
+            'entry 7 (line 64): field "at": expected no time before 2013-01-01',
+        ),
         ([*CPU, "--set", "AMB-02=z"], "Invalid value for '--set': AMB-02: expected a or b; found 'z'"),
         ([*CPU, "--records", "everything"], 'found "everything"'),
         ([*CPU, "--entries", "9-"], "expected an entry to import; found entries 1 to 7"),
