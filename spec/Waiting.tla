@@ -23,14 +23,16 @@ Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
 -----------------------------------------------------------------------------
 (* What an event leaves for later lines *)
 
-(* [OBS-26] OB 1 starts, a restart begins, the cycle time is exceeded.     *)
+(* [OBS-26] OB 1 starts or ends, a restart begins, the cycle time is        *)
+(* exceeded.                                                               *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == stack = <<>> /\ OnStack(CycleOb)'
+        ends     == OnStack(CycleOb) /\ stack' = <<>>
         exceeded == \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
     IN  /\ first' = IF restarts THEN startup'
                     ELSE IF begins THEN "none" ELSE first
-        /\ overruns' = IF restarts \/ begins THEN 0
+        /\ overruns' = IF restarts \/ begins \/ ends THEN 0
                        ELSE IF exceeded THEN Earlier(overruns + 1, 2)
                        ELSE overruns
 
