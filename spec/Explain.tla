@@ -47,8 +47,9 @@ StartOf(r) == IF r.fault = 0 THEN Allowed("start", r.ob, "", 0)
               ELSE Allowed("start", r.ob, "flt_id", r.fault)
 
 (* OtherErrorOb and NoCause stand for no event of the log. *)
-Stopping == IF stopCause > 0 THEN Allowed("stop", 0, "cause", stopCause)
-                             ELSE Allowed("stop", 0, "", 0)
+Stopping == IF stopCause > 0 /\ CauseHolds(stopCause)
+            THEN Allowed("stop", 0, "cause", stopCause)
+            ELSE Allowed("stop", 0, "", 0)
 
 Possible ==
     { StartOf(r) : r \in Startable }

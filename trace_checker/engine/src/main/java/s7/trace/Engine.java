@@ -82,6 +82,8 @@ public final class Engine {
     ready.addProperty("tlc", jarOfTlc());
     engine.print(ready);
     engine.serve(new FileInputStream(FileDescriptor.in));
+    // The input also ends if the parent was killed, and then nobody else removes the folder.
+    removeFolder(new File("").getAbsoluteFile());
   }
 
   /** Ends with the parent, since an engine at work on an event does not see its input end. */
