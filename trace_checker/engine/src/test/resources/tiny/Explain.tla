@@ -39,6 +39,9 @@ Observe(e) ==
          [] e.event = "any"  -> count' \in 1..e.value
     /\ time' = time
 
+(* There is nothing uncertain to give up. *)
+Loosen == FALSE /\ UNCHANGED <<count, time>>
+
 Expected(e) == {[event |-> "read", value |-> count]}
 Deciding(e, past) == {"TINY-01"} \cup {"TINY-" \o p.event : p \in {past[i] : i \in DOMAIN past}}
 Distance(e) == IF count < e.value THEN e.value - count ELSE count - e.value
