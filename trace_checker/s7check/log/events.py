@@ -95,6 +95,18 @@ _TABLE: dict[str, tuple[dict[str, Reader], dict[str, Reader]]] = {
 }
 """Event -> its required and its optional fields, without the fields of every event."""
 
+OPERANDS: dict[str, dict[str, Reader]] = {
+    name: {field: reader for field, reader in required.items() if field != "ret"}
+    for name, (required, _) in _TABLE.items()
+    if "ret" in required
+}
+"""SFC -> its operands, without RET_VAL and STATUS."""
+
+FIELDS: dict[str, dict[str, Reader]] = {
+    name: {**required, **optional} for name, (required, optional) in _TABLE.items() if name not in OPERANDS
+}
+"""Event that is no call -> the fields of its own, required and optional."""
+
 _EVENTS = {
     name: Fields(name, {**_ANY, **required}, {"up": integer(0, _LONGEST_UP), **optional})
     for name, (required, optional) in _TABLE.items()
@@ -106,7 +118,8 @@ def _check_status(event: dict[str, Any]) -> None:
         raise UnusableLogError('where "ret" is 0', "none", field="status")
 
 
-def _check_fault(event: dict[str, Any]) -> None:
+def check_fault(event: dict[str, Any]) -> None:
+    """Raises UnusableLogError unless a start event of OB 80 or 85, and no other, has its ``flt_id``."""
     if (event["ob"] in tables.OBS_WITH_FAULT) == ("flt_id" in event):
         return
     if "flt_id" in event:
@@ -114,7 +127,7 @@ def _check_fault(event: dict[str, Any]) -> None:
     raise UnusableLogError(f"for OB {event['ob']}", "none", field="flt_id")
 
 
-_CHECKS = {"QRY_TINT": _check_status, "QRY_DINT": _check_status, "interrupt": _check_fault}
+_CHECKS = {"QRY_TINT": _check_status, "QRY_DINT": _check_status, "interrupt": check_fault}
 
 
 def read_event(raw: dict[str, object]) -> dict[str, Any]:

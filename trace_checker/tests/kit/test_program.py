@@ -1,0 +1,122 @@
+"""Programs of the kit are read, wrong ones refused by the reader and by the schema."""
+
+import json
+from pathlib import Path
+
+import jsonschema_rs
+import pytest
+
+from s7check.kit.program import FORMAT, read_program, read_programs
+from s7check.log.errors import UnusableLogError
+from tests.kit.programs import PROGRAM, changed
+from tests.shipped import TRACES
+
+KIT = TRACES.parent / "kit"
+LOG_SCHEMA = json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_text(encoding="utf-8"))
+SCHEMA = jsonschema_rs.validator_for(
+    json.loads((KIT / "s7-interrupt-program-1.schema.json").read_text(encoding="utf-8")),
+    registry=jsonschema_rs.Registry([(LOG_SCHEMA["$id"], LOG_SCHEMA)]),
+)
+
+REFUSED: list[tuple[str, object, str]] = [
+    ("format", "s7-interrupt-log/1", "format"),
+    ("format", None, "format"),
+    ("name", "two words", "name"),
+    ("about", "", "about"),
+    ("requirements", ["AIRT-3"], "requirements"),
+    ("requirements", None, "requirements"),
+    ("seed", -1, "seed"),
+    ("duration", 0, "duration"),
+    ("nonsense", 1, "nonsense"),
+    ("header.latency_ms", 10, "header.latency_ms"),
+    ("header.cpu", "S7-500", "header.cpu"),
+    ("header.clock", "2026-11-21", "header.clock"),
+    ("outside.1.after", -1, "outside.1.after"),
+    ("outside.1.event", "jump", "outside.1.event"),
+    ("outside.1.ob", 10, "outside.1.ob"),
+    ("outside.1.flt_id", 1, "outside.1.flt_id"),
+    ("outside.2.by", None, "outside.2"),
+    ("outside.2.to", "2026-11-21T06:00", "outside.2"),
+    ("outside.3.flt_id", None, "outside.3.flt_id"),
+    ("outside.3.every", 0, "outside.3.every"),
+    ("bodies.1.run", 0, "bodies.1.run"),
+    ("bodies.1.ob", 200, "bodies.1.ob"),
+    ("bodies.1.steps.1.call", "SET_TIME", "bodies.1.steps.1.call"),
+    ("bodies.1.steps.1.sdt", "soon", "bodies.1.steps.1.sdt"),
+    ("bodies.1.steps.1.period", None, "bodies.1.steps.1.period"),
+    ("bodies.1.steps.1.ret", 0, "bodies.1.steps.1.ret"),
+    ("bodies.1.steps.3.wait", "1s", "bodies.1.steps.3.wait"),
+    ("bodies.1.steps.4.event", "stop", "bodies.1.steps.4.event"),
+    ("bodies.1.steps.5.end", 1, "bodies.1.steps.5.end"),
+    ("bodies.1.steps.5", {}, "bodies.1.steps.5"),
+    ("bodies.1.steps.5", [], "bodies.1.steps.5"),
+]
+
+
+def text(program: object) -> bytes:
+    """The program as a file has it, on several lines."""
+    return json.dumps(program, indent=1).encode()
+
+
+def test_program() -> None:
+    """Every part is there; what comes from outside is in the order of its times."""
+    program = read_program(text(PROGRAM))
+    assert (program.name, program.requirements, program.duration) == ("AIRT-nested", ("AIRT-03",), 5000)
+    assert [event["after"] for event in program.outside] == [500, 1000, 1500]
+    assert [(body.ob, body.run, len(body.steps)) for body in program.bodies] == [(1, 1, 5), (35, 0, 0)]
+    assert program.log_header(latency_ms=50)["latency"] == 50
+    assert read_program(program.line()) == program
+    assert SCHEMA.is_valid(PROGRAM)
+
+
+@pytest.mark.parametrize(("path", "value", "field"), REFUSED)
+def test_refused(path: str, value: object, field: str) -> None:
+    """A wrong field is named by its path, and is not of the schema either."""
+    program = changed(path, value)
+    with pytest.raises(UnusableLogError) as refusal:
+        read_program(text(program))
+    assert refusal.value.field == field
+    assert not SCHEMA.is_valid(program)
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("x_own", [1]),
+        ("bodies.1.steps.1.x_own", {}),
+        ("header.priority", {"10": 5}),
+        ("outside", None),
+        ("bodies.1.steps.5", {"event": "state", "ob": 10}),
+    ],
+)
+def test_accepted(path: str, value: object) -> None:
+    """Own fields, optional ones."""
+    program = changed(path, value)
+    read_program(text(program))
+    assert SCHEMA.is_valid(program)
+
+
+def test_beyond_the_schema() -> None:
+    """Two bodies for a run, and steps behind the end."""
+    with pytest.raises(UnusableLogError, match="two of OB 1, run 1"):
+        read_program(text(changed("bodies.2", {"ob": 1, "run": 1, "steps": []})))
+    with pytest.raises(UnusableLogError, match="end as the last step"):
+        read_program(text(changed("bodies.1.steps.1", {"end": True})))
+
+
+def test_no_json() -> None:
+    """The line is named."""
+    with pytest.raises(UnusableLogError) as refusal:
+        read_program(b'{\n"format":\n}')
+    assert refusal.value.line == 3
+
+
+def test_files(tmp_path: Path) -> None:
+    """A file of one program, and one with a program a line, where an error has its line."""
+    one, lines = tmp_path / "one.json", tmp_path / "lines.ndjson"
+    one.write_bytes(text(PROGRAM))
+    lines.write_bytes(json.dumps(PROGRAM).encode() + b"\n\n" + json.dumps(PROGRAM | {"format": FORMAT + "0"}).encode())
+    assert len(list(read_programs(one))) == 1
+    with pytest.raises(UnusableLogError) as refusal:
+        list(read_programs(lines))
+    assert (refusal.value.line, refusal.value.field) == (3, "format")
