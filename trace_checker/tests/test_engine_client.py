@@ -242,3 +242,17 @@ def test_finish_without_begin(engine: Engine) -> None:
     """There is no answer to no log."""
     with pytest.raises(EngineError, match="no log was begun"):
         engine.finish()
+
+
+def test_decided(engine: Engine) -> None:
+    """A log is open until a line decides; asking again costs nothing and changes nothing."""
+    (batch,) = read_log([log_text(event("EN_AIRT", ret=0), event("EN_AIRT", ret=1))])
+    begin(engine, batch)
+    assert not engine.decided()
+    engine.send(batch.events[:1])
+    assert not engine.decided()
+    engine.send(batch.events[1:])
+    assert engine.decided()
+    assert engine.decided()
+    answer = engine.finish()
+    assert (answer.verdict, answer.line) == ("rejected", 3)

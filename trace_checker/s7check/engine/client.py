@@ -19,6 +19,7 @@ from s7check.readable import readable
 from s7check.resources import REMEDY
 
 _SHOWN = 300
+_OPEN = b'{"verdict":"open"}'
 _Shape = TypeVar("_Shape")
 
 
@@ -134,6 +135,16 @@ class Engine:
             with self._dropped_on_error(process):
                 self._answer = _decode(process.line(), Answer)
         return False
+
+    def decided(self) -> bool:
+        """Whether the events sent so far decide the log, whatever follows."""
+        process = self._at_work
+        if process is not None and self._answer is None:
+            with self._dropped_on_error(process):
+                process.write(self._encoder.encode({"message": "verdict"}) + b"\n")
+                line = process.line()
+                self._answer = None if line == _OPEN else _decode(line, Answer)
+        return self._answer is not None
 
     def finish(self) -> Answer:
         """Ends the log that was begun and returns the answer to it."""

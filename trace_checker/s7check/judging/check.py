@@ -13,7 +13,7 @@ from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import Lines
-from s7check.log.reader import read_log
+from s7check.log.reader import Batch, read_log
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
 
@@ -38,39 +38,76 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
 
     ``chosen`` takes the place of the header's own choices.
     """
-    log = click.format_filename(name)
-    recent = _RecentLines()
-    unusable: UnusableLogError | None = None
-    answer: Answer | None = None
+    judging = Judging(click.format_filename(name), engine, chosen)
     try:
-        begun = False
-        events = 0
-        try:
-            with open_log(name) as source:
-                for batch in read_log(source.chunks(engine.wait)):
-                    recent.add(batch.lines)
-                    if batch.header is not None:
-                        engine.begin(chosen.in_place_of(batch.header))
-                        begun = True
-                    engine.send(batch.events)
-                    events += len(batch.events)
-                    progress(source, events)
-        except UnusableLogError as error:
-            unusable = error if begun else _source_of_import(error, recent)
+        with open_log(name) as source:
+            for batch in read_log(source.chunks(engine.wait)):
+                judging.take(batch)
+                progress(source, judging.events)
+    except UnusableLogError as error:
+        judging.refuse(error)
+    except EngineError as error:
+        judging.fail(error)
+    return judging.report()
+
+
+class Judging:
+    """The judging of one log by ``engine``, batch after batch; ``report`` ends it."""
+
+    def __init__(self, log: str, engine: Engine, chosen: Chosen = NOTHING) -> None:
+        self._log = log
+        self._engine = engine
+        self._chosen = chosen
+        self._recent = _RecentLines()
+        self._begun = False
+        self._unusable: UnusableLogError | None = None
+        self._failed: EngineError | None = None
+        self.events = 0
+        """The events that were taken."""
+
+    def take(self, batch: Batch) -> None:
+        """Sends the next lines to the engine. Raises EngineError."""
+        self._recent.add(batch.lines)
+        if batch.header is not None:
+            self._engine.begin(self._chosen.in_place_of(batch.header))
+            self._begun = True
+        self._engine.send(batch.events)
+        self.events += len(batch.events)
+
+    def refuse(self, error: UnusableLogError) -> None:
+        """The log goes no further: a line cannot be read."""
+        self._unusable = error if self._begun else _source_of_import(error, self._recent)
+
+    def fail(self, error: EngineError) -> None:
+        """The log goes no further: the engine has failed."""
+        self._failed = error
+
+    def decided(self) -> bool:
+        """Whether the lines so far decide the verdict, whatever follows. Raises EngineError."""
+        return self._unusable is not None or self._failed is not None or (self._begun and self._engine.decided())
+
+    def report(self) -> Report:
+        """The verdict."""
+        answer: Answer | None = None
         # The engine was sent the lines before the unusable one: what it says of them comes first.
         # If it has decided already, reading was broken off and the rest means nothing.
-        if begun:
-            answer = engine.finish()
-    except EngineError as error:
-        return Report(log, "no verdict", str(error))
-    if answer is not None and answer.verdict == "rejected":
-        return _rejected(log, answer, recent)
-    if answer is not None and answer.verdict == "error":
-        return Report(log, "no verdict", answer.message, line=answer.line, events=answer.events)
-    events = answer.events if answer else 0
-    if unusable is not None:
-        return Report(log, "unusable", unusable.reason, line=unusable.line or None, events=events)
-    return Report(log, "accepted", "the specification explains every event" + _loosened(answer), events=events)
+        if self._begun and self._failed is None:
+            try:
+                answer = self._engine.finish()
+            except EngineError as error:
+                self._failed = error
+        if self._failed is not None:
+            return Report(self._log, "no verdict", str(self._failed))
+        if answer is not None and answer.verdict == "rejected":
+            return _rejected(self._log, answer, self._recent)
+        if answer is not None and answer.verdict == "error":
+            return Report(self._log, "no verdict", answer.message, line=answer.line, events=answer.events)
+        events = answer.events if answer else 0
+        if self._unusable is not None:
+            line = self._unusable.line or None
+            return Report(self._log, "unusable", self._unusable.reason, line=line, events=events)
+        message = "the specification explains every event" + _loosened(answer)
+        return Report(self._log, "accepted", message, events=events)
 
 
 def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:

@@ -30,6 +30,8 @@ import util.ToolIO;
  * <ul>
  *   <li>{@code {"message":"begin","header":HEADER}} begins a log. With {@code "follow":N} the answer
  *       has the situations after the last N events.
+ *   <li>{@code {"message":"verdict"}} asks whether the log is decided. If it is not, the answer is {@code
+ *       {"verdict":"open"}}; if it is, its verdict has been printed.
  *   <li>{@code {"message":"finish"}} ends it.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
  *   <li>An object with another first field is an event of the log.
@@ -146,6 +148,11 @@ public final class Engine {
     switch (message) {
       case "begin" -> begin(object(line));
       case "alternatives" -> print(alternatives());
+      case "verdict" -> {
+        if (!decided) {
+          print(open());
+        }
+      }
       case "finish" -> {
         if (!decided) {
           answer("accepted", null);
@@ -176,6 +183,12 @@ public final class Engine {
   private JsonObject alternatives() {
     var answer = new JsonObject();
     answer.add("alternatives", spec.alternatives());
+    return answer;
+  }
+
+  private static JsonObject open() {
+    var answer = new JsonObject();
+    answer.addProperty("verdict", "open");
     return answer;
   }
 

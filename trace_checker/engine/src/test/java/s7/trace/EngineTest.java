@@ -82,6 +82,17 @@ class EngineTest {
   }
 
   @Test
+  @DisplayName("asked for its verdict a log is open, or nothing is said beside its rejection")
+  void verdict() throws IOException {
+    String asked = "{'message': 'verdict'}";
+    var answers = serve(begin(10), asked, read(2, 10), asked, read(3, 11), asked, begin(20), asked);
+    JsonObject open = Tiny.json("{'verdict': 'open'}");
+    assertEquals(4, answers.size());
+    assertEquals(List.of(open, open, open), List.of(answers.get(0), answers.get(1), answers.get(3)));
+    assertEquals("rejected", answers.get(2).get("verdict").getAsString());
+  }
+
+  @Test
   @DisplayName("the log after a rejected one is judged")
   void afterRejection() throws IOException {
     var answers = serve(begin(10), read(2, 11), read(3, 11), FINISH, begin(20), read(2, 20), FINISH);
