@@ -60,3 +60,9 @@ class Report:
     def exit_code(self) -> int:
         """The exit code that the verdict stands for."""
         return EXIT_CODES[self.verdict]
+
+    def __str__(self) -> str:
+        """The report as ``s7check trace`` prints it, without colours."""
+        from s7check.report.as_text import as_text  # the verdict itself does without it
+
+        return as_text(self)

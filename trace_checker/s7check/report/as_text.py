@@ -63,3 +63,8 @@ class TextReports:
 
 def _coloured(verdict: str) -> str:
     return click.style(verdict, fg=COLOURS[verdict], bold=True)
+
+
+def as_text(report: Report) -> str:
+    """A single report, without colours."""
+    return click.unstyle(TextReports().add(report))

@@ -1,0 +1,43 @@
+"""Engines that outlive the check that needed them: a second check need not start Java again."""
+
+import atexit
+import os
+from collections import defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from s7check.engine.client import Engine
+
+_idle: defaultdict[int, list[Engine]] = defaultdict(list)
+"""By process: a child process has no use for the engines that its parent has started."""
+
+
+def take() -> Engine:
+    """An engine that nobody else uses. ``give_back`` keeps it for the next one; the end of the process ends it."""
+    try:
+        return _idle[os.getpid()].pop()
+    except IndexError:
+        return Engine()
+
+
+def give_back(engine: Engine) -> None:
+    """Keeps an engine from ``take`` for the next one."""
+    _idle[os.getpid()].append(engine)
+
+
+@contextmanager
+def engine() -> Iterator[Engine]:
+    """An engine for a block of code."""
+    taken = take()
+    try:
+        yield taken
+    finally:
+        give_back(taken)
+
+
+@atexit.register
+def end() -> None:
+    """Ends the idle engines of this process."""
+    engines = _idle[os.getpid()]
+    while engines:
+        engines.pop().__exit__(None, None, None)
