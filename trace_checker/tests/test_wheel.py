@@ -126,6 +126,19 @@ def test_only_commands_for_logs(s7check: Path) -> None:
     assert "No such command 'models'" in run.stderr
 
 
+@pytest.mark.usefixtures("bare")
+def test_api(s7check: Path) -> None:
+    """Python code checks a log with the wheel, and pytest would find the plugin."""
+    script = f"""
+import s7check
+from importlib.metadata import entry_points
+print(s7check.check({str(TRACES / "AIRT" / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson")!r}).line)
+print(*(point.value for point in entry_points(group="pytest11")))
+"""
+    run = subprocess.run([s7check.with_name("python"), "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["3", "s7check.pytest_plugin"]
+
+
 def test_one_package(unpacked: Path) -> None:
     """The wheel has the package s7check and its description, neither tests nor tools of the checkout."""
     assert sorted(path.name for path in unpacked.iterdir()) == ["s7check", f"s7check-{__version__}.dist-info"]
