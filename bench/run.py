@@ -24,7 +24,7 @@ PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"
 SPECIFICATION = PROJECT / "spec"
 
-SCENARIO = PROJECT / "bench" / "plant.scn"
+SCENARIO = PROJECT / "bench" / "plant.json"
 
 COMPARED = (1_000, 10_000, 100_000)
 """Lengths at which both TLC and the checker are measured."""

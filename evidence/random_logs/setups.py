@@ -1,13 +1,16 @@
-"""CPUs drawn at random, as scenarios of the soft PLC: settings and a random program."""
+"""CPUs drawn at random, as programs of the soft PLC: settings and a random program."""
 
 from __future__ import annotations
 
+import json
 from datetime import datetime, timedelta
 from random import Random
+from typing import Any
 
+from s7check.kit.program import FORMAT
 from s7check.log import tables
 
-FAMILIES = ("S7-300", "S7-400", "318")
+FAMILIES = ("S7-300", "S7-400", "CPU 318")
 EXECUTIONS = {
     "once": 40,
     "minute": 60,
@@ -30,26 +33,43 @@ _FEWEST, _MOST = 9, 59
 """Events of a log."""
 
 
+_EVER = 36525 * 86_400_000
+"""Milliseconds that no program lasts."""
+
+
 def scenario(random: Random) -> str:
-    """The text of a scenario: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, 9 to 59 events."""
+    """The text of a program: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, 9 to 59 events."""
     family = random.choice(FAMILIES)
     loaded = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
     clock = _clock(random)
-    settings = [
-        f"cpu {family}",
-        f"obs {' '.join(map(str, [1, *loaded]))}",
-        f"clock {_spelled(clock)}",
-        f"mode {random.choices(('RUN', 'STOP', 'STARTUP'), (5, 3, 2))[0]}",
-        f"latency {random.choice((0, 1, 10, 10, 10, 50))}ms",
-        f"cycle_time {random.choice((1, 10, 500))}ms",
-        f"buffer {random.choice((1, 2, 3, 16, 64))}",
-        *(["log_cycle on"] if random.random() < 0.2 else []),
-        *(["log_diag on"] if random.random() < 0.35 else []),
-        *(_classes(random) if family != "S7-300" and random.random() < 0.7 else []),
-        *_step7(random, clock, loaded),
-        f"random {random.randrange(1 << 31)} events {random.randint(_FEWEST, _MOST)}",
-    ]
-    return "".join(line + "\n" for line in settings)
+    header: dict[str, Any] = {
+        "cpu": family,
+        "obs": [1, *loaded],
+        "clock": _spelled(clock),
+        "mode": random.choices(("RUN", "STOP", "STARTUP"), (5, 3, 2))[0],
+    }
+    own: dict[str, Any] = {
+        "latency_ms": random.choice((0, 1, 10, 10, 10, 50)),
+        "cycle_ms": random.choice((1, 10, 500)),
+        "buffer": random.choice((1, 2, 3, 16, 64)),
+    }
+    header["cycle"] = random.random() < 0.2
+    own["diag"] = random.random() < 0.35
+    if family != "S7-300" and random.random() < 0.7:
+        header["priority"] = _classes(random)
+    header["step7"] = {"tod": _step7(random, clock, loaded)}
+    own["random"] = {"seed": random.randrange(1 << 31), "events": random.randint(_FEWEST, _MOST)}
+    program = {
+        "format": FORMAT,
+        "name": "random",
+        "about": "A random program.",
+        "requirements": [],
+        "header": header,
+        "duration": _EVER,
+        "x_soft_plc": own,
+        "bodies": [],
+    }
+    return json.dumps(program)
 
 
 def _clock(random: Random) -> datetime:
@@ -69,15 +89,14 @@ def _spelled(time: datetime) -> str:
     return time.isoformat(timespec="milliseconds")
 
 
-def _classes(random: Random) -> list[str]:
+def _classes(random: Random) -> dict[str, int]:
     """Some of them shared."""
     shared = random.randint(2, 23)
-    settings = []
+    classes = {}
     for ob in random.sample((10, 11, 12, 13, 20, 21, 22, 30, 35, 40, 41, 81, 82, 85), 5):
-        classes = tables.SETTABLE_PRIORITIES[ob]
-        given = shared if random.random() < 0.5 and shared in classes else random.choice(classes)
-        settings.append(f"priority {ob} {given}")
-    return settings
+        settable = tables.SETTABLE_PRIORITIES[ob]
+        classes[str(ob)] = shared if random.random() < 0.5 and shared in settable else random.choice(settable)
+    return classes
 
 
 def execution(random: Random) -> str:
@@ -85,18 +104,21 @@ def execution(random: Random) -> str:
     return random.choices(list(EXECUTIONS), list(EXECUTIONS.values()))[0]
 
 
-def _step7(random: Random, clock: datetime, loaded: list[int]) -> list[str]:
+def _step7(random: Random, clock: datetime, loaded: list[int]) -> dict[str, dict[str, object]]:
     """Some time-of-day interrupts with parameters; deselected ones are hardly ever loaded."""
-    settings = []
+    parameters: dict[str, dict[str, object]] = {}
     for ob in tables.TIME_OF_DAY_OBS:
         chance = random.random()
         if chance < 0.1 and (ob not in loaded or random.random() < 0.1):
-            settings.append(f"step7 {ob} deselected")
+            parameters[str(ob)] = {"deselected": True}
         elif chance < 0.35:
             start = clock + timedelta(minutes=random.choice((-1440, -60, -5, 0, 1, 2, 5, 1440)))
             chosen = execution(random)
             if chosen == "monthly":
                 start = start.replace(day=min(start.day, 28))
-            active = " active" if random.random() < 0.8 else ""
-            settings.append(f"step7 {ob} {chosen} {max(start, FIRST).isoformat(timespec='minutes')}{active}")
-    return settings
+            parameters[str(ob)] = {
+                "execution": chosen,
+                "active": random.random() < 0.8,
+                "start": max(start, FIRST).isoformat(timespec="minutes"),
+            }
+    return parameters

@@ -41,12 +41,13 @@ def test_a_soft_plc_that_fails(root: Path) -> None:
     """The log of an earlier run is not taken for that of this one."""
     script(root / "plc" / "build" / "soft_plc", "echo 'no such thing' >&2; exit 2")
     for name in ("some", "real_time"):
-        scenario = root / "plc" / "scenarios" / f"{name}.scn"
+        scenario = root / "plc" / "scenarios" / f"{name}.json"
         scenario.parent.mkdir(exist_ok=True)
         scenario.touch()
         (root / "verify" / f"{name}.ndjson").touch()
     rows = verify._soft_plc()
-    assert [row.failures for row in rows] == [[f"soft_plc {name}.scn: no such thing"] for name in ("some", "real_time")]
+    named = [[f"soft_plc {name}.json: no such thing"] for name in ("some", "real_time")]
+    assert [row.failures for row in rows] == named
     assert list((root / "verify").iterdir()) == []
 
 

@@ -27,7 +27,7 @@ TRACES = Path("traces")
 CITING = (
     "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
     "traces/README.md", "traces/*/index.json", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
-    "examples/soft_plc/scenarios/*.scn",
+    "examples/soft_plc/scenarios/*.json",
 )  # fmt: skip
 """The files in which every ID has to exist."""
 

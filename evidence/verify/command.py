@@ -90,7 +90,7 @@ def _by_kind(models: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
 
 
 def _soft_plc() -> list[Row]:
-    scenarios = sorted((SOFT_PLC / "scenarios").glob("*.scn"))
+    scenarios = sorted((SOFT_PLC / "scenarios").glob("*.json"))
     rows = []
     for name, chosen, options in (
         ("soft PLC, simulated clock", [s for s in scenarios if s.stem != "real_time"], []),

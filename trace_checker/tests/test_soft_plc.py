@@ -14,7 +14,7 @@ from s7check import cli
 from s7check.judging.verdict import Report
 
 FOLDER = Path(cli.__file__).parents[2] / "examples" / "soft_plc"
-SCENARIOS = sorted(path.stem for path in (FOLDER / "scenarios").glob("*.scn"))
+SCENARIOS = sorted(path.stem for path in (FOLDER / "scenarios").glob("*.json"))
 REAL_TIME = "real_time"
 """The scenario that takes as long as it says."""
 
@@ -139,7 +139,7 @@ def run(program: str, tmp_path: Path) -> Run:
 
     def run(what: str, *options: str) -> Path:
         log = tmp_path / "log.ndjson"
-        arguments = [str(FOLDER / "scenarios" / f"{what}.scn")] if what in SCENARIOS else what.split()
+        arguments = [str(FOLDER / "scenarios" / f"{what}.json")] if what in SCENARIOS else what.split()
         subprocess.run([program, *options, *arguments, "-o", str(log)], check=True, timeout=60)
         return log
 

@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +8,7 @@
 #include "plc.h"
 #include "random_program.h"
 #include "scenario.h"
-#include "words.h"
+#include "values.h"
 
 enum { EXIT_DONE = 0, EXIT_IO = 1, EXIT_WRONG = 2 };
 enum { LATENCY_SIMULATED_MS = 10, LATENCY_REAL_MS = 50 };
@@ -16,7 +17,7 @@ enum { CHOICES_MAX = 32 };
 
 struct options {
     const char *scenario, *output;
-    bool real_time, up, cycle, diag, state, random, family_given;
+    bool real_time, up, cycle, diag, state, random, kit, family_given;
     uint64_t seed, events;
     enum s7cpu_family family;
     struct fault_set faults;
@@ -26,22 +27,25 @@ struct options {
 
 static void usage(FILE *out)
 {
-    fputs("usage: soft_plc [options] SCENARIO        (- reads standard input)\n"
+    fputs("usage: soft_plc [options] PROGRAM         (- reads standard input)\n"
           "       soft_plc [options] --random SEED --events N\n"
+          "       soft_plc [options] --kit\n"
+          "  --kit           run the programs on standard input, one a line; each log ends with a\n"
+          "                  line {\"event\": \"done\"}: an adapter of `s7check kit run`\n"
           "  -o FILE         write the log to FILE instead of standard output\n"
-          "  --real-time     run on the real clock: 8 s of a scenario take 8 s\n"
+          "  --real-time     run on the real clock: 8 s of a program take 8 s\n"
           "  --up            add `up`, elapsed ms, to every event (always with --real-time)\n"
           "  --cycle         log every start and end of OB 1\n"
           "  --diag          log the entries of the diagnostic buffer\n"
           "  --state         read the state of OBs now and then, with a random program\n"
-          "  --random SEED   run a random program instead of a scenario\n"
+          "  --random SEED   run a random program instead of a file\n"
           "  --events N      end after N events\n"
           "  --cpu FAMILY    S7-300, S7-400 or 318, with --random\n"
           "  --choose N=V    a behaviour that the requirements leave open; repeatable; `help` lists\n"
           "                  them\n"
           "  --fault NAME    make this deliberate mistake; repeatable; `help` lists them\n"
           "  --help          this text\n"
-          "exit status: 0 done, 1 input or output failed, 2 wrong scenario or arguments\n",
+          "exit status: 0 done, 1 input or output failed, 2 wrong program or arguments\n",
           out);
 }
 
@@ -54,7 +58,7 @@ static bool wrong(const char *option, const char *expected)
 static bool number(const char *option, const char *s, int64_t low, uint64_t *value)
 {
     int64_t n;
-    if (s == NULL || !word_int(s, low, INT64_MAX, &n))
+    if (s == NULL || !value_integer(s, low, INT64_MAX, &n))
         return wrong(option, low == 0 ? "a number" : "a number from 1");
     *value = (uint64_t)n;
     return true;
@@ -105,6 +109,8 @@ static bool flag(const char *a, struct options *o)
         o->diag = true;
     else if (strcmp(a, "--state") == 0)
         o->state = true;
+    else if (strcmp(a, "--kit") == 0)
+        o->kit = true;
     else
         return false;
     return true;
@@ -118,7 +124,7 @@ static bool read_options(int argc, char **argv, struct options *o)
             continue;
         if (a[0] != '-' || a[1] == '\0') {
             if (o->scenario != NULL)
-                return wrong(a, "one scenario");
+                return wrong(a, "one program");
             o->scenario = a;
             continue;
         }
@@ -141,10 +147,12 @@ static bool read_options(int argc, char **argv, struct options *o)
         if (!ok)
             return false;
     }
-    if (o->random == (o->scenario != NULL))
-        return wrong("arguments", "either a scenario or --random SEED");
+    if (o->random + o->kit + (o->scenario != NULL) != 1)
+        return wrong("arguments", "a program, --random SEED or --kit");
     if (o->family_given && !o->random)
-        return wrong("--cpu", "--random beside it; a scenario names its CPU itself");
+        return wrong("--cpu", "--random beside it; a program names its CPU itself");
+    if (o->output != NULL && o->kit)
+        return wrong("-o", "no --kit beside it, whose logs go to standard output");
     return true;
 }
 
@@ -165,7 +173,7 @@ static int run(const struct options *o, const struct plc_config *config, struct 
     return EXIT_IO;
 }
 
-/* Scenario or random program, with the options on top. */
+/* Program of a file or random program, with the options on top. */
 static int prepare_and_run(const struct options *o, struct scenario *s, FILE *out)
 {
     struct random_program random;
@@ -199,16 +207,54 @@ static int read_scenario(const char *file, struct scenario *s)
 {
     bool standard = strcmp(file, "-") == 0;
     FILE *in = standard ? stdin : fopen(file, "r");
-    if (in == NULL) {
+    char *text = NULL;
+    size_t room = 0;
+    ssize_t length = in != NULL ? getdelim(&text, &room, '\0', in) : -1;
+    if (in == NULL || (length < 0 && ferror(in))) {
         fprintf(stderr, "soft_plc: %s: %s\n", file, strerror(errno));
+        free(text);
         return EXIT_WRONG;
     }
-    bool ok = scenario_read(s, standard ? "(standard input)" : file, in);
+    bool ok = scenario_read(s, standard ? "(standard input)" : file, 1, text,
+                            length > 0 ? (size_t)length : 0);
     if (!standard)
         fclose(in);
+    free(text);
     if (!ok)
         fprintf(stderr, "%s\n", s->error);
     return ok ? EXIT_DONE : EXIT_WRONG;
+}
+
+/* The reason why a program is not run, as a line of the adapter's protocol. */
+static void skip(const char *reason, FILE *out)
+{
+    fputs("{\"event\": \"skip\", \"reason\": \"", out);
+    for (const char *p = reason; *p != '\0'; p++)
+        fputc(*p == '"' || *p == '\\' || (unsigned char)*p < 0x20 ? '\'' : *p, out);
+    fputs("\"}\n", out);
+}
+
+static int run_kit(const struct options *o)
+{
+    char *line = NULL;
+    size_t room = 0;
+    ssize_t length;
+    int status = EXIT_DONE;
+    for (int number = 1; status == EXIT_DONE && (length = getline(&line, &room, stdin)) > 0;
+         number++) {
+        struct scenario s;
+        if (scenario_read(&s, "(standard input)", number, line, (size_t)length)) {
+            status = prepare_and_run(o, &s, stdout);
+            fputs("{\"event\": \"done\"}\n", stdout);
+        } else {
+            skip(s.error, stdout);
+        }
+        scenario_free(&s);
+        if (fflush(stdout) != 0)
+            status = EXIT_IO;
+    }
+    free(line);
+    return status;
 }
 
 static int with_output(const struct options *o, struct scenario *s)
@@ -250,9 +296,11 @@ int main(int argc, char **argv)
         fputs("try soft_plc --help\n", stderr);
         return EXIT_WRONG;
     }
+    if (o.kit)
+        return run_kit(&o);
     int status = o.random ? EXIT_DONE : read_scenario(o.scenario, &scenario);
     if (status == EXIT_DONE && o.state && !o.random && !scenario.random) {
-        wrong("--state", "a random program; a scenario says `state OB` itself");
+        wrong("--state", "a random program; another has the event state itself");
         status = EXIT_WRONG;
     }
     if (status == EXIT_DONE)

@@ -1,5 +1,5 @@
 /* A scenario as the program of the CPU. */
-#include "parser.h"
+#include "reader.h"
 
 static const struct body *find_body(const struct scenario *s, int ob, uint32_t run)
 {

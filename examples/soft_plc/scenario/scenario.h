@@ -12,7 +12,6 @@
 struct body {
     int ob;
     uint32_t run;
-    int line;
     struct step *steps;
     uint32_t count, room;
 };
@@ -20,7 +19,7 @@ struct body {
 struct timed_action {
     int64_t up;
     int64_t every; /* 0: once */
-    int line;
+    int place; /* in the list of the file */
     struct action action;
 };
 
@@ -34,11 +33,15 @@ struct scenario {
     uint32_t body_count, body_room;
     struct timed_action *actions; /* the rest, in the order of their times */
     uint32_t action_count, action_room, action_next;
-    char error[320]; /* file:line: field: what was expected */
+    char error[400]; /* file:line: field: what was expected */
 };
 
-/* Reads a whole scenario; false with `error` set where it is wrong. */
-bool scenario_read(struct scenario *s, const char *file, FILE *in);
+/* Reads a program, JSON of the format s7-interrupt-program/1, whose text begins at this line of the
+ * file; false with `error` set where it is wrong. To be freed in either case. */
+bool scenario_read(struct scenario *s, const char *file, int line, const char *text,
+                   size_t length);
+/* After the last body and action: they become the program of the CPU. */
+void scenario_end(struct scenario *s);
 void scenario_free(struct scenario *s);
 
 #endif

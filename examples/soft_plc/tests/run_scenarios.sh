@@ -4,19 +4,19 @@
 set -eu
 plc=$1 plain=$2
 here=$(dirname "$0")
-for scenario in "$here"/../scenarios/*.scn; do
+for scenario in "$here"/../scenarios/*.json; do
     name=$(basename "$scenario")
     case $name in
-    real_time.scn) mode=--real-time ;;
+    real_time.json) mode=--real-time ;;
     *) mode= ;;
     esac
     lines=$("$plc" $mode "$scenario" | grep -c '^{"\(format\|event\)":.*}$')
     [ "$lines" -gt 3 ] || { echo "$name: only $lines lines"; exit 1; }
     echo "$name: $lines lines"
 done
-for scenario in "$here"/../scenarios/*.scn; do
+for scenario in "$here"/../scenarios/*.json; do
     case $scenario in
-    *real_time.scn) continue ;;
+    *real_time.json) continue ;;
     esac
     [ "$("$plc" --diag "$scenario" 2>&1 | cksum)" = "$("$plain" --diag "$scenario" 2>&1 | cksum)" ] ||
         { echo "$scenario: another log without the variants"; exit 1; }
@@ -31,7 +31,7 @@ for family in S7-300 S7-400 318; do
         { echo "--random --cpu $family --diag logs no entry 5380"; exit 1; }
 done
 status=0
-echo 'cpu none' | "$plc" - 2>/dev/null || status=$?
+echo '{}' | "$plc" - 2>/dev/null || status=$?
 [ "$status" -eq 2 ] || { echo "a wrong scenario gives exit $status, not 2"; exit 1; }
 status=0
 "$plc" --fault none - 2>/dev/null </dev/null || status=$?
@@ -40,7 +40,7 @@ status=0
 "$plc" --choose AMB-34=c --random 1 >/dev/null 2>&1 || status=$?
 [ "$status" -eq 2 ] || { echo "a wrong choice gives exit $status, not 2"; exit 1; }
 status=0
-"$plc" --state "$here"/../scenarios/hold.scn >/dev/null 2>&1 || status=$?
+"$plc" --state "$here"/../scenarios/hold.json >/dev/null 2>&1 || status=$?
 [ "$status" -eq 2 ] || { echo "--state with a scenario gives exit $status, not 2"; exit 1; }
 status=0
 "$plc" --random 1 --events 200000 >/dev/full 2>/dev/null || status=$?

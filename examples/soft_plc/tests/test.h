@@ -36,7 +36,8 @@ void test_scheduling(void);
 void test_choices(void);
 void test_clock(void);
 void test_modes(void);
-void test_scenario(void);
+void test_shorthand(void);
+void test_program(void);
 void test_random_program(void);
 
 #endif

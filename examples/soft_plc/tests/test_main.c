@@ -8,7 +8,7 @@
 
 #include "plc.h"
 #include "random_program.h"
-#include "scenario.h"
+#include "shorthand.h"
 
 static struct {
     int checks, failed;
@@ -52,7 +52,7 @@ static bool read_text(struct scenario *s, const char *text)
         abort();
     snprintf(whole, size, "%s%s", strncmp(text, "cpu", 3) == 0 ? "" : base, text);
     FILE *in = fmemopen(whole, strlen(whole), "r");
-    bool ok = scenario_read(s, "t.scn", in);
+    bool ok = shorthand_read(s, "t.scn", in);
     fclose(in);
     free(whole);
     return ok;
@@ -143,7 +143,8 @@ int main(void)
     test_choices();
     test_clock();
     test_modes();
-    test_scenario();
+    test_shorthand();
+    test_program();
     test_random_program();
     printf("%d checks, %d failed\n", tally.checks, tally.failed);
     return tally.failed == 0 ? 0 : 1;
