@@ -1,11 +1,14 @@
 package s7.trace;
 
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import tla.eval.State;
+import tla.eval.Way;
 import tla.json.Json;
 import tla.json.Values;
 import tla.spec.Guards;
@@ -67,6 +70,9 @@ final class Contract {
   /** The field by which a report names a record that an action is applied to. */
   static final String OB = "ob";
 
+  /** The most steps of time, and the most states before the event, that {@link #alone} is for. */
+  private static final int MOST_ALONE = 8;
+
   /** The two ways in which a line can have no explanation. */
   enum Failing {
     /** An event had to come before the line. */
@@ -88,6 +94,7 @@ final class Contract {
   private final Specification spec;
   private final State blank;
   private final RecordValue noEvent;
+  private final Way alone;
 
   /**
    * @throws IllegalStateException if the specification has no NoEvent
@@ -96,6 +103,7 @@ final class Contract {
     this.spec = spec;
     blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
+    alone = spec.remembered(this::goAlone);
   }
 
   /** The record for a normalised header. */
@@ -146,6 +154,48 @@ final class Contract {
   /** The states after the event; none if it is not possible in this state. */
   List<State> observe(State state, Value event) {
     return successors(Operator.OBSERVE, state, event);
+  }
+
+  /**
+   * The states after the event, where a single state gets to it in few steps; else none. It is the
+   * usual case, and faster than step by step.
+   */
+  List<State> alone(State state, Value event) {
+    return alone.from(state, event);
+  }
+
+  private List<State> goAlone(State from, Value event) {
+    State state = from;
+    for (int steps = 0; !arrived(state, event); steps++) {
+      List<State> next = elapse(state, event);
+      if (next.size() != 1 || steps == MOST_ALONE) {
+        return List.of();
+      }
+      state = next.get(0);
+    }
+    var ready = new ArrayList<>(List.of(state));
+    var seen = new HashSet<Long>();
+    for (int i = 0; i < ready.size(); i++) {
+      if (!stirs(ready.get(i), event)) {
+        continue;
+      }
+      for (State next : silent(ready.get(i), event)) {
+        if (seen.isEmpty()) {
+          seen.add(key(state));
+        }
+        if (seen.add(key(next))) {
+          ready.add(next);
+        }
+      }
+      if (ready.size() > MOST_ALONE) {
+        return List.of();
+      }
+    }
+    var after = new ArrayList<State>();
+    for (State each : ready) {
+      after.addAll(observe(each, event));
+    }
+    return after;
   }
 
   /** The state with what is certain of it alone; none where everything has to be followed. */

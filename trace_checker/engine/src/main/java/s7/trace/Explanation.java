@@ -162,6 +162,10 @@ final class Explanation {
   }
 
   private Refusal followed(RecordValue event) {
+    List<State> alone = states.size() == 1 ? spec.alone(states.get(0), event) : List.of();
+    if (!alone.isEmpty()) {
+      return explained(alone, event);
+    }
     List<State> stuck = new ArrayList<>();
     List<State> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
@@ -178,6 +182,11 @@ final class Explanation {
     if (after.isEmpty()) {
       return refusal(Contract.Failing.UNEXPLAINED, ready, nearest(ready, event), event);
     }
+    return explained(after, event);
+  }
+
+  private Refusal explained(List<State> after, RecordValue event) {
+    limit(after.size());
     states = distinct(after);
     past.add(event);
     return null;

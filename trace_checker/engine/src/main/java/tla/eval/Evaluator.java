@@ -32,6 +32,7 @@ public final class Evaluator {
   private final Map<OpDefNode, Program> programs = new IdentityHashMap<>();
   private final Hash.Parts hashes = new Hash.Parts();
   private final Memory memory;
+  private long operators;
 
   /** The use of an operator: by its value, as a step, or as the predicate of the first states. */
   private enum Use {
@@ -46,17 +47,32 @@ public final class Evaluator {
       implements Memory.Operator {
 
     @Override
-    public Value value(Value... arguments) {
+    public Value value(State state, Value... arguments) {
+      machine.load(state);
       System.arraycopy(arguments, 0, frame, 0, parameters);
       return expr.eval(frame);
     }
 
     @Override
-    public List<State> successors(Value... arguments) {
+    public List<State> successors(State state, Value... arguments) {
+      machine.load(state);
       System.arraycopy(arguments, 0, frame, 0, parameters);
       machine.begin();
       act.run(frame);
       return machine.found();
+    }
+  }
+
+  /** A way as an operator. */
+  private record Whole(long number, Way way) implements Memory.Operator {
+    @Override
+    public Value value(State state, Value... arguments) {
+      throw new UnsupportedOperationException();
+    }
+
+    @Override
+    public List<State> successors(State state, Value... arguments) {
+      return way.from(state, arguments[0]);
     }
   }
 
@@ -85,16 +101,20 @@ public final class Evaluator {
     try {
       Program program = program(operator, use);
       if (program.act != null) {
-        if (use == Use.STEP && program.parameters == 1) {
-          return memory.successors(program, state, arguments[0]);
-        }
-        machine.load(state);
-        return program.successors(arguments);
+        return use == Use.STEP && program.parameters == 1 && !machine.isRecording()
+            ? memory.successors(program, state, arguments[0])
+            : program.successors(state, arguments);
       }
     } catch (RuntimeException e) {
-      // TLC names the error.
+      failed(e);
     }
     return null;
+  }
+
+  /** The same way, of which a part that depends on shapes alone is gone once ({@link Memory}). */
+  public Way remembered(Way way) {
+    var whole = new Whole(++operators, way);
+    return (state, argument) -> memory.successors(whole, state, argument);
   }
 
   /** The value of a state function; null if TLC has to find it. */
@@ -102,16 +122,21 @@ public final class Evaluator {
     try {
       Program program = program(operator, Use.VALUE);
       if (program.expr != null) {
-        if (program.parameters == 1) {
-          return memory.value(program, state, arguments[0]);
-        }
-        machine.load(state);
-        return program.value(arguments);
+        return program.parameters == 1 && !machine.isRecording()
+            ? memory.value(program, state, arguments[0])
+            : program.value(state, arguments);
       }
     } catch (RuntimeException e) {
-      // TLC names the error.
+      failed(e);
     }
     return null;
+  }
+
+  /** TLC names the error, but not of a state with recorded integers, which it does not know. */
+  private void failed(RuntimeException e) {
+    if (machine.isRecording()) {
+      throw e;
+    }
   }
 
   /**
@@ -170,7 +195,7 @@ public final class Evaluator {
     }
     int parameters = operator.getParams().length;
     var frame = new Object[scope.slots.count()];
-    return new Program(machine, programs.size() + 1, parameters, frame, expr, act);
+    return new Program(machine, ++operators, parameters, frame, expr, act);
   }
 
   private static Scope parameters(OpDefNode operator, boolean primed) {

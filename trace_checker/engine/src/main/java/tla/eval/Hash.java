@@ -24,6 +24,9 @@ final class Hash {
     if (value instanceof IntValue number) {
       return mix(number.val);
     }
+    if (value instanceof Sym sym) {
+      return mix(mix(sym.identity));
+    }
     if (value instanceof BoolValue truth) {
       return truth.val ? 0x5851F42D4C957F2DL : 0x14057B7EF767814FL;
     }

@@ -46,6 +46,10 @@ final class Machine {
     System.arraycopy(values, 0, now, 0, now.length);
   }
 
+  boolean isRecording() {
+    return recording != null;
+  }
+
   boolean member(Value element, Value set) {
     return recording == null ? set.member(element) : recording.member(element, set);
   }

@@ -1,11 +1,8 @@
 package tla.eval;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.function.BiFunction;
 
 import tla2sany.semantic.OpDeclNode;
 import tlc2.value.impl.Value;
@@ -32,21 +29,21 @@ final class Memory {
   private final boolean[] areTimes;
   private final Value[] inputs;
   private final int[] registers = new int[1 << 12];
-  private final Map<Long, Remembered<Part>> values = new HashMap<>();
-  private final Map<Long, Remembered<Next[]>> successors = new HashMap<>();
+  private final Numbered<Remembered<Part>> values = new Numbered<>();
+  private final Numbered<Remembered<Next[]>> successors = new Numbered<>();
   private long hits;
   private long steps;
   private Value argument;
   private long argumentShape;
 
-  /** An operator with one parameter, evaluated in the loaded state. */
+  /** An operator with one parameter. */
   interface Operator {
     /** Another number for each operator. */
     long number();
 
-    Value value(Value... argument);
+    Value value(State state, Value... argument);
 
-    List<State> successors(Value... argument);
+    List<State> successors(State state, Value... argument);
   }
 
   /** A successor: its values, of which some are those of an input, and their shapes. */
@@ -67,14 +64,13 @@ final class Memory {
     Remembered<Part> remembered = remembered(values, key(operator, state, of));
     Part known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
-      record(remembered, (recording, argument) -> recording.part(operator.value(argument)));
+      record(remembered, (recording, s, argument) -> recording.part(operator.value(s, argument)));
       known = outcome(remembered);
     }
     if (known != null) {
       return known.built(registers, inputs);
     }
-    machine.load(state);
-    return operator.value(of);
+    return operator.value(state, of);
   }
 
   /** The successors of a state under an action. */
@@ -82,12 +78,11 @@ final class Memory {
     Remembered<Next[]> remembered = remembered(successors, key(operator, state, of));
     Next[] known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
-      record(remembered, (recording, argument) -> nexts(recording, operator.successors(argument)));
+      record(remembered, (recording, s, argument) -> nexts(recording, operator.successors(s, argument)));
       known = outcome(remembered);
     }
     if (known == null) {
-      machine.load(state);
-      return operator.successors(of);
+      return operator.successors(state, of);
     }
     var found = new State[known.length];
     for (int i = 0; i < found.length; i++) {
@@ -100,7 +95,7 @@ final class Memory {
     return hits;
   }
 
-  private static <T> Remembered<T> remembered(Map<Long, Remembered<T>> all, long key) {
+  private static <T> Remembered<T> remembered(Numbered<Remembered<T>> all, long key) {
     Remembered<T> remembered = all.get(key);
     if (remembered == null) {
       remembered = new Remembered<>();
@@ -149,17 +144,22 @@ final class Memory {
     }
   }
 
-  private <T> void record(
-      Remembered<T> remembered, BiFunction<Recording, Value, T> evaluation) {
+  /** An evaluation in a state with recorded integers. */
+  private interface Evaluation<T> {
+    T in(Recording recording, State state, Value argument);
+  }
+
+  private <T> void record(Remembered<T> remembered, Evaluation<T> evaluation) {
     var recording = new Recording(shapes);
     try {
       var recorded = new Value[inputs.length];
       for (int i = 0; i < inputs.length; i++) {
         recorded[i] = recording.recorded(inputs[i], areTimes[i], i);
       }
-      machine.load(recorded);
       machine.recording = recording;
-      T outcome = evaluation.apply(recording, recorded[inputs.length - 1]);
+      int variables = inputs.length - 1;
+      var state = new State(Arrays.copyOf(recorded, variables));
+      T outcome = evaluation.in(recording, state, recorded[variables]);
       steps += LEAST_STEPS + recording.steps().size();
       if (!remembered.add(recording, outcome)) {
         remembered.giveUp();

@@ -20,6 +20,10 @@ final class Remembered<T> {
   /** Steps, and after them a comparison or an outcome. */
   private static final class Node<T> {
     Recording.Step[] steps;
+    /** The operation of each step and the registers or numbers that it takes, for speed. */
+    Operation[] operations;
+    int[] a;
+    int[] b;
     int[][] places;
     int first;
     Recording.Step comparison;
@@ -51,14 +55,14 @@ final class Remembered<T> {
   T outcome(Value[] inputs, int[] registers) {
     Node<T> node = root;
     while (node != null) {
-      int register = node.first;
-      for (int i = 0; i < node.steps.length; i++) {
-        Recording.Step step = node.steps[i];
-        registers[register++] =
-            switch (step.operation()) {
+      Operation[] operations = node.operations;
+      for (int i = 0; i < operations.length; i++) {
+        int a = node.a[i];
+        registers[node.first + i] =
+            switch (operations[i]) {
               case TAKE -> taken(inputs, node.places[i]);
-              case CONSTANT -> step.a();
-              default -> step.operation().on(registers[step.a()], registers[step.b()]);
+              case CONSTANT -> a;
+              default -> operations[i].on(registers[a], registers[node.b[i]]);
             };
       }
       if (node.comparison == null) {
@@ -92,8 +96,14 @@ final class Remembered<T> {
       if (node == null) {
         node = new Node<>();
         node.steps = steps.subList(begin, i).toArray(Recording.Step[]::new);
+        node.operations = new Operation[node.steps.length];
+        node.a = new int[node.steps.length];
+        node.b = new int[node.steps.length];
         node.places = new int[node.steps.length][];
         for (int k = 0; k < node.places.length; k++) {
+          node.operations[k] = node.steps[k].operation();
+          node.a[k] = node.steps[k].a();
+          node.b[k] = node.steps[k].b();
           if (node.steps[k].operation() == Operation.TAKE) {
             node.places[k] = recording.places().get(node.steps[k].a());
           }

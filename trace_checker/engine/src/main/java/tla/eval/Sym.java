@@ -11,10 +11,15 @@ import tlc2.value.impl.Value;
 final class Sym extends UserValue {
   private static final long serialVersionUID = 1L;
 
+  private static long last;
+
   final int number;
 
   /** Its place in an input; null if it was computed. */
   final int[] place;
+
+  /** Another number for each: two that are computed alike count as different values. */
+  final long identity = ++last;
 
   /** Its number among the integers of the recording; -1 before it is used. */
   int register;
