@@ -50,11 +50,12 @@ Memory(t) ==
         ELSE { i \in runs :
                  Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
 
-(* [AMB-57] anew: made in a time that the clock repeats.                    *)
+(* [AMB-57] A setting made in a time that the clock repeats was not active    *)
+(* when the clock was set back: of its points none is over for AMB-56.     *)
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
     LET repeats == clock.min <= old.repeatTo
-    IN  [ new EXCEPT !.served = {}, !.earlier = Memory(old), !.anew = repeats,
+    IN  [ new EXCEPT !.served = {}, !.earlier = Memory(old), !.overTo = -1,
                      !.repeatTo = IF repeats THEN old.repeatTo ELSE -1 ]
 
 \* @type: $tod => $tod;
@@ -97,10 +98,10 @@ LastCalls(t, c) == { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c
 \* @type: ($tod, $cpu) => Int;
 OverUntil(t, c) ==
     LET calls == LastCalls(t, c)
-    IN  IF t.anew THEN -1
-        ELSE IF UnservedAreOver(c) THEN t.repeatTo
+        last  == CHOOSE p \in calls : \A q \in calls : q <= p
+    IN  IF UnservedAreOver(c) THEN t.overTo
         ELSE IF UnservedAreOverToLastCall(c) /\ calls # {}
-        THEN CHOOSE p \in calls : \A q \in calls : q <= p
+        THEN IF last < t.overTo THEN last ELSE t.overTo
         ELSE -1
 
 (* The first point from p on that was not served: p, one of the next two,   *)

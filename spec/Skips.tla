@@ -26,8 +26,8 @@ PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
 \* @type: ($tod, $moment) => $tod;
 Repeating(t, to) ==
     IF ~(Remembers /\ Before(to, clock)) THEN t
-    ELSE [ t EXCEPT !.anew = FALSE,
-                    !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
+    ELSE [ t EXCEPT !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @,
+                    !.overTo   = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
 
 (* [AMB-59] (b) The runs that a clock set back withdraws. *)
 \* @type: $moment => Set($request);

@@ -35,7 +35,8 @@ VARIABLES
     (* On S7-400 and CPU 318 [CLK-09]: served, the points for which the OB  *)
     (* was called, as runs of minutes without a point between that was not  *)
     (* served; repeatTo, the last minute that the clock had reached before  *)
-    (* it was set back, -1 if it was not.                                   *)
+    (* it was set back, -1 if it was not; overTo, the same since this       *)
+    (* setting was made.                                                    *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)

@@ -10,7 +10,7 @@ EXTENDS Calendar, Cpu
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
                period |-> Once, next |-> Never, served |-> {}, earlier |-> {},
-               repeatTo |-> -1, anew |-> FALSE, called |-> FALSE ]
+               repeatTo |-> -1, overTo |-> -1, called |-> FALSE ]
 
 (* The first start point, and the point that is watched for. *)
 \* @type: $tod => $moment;

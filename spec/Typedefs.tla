@@ -12,7 +12,7 @@
 (* @typeAlias: tod = { set: Bool, active: Bool, start: Int, offset: Int,   *)
 (*                  period: Int, next: Int,                                *)
 (*                  served: Set({ from: Int, to: Int }),                   *)
-(*                  earlier: Set($memory), repeatTo: Int, anew: Bool,      *)
+(*                  earlier: Set($memory), repeatTo: Int, overTo: Int,     *)
 (*                  called: Bool };                                        *)
 (* @typeAlias: memory = { from: Int, to: Int, start: Int, period: Int };   *)
 (* @typeAlias: job = { started: Bool, left: Int, dtime: Int, sign: Int };  *)
