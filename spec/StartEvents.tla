@@ -58,24 +58,17 @@ LeftOpen(again) ==
 
 (* Only open requests of the OB wait.  After another start event the OB      *)
 (* waits for sure: by the first open one, or by the new one if the open     *)
-(* ones had no effect.  The second shows only where another OB of the class *)
-(* stands between.                                                         *)
+(* ones had no effect.                                                     *)
 \* @type: (Set($request), $request) => Set($request);
 Confirmed(q, new) ==
     { IF /\ r.ob = new.ob /\ r.open
          /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
       THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
 
-\* @type: Int => Bool;
-AnotherStandsBehind(o) ==
-    \E r, s \in requests : /\ r.ob = o /\ s.ob # o
-                           /\ s.class = r.class /\ s.rank > r.rank
-
 \* @type: $request => Set(Set($request));
 EnterAmongOpen(new) ==
-    { EnterAll(Confirmed(requests, new), LeftOpen(new)) }
-      \cup (IF AnotherStandsBehind(new.ob)
-            THEN { Enter(Withdraw(requests, new.ob), new) } ELSE {})
+    { EnterAll(Confirmed(requests, new), LeftOpen(new)),
+      Enter(Withdraw(requests, new.ob), new) }
 
 \* @type: $request => Bool;
 AnyEffect(new) ==
