@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from evidence.mutants.checks import LONGEST, Check
-from evidence.mutants.findings import WEAK, Finding, Findings, How
+from evidence.mutants.findings import STATED, WEAK, Finding, Findings, How
 from evidence.mutants.listing import Mutant
 from evidence.mutants.marks import Marks, mark
 from evidence.mutants.order import Experience
@@ -54,13 +54,15 @@ class Verdict:
 class Bench:
     """The unchanged specification, the calibrated checks, and the experience with them.
 
-    `thorough`: after a kill that says only that something changed, the other checks are tried too.
+    `thorough`: after a kill that says only that something changed, the other checks are tried too. `stated`: only what
+    a model states kills a mutant; past other kills the next check is tried.
     """
 
     spec: Path
     modules: Mapping[str, Module]
     findings: Findings
     thorough: bool = False
+    stated: bool = False
     _checks: list[Check] = field(default_factory=list)
     _experience: Experience = field(default_factory=Experience)
     _seconds: dict[str, float] = field(default_factory=dict)
@@ -130,7 +132,7 @@ class Bench:
         for check in self._promising(mutant):
             finding = self._find(check, mutant.id, changed)
             seconds += finding.seconds
-            if finding.how == "survived":
+            if finding.how == "survived" or (self.stated and finding.how not in STATED | {"invalid"}):
                 past.append(check.name)
                 continue
             verdict = Verdict(mutant, finding.how, check.name, finding.detail, seconds, tuple(past))

@@ -61,10 +61,10 @@ class Request:
 @click.command(name="mutants", short_help="Mutate the specification: do its checks notice?")
 @click.option(
     "--against",
-    type=click.Choice(["models", "logs", "all"]),
+    type=click.Choice(["models", "properties", "logs", "all"]),
     default="models",
     show_default=True,
-    help="What has to notice.",
+    help="What has to notice; properties: those of the models alone, no counts, timeouts or errors.",
 )
 @click.option(
     "--lane", type=click.Choice(LANES), default="smoke", show_default=True, help="Which models, with --against models."
@@ -98,8 +98,8 @@ def mutants_command(
     """Make mutants of the specification and run the checks on each until one notices.
 
     ID picks mutants (globs work). What a check came to is kept in build/mutants, so that a run goes on where the last
-    one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, 1 some have none or
-    a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
+    one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, or --against
+    properties, 1 some have none or a reason is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
     """
     processes = BriefProcesses()
     usage = (ManifestError, SyntaxTreeError, ReasonsError)
@@ -130,7 +130,8 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     why = read(manifest.directory / "survivors.json", reasons.Reason)
     began = time.monotonic()
     findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
-    bench = Bench(manifest.spec, modules, findings, request.thorough)
+    stated = request.against == "properties"
+    bench = Bench(manifest.spec, modules, findings, request.thorough, stated)
     verdicts: dict[str, Verdict] = {}
     left = chosen
     for stage in stages:
@@ -140,17 +141,17 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
         left = [mutant for mutant in left if not bench.decided(verdicts[mutant.id])]
         if not left:
             break
-    explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing))
+    explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing), stated=stated)
     report.show(console, explained)
     document = report.as_json(explained, time.monotonic() - began)
     write_json(request.json, document)
-    return UNEXPLAINED if explained.unexplained or explained.stale else 0
+    return 0 if explained.ok else UNEXPLAINED
 
 
 def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], processes: Processes) -> list[list[Check]]:
     """The checks: first the logs, which take seconds, then the models, for mutants that the logs do not notice."""
     stages: list[list[Check]] = []
-    if request.against != "models":
+    if request.against in {"logs", "all"}:
         traces = manifest.directory.parent / "traces"
         stages.append([LogsCheck(traces, logs.fingerprint(traces), spec, processes)])
     if request.against != "logs":

@@ -19,6 +19,9 @@ KILLS: tuple[How, ...] = ("property", "assumption", "deadlock", "error", "log", 
 WEAK = frozenset({"count", "timeout"})
 """Kills that say that something changed, not that it is wrong."""
 
+STATED = frozenset({"property", "assumption", "deadlock"})
+"""Kills by something that a model states of the rules."""
+
 
 class Finding(msgspec.Struct, frozen=True):
     """The result of a check; `detail` names the property, the log or the error."""

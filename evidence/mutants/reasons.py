@@ -21,16 +21,29 @@ class Reason(Excuse, frozen=True, forbid_unknown_fields=True):
 
 @dataclass(frozen=True)
 class Explained:
-    """Verdicts and reasons side by side; `stale` are the reasons that fit nothing any more, and why."""
+    """Verdicts and reasons side by side; `stale` are the reasons that fit nothing any more, and why.
+
+    `stated`: only properties killed, so that a survivor may be noticed otherwise, and needs no reason.
+    """
 
     verdicts: list[Verdict]
     reasons: dict[str, Reason]
     stale: list[str]
+    stated: bool = False
 
     @property
     def unexplained(self) -> list[Verdict]:
         """The survivors without a reason."""
         return [v for v in self.verdicts if v.how == "survived" and v.mutant.id not in self.reasons]
+
+    @property
+    def ok(self) -> bool:
+        """Whether every survivor that needs a reason has one, and every reason a survivor."""
+        return self.stated or not (self.unexplained or self.stale)
+
+    def unevaluated(self, verdict: Verdict) -> bool:
+        """Whether a mutant does not count, since no property can notice it: no model evaluates its change."""
+        return self.stated and verdict.how == "survived" and not verdict.evaluating
 
     def equivalent(self, verdict: Verdict) -> bool:
         """Whether a mutant survived because it changes nothing."""
@@ -38,10 +51,12 @@ class Explained:
         return verdict.how == "survived" and reason is not None and reason.equivalent
 
 
-def explain(verdicts: list[Verdict], reasons: Iterable[Reason], existing: Iterable[str]) -> Explained:
+def explain(
+    verdicts: list[Verdict], reasons: Iterable[Reason], existing: Iterable[str], *, stated: bool = False
+) -> Explained:
     """Find the reason of each survivor. `existing` are the ids of all mutants, judged or not."""
     survivors = [v.mutant.id for v in verdicts if v.how == "survived"]
     found, gone, needless = assign(reasons, existing, survivors, [v.mutant.id for v in verdicts])
     stale = [f"{reason.id}: there is no such mutant" for reason in gone]
     stale += [f"{reason.id}: does not survive" for reason in needless]
-    return Explained(verdicts, found, stale)
+    return Explained(verdicts, found, [] if stated else stale, stated)

@@ -88,31 +88,37 @@ def show(console: Console, explained: Explained) -> None:
     table.add_row("all", *(str(row[c]) for c in _COLUMNS), _percent(row["score"]))
     console.print(table)
     for verdict in explained.verdicts:
-        if verdict.how == "survived":
+        if verdict.how == "survived" and not explained.unevaluated(verdict):
             _show_survivor(console, verdict, explained)
     for line in explained.stale:
         plain(console, f"stale reason: {line}", style="red")
-    plain(console, f"score {_percent(row['score'])}: {row['killed']} of {row['counted']} mutants killed")
+    by = " by properties alone" if explained.stated else ""
+    plain(console, f"score{by} {_percent(row['score'])}: {row['killed']} of {row['counted']} mutants killed")
 
 
-_COLUMNS = ("mutants", "invalid", "equivalent", "killed", *KILLS, "survived")
+_COLUMNS = ("mutants", "invalid", "equivalent", "unevaluated", "killed", *KILLS, "survived")
 
 
 def numbers(explained: Explained, module: str | None = None) -> dict[str, Any]:
-    """Count the verdicts on a module's mutants, or on all. A score is None where no mutant counts."""
+    """Count the verdicts on a module's mutants, or on all. A score is None where no mutant counts.
+
+    Where only properties kill, a mutant that no model evaluates does not count.
+    """
     verdicts = [v for v in explained.verdicts if module in (None, v.mutant.module)]
     how: Counter[str] = Counter(v.how for v in verdicts)
-    equivalent = sum(map(explained.equivalent, verdicts))
+    unevaluated = sum(map(explained.unevaluated, verdicts))
+    equivalent = sum(explained.equivalent(v) and not explained.unevaluated(v) for v in verdicts)
     killed = sum(how[kill] for kill in KILLS)
-    counted = len(verdicts) - how["invalid"] - equivalent
+    counted = len(verdicts) - how["invalid"] - equivalent - unevaluated
     return {
         "mutants": len(verdicts),
         "invalid": how["invalid"],
         "equivalent": equivalent,
+        "unevaluated": unevaluated,
         "counted": counted,
         "killed": killed,
         **{kill: how[kill] for kill in KILLS},
-        "survived": how["survived"] - equivalent,
+        "survived": how["survived"] - equivalent - unevaluated,
         "score": round(killed / counted, 4) if counted else None,
     }
 
@@ -121,7 +127,8 @@ def as_json(explained: Explained, seconds: float) -> dict[str, Any]:
     """Return everything as a JSON document."""
     modules = sorted({v.mutant.module for v in explained.verdicts})
     return {
-        "ok": not explained.unexplained and not explained.stale,
+        "ok": explained.ok,
+        "properties_alone": explained.stated,
         "seconds": round(seconds, 1),
         "all": numbers(explained),
         "modules": {module: numbers(explained, module) for module in modules},
@@ -151,10 +158,13 @@ def _mutant_as_json(verdict: Verdict, explained: Explained) -> dict[str, Any]:
 def _show_survivor(console: Console, verdict: Verdict, explained: Explained) -> None:
     reason = explained.reasons.get(verdict.mutant.id)
     past = ", ".join(verdict.evaluating)
-    plain(console, f"survivor {verdict.mutant.id}", style=None if reason else "red")
+    plain(console, f"survivor {verdict.mutant.id}", style=None if reason or explained.stated else "red")
     plain(console, f"  {change(verdict.mutant)}")
     plain(console, f"  not noticed by {past}" if past else "  no check evaluates it")
-    plain(console, f"  {'equivalent: ' if reason.equivalent else ''}{reason.reason}" if reason else "  NO REASON")
+    if reason:
+        plain(console, f"  {'equivalent: ' if reason.equivalent else ''}{reason.reason}")
+    elif not explained.stated:
+        plain(console, "  NO REASON")
 
 
 def _percent(score: float | None) -> str:

@@ -77,6 +77,13 @@ RUNS = {
         "mutants --against all --lane smoke --sample 600 --seed 1",
         summaries.mutants,
     ),
+    "mutation-properties": _s7check(
+        "Mutation, properties alone",
+        "Mutants before the properties of the models of the smoke lane: no counts, timeouts, errors or logs. Those "
+        "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
+        "mutants --against properties --lane smoke --sample 100 --seed 1",
+        summaries.mutants,
+    ),
     "witnesses": _s7check(
         "Witnesses",
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",

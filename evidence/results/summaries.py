@@ -43,10 +43,11 @@ def models(text: str) -> list[Table]:
 def mutants(text: str) -> list[Table]:
     """The score, by module, and how mutants were killed."""
     report: dict[str, Any] = json.loads(text)
-    columns = ("mutants", "invalid", "equivalent", "killed", "survived", "score")
+    unevaluated = ("unevaluated",) if report["properties_alone"] else ()
+    columns = ("mutants", "invalid", "equivalent", *unevaluated, "killed", "survived", "score")
     groups = {**report["modules"], "all": report["all"]}
     score: list[list[Cell]] = [[name, *(numbers[column] for column in columns)] for name, numbers in groups.items()]
-    counted = {*columns, "counted"}
+    counted = {*columns, "counted", "unevaluated"}
     kills: list[list[Cell]] = [[how, number] for how, number in report["all"].items() if how not in counted]
     return [Table(["module", *columns], score), Table(["killed by", "mutants"], kills)]
 

@@ -63,11 +63,11 @@ def spec(tmp_path: Path) -> Path:
     return tmp_path / "spec"
 
 
-def judged(spec: Path, *checks: FakeCheck, thorough: bool = False) -> dict[str, Verdict]:
+def judged(spec: Path, *checks: FakeCheck, thorough: bool = False, stated: bool = False) -> dict[str, Verdict]:
     """Judge all its mutants; return the verdicts by change."""
     modules = read_modules(spec)
     found = mutants(modules, ["M"])
-    bench = Bench(spec, modules, Findings(spec.parent / "findings.ndjson"), thorough)
+    bench = Bench(spec, modules, Findings(spec.parent / "findings.ndjson"), thorough, stated)
     bench.calibrate(checks, found, lambda _: None)
     return {f"{v.mutant.was} -> {v.mutant.by}": v for v in bench.judge_all(found, 2, lambda _: None)}
 
@@ -132,6 +132,16 @@ def test_a_weak_kill_is_enough_unless_thorough(spec: Path) -> None:
     thorough = judged(spec, weak, strong, thorough=True)
     assert (thorough["x + 1 -> x - 1"].how, thorough["x + 1 -> x - 1"].by) == ("property", "strong")
     assert (thorough["1 -> 2"].how, thorough["1 -> 2"].by) == ("count", "weak")
+
+
+def test_only_what_is_stated_kills(spec: Path) -> None:
+    """Where only properties count, a mutant gets past counts, timeouts and errors."""
+    first = FakeCheck("first", {"x - 1": "count", "x + 2": "error", "x >= ": "timeout"})
+    second = FakeCheck("second", {"x - 1": "property"}, seconds=9)
+    verdicts = judged(spec, first, second, stated=True)
+    assert (verdicts["x + 1 -> x - 1"].how, verdicts["x + 1 -> x - 1"].by) == ("property", "second")
+    for change in ("1 -> 2", "x < 5 -> x >= 5"):
+        assert (verdicts[change].how, verdicts[change].evaluating) == ("survived", ("first", "second"))
 
 
 @dataclass

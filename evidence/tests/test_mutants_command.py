@@ -93,6 +93,14 @@ def test_mutants_with_tlc(lamp: Path) -> None:
     assert "no check evaluates it" in output
     assert "NO REASON" in output
 
+    code, output, alone = run(lamp, "--jobs", "1", "--against", "properties", *chosen)
+    assert code == 0
+    assert {m["how"] for m in alone["mutants"]} == {"property", "survived"}
+    assert alone["all"]["counted"] == alone["all"]["mutants"] - alone["all"]["unevaluated"]
+    assert alone["all"]["unevaluated"] == sum(not m["got_past"] and m["how"] == "survived" for m in alone["mutants"])
+    assert alone["all"]["killed"] == sum(m["how"] == "property" for m in document["mutants"])
+    assert "score by properties alone" in output
+
     (lamp / "models" / "survivors.json").write_text('[{"id": "Lamp/Dim/*", "reason": "never", "equivalent": true}]')
     code, output, again = run(lamp, "--jobs", "1", *chosen)
     assert (code, again["all"]["score"]) == (0, 1.0)
