@@ -64,13 +64,13 @@ REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
 	$(BIN)/s7check since $(REV) --json build/since/report.json
 
-typecheck:  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
+typecheck: $(BIN)/s7check  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck
 
-apalache:  ## bounded checks with Apalache (APALACHE_HOME or PATH)
+apalache: $(BIN)/s7check  ## bounded checks with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh check
 
-prove:  ## SFC 41/42 as a counted lock and the life of a time-of-day interrupt, proved by Apalache for any number of calls and start events
+prove: $(BIN)/s7check  ## SFC 41/42 as a counted lock and the life of a time-of-day interrupt, proved by Apalache for any number of calls and start events
 	models/apalache.sh prove
 
 FUZZ ?= 24000

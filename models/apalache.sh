@@ -9,6 +9,7 @@ if ! command -v "$apalache" >/dev/null 2>&1; then
     echo "not run: apalache-mc was not found (release 0.62.1, Java 21 or newer; see README.md)" >&2
     exit 3
 fi
+flatten() { .venv/bin/python -m evidence.tla.flatten "$@"; }
 out=$(mktemp -d)
 mkdir "$out/flat"
 trap 'rm -rf "$out"' EXIT
@@ -18,14 +19,14 @@ typecheck)
     # Between them these extend every module of spec/.
     for module in Explain Inductive Liveness LifeCycle CounterLock Conservation; do
         echo "typecheck $module and what it extends"
-        python3 models/flatten.py "$module" spec >"$out/flat/$module.tla"
+        flatten "$module" spec >"$out/flat/$module.tla"
         "$apalache" typecheck --out-dir="$out" "$out/flat/$module.tla" >"$out/log" 2>&1 || { grep -v "^# " "$out/log"; exit 1; }
     done
     ;;
 check)
     # A bounded check: no counterexample of up to this many steps, not a proof.
     names=$(sed -n 's/^ *\(.*\) <- \(.*\)/\1,\2/p' models/APAirt.cfg | paste -s -d , -)
-    python3 models/flatten.py --only "APInit,APNext,StackAndAirtInv,$names" APAirt models spec \
+    flatten --only "APInit,APNext,StackAndAirtInv,$names" APAirt models spec \
         >"$out/flat/APAirt.tla"
     "$apalache" check --out-dir="$out" --config=models/APAirt.cfg --length=5 \
         --inv=StackAndAirtInv "$out/flat/APAirt.tla"
@@ -33,7 +34,7 @@ check)
 prove)
     # An inductive invariant and what each step does, from every state: for any number of calls and start events.
     for module in APLock APLife; do
-        python3 models/flatten.py "$module" models spec >"$out/flat/$module.tla"
+        flatten "$module" models spec >"$out/flat/$module.tla"
         for claim in "--init=Init --length=0 --inv=Invariant" \
                      "--init=AnyInit --length=1 --inv=Invariant" \
                      "--init=AnyInit --length=1 --inv=Steps"; do

@@ -17,7 +17,7 @@ from evidence.common.processes import Processes
 from evidence.harness.manifest import HEAP_MB
 from evidence.tlc import log_as_tla
 from evidence.tlc import process as tlc
-from evidence.tlc.workspace import CONFIG_NAME, Workspace
+from evidence.tlc.workspace import CONFIG_NAME, Workspace, as_one_module
 from s7check.log.source import open_log
 
 MODULE = "Agreement"
@@ -57,7 +57,7 @@ def judge(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequenc
         scratch.mkdir()
         (folder / f"{MODULE}.tla").write_text(log_as_tla.module(MODULE, files, _REACHED), encoding="utf-8")
         (folder / CONFIG_NAME).write_text(f"{log_as_tla.CONFIGURATION}INVARIANT Reached\n", encoding="utf-8")
-        space = Workspace(folder, f"{MODULE}.tla", (spec,), scratch)
+        space = as_one_module(Workspace(folder, f"{MODULE}.tla", (spec,), scratch))
         run = tlc.run(tools, space, _OPTIONS, processes)
     if run.outcome.kind != "passed":
         if _BEGUN not in run.output:

@@ -1,7 +1,7 @@
 """The temporary copy of ``spec/`` and ``models/`` that a run works on, with the text of a negative control changed.
 
 Every run has a copy, also one that changes nothing: TLC writes next to what it reads, and nothing of that is to get
-into the repository.
+into the repository. The model's module stands there with all that it extends, which TLC starts faster with.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import shutil
 from pathlib import Path
 
 from evidence.harness.manifest import Model, Mutation
-from evidence.tlc.workspace import Workspace
+from evidence.tlc.workspace import Workspace, as_one_module
 
 
 class StaleMutationError(ValueError):
@@ -30,7 +30,7 @@ def prepare(root: Path, spec: Path, models: Path, model: Model) -> Workspace:
     library = [root / "models", *sorted({p.parent for p in (root / "spec").rglob("*.tla")})]
     workspace = Workspace(directory, model.module.name, tuple(library), scratch)
     workspace.config.write_text(model.config, encoding="utf-8")
-    return workspace
+    return as_one_module(workspace)
 
 
 def _copy_modules(source: Path, target: Path) -> None:

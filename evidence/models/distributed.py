@@ -132,6 +132,7 @@ class _Run:
         self.parser = Parser()
         self.lines: list[str] = []
         self._harness, self._cluster, self._root, self._tell = harness, cluster, root, tell
+        self._space = space
         self._host = cluster.host or LOOPBACK
         self._port = PORT if cluster.host else _free_port()
         self._ready = threading.Event()
@@ -188,7 +189,8 @@ class _Run:
 
     def _read_server(self) -> None:
         assert self._server.stdout is not None
-        for line in self._server.stdout:
+        for said in self._server.stdout:
+            line = self._space.located(said)
             self.lines.append(line)
             for message in self.parser.feed(line):
                 self._listen(message)

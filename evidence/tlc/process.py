@@ -139,7 +139,8 @@ def run(
     lines: list[str] = []
     try:
         assert process.stdout is not None
-        for line in process.stdout:
+        for said in process.stdout:
+            line = space.located(said)
             lines.append(line)
             for message in parser.feed(line):
                 listen(message)

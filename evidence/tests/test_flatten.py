@@ -1,0 +1,101 @@
+"""A module and all that it extends as one module, and the places that tools name in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from evidence.common.checkout import ROOT
+from evidence.tla.flatten import flatten, keep_only
+from evidence.tla.modules import closure, read_modules
+from evidence.tla.syntax import Module, SyntaxTreeError, references
+from evidence.tlc.workspace import Workspace, as_one_module
+
+BASE = """---- MODULE Base ----
+EXTENDS Integers,
+        Sequences
+(* Above. *)
+\\* @type: Int => Int;
+Twice(n) == 2 * n
+\\* @type: Int => Int;
+Thrice(n) == 3 * n (* beside *)
+====
+what stands below is no part of it
+"""
+TOP = """---- MODULE Top ----
+EXTENDS Base, FiniteSets
+Four == Twice(2)
+====
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with two modules."""
+    (tmp_path / "Base.tla").write_text(BASE, encoding="utf-8")
+    (tmp_path / "Top.tla").write_text(TOP, encoding="utf-8")
+    return tmp_path
+
+
+def test_extended_modules_come_first_and_standard_modules_stay_extended(folder: Path) -> None:
+    """Each module's text stands once, before the modules that extend it."""
+    lines = [line for line in flatten("Top", [folder]).text.splitlines() if line.strip()]
+    assert lines == [
+        "---- MODULE Top ----",
+        "EXTENDS Integers, Sequences, FiniteSets",
+        "(* Above. *)",
+        "\\* @type: Int => Int;",
+        "Twice(n) == 2 * n",
+        "\\* @type: Int => Int;",
+        "Thrice(n) == 3 * n (* beside *)",
+        "Four == Twice(2)",
+        "====",
+    ]
+
+
+def test_each_line_has_the_place_from_which_it_comes(folder: Path) -> None:
+    """A place in the one module becomes the place in the module of its author."""
+    flat = flatten("Top", [folder])
+    number = flat.text.splitlines().index("Thrice(n) == 3 * n (* beside *)") + 1
+    said = f"<Next line {number}, col 1 to line {number}, col 18 of module Top>"
+    assert flat.located(said) == "<Next line 8, col 1 to line 8, col 18 of module Base>"
+    assert flat.located("line 1, col 1 to line 1, col 2 of module Other") == (
+        "line 1, col 1 to line 1, col 2 of module Other"
+    )
+
+
+def test_only_the_definitions_that_are_needed_are_kept_with_their_types(folder: Path) -> None:
+    """Operators that nothing needs are left out, with the types above them."""
+    kept = keep_only(flatten("Top", [folder]), ["Four"])
+    assert "Twice(n)" in kept
+    assert "Thrice" not in kept
+    assert kept.count("@type") == 1
+    assert "(* Above. *)" in kept
+
+
+def test_nothing_of_a_model_is_lost() -> None:
+    """Every definition of a model's modules is there and uses the same names."""
+    modules = read_modules(ROOT / "spec") | read_modules(ROOT / "models")
+    flat = Module("MCAirt", flatten("MCAirt", [ROOT / "models", ROOT / "spec"]).text.encode())
+    parts = [modules[name] for name in closure("MCAirt", modules)]
+    wanted = {name: unit for part in parts for name, unit in part.definitions.items()}
+    assert flat.definitions.keys() == wanted.keys()
+    assert all(references(flat.definitions[name]) == references(unit) for name, unit in wanted.items())
+
+
+@pytest.mark.parametrize("text", ["no module", "---- MODULE Top ----\nA == \n====\n"])
+def test_a_module_that_cannot_be_read_is_left_to_tlc(tmp_path: Path, text: str) -> None:
+    """The file stays as it is, so that TLC names the place of the mistake."""
+    (tmp_path / "Top.tla").write_text(text, encoding="utf-8")
+    with pytest.raises(SyntaxTreeError, match=r"Top\.tla"):
+        flatten("Top", [tmp_path])
+    space = as_one_module(Workspace(tmp_path, "Top.tla", (), tmp_path))
+    assert space.flat is None
+    assert (tmp_path / "Top.tla").read_text(encoding="utf-8") == text
+
+
+def test_a_module_that_is_not_there_is_named(tmp_path: Path) -> None:
+    """The message has its name."""
+    with pytest.raises(SyntaxTreeError, match="None"):
+        flatten("None", [tmp_path])
