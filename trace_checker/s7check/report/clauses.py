@@ -44,3 +44,8 @@ def clause(name: str) -> Clause:
 def named(text: str) -> list[str]:
     """The IDs in a text that stand for a clause, each once."""
     return [name for name in dict.fromkeys(_NAMED.findall(text)) if name in _clauses()]
+
+
+def requirements() -> list[str]:
+    """The IDs of all requirements, in the order of the documents; questions that the sources leave open are none."""
+    return [name for name in _clauses() if not name.startswith("AMB-")]

@@ -1,0 +1,1 @@
+"""Makes the programs of the conformance kit."""

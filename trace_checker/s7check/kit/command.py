@@ -1,0 +1,201 @@
+"""``s7check kit``."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import click
+
+from s7check.kit import formats
+from s7check.kit.adapter import AdapterError
+from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
+from s7check.kit.layout import to_text
+from s7check.kit.offer import Offer, read_offer
+from s7check.kit.program import Program
+from s7check.kit.results import Result
+from s7check.kit.running import Runner
+from s7check.letters import set_option
+from s7check.log.errors import UnusableLogError
+from s7check.log.header import PROFILES
+from s7check.output import echo, write_whole
+from s7check.report.progress import ProgressBar
+
+_ENDINGS = " ".join(formats.FORMATS)
+
+_FILES = click.option(
+    "--programs",
+    "files",
+    multiple=True,
+    type=click.Path(exists=True, path_type=Path),
+    help="Programs of this file or folder in place of the kit's. May be given several times.",
+    metavar="FILE",
+)
+_ONLY = click.option(
+    "--only",
+    multiple=True,
+    help="Programs whose name fits the pattern, such as 'AIRT-*'. May be given several times.",
+    metavar="PATTERN",
+)
+_REQUIREMENT = click.option(
+    "--requirement",
+    "requirements",
+    multiple=True,
+    help="Programs about this requirement, such as AIRT-03. May be given several times.",
+    metavar="ID",
+)
+
+
+@click.group("kit", short_help="Run the conformance kit on an implementation.")
+def kit_command() -> None:
+    """Programs that bring a CPU to the places where implementations go wrong.
+
+    docs/checking/kit.md describes programs and adapters.
+    """
+
+
+def _chosen(files: tuple[Path, ...], only: tuple[str, ...], requirements: tuple[str, ...]) -> list[Program]:
+    try:
+        programs = chosen(programs_of(files), only, requirements)
+    except UnreadableProgramError as error:
+        raise click.ClickException(str(error)) from error
+    if not programs:
+        raise click.ClickException("expected a choice of programs; no program fits it (see `s7check kit list`)")
+    return programs
+
+
+@kit_command.command("list", short_help="List programs.")
+@_ONLY
+@_REQUIREMENT
+@_FILES
+def list_command(only: tuple[str, ...], requirements: tuple[str, ...], files: tuple[Path, ...]) -> int:
+    """List the programs: name, requirements, what each is about."""
+    for program in _chosen(files, only, requirements):
+        echo(f"{program.name}  {' '.join(program.requirements)}  {program.about}")
+    return 0
+
+
+@kit_command.command("show", short_help="Show a program.")
+@click.argument("name")
+@_FILES
+def show_command(name: str, files: tuple[Path, ...]) -> int:
+    """Show the program NAME, laid out as JSON."""
+    for program in _chosen(files, (name,), ()):
+        echo(to_text(program.raw).rstrip("\n"))
+    return 0
+
+
+def _offer(_: click.Context, __: click.Parameter, file: Path | None) -> Offer:
+    if file is None:
+        return Offer()
+    try:
+        return read_offer(file)
+    except UnusableLogError as error:
+        raise click.BadParameter(f"{file}: {error.reason}") from error
+
+
+def _outputs(_: click.Context, __: click.Parameter, names: tuple[Path, ...]) -> tuple[Path, ...]:
+    for name in names:
+        if name.suffix not in formats.FORMATS:
+            raise click.BadParameter(f"expected a name that ends with one of {_ENDINGS}; found {name}")
+    return names
+
+
+@kit_command.command("run", short_help="Run programs on an implementation and judge its logs.")
+@_ONLY
+@_REQUIREMENT
+@_FILES
+@click.option(
+    "--offer",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    callback=_offer,
+    help="What the CPU offers, a JSON object; programs that need more are skipped.",
+    metavar="FILE",
+)
+@click.option("--jobs", type=click.IntRange(1, 64), help="Adapters at work at a time, by default one a core.")
+@click.option(
+    "--timeout",
+    type=click.FloatRange(min=0, min_open=True),
+    default=60.0,
+    show_default=True,
+    help="Seconds that a program may take; after them its adapter is ended and the program has failed.",
+    metavar="SECONDS",
+)
+@click.option(
+    "--resume",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Keep every result in FILE, and do not run again what it has.",
+    metavar="FILE",
+)
+@click.option(
+    "--logs",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Keep the log of every program in this folder.",
+    metavar="FOLDER",
+)
+@click.option(
+    "--output",
+    "outputs",
+    multiple=True,
+    type=click.Path(dir_okay=False, path_type=Path),
+    callback=_outputs,
+    help="Write the result to FILE too: .txt, .json, .xml (JUnit), .html or .svg, a badge. May be given several times.",
+    metavar="FILE",
+)
+@click.option("--profile", type=click.Choice(PROFILES), help="Judge every log by this edition of the manual.")
+@set_option("Judge every log by this reading of an open question. May be given several times.")
+@click.argument("command", nargs=-1, required=True, type=click.UNPROCESSED)
+def run_command(
+    only: tuple[str, ...],
+    requirements: tuple[str, ...],
+    files: tuple[Path, ...],
+    offer: Offer,
+    jobs: int | None,
+    timeout: float,
+    resume: Path | None,
+    logs: Path | None,
+    outputs: tuple[Path, ...],
+    profile: str | None,
+    letters: dict[str, str],
+    command: tuple[str, ...],
+) -> int:
+    r"""Run the programs through the adapter COMMAND, judge each log, and say which requirements are kept.
+
+    Write -- before the command. The adapter reads a program a line from standard input and writes its log to standard
+    output, with the line {"event": "done"} behind it.
+
+    \b
+    Exit codes: 0 no program failed, 1 one did, 2 wrong arguments, 3 a log could not be judged.
+    """
+    programs = _chosen(files, only, requirements)
+    runner = Runner(
+        command,
+        jobs=jobs or os.cpu_count() or 1,
+        timeout=timeout,
+        offer=offer,
+        logs=logs,
+        resume=resume,
+        profile=profile,
+        letters=letters,
+    )
+    try:
+        with ProgressBar(len(programs)) as progress:
+
+            def told(result: Result) -> None:
+                progress.done()
+                progress.begin(result.name)
+
+            results = runner.run(programs, told)
+        echo(formats.to_text(results))
+        for output in outputs:
+            write_whole(output, formats.FORMATS[output.suffix](results))
+    except AdapterError as error:
+        raise click.ClickException(str(error)) from error
+    except OSError as error:
+        raise click.FileError(str(error.filename), hint=error.strerror or str(error)) from error
+    return _exit_code(results)
+
+
+def _exit_code(results: list[Result]) -> int:
+    statuses = {result.status for result in results}
+    return 3 if "no verdict" in statuses else 1 if "failed" in statuses else 0

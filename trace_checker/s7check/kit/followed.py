@@ -1,0 +1,139 @@
+"""Whether a log is the log of its program: the CPU of the header, the events from outside, the calls in their order.
+
+This says nothing about the CPU, whose behaviour the specification judges: it finds an adapter that runs another program
+or leaves parts of it out.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from s7check.kit.program import Program
+from s7check.log.errors import UnusableLogError
+from s7check.log.events import OPERANDS, read_event
+from s7check.log.header import read_header
+from s7check.log.jsonline import decode_object
+
+_OF_PROGRAM = ("cpu", "obs", "clock", "mode", "priority", "step7")
+
+_SURE = ("load", "delete", "restart")
+"""Events from outside that reach a CPU in every mode."""
+
+
+def departure(program: Program, log: Sequence[bytes]) -> str:
+    """The first place where the log is not that of the program; empty if there is none.
+
+    ``log`` has been judged, so its lines can be read up to the first that cannot.
+    """
+    lines = [line for line in log if line.strip()]
+    if not lines:
+        return "the log is empty"
+    try:
+        header = read_header(decode_object(lines[0]))
+    except UnusableLogError:
+        return ""  # the verdict says it
+    own = program.log_header()
+    for field in _OF_PROGRAM:
+        if _ordered(header[field]) != _ordered(own[field]):
+            return f'line 1: field "{field}": expected that of the program'
+    events = list(_events(lines))
+    return _outside(program, events) or _calls(program, events)
+
+
+def _ordered(value: Any) -> Any:
+    """Maps of the header have become lists in the order in which they were written."""
+    return sorted(value, key=str) if isinstance(value, list) else value
+
+
+def _events(lines: Sequence[bytes]) -> Iterator[tuple[int, dict[str, Any]]]:
+    for number, line in enumerate(lines[1:], 2):
+        try:
+            yield number, read_event(decode_object(line))
+        except UnusableLogError:
+            return
+
+
+def _outside(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:
+    logged = Counter((event["event"], event.get("ob")) for _, event in events)
+    for event in program.outside:
+        name = (event["event"], event.get("ob"))
+        if event["event"] not in _SURE or event["after"] >= program.duration or "every" in event:
+            continue
+        if logged[name] == 0:
+            what = event["event"] + (f" of OB {event['ob']}" if "ob" in event else "")
+            return f"the log has no {what}, which comes after {event['after']} ms"
+        logged[name] -= 1
+    return ""
+
+
+class _Runs:
+    """The calls that are still to come in each run of an OB."""
+
+    def __init__(self, program: Program) -> None:
+        self._bodies = {
+            (body.ob, body.run): [_call(step) for step in body.steps if "call" in step] for body in program.bodies
+        }
+        self._last = max((body.run for body in program.bodies), default=0) + 1
+        self._started: Counter[int] = Counter()
+
+    def start(self, ob: int) -> list[dict[str, Any]]:
+        """The calls of the next run."""
+        self._started[ob] += 1
+        return self.of(ob, self._started[ob])
+
+    def of(self, ob: int, run: int) -> list[dict[str, Any]]:
+        return list(self._bodies.get((ob, run), self._bodies.get((ob, 0), [])))
+
+    def cycle_with_calls(self) -> list[dict[str, Any]]:
+        """The calls of the next cycle of OB 1 that has some."""
+        while self._started[1] <= self._last:
+            calls = self.start(1)
+            if calls:
+                return calls
+        return self.of(1, self._last)
+
+
+def _call(step: dict[str, Any]) -> dict[str, Any]:
+    return {"call": step["call"], **{name: read(step[name]) for name, read in OPERANDS[step["call"]].items()}}
+
+
+_STARTUP = {"warm": 100, "cold": 102}
+
+
+def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:
+    runs = _Runs(program)
+    cycles_logged = bool(program.header.get("cycle"))
+    # Starts and ends of the OB below all others, OB 1 or a startup OB, need not be there.
+    lowest = _STARTUP["warm"] if program.header.get("mode") == "STARTUP" else 1
+    below: list[dict[str, Any]] | None = None
+    stack: list[tuple[int, list[dict[str, Any]]]] = []
+    if cycles_logged and program.header.get("mode") == "RUN":
+        stack.append((1, runs.start(1)))  # it runs when the log begins
+    for number, event in events:
+        name = event["event"]
+        if name == "start" and (event["ob"] != 1 or cycles_logged):
+            stack.append((event["ob"], runs.start(event["ob"])))
+        elif name == "end" and stack and stack[-1][0] == event["ob"]:
+            _, left = stack.pop()
+            if left:
+                return f"line {number}: expected {left[0]['call']} before the end of OB {event['ob']}"
+        elif name in ("stop", "restart", "run"):
+            if name != "run":
+                stack.clear()
+            lowest = _STARTUP[event["type"]] if name == "restart" else 1
+            below = None
+        elif name in OPERANDS:
+            if stack:
+                left = stack[-1][1]
+            else:
+                if not below:
+                    below = runs.cycle_with_calls() if lowest == 1 else runs.start(lowest)
+                left = below
+            if not left:
+                return f"line {number}: no call of the program is left here"
+            called = {"call": name, **{field: event[field] for field in OPERANDS[name]}}
+            if left.pop(0) != called:
+                return f"line {number}: expected the next call of the program"
+    return ""

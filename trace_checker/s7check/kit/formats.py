@@ -1,0 +1,192 @@
+"""The results of a run as text, JSON, JUnit, HTML and a badge."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from importlib.resources import files
+from xml.etree import ElementTree as Xml
+
+import click
+import msgspec
+
+from s7check.kit.results import STATES, Outcome, Result, outcomes
+from s7check.log.errors import ranges
+from s7check.report.clauses import clause
+from s7check.report.markup import Node, document, node
+
+_COLOURS = {"passed": "green", "failed": "red", "skipped": "yellow", "no verdict": "magenta", "not reached": "blue"}
+
+
+_SHOWN = 6
+"""Programs named for a requirement."""
+
+
+def to_text(results: Sequence[Result]) -> str:
+    """Failed programs with their reports, then the requirements."""
+    lines = []
+    for result in results:
+        if result.status in ("failed", "no verdict"):
+            lines.append(f"{result.name}: {_coloured(result.status)}: {result.reason}")
+            lines += [f"    {line}" for line in result.report.splitlines()]
+    requirements = outcomes(results)
+    lines += [_programs(results), _requirements(requirements)]
+    for state in ("failed", "skipped"):
+        if named := [one for one in requirements if one.state == state]:
+            lines.append(f"  {_coloured(state)}:")
+            lines += [f"    {_outcome(one)}" for one in named]
+    if left := [one.requirement for one in requirements if one.state == "not reached"]:
+        lines.append(f"  {_coloured('not reached')}: {_areas(left)}")
+    return "\n".join(lines)
+
+
+def _areas(names: Sequence[str]) -> str:
+    """Such as ``AIRT 03, 06-08; OBS 20``."""
+    numbers: dict[str, list[int]] = {}
+    for name in names:
+        area, _, number = name.partition("-")
+        numbers.setdefault(area, []).append(int(number))
+    return "; ".join(f"{area} {ranges(found)}" for area, found in numbers.items())
+
+
+def _coloured(state: str) -> str:
+    return click.style(state, fg=_COLOURS[state], bold=True)
+
+
+def _programs(results: Sequence[Result]) -> str:
+    counts = Counter(result.status for result in results)
+    listed = ", ".join(f"{counts[status]} {_coloured(status)}" for status in _COLOURS if counts[status])  # type: ignore[index]
+    return f"{len(results)} programs: {listed or 'none'}"
+
+
+def _requirements(requirements: Sequence[Outcome]) -> str:
+    counts = Counter(one.state for one in requirements)
+    listed = ", ".join(f"{counts[state]} {_coloured(state)}" for state in STATES if counts[state])
+    return f"{len(requirements)} requirements: {listed}"
+
+
+def _outcome(one: Outcome) -> str:
+    names, more = one.failed[:_SHOWN], len(one.failed) - _SHOWN
+    said = "; ".join(one.reasons) if one.state == "skipped" else ", ".join(names)
+    return f"{one.requirement}: {said}" + (f" and {more} more" if more > 0 else "")
+
+
+def to_json(results: Sequence[Result]) -> bytes:
+    """One object: the programs and the requirements."""
+    content = {"programs": list(results), "requirements": outcomes(results)}
+    return msgspec.json.format(msgspec.json.encode(content), indent=1) + b"\n"
+
+
+def to_junit(results: Sequence[Result]) -> bytes:
+    """A test case a program."""
+    counts = Counter(result.status for result in results)
+    numbers = {
+        "tests": str(len(results)),
+        "failures": str(counts["failed"]),
+        "errors": str(counts["no verdict"]),
+        "skipped": str(counts["skipped"]),
+    }
+    root = Xml.Element("testsuites", numbers)
+    suite = Xml.SubElement(root, "testsuite", {"name": "s7check kit run", **numbers})
+    kinds = {"failed": "failure", "no verdict": "error", "skipped": "skipped"}
+    for result in results:
+        area = result.name.split("-")[0]
+        attributes = {"classname": f"s7check.kit.{area}", "name": result.name, "time": f"{result.seconds:g}"}
+        case = Xml.SubElement(suite, "testcase", attributes)
+        if kind := kinds.get(result.status):
+            Xml.SubElement(case, kind, {"message": result.reason}).text = result.report
+    Xml.indent(root)
+    written: bytes = Xml.tostring(root, encoding="utf-8", xml_declaration=True)
+    return written + b"\n"
+
+
+def to_html(results: Sequence[Result]) -> bytes:
+    """A page: the requirements with the programs about them, and the failed programs with their reports."""
+    requirements = outcomes(results)
+    style = (files("s7check.report") / "report.css").read_text(encoding="utf-8")
+    failed = [result for result in results if result.status in ("failed", "no verdict")]
+    return document(
+        "s7check kit run",
+        style,
+        "",
+        node("h1", "Conformance to the S7-300/400 interrupt functions"),
+        node("p", click.unstyle(_programs(results))),
+        node("p", click.unstyle(_requirements(requirements))),
+        *(_failure(result) for result in failed),
+        node("h2", "Requirements"),
+        node("table", *map(_row, requirements)),
+    )
+
+
+_CLASSES = {
+    "passed": "accepted",
+    "failed": "rejected",
+    "skipped": "unusable",
+    "not reached": "none",
+    "no verdict": "none",
+}
+
+
+def _class(state: str) -> str:
+    return f"verdict {_CLASSES.get(state, 'none')}"
+
+
+def _failure(result: Result) -> Node:
+    badge = node("span", result.status, class_=f"verdict {_CLASSES.get(result.status, 'none')}")
+    report = node("pre", result.report, class_="quote") if result.report else None
+    return node("section", node("h2", badge, result.name), node("p", result.reason), report, id=result.name)
+
+
+def _row(one: Outcome) -> Node:
+    programs = node("td", f"{len(one.passed)} passed")
+    for place, name in enumerate(one.failed):
+        programs.append(node("a", name, href=f"#{name}"))
+        programs[-1].tail = ", " if place + 1 < len(one.failed) else ""
+    if one.failed:
+        programs.text = f"{len(one.passed)} passed, failed: "
+    if one.reasons and one.state == "skipped":
+        programs.text = "; ".join(one.reasons)
+    return node(
+        "tr",
+        node("td", node("span", one.state, class_=f"verdict {_CLASSES.get(one.state, 'none')}")),
+        node("td", one.requirement, class_="id", id=one.requirement),
+        node("td", clause(one.requirement).text),
+        programs,
+    )
+
+
+_BADGE_COLOURS = {"failed": "#c0392b", "passed": "#2e8b57", "none": "#777777"}
+_CHARACTER = 6.6
+
+
+def to_badge(results: Sequence[Result]) -> bytes:
+    """An SVG: how many of the requirements that were reached are kept."""
+    counts = Counter(one.state for one in outcomes(results))
+    reached = counts["passed"] + counts["failed"]
+    state = "failed" if counts["failed"] else "passed" if reached else "none"
+    left, right = "S7 interrupts", f"{counts['passed']} of {reached} requirements"
+    widths = [round(len(text) * _CHARACTER + 12) for text in (left, right)]
+    text = {"fill": "#ffffff", "font_family": "Verdana, sans-serif", "font_size": "11"}
+    picture = node(
+        "svg",
+        node("title", f"{left}: {right}"),
+        node("rect", width=widths[0], height="20", fill="#444444"),
+        node("rect", x=widths[0], width=widths[1], height="20", fill=_BADGE_COLOURS[state]),
+        node("text", left, x="6", y="14", **text),
+        node("text", right, x=widths[0] + 6, y="14", **text),
+        xmlns="http://www.w3.org/2000/svg",
+        width=sum(widths),
+        height="20",
+    )
+    written: bytes = Xml.tostring(picture, encoding="utf-8")
+    return written + b"\n"
+
+
+FORMATS: dict[str, Callable[[Sequence[Result]], bytes]] = {
+    ".txt": lambda results: click.unstyle(to_text(results)).encode() + b"\n",
+    ".json": to_json,
+    ".xml": to_junit,
+    ".html": to_html,
+    ".svg": to_badge,
+}
+"""Ending of a file -> its format."""

@@ -1,0 +1,139 @@
+"""Runs programs through adapters, several at a time, and has the logs judged."""
+
+from __future__ import annotations
+
+import hashlib
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from contextlib import ExitStack
+from pathlib import Path
+
+import msgspec
+
+from s7check.api import check
+from s7check.judging.verdict import Report
+from s7check.kit.adapter import Adapter, Ran
+from s7check.kit.followed import departure
+from s7check.kit.offer import Offer
+from s7check.kit.program import Program
+from s7check.kit.results import Result, result_of
+
+
+class Runner:
+    """Runs programs on the implementation behind ``command``; ``jobs`` adapters work at a time.
+
+    Programs that ``offer`` lacks something for are skipped. With ``logs`` the log of each program is kept in that
+    folder. ``resume`` is a file of results, to which each new one is added; programs that it has are not run again.
+    """
+
+    def __init__(
+        self,
+        command: Sequence[str],
+        *,
+        jobs: int = 1,
+        timeout: float = 60.0,
+        offer: Offer | None = None,
+        logs: Path | None = None,
+        resume: Path | None = None,
+        profile: str | None = None,
+        letters: dict[str, str] | None = None,
+    ) -> None:
+        self._command = tuple(command)
+        self._jobs = jobs
+        self._timeout = timeout
+        self._offer = offer or Offer()
+        self._logs = logs
+        self._resume = resume
+        self._profile = profile
+        self._letters = letters or {}
+
+    def run(self, programs: Sequence[Program], progress: Callable[[Result], None]) -> list[Result]:
+        """The results in the order of the programs; ``progress`` gets each as soon as it is there.
+
+        Raises AdapterError if the command cannot be started, OSError if a file cannot be written.
+        """
+        done = self._kept()
+        results: dict[str, Result] = {}
+        left = []
+        for program in programs:
+            kept = done.get(program.name)
+            if kept is not None and kept.digest == self._digest(program):
+                results[program.name] = kept
+                progress(kept)
+            else:
+                left.append(program)
+        if self._logs is not None:
+            self._logs.mkdir(parents=True, exist_ok=True)
+        for result in self._new(left):
+            results[result.name] = result
+            self._keep(result)
+            progress(result)
+        return [results[program.name] for program in programs]
+
+    def _new(self, programs: Iterable[Program]) -> Iterator[Result]:
+        local = threading.local()
+        with ExitStack() as adapters, ThreadPoolExecutor(self._jobs) as pool:
+            lock = threading.Lock()
+
+            def work(program: Program) -> Result:
+                if not hasattr(local, "adapter"):
+                    local.adapter = Adapter(self._command, self._timeout)
+                    with lock:
+                        adapters.enter_context(local.adapter)
+                return self._result(local.adapter, program)
+
+            futures: list[Future[Result]] = [pool.submit(work, program) for program in programs]
+            try:
+                for future in as_completed(futures):
+                    yield future.result()
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+
+    def _result(self, adapter: Adapter, program: Program) -> Result:
+        digest = self._digest(program)
+        lack = self._offer.lacks(program)
+        if lack:
+            return Result(program.name, digest, "skipped", program.requirements, lack)
+        begun = time.monotonic()
+        ran = adapter.run(program)
+        seconds = round(time.monotonic() - begun, 3)
+        if ran.skipped:
+            return Result(program.name, digest, "skipped", program.requirements, ran.skipped)
+        if self._logs is not None:
+            (self._logs / f"{program.name}.ndjson").write_bytes(b"".join(line + b"\n" for line in ran.log))
+        if ran.failed:
+            return Result(program.name, digest, "failed", program.requirements, ran.failed, seconds=seconds)
+        report = self._judged(program, ran)
+        if report.verdict == "unusable":
+            adapter.end()  # nobody knows what is still under way
+        result = result_of(report, program.name, digest, program.requirements, seconds)
+        if result.status == "passed" and (reason := departure(program, ran.log)):
+            return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
+        return result
+
+    def _judged(self, program: Program, ran: Ran) -> Report:
+        return check(ran.log, profile=self._profile, letters=self._letters, name=program.name)
+
+    def _digest(self, program: Program) -> str:
+        said = [*self._command, self._profile or "", *(f"{name}={value}" for name, value in self._letters.items())]
+        return hashlib.sha256(b"\0".join([program.line(), *(text.encode() for text in said)])).hexdigest()[:16]
+
+    def _kept(self) -> dict[str, Result]:
+        if self._resume is None or not self._resume.exists():
+            return {}
+        results = {}
+        for line in self._resume.read_bytes().splitlines():
+            try:
+                result = msgspec.json.decode(line, type=Result)
+            except msgspec.MsgspecError:
+                continue  # a line that was cut off when the run was broken off
+            results[result.name] = result
+        return results
+
+    def _keep(self, result: Result) -> None:
+        if self._resume is not None and result.status != "no verdict":
+            with self._resume.open("ab") as file:
+                file.write(msgspec.json.encode(result) + b"\n")

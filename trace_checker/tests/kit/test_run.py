@@ -1,0 +1,152 @@
+"""``s7check kit``: adapters that work, fail and lie; the results in every format."""
+
+import json
+import sys
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import pytest
+
+from s7check.cli import main
+from tests.kit.programs import PROGRAM
+
+ADAPTER = Path(__file__).with_name("adapter.py")
+AT = '"at": "2026-11-21T05:59:30"'
+OUTSIDE = (
+    '{"event": "interrupt", "at": "2026-11-21T05:59:30", "ob": 35}\n'
+    '{"event": "start", "at": "2026-11-21T05:59:30", "ob": 35}\n'
+)
+RIGHT = f'{{"event": "DIS_AIRT", {AT}, "ret": 1}}\n'
+EVENTS = {
+    "right": RIGHT,
+    "wrong": f'{{"event": "DIS_AIRT", {AT}, "ret": 2}}\n',
+    "extra": RIGHT + f'{{"event": "EN_AIRT", {AT}, "ret": 0}}\n',
+    "cut": OUTSIDE + f'{{"event": "end", {AT}, "ob": 35}}\n',
+}
+
+
+def program(way: str) -> dict[str, object]:
+    """A program of one call in OB 1, and one in OB 35."""
+    steps = [{"call": "DIS_AIRT"}]
+    return PROGRAM | {
+        "name": f"AIRT-{way}",
+        "requirements": ["AIRT-06"],
+        "duration": 100,
+        "outside": [],
+        "bodies": [{"ob": 1, "run": 1, "steps": steps}, {"ob": 35, "steps": steps}],
+    }
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with the events that the adapter writes."""
+    for name, text in EVENTS.items():
+        (tmp_path / f"{name}.events").write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def run(folder: Path, ways: list[str], *options: str) -> tuple[int, dict[str, dict[str, object]]]:
+    """The exit code and the results by way."""
+    file, output = folder / "programs.ndjson", folder / "out.json"
+    file.write_text("".join(json.dumps(program(way)) + "\n" for way in ways), encoding="utf-8")
+    command = ["--", sys.executable, str(ADAPTER), str(folder)]
+    code = main(["kit", "run", "--programs", str(file), "--output", str(output), *options, *command])
+    results = json.loads(output.read_text(encoding="utf-8"))["programs"] if output.exists() else []
+    return code, {result["name"].partition("-")[2]: result for result in results}
+
+
+def test_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A right log passes; a wrong one fails with the requirement that decides."""
+    code, results = run(folder, ["right", "wrong"])
+    assert code == 1
+    assert (results["right"]["status"], results["right"]["events"]) == ("passed", 1)
+    assert (results["wrong"]["status"], results["wrong"]["deciding"]) == ("failed", ["AIRT-03", "AIRT-04", "AIRT-06"])
+    said = capsys.readouterr().out
+    assert "AIRT-wrong: failed: rejected" in said
+    assert "2 programs: 1 passed, 1 failed" in said
+    assert "AIRT-03: AIRT-wrong" in said
+
+
+@pytest.mark.parametrize(
+    ("way", "reason"),
+    [
+        ("crash", "the adapter ended with exit code 7: out of cheese"),
+        ("hang", "no end within 2 s"),
+        ("garbage", "unusable: "),
+        ("empty", "unusable: expected a header; found an empty log"),
+        ("other", 'not the log of this program: line 1: field "cpu": expected that of the program'),
+        ("extra", "not the log of this program: line 3: no call of the program is left here"),
+        ("cut", "not the log of this program: line 4: expected DIS_AIRT before the end of OB 35"),
+    ],
+)
+def test_failure(folder: Path, way: str, reason: str) -> None:
+    """A program fails, and the next one runs."""
+    code, results = run(folder, [way, "right"], "--timeout", "2", "--jobs", "1")
+    assert code == 1
+    assert results[way]["status"] == "failed"
+    assert str(results[way]["reason"]).startswith(reason)
+    assert results["right"]["status"] == "passed"
+
+
+def test_skips(folder: Path) -> None:
+    """The adapter's own reason, and an offer without an OB."""
+    code, results = run(folder, ["skip"])
+    assert (code, results["skip"]["status"], results["skip"]["reason"]) == (0, "skipped", "no HOLD")
+    offer = folder / "offer.json"
+    offer.write_text('{"obs": [1, 10, 80, 85, 100]}', encoding="utf-8")
+    code, results = run(folder, ["wrong"], "--offer", str(offer))
+    assert (code, results["wrong"]["status"], results["wrong"]["reason"]) == (0, "skipped", "no OB 35")
+
+
+def test_resume(folder: Path) -> None:
+    """What a file has is not run again, but for another command or a changed program."""
+    kept = folder / "kept.ndjson"
+    assert run(folder, ["right"], "--resume", str(kept))[0] == 0
+    (folder / "right.events").write_text(EVENTS["wrong"], encoding="utf-8")
+    assert run(folder, ["right", "wrong"], "--resume", str(kept))[0] == 1
+    assert len(kept.read_text(encoding="utf-8").splitlines()) == 2
+    assert run(folder, ["right"])[0] == 1
+
+
+def test_formats(folder: Path) -> None:
+    """JUnit, HTML, a badge and text."""
+    outputs = {ending: folder / f"out{ending}" for ending in (".xml", ".html", ".svg", ".txt")}
+    run(folder, ["right", "wrong", "skip"], *(f"--output={file}" for file in outputs.values()))
+    suite = Xml.fromstring(outputs[".xml"].read_text(encoding="utf-8"))  # noqa: S314
+    assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
+    assert "AIRT-wrong" in outputs[".html"].read_text(encoding="utf-8")
+    assert "0 of 3 requirements" in outputs[".svg"].read_text(encoding="utf-8")
+    assert "181 requirements" in outputs[".txt"].read_text(encoding="utf-8")
+
+
+def test_logs(folder: Path) -> None:
+    """The log of each program is kept."""
+    run(folder, ["right"], "--logs", str(folder / "logs"))
+    assert len((folder / "logs" / "AIRT-right.ndjson").read_text(encoding="utf-8").splitlines()) == 2
+
+
+def test_wrong_arguments(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One message, and exit code 2."""
+    file = folder / "wrong.json"
+    file.write_text('{"format": "s7-interrupt-program/1", "name": "no name"}', encoding="utf-8")
+    for arguments, message in [
+        (["run", "--programs", str(file), "--", "cpu"], f'{file}: field "name": expected a name'),
+        (["run", "--only", "nothing", "--", "cpu"], "no program fits it"),
+        (["run", "--output", "x.pdf", "--", "cpu"], "expected a name that ends with one of"),
+        (["list", "--requirement", "XYZ-01"], "no program fits it"),
+    ]:
+        assert main(["kit", *arguments]) == 2
+        assert message in capsys.readouterr().err
+    file.write_text(json.dumps(program("right")), encoding="utf-8")
+    assert main(["kit", "run", "--programs", str(file), "--", str(folder / "nowhere")]) == 2
+    assert "cannot be started" in capsys.readouterr().err
+
+
+def test_show_and_list(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A program as it can be read again; a line for each."""
+    file = folder / "one.json"
+    file.write_text(json.dumps(PROGRAM), encoding="utf-8")
+    assert main(["kit", "show", "AIRT-nested", "--programs", str(file)]) == 0
+    assert json.loads(capsys.readouterr().out) == PROGRAM
+    assert main(["kit", "list", "--requirement", "AIRT-03", "--programs", str(file)]) == 0
+    assert capsys.readouterr().out.startswith("AIRT-nested  AIRT-03  Delays nest")
