@@ -8,7 +8,7 @@
 (*   3. every such step is as the ...Step formulas say.                    *)
 (* The classes are 1 to 3 since nothing but their order matters; a stack   *)
 (* in ascending order is then never longer than three.                     *)
-(* models/apalache.sh prove                                                *)
+(* s7check prove 'lock-*'                                                  *)
 (***************************************************************************)
 EXTENDS MCLockAlone
 

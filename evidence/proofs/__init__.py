@@ -1,0 +1,1 @@
+"""Proofs about the specification by Apalache: queries, the text that answers them, and the answers."""

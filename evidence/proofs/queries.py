@@ -1,0 +1,228 @@
+"""The queries of the proofs: models/proofs.json, the actions of System, and the properties of spec/Properties*.tla.
+
+The induction has for each action of System a query: from any state in which the invariant holds, the invariant holds
+after the action, and the step is as every property of steps says. The actions and the properties are read from spec/,
+so that none is forgotten; models/proofs.json lists what is left out of the claim, with the reason.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Annotated, Literal
+
+import msgspec
+from tree_sitter import Node
+
+from evidence.harness.manifest import Mutation
+from evidence.tla.actions import acting, disjuncts
+from evidence.tla.modules import closure, read_modules
+from evidence.tla.syntax import Module, operand, token
+
+MANIFEST = Path("models/proofs.json")
+BOXED = re.compile(r"^(\w+) ==\s*\[\]\[", re.MULTILINE)
+STATED = re.compile(r"^(\w+Inv) ==", re.MULTILINE)
+
+NEXT_OF_CLAIMS = "APNext"
+"""The next-state relation of the abstract specifications in models/."""
+
+Kind = Literal["begins", "step", "follows", "control", "mutant", "claim"]
+
+
+class ManifestError(ValueError):
+    """The manifest of the proofs is wrong; the text names file and field."""
+
+
+class NotProved(msgspec.Struct, forbid_unknown_fields=True):
+    """A formula that is not claimed of an action, and what was tried."""
+
+    action: str
+    formula: str
+    tried: Annotated[str, msgspec.Meta(min_length=10)]
+
+
+class Mutant(Mutation, forbid_unknown_fields=True, kw_only=True):
+    """A changed guard of an action, and the formula that no longer holds of it."""
+
+    name: str
+    action: str
+    formula: str
+
+
+class Claim(msgspec.Struct, forbid_unknown_fields=True):
+    """A query about an abstract specification: from `init`, after `length` steps, the formula holds."""
+
+    name: str
+    module: str
+    init: str
+    length: int
+    formula: str
+
+
+class Induction(msgspec.Struct, forbid_unknown_fields=True):
+    """The names that the induction has in its module; `timeout` in seconds."""
+
+    module: str
+    constants: str
+    first: str
+    any: str
+    invariant: str
+    control: str
+    waiting: int
+    running: int
+    timeout: int
+    instead: dict[str, str] = {}
+    """Operators of spec/, and the operators that stand in their places."""
+
+
+class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
+    """The whole file."""
+
+    version: Literal[1]
+    induction: Induction
+    not_proved: list[NotProved]
+    mutants: list[Mutant]
+    claims: list[Claim]
+
+
+@dataclass(frozen=True)
+class Query:
+    """What Apalache is asked: `expect` of the formulas from `init` after `length` steps of `next`.
+
+    `action` is the action of System, `mutation` a change of the specification; `constants` the initial predicate of
+    the constants; `instead` the operators that stand in the places of others.
+    """
+
+    name: str
+    kind: Kind
+    module: str
+    init: str
+    next: str
+    length: int
+    formulas: tuple[str, ...]
+    timeout: int
+    action: str = ""
+    constants: str = ""
+    instead: tuple[tuple[str, str], ...] = ()
+    expect: Literal["holds", "violated"] = "holds"
+    mutation: Mutation | None = None
+
+
+@dataclass(frozen=True)
+class Proofs:
+    """The manifest with its queries in order, and the properties by module: of steps and of states."""
+
+    file: ProofsFile
+    queries: tuple[Query, ...]
+    actions: tuple[str, ...]
+    steps: dict[str, tuple[str, ...]]
+    states: dict[str, tuple[str, ...]]
+
+    def select(self, names: tuple[str, ...]) -> list[Query]:
+        """The queries whose name or action a glob matches; all without globs. Raises `ManifestError`."""
+        for glob in names:
+            if not any(_matches(query, glob) for query in self.queries):
+                raise ManifestError(f"no query or action is called {glob}: s7check prove --list names them")
+        return [q for q in self.queries if not names or any(_matches(q, glob) for glob in names)]
+
+
+def _matches(query: Query, glob: str) -> bool:
+    return fnmatchcase(query.name, glob) or (query.kind == "step" and fnmatchcase(query.action, glob))
+
+
+def load(root: Path) -> Proofs:
+    """The queries of the checkout at `root`. Raises `ManifestError`, OSError."""
+    path = root / MANIFEST
+    try:
+        file = msgspec.json.decode(path.read_bytes(), type=ProofsFile)
+    except msgspec.MsgspecError as error:
+        raise ManifestError(f"{path}: {error}") from error
+    modules = read_modules(root / "spec")
+    actions = named_actions(modules)
+    steps, states = properties(modules)
+    formulas = {name for names in steps.values() for name in names} | {file.induction.invariant}
+    named = [(cell.action, cell.formula) for cell in file.not_proved]
+    for action, formula in [*named, *((mutant.action, mutant.formula) for mutant in file.mutants)]:
+        if action not in actions:
+            raise ManifestError(f"{path}: {action} is no action of System")
+        if formula not in formulas:
+            raise ManifestError(f"{path}: {formula} is neither a property of steps nor the invariant")
+    return Proofs(file, tuple(_queries(file, actions, steps, states)), actions, steps, states)
+
+
+def named_actions(modules: dict[str, Module]) -> tuple[str, ...]:
+    """The actions of which Next of System is the disjunction."""
+    system = modules["System"]
+    steps = acting(modules[name] for name in closure("System", modules))
+
+    def parts(node: Node) -> list[str]:
+        found = [name for part in disjuncts(node) for name in parts(part) or [token(part)]]
+        return found if all(name in steps for name in found) else []
+
+    def ends(name: str) -> list[str]:
+        return [end for part in parts(operand(system.definitions[name], "definition")) for end in ends(part)] or [name]
+
+    return tuple(ends("Next"))
+
+
+def properties(modules: dict[str, Module]) -> tuple[dict[str, tuple[str, ...]], dict[str, tuple[str, ...]]]:
+    """The properties of steps and of states, by the module of the properties."""
+    texts = {name: m.text.decode() for name, m in modules.items() if name.startswith("Properties")}
+    steps = {name: tuple(BOXED.findall(text)) for name, text in texts.items()}
+    states = {name: tuple(STATED.findall(text)) for name, text in texts.items()}
+    return {k: v for k, v in steps.items() if v}, {k: v for k, v in states.items() if v}
+
+
+def _queries(
+    file: ProofsFile, actions: tuple[str, ...], steps: dict[str, tuple[str, ...]], states: dict[str, tuple[str, ...]]
+) -> list[Query]:
+    base = file.induction
+    anywhere = Query(
+        name="invariants",
+        kind="follows",
+        module=base.module,
+        init=base.any,
+        next=actions[0],
+        length=0,
+        formulas=tuple(name for names in states.values() for name in names),
+        timeout=base.timeout,
+        constants=base.constants,
+        instead=tuple(base.instead.items()),
+    )
+    queries = [replace(anywhere, name="first", kind="begins", init=base.first, formulas=(base.invariant,)), anywhere]
+    left = {(cell.action, cell.formula) for cell in file.not_proved}
+    whole = (base.invariant, *(name for names in steps.values() for name in names))
+    by_action = {}
+    for action in actions:
+        formulas = tuple(formula for formula in whole if (action, formula) not in left)
+        one = replace(anywhere, name=action, kind="step", next=action, action=action, length=1, formulas=formulas)
+        by_action[action] = one
+        control = replace(one, name=f"control-{action}", kind="control", formulas=(base.control,), expect="violated")
+        queries += [one, control]
+    queries += [
+        replace(
+            by_action[mutant.action],
+            name=f"mutant-{mutant.name}",
+            kind="mutant",
+            formulas=(mutant.formula,),
+            expect="violated",
+            mutation=mutant,
+        )
+        for mutant in file.mutants
+    ]
+    return [*queries, *(_claim(claim, base.timeout) for claim in file.claims)]
+
+
+def _claim(claim: Claim, timeout: int) -> Query:
+    return Query(
+        name=claim.name,
+        kind="claim",
+        module=claim.module,
+        init=claim.init,
+        next=NEXT_OF_CLAIMS,
+        length=claim.length,
+        formulas=(claim.formula,),
+        timeout=timeout,
+    )

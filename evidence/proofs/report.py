@@ -1,0 +1,67 @@
+"""The table and the JSON of the proofs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+from evidence.proofs.queries import Proofs, Query
+from evidence.proofs.runner import Result, ok
+
+Answers = list[tuple[Query, Result]]
+
+
+def assumptions(proofs: Proofs) -> str:
+    """What every result of the induction assumes, in a sentence."""
+    base = proofs.file.induction
+    return (
+        f"One step of System from any state in which {base.invariant} holds, in the world of models/{base.module}.tla, "
+        f"with at most {base.waiting} start events that wait and {base.running} OBs that run before the step; "
+        "the calendar by its lemma; readings by default."
+    )
+
+
+def as_json(proofs: Proofs, answers: Answers) -> dict[str, Any]:
+    """The document that ``--json`` writes."""
+    return {
+        "assumptions": assumptions(proofs),
+        "apalache": next((result.version for _, result in answers if result.version), ""),
+        "queries": [
+            {
+                "name": query.name,
+                "kind": query.kind,
+                "action": query.action,
+                "formulas": list(query.formulas),
+                "expect": query.expect,
+                "outcome": result.answer.outcome,
+                "ok": ok(query, result),
+                "conditions": result.answer.checked,
+                "detail": result.answer.detail,
+                "seconds": result.seconds,
+                "megabytes": result.megabytes,
+            }
+            for query, result in answers
+        ],
+        "not_proved": [
+            {"action": cell.action, "formula": cell.formula, "tried": cell.tried} for cell in proofs.file.not_proved
+        ],
+    }
+
+
+def show(console: Console, proofs: Proofs, answers: Answers) -> None:
+    """Print the table, and below it each answer that differs with its counterexample."""
+    console.print(assumptions(proofs), markup=False, highlight=False)
+    table = Table("query", "kind", "claimed", "answer", "conditions", "seconds", "MB")
+    for query, result in answers:
+        numbers = (str(result.answer.checked), f"{result.seconds:.0f}", str(result.megabytes))
+        table.add_row(query.name, query.kind, query.expect, result.answer.outcome, *numbers)
+    console.print(table)
+    for query, result in answers:
+        if not ok(query, result):
+            where = f"; counterexample: {result.answer.trace}" if result.answer.trace else ""
+            said = f"{query.name}: {result.answer.outcome}: {result.answer.detail}{where}"
+            console.print(said, markup=False, highlight=False, soft_wrap=True)
+    for cell in proofs.file.not_proved:
+        console.print(f"not proved: {cell.formula} of {cell.action}: {cell.tried}", markup=False, soft_wrap=True)

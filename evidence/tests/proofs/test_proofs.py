@@ -1,0 +1,283 @@
+"""``s7check prove``: queries that forget nothing, texts that say the same, answers that cannot be had for nothing."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+from evidence.common.checkout import ROOT
+from evidence.common.processes import Processes
+from evidence.harness.manifest import Mutation
+from evidence.proofs import command
+from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
+from evidence.proofs.flatten import FlattenError, definitions
+from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
+from evidence.proofs.report import as_json, assumptions
+from evidence.proofs.runner import Asking, ask, ok, write_texts
+from evidence.proofs.text import as_action, default_letters, put_in_place, read_by_default
+from s7check.cli import main
+
+RECORDED = Path(__file__).parent / "fixtures"
+
+
+@pytest.fixture(scope="module")
+def proofs() -> Proofs:
+    """The queries of the checkout."""
+    return load(ROOT)
+
+
+def recorded(name: str) -> str:
+    """Apalache's output of a run."""
+    return (RECORDED / f"{name}.txt").read_text()
+
+
+# What Apalache says
+
+
+def test_every_condition_holds() -> None:
+    """Each formula asked has conditions, and each condition is said to hold."""
+    assert interpret(recorded("holds"), 0, ["Steps"]) == Answer("holds", 5)
+
+
+def test_a_counterexample() -> None:
+    """The answer names the condition and the file, and how many conditions held before it."""
+    answer = interpret(recorded("violated"), 12, ["Ind"])
+    assert (answer.outcome, answer.checked, answer.detail) == ("violated", 55, "action invariant 55 is violated")
+    assert answer.trace.endswith("violation1.tla")
+
+
+def test_no_condition_was_checked() -> None:
+    """A filter that lets none through: Apalache reports no error and exit code 0."""
+    text = recorded("nothing")
+    assert "EXITCODE: OK" in text
+    answer = interpret(text, 0, ["StackInv"])
+    assert answer.outcome == "nothing checked"
+    assert answer.detail.startswith("0 of ")
+
+
+@pytest.mark.parametrize(
+    ("change", "asked"),
+    [
+        (("State 0: action invariant 3 holds.", ""), ["Steps"]),
+        (("VCGen produced 5 ", "VCGen produced 0 "), ["Steps"]),
+        (("", ""), ["Steps", "Lost"]),
+    ],
+)
+def test_a_condition_is_lost(change: tuple[str, str], asked: list[str]) -> None:
+    """One that is not said to hold, a formula without any, a formula that Apalache does not name."""
+    assert change[0] in recorded("holds")
+    assert interpret(recorded("holds").replace(*change), 0, asked).outcome == "nothing checked"
+
+
+def test_apalache_fails() -> None:
+    """Its first error is the detail; an exit code other than 0 is never a proof."""
+    said = "Configuration error: Neither INIT and NEXT, nor SPECIFICATION   E@06:38:51.659\nEXITCODE: ERROR (255)\n"
+    answer = interpret(said, 255, ["Steps"])
+    assert (answer.outcome, answer.detail) == (
+        "failed",
+        "exit code 255: Configuration error: Neither INIT and NEXT, nor SPECIFICATION",
+    )
+    assert interpret(recorded("holds"), 255, ["Steps"]).outcome == "failed"
+
+
+# What is asked
+
+
+def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
+    """All thirty actions, with the invariant and every property of steps but those that the manifest lists."""
+    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved}
+    properties = {name for names in proofs.steps.values() for name in names}
+    by_kind = {kind: {q.action: q for q in proofs.queries if q.kind == kind} for kind in ("step", "control")}
+    assert len(proofs.actions) == len(set(proofs.actions)) >= 30
+    assert by_kind["step"].keys() == by_kind["control"].keys() == set(proofs.actions)
+    assert len(properties) > 70
+    for action, query in by_kind["step"].items():
+        wanted = {name for name in properties | {"Ind"} if (action, name) not in left}
+        assert set(query.formulas) == wanted
+        assert query.next == action
+        assert (query.init, query.length, query.expect) == ("AnyInit", 1, "holds")
+        assert by_kind["control"][action].expect == "violated"
+
+
+def test_one_invariant_for_all(proofs: Proofs) -> None:
+    """It holds at first, and every property of states follows from it."""
+    first, invariants = (next(q for q in proofs.queries if q.name == name) for name in ("first", "invariants"))
+    assert (first.init, first.formulas) == ("Init", ("Ind",))
+    assert set(invariants.formulas) == {name for names in proofs.states.values() for name in names}
+
+
+def test_queries_are_picked_by_name(proofs: Proofs) -> None:
+    """By globs; an action stands for its step."""
+    assert [q.name for q in proofs.select(("CallDisAirt", "control-CallD*Airt"))] == [
+        "CallDisAirt",
+        "control-CallDisAirt",
+    ]
+    with pytest.raises(ManifestError, match="no query or action is called CallDis:"):
+        proofs.select(("CallDis",))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"version": 2}, "version"),
+        ({"not_proved": [{"action": "Nothing", "formula": "EndProp", "tried": "ten characters"}]}, "no action"),
+        ({"not_proved": [{"action": "EndsOb", "formula": "NoProp", "tried": "ten characters"}]}, "neither a property"),
+        ({"not_proved": [{"action": "EndsOb", "formula": "EndProp", "tried": "no"}]}, "tried"),
+    ],
+)
+def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> None:
+    """The message names the file and the field."""
+    (tmp_path / "models").mkdir()
+    (tmp_path / "spec").symlink_to(ROOT / "spec")
+    manifest = json.loads((ROOT / MANIFEST).read_bytes())
+    (tmp_path / MANIFEST).write_text(json.dumps(manifest | change))
+    with pytest.raises(ManifestError, match=f"proofs.json: .*{said}"):
+        load(tmp_path)
+
+
+# What Apalache reads
+
+
+def test_a_property_becomes_an_action_formula() -> None:
+    """The columns stay."""
+    text = "P ==\n    [][ /\\ a\n        /\\ b ]_vars\nQ == [][c]_<<x>>\n"
+    assert as_action(text).splitlines()[:3] == ["P ==", "    (   /\\ a", "        /\\ b )"]
+
+
+def test_readings_are_read_by_default() -> None:
+    """The letters are those of module Editions."""
+    letters = default_letters('ReadByB ==\n  { "AMB-02",\n  "AMB-27" }\nReadByC == { "AMB-01" }\n')
+    assert letters == {"AMB-02": "b", "AMB-27": "b", "AMB-01": "c"}
+    assert read_by_default('Reading("AMB-02") = "a" /\\ Reading("AMB-09") = "b"', letters) == '"b" = "a" /\\ "a" = "b"'
+
+
+def test_an_operator_is_put_in_the_place_of_another() -> None:
+    """With its type, and what used the one uses the other."""
+    text = "\\* @type: Int => Int;\nF(x) == x\n\nG == F(1)\n\n\\* @type: Int => Int;\nApF(x) ==\n  x + 1\n\nH == 1\n"
+    changed = put_in_place(text, "F", "ApF")
+    assert definitions(changed).keys() == {"F", "G", "H"}
+    assert changed.index("x + 1") < changed.index("G == F(1)")
+    with pytest.raises(FlattenError, match="no definition of K"):
+        put_in_place(text, "K", "ApF")
+
+
+def test_the_text_has_what_the_query_needs(tmp_path: Path, proofs: Proofs) -> None:
+    """And no box, no reading, and of the calendar the lemma."""
+    (query,) = proofs.select(("CallDisAirt",))
+    text, config = write_texts(ROOT, query, tmp_path / "query")
+    assert {"CallDisAirt", "AnyInit", *query.formulas} <= definitions(text).keys()
+    assert "CallSetTint" not in definitions(text)
+    assert "[][" not in text
+    assert 'Reading("' not in text
+    assert "AnyPoint" not in text
+    assert config.startswith("INIT AnyInit\nNEXT CallDisAirt\n")
+    assert (tmp_path / "query" / "APSystem.tla").read_text() == text
+
+
+def test_a_mutation_needs_its_text_once(tmp_path: Path, proofs: Proofs) -> None:
+    """Otherwise the manifest is behind the specification."""
+    (query,) = proofs.select(("CallDisAirt",))
+    change = Mutation(module="Airt.tla", replace="    /\\ delay' = delay + 1\n", by="    /\\ delay' = delay + 2\n")
+    text, _ = write_texts(ROOT, dataclasses.replace(query, mutation=change), tmp_path / "query")
+    assert "delay' = delay + 2" in text
+    stale = msgspec.structs.replace(change, replace="no such text")
+    with pytest.raises(ManifestError, match=r"Airt\.tla has not once the text 'no such text'"):
+        write_texts(ROOT, dataclasses.replace(query, mutation=stale), tmp_path / "query")
+
+
+# Asking
+
+
+def program(folder: Path, output: str, code: int) -> str:
+    """A program in the place of apalache-mc, which says this."""
+    (folder / "output").write_text(output)
+    path = folder / "bin" / "apalache-mc"
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(
+        f"#!{sys.executable}\nimport sys\nprint(open({str(folder / 'output')!r}).read())\nsys.exit({code})\n"
+    )
+    path.chmod(0o755)
+    return str(path)
+
+
+def claim(proofs: Proofs) -> Query:
+    """A query of one formula, ``Steps``."""
+    (query,) = proofs.select(("lock-steps",))
+    return query
+
+
+def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs) -> None:
+    """It is asked again where the text differs, where it was not as claimed, and without ``--resume``."""
+    query = claim(proofs)
+    asking = Asking(ROOT, tmp_path / "build", program(tmp_path, recorded("holds"), 0), Processes())
+    first = ask(asking, query, resume=True)
+    assert ok(query, first)
+    assert (first.kept, first.version) == (False, "0.62.1")
+    assert ask(asking, query, resume=True).kept
+    assert not ask(asking, query, resume=False).kept
+    assert not ask(asking, dataclasses.replace(query, length=2), resume=True).kept
+    violated = dataclasses.replace(asking, program=program(tmp_path, recorded("violated"), 12))
+    assert not ok(query, ask(violated, query, resume=False))
+    assert not ask(violated, query, resume=True).kept
+
+
+def test_too_long(tmp_path: Path, proofs: Proofs) -> None:
+    """A query that does not end in its time is ended."""
+    path = Path(program(tmp_path, "", 0))
+    path.write_text(f"#!{sys.executable}\nimport time\ntime.sleep(60)\n")
+    asking = Asking(ROOT, tmp_path / "build", str(path), Processes())
+    result = ask(asking, dataclasses.replace(claim(proofs), timeout=1), resume=False)
+    assert (result.answer.outcome, result.answer.detail) == ("timeout", "ended after 1 s")
+
+
+@pytest.mark.parametrize(("name", "exit_code", "code"), [("holds", 0, 0), ("violated", 12, 1), ("nothing", 0, 1)])
+def test_exit_codes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, exit_code: int, code: int) -> None:
+    """0 as claimed, 1 where an answer differs."""
+    program(tmp_path, recorded(name), exit_code)
+    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
+    monkeypatch.setattr(command, "BUILD", tmp_path / "build")
+    report = tmp_path / "report.json"
+    with pytest.raises(SystemExit) as ended:
+        main(["prove", "lock-steps", "--json", str(report)])
+    assert ended.value.code == code
+    (query,) = json.loads(report.read_bytes())["queries"]
+    assert query["ok"] == (code == 0)
+
+
+def test_apalache_is_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Exit code 3; nothing is called proved."""
+    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
+    with pytest.raises(SystemExit) as ended:
+        main(["prove", "lock-steps"])
+    assert ended.value.code == 3
+    assert "not run: apalache-mc was not found" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("shard", ["0/2", "3/2", "1", "a/b"])
+def test_a_wrong_shard(shard: str) -> None:
+    """Wrong arguments."""
+    assert main(["prove", "--shard", shard, "--list"]) == 2
+
+
+def test_shards_are_all_queries(proofs: Proofs, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each query is in one shard."""
+    for part in ("1/3", "2/3", "3/3"):
+        main(["prove", "--list", "--shard", part])
+    listed = [line.partition(":")[0] for line in capsys.readouterr().out.splitlines()]
+    assert sorted(listed) == sorted(q.name for q in proofs.queries)
+
+
+def test_the_report_says_what_is_assumed(proofs: Proofs) -> None:
+    """The bounds, the world, the lemma, the readings."""
+    said = assumptions(proofs)
+    for word in ("Ind", "models/APSystem.tla", "at most 3 start events", "3 OBs that run", "lemma", "by default"):
+        assert word in said
+    assert as_json(proofs, [])["assumptions"] == said

@@ -1,0 +1,136 @@
+------------------------------ MODULE APSystem ------------------------------
+(***************************************************************************)
+(* One step of System from ANY state in which Ind holds, for Apalache.     *)
+(*                                                                         *)
+(* The world: two time-of-day OBs, a time-delay OB, a hardware OB, OB 80,  *)
+(* OB 85 and the startup OBs, each loaded or missing; the three families;  *)
+(* classes of OB 10, 11 and 40 as by default or, but on S7-300, set to any *)
+(* that OBS-05 allows.  The clock, the delay count, settings, jobs, what    *)
+(* requests say and the operands of calls are any integers.                *)
+(* Before the step at most three start events wait, three OBs run, and a   *)
+(* time-of-day OB remembers two runs of points of each kind.               *)
+(*                                                                         *)
+(* The calendar: of the first point of a series only what CalendarLemma    *)
+(* says is used; docs/project/proofs.md says how it is checked.            *)
+(* models/proofs.json has the queries; `s7check prove' asks them.          *)
+(***************************************************************************)
+EXTENDS InductiveSystem, Apalache
+
+CONSTANTS
+    (* The CPU at hand, the operands of a call, the moment of an event of    *)
+    (* the world, an event from outside: any.                               *)
+    \* @type: $cpu;
+    AnyCpu,
+    \* @type: $date;
+    AnySdt,
+    \* @type: $moment;
+    AnyMoment,
+    \* @type: Int;
+    AnyOb,
+    \* @type: Int;
+    AnyFault
+
+APTodObs == {10, 11}
+APDintObs == {20}
+APExternalObs == {40, 80, 85}
+APAsyncErrorObs == {80, 85}
+APBlockable == {10, 11, 20, 40, 80, 85}
+APObs == {10, 11, 20, 40, 80, 85, 100, 102}
+APNumbers == Int
+APSdts == {AnySdt}
+APMoments == {AnyMoment}
+\* @type: Set(<<Int, Int>>);
+APInterrupts == {<<AnyOb, AnyFault>>}
+(* The readings that a CPU may show when it is at work. *)
+APAmbiguities == {"AMB-11", "AMB-56", "AMB-57"}
+
+-----------------------------------------------------------------------------
+(* The calendar *)
+
+(* What the proof uses of q, the first point of a series at or after m. *)
+\* @type: (Int, Int, Int, Int) => Bool;
+CalendarLemma(start, period, m, q) ==
+    /\ q = Never \/ (m <= q /\ start <= q /\ q <= LastMinute)
+    /\ period = Once => q = NotBefore(start, m)
+    /\ period = Minutely /\ m <= LastMinute =>
+         q = IF m <= start THEN start ELSE m
+    /\ period # EndOfMonth /\ m <= start => q = start
+
+(* Any point that the lemma allows. *)
+\* @type: (Int, Int, Int) => Int;
+APFirstPoint(start, period, m) ==
+    CHOOSE point \in
+      { IF m > LastMinute THEN Never
+        ELSE IF period = Once THEN NotBefore(start, m)
+        ELSE IF period # EndOfMonth /\ m <= start THEN start
+        ELSE IF period = Minutely THEN m
+        ELSE IF m <= q /\ start <= q /\ q <= LastMinute THEN q ELSE Never
+        : q \in {Gen(1)} } : TRUE
+
+-----------------------------------------------------------------------------
+(* Any CPU, any operands *)
+
+\* @type: Set(Str);
+Executions == { "none", "once", "minute", "hourly", "daily", "weekly",
+                "monthly", "yearly", "end_of_month" }
+
+\* @type: (Str, Int, Bool, Bool) => $step7;
+Setting(execution, start, active, deselected) ==
+    [ execution |-> execution, start |-> start, active |-> active,
+      deselected |-> deselected ]
+
+ChosenCpu ==
+    \E family \in {"S7-300", "S7-400", "CPU 318"},
+       set \in SUBSET {10, 11, 40}, c, d, e \in Nat,
+       x, y \in Executions, s, t \in Nat, a, b, m, n \in BOOLEAN,
+       shown \in SUBSET APAmbiguities,
+       u \in {"b", "c"}, v \in {"a", "b", "d"}, w \in {"a", "b"} :
+      /\ s <= LastMinute /\ t <= LastMinute
+      /\ {c, d, e} \subseteq {0} \cup 2..23
+      /\ family = "S7-300" => set = {}
+      /\ AnyCpu =
+           [ family |-> family,
+             priority |->
+               [o \in set |-> IF o = 10 THEN c ELSE IF o = 11 THEN d ELSE e],
+             step7 |-> [ o \in TodObs |-> IF o = 10 THEN Setting(x, s, a, m)
+                                                   ELSE Setting(y, t, b, n) ],
+             readings |-> [ r \in shown |-> IF r = "AMB-11" THEN u
+                              ELSE IF r = "AMB-56" THEN v ELSE w ] ]
+
+AnyConstants ==
+    /\ ChosenCpu
+    /\ AnySdt = Gen(1)
+    /\ AnyMoment = Gen(1)
+    /\ IsMoment(AnyMoment)
+    /\ AnyOb \in {40, 80, 85}
+    /\ AnyFault \in Int
+
+APFamilies == {AnyCpu.family}
+APPriorities == {AnyCpu.priority}
+APStep7Settings == {AnyCpu.step7}
+APLoads == SUBSET APObs
+
+-----------------------------------------------------------------------------
+
+AnyState ==
+    /\ cpu = AnyCpu
+    /\ loaded \in SUBSET APObs
+    /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
+    /\ startup \in {"none", "warm", "cold", "begun"}
+    /\ clock = Gen(1)
+    /\ \E t \in {Gen(2)}, u \in {Gen(2)} :
+         tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
+    /\ \E j \in {Gen(1)} : dint = [o \in DintObs |-> j]
+    /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
+    /\ requests = Gen(3)
+    /\ stack = Gen(3)
+    /\ delay \in Int
+    /\ stopCause \in Int
+    /\ entered = {}
+    /\ step = Step("any", 0, 0)
+
+AnyInit == AnyState /\ Ind
+
+(* The control: violated by every action that can take a step. *)
+NoStep == step' = step
+=============================================================================

@@ -1,0 +1,77 @@
+--------------------------- MODULE InductiveSystem --------------------------
+(***************************************************************************)
+(* The inductive invariant by which Apalache proves the properties of      *)
+(* System for every clock, delay count and operand: Ind holds at the       *)
+(* beginning and after every action, from whatever state it holds in.      *)
+(*                                                                         *)
+(* `s7check prove' proves this; models/APSystem has the states that it     *)
+(* begins with.                                                            *)
+(* Left out: readings other than the defaults.                             *)
+(***************************************************************************)
+EXTENDS Inductive, Properties
+
+\* @type: Int => Bool;
+IsPoint(p) == p = Never \/ p \in 0..LastMinute
+
+(* Runs of served points lie between the years of the clock. *)
+\* @type: (Int, Int) => Bool;
+IsRun(from, to) == 0 <= from /\ from <= to /\ to <= LastMinute
+
+(* [TINT-30] [TINT-33] [AMB-14] The data of a setting. *)
+SettingDataInv ==
+    \A o \in TodObs :
+      /\ tod[o].start \in 0..LastMinute
+      /\ tod[o].offset = 0
+      /\ tod[o].period \in PeriodCodes
+      /\ IsPoint(tod[o].next)
+      /\ \A i \in tod[o].served : IsRun(i.from, i.to)
+      /\ \A i \in tod[o].earlier : IsRun(i.from, i.to)
+      /\ tod[o].repeatTo >= -1
+
+(* [CLK-09] [CLK-10] Only a CPU that does not serve a point again remembers. *)
+MemoryInv ==
+    Remembers \/ \A o \in TodObs : /\ tod[o].repeatTo = -1
+                                   /\ tod[o].served = {}
+                                   /\ tod[o].earlier = {}
+
+(* [AMB-71] A once that its call uses up is not watched for,    *)
+(* and no other run of its OB waits.                                       *)
+CalledInv ==
+    \A o \in TodObs :
+      tod[o].called => /\ tod[o].active /\ tod[o].period = Once
+                       /\ tod[o].next = Never
+                       /\ mode = "STOP" \/ OnStack(o)
+                       /\ { r \in requests : r.ob = o } = {}
+
+(* [OBS-04] [OBS-05] [OBS-43] The class of a start event and of its OB. *)
+\* @type: (Int, Int) => Bool;
+HasClass(o, c) ==
+    IF o \notin AsyncErrorObs THEN c = ClassOf(o)
+    ELSE c = 28 \/ (mode # "STARTUP" /\ c = ClassOf(o))
+
+RequestDataInv ==
+    \A r \in requests :
+      /\ r.ob \in TodObs \cup DintObs \cup ExternalObs
+      /\ HasClass(r.ob, r.class)
+      /\ r.ob \in AsyncErrorObs => r.follows = 0
+
+FrameDataInv ==
+    \A i \in DOMAIN stack :
+      LET o == stack[i].ob
+          c == stack[i].class
+      IN  \/ o = CycleOb /\ c = 1
+          \/ o \in StartupObs /\ c = 27
+          \/ /\ o \in TodObs \cup DintObs \cup ExternalObs
+             /\ HasClass(o, c)
+             /\ ~Deselected(o)
+
+Ind == /\ IndInv
+       /\ IsMoment(clock)
+       /\ JobInv
+       /\ SettingDataInv
+       /\ MemoryInv
+       /\ CalledInv
+       /\ RequestDataInv
+       /\ FrameDataInv
+       /\ DueInv
+=============================================================================
