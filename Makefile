@@ -70,8 +70,9 @@ typecheck: $(BIN)/s7check  ## type-check every module of spec/ with Apalache (AP
 apalache: $(BIN)/s7check  ## bounded checks with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh check
 
-prove: $(BIN)/s7check  ## SFC 41/42 as a counted lock and the life of a time-of-day interrupt, proved by Apalache for any number of calls and start events
-	models/apalache.sh prove
+SHARD ?= 1/1
+prove: setup  ## the proofs about System and the abstract specifications by Apalache; SHARD=1/4 for a part
+	$(BIN)/s7check prove --resume --shard $(SHARD) --json build/proofs/report-$(subst /,-of-,$(SHARD)).json
 
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence

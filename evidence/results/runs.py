@@ -104,12 +104,12 @@ RUNS = {
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
     ),
-    "proofs": Run(
+    "proofs": _s7check(
         "Proofs",
-        "Inductive invariants of two abstract specifications, by Apalache ([checks](checks.md#by-hand)).",
-        "make prove",
-        ("models/apalache.sh", "prove"),
-        summaries.claims,
+        "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
+        "prove --resume",
+        summaries.proofs,
+        tlc=False,
     ),
 }
 

@@ -113,10 +113,37 @@ def bench(text: str) -> list[Table]:
     return [Table(table["columns"], table["rows"], table["title"]) for table in report["tables"]]
 
 
-def claims(text: str) -> list[Table]:
-    """Lines such as ``claim: holds``."""
-    rows: list[list[Cell]] = [list(line.rsplit(": ", 1)) for line in text.splitlines() if ": " in line]
-    return [Table(["claim", "result"], rows)]
+def proofs(text: str) -> list[Table]:
+    """Queries by kind, then each query but the controls and mutants, then what is not proved."""
+    report: dict[str, Any] = json.loads(text)
+    found: list[dict[str, Any]] = report["queries"]
+    kinds = {kind: [q for q in found if q["kind"] == kind] for kind in dict.fromkeys(q["kind"] for q in found)}
+    rows: list[list[Cell]] = [
+        [
+            kind,
+            len(some),
+            sum(not q["ok"] for q in some),
+            sum(q["conditions"] for q in some),
+            round(sum(q["seconds"] for q in some)),
+            max(q["megabytes"] for q in some),
+        ]
+        for kind, some in kinds.items()
+    ]
+    each: list[list[Cell]] = [
+        [q["name"], len(q["formulas"]), q["outcome"], q["conditions"], q["seconds"], q["megabytes"]]
+        for q in found
+        if q["kind"] not in ("control", "mutant")
+    ]
+    left: list[list[Cell]] = [[cell["formula"], cell["action"], cell["tried"]] for cell in report["not_proved"]]
+    return [
+        Table(
+            ["kind", "queries", "not as claimed", "conditions", "seconds", "MB at most"],
+            rows,
+            f"Apalache {report['apalache']}. {report['assumptions']}",
+        ),
+        Table(["query", "formulas", "answer", "conditions", "seconds", "MB"], each, "Each proof"),
+        *([Table(["formula", "action", "tried"], left, "Not proved")] if left else []),
+    ]
 
 
 def _sum(cells: Iterable[Cell]) -> int | float:

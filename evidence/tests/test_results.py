@@ -136,10 +136,16 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+def claims(text: str) -> list[Table]:
+    """Lines such as ``claim: holds``."""
+    rows: list[list[records.Cell]] = [list(line.rsplit(": ", 1)) for line in text.splitlines() if ": " in line]
+    return [Table(["claim", "result"], rows)]
+
+
 def as_run(monkeypatch: pytest.MonkeyPatch, code: str) -> None:
     """The run ``proofs`` is this Python code."""
     monkeypatch.setitem(
-        RUNS, "proofs", runs.Run("Proofs", "About.", "make prove", (sys.executable, "-c", code), summaries.claims)
+        RUNS, "proofs", runs.Run("Proofs", "About.", "make prove", (sys.executable, "-c", code), claims)
     )
 
 

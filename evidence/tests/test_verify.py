@@ -52,16 +52,27 @@ def test_a_soft_plc_that_fails(root: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "results", "reasons"),
+    ("text", "code", "results", "reasons"),
     [
-        ("echo 'not run: none' >&2; exit 3", ["not run"] * 3, ["not run: none", *["apalache-mc was not found"] * 2]),
-        ("echo typecheck A; echo typecheck B", ["ok", "not run", "not run"], ["2 modules, what they extend", "make"]),
-        ("exit 1", ["FAILED", "not run", "not run"], ["0 modules, what they extend", "make apalache", "make prove"]),
+        ("echo 'not run: none' >&2; exit 3", 0, ["not run"] * 3, ["not run: none", *["apalache-mc was not found"] * 2]),
+        ("echo typecheck A; echo typecheck B", 0, ["ok", "ok", "not run"], ["2 modules", "1 queries, 9 cond", "make"]),
+        ("exit 1", 1, ["FAILED", "FAILED", "not run"], ["0 modules, what they extend", "1 queries", "make apalache"]),
     ],
 )
-def test_apalache(root: Path, text: str, results: list[str], reasons: list[str]) -> None:
-    """Whether it is there the script says, for all rows."""
+def test_apalache(
+    root: Path, monkeypatch: pytest.MonkeyPatch, text: str, code: int, results: list[str], reasons: list[str]
+) -> None:
+    """Whether it is there the script says, for all rows; the proofs are judged by the exit code of their command."""
     script(root / "models" / "apalache.sh", text)
+    run = subprocess.run
+
+    def prove(command: list[str], **options: Any) -> subprocess.CompletedProcess[str]:
+        if "prove" not in command:
+            return run(command, **options)
+        Path(command[-1]).write_text(json.dumps({"queries": [{"conditions": 9}]}))
+        return subprocess.CompletedProcess(command, code)
+
+    monkeypatch.setattr(subprocess, "run", prove)
     rows = verify._apalache()
     assert [row.result for row in rows] == results
     assert all(row.size.startswith(reason) for row, reason in zip(rows, reasons, strict=False))
