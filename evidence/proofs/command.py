@@ -17,9 +17,9 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.proofs import report
 from evidence.proofs.apalache import ApalacheMissingError, find_apalache
-from evidence.proofs.flatten import FlattenError
 from evidence.proofs.queries import ManifestError, Query, load
 from evidence.proofs.runner import Asking, Result, ask, ok
+from evidence.tla.syntax import SyntaxTreeError
 
 DIFFERENT = 1
 BUILD = Path("build/proofs")
@@ -52,7 +52,7 @@ def prove_command(
     claimed, 1 an answer differs, 2 wrong arguments or files, 3 Apalache missing.
     """
     processes = Processes()
-    with session(processes, (ManifestError, FlattenError, OSError), (ApalacheMissingError,)) as console:
+    with session(processes, (ManifestError, SyntaxTreeError, OSError), (ApalacheMissingError,)) as console:
         proofs = load(ROOT)
         queries = proofs.select(names)
         if shard is not None:

@@ -14,7 +14,7 @@ from evidence.common.processes import Processes
 from evidence.proofs import apalache
 from evidence.proofs.apalache import Answer
 from evidence.proofs.queries import ManifestError, Query
-from evidence.proofs.text import defined, module_text
+from evidence.proofs.text import definitions, module_text
 
 AFTER_A_STEP = "--tuning-options=search.invariantFilter=1->.*"
 """Formulas about states are checked after the step, not before, where they are assumed."""
@@ -86,7 +86,7 @@ def write_texts(root: Path, query: Query, folder: Path) -> tuple[str, str]:
     replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
     roots = {query.init, query.next, *query.formulas, *replaced, *replaced.values()} | {query.constants} - {""}
     text = module_text(query.module, folders, roots, dict(query.instead))
-    lacking = [name for name in (query.init, query.next, *query.formulas) if not defined(text, name)]
+    lacking = sorted({query.init, query.next, *query.formulas} - definitions(text))
     if lacking:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
     constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())

@@ -10,9 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
-from evidence.proofs.flatten import STANDARD, FlattenError, definitions, flatten, keep_only
+from evidence.tla.flatten import flatten, keep_only
+from evidence.tla.syntax import Module, SyntaxTreeError, end
 
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
@@ -37,29 +39,30 @@ def read_by_default(text: str, letters: Mapping[str, str]) -> str:
 
 
 def put_in_place(text: str, name: str, by: str) -> str:
-    """The text with the definition of an operator replaced by that of another. Raises `FlattenError`."""
-    places = definitions(text)
-    if lacking := {name, by} - places.keys():
-        raise FlattenError(f"no definition of {', '.join(sorted(lacking))} to put in place")
-    other = re.sub(rf"\b{by}\b", name, text[slice(*places[by])])
-    for begin, end, new in sorted([(*places[name], other), (*places[by], "")], reverse=True):
-        text = text[:begin] + new + text[end:]
-    return text
+    """The text of a module with an operator's definition replaced by that of another, which has the same type.
+
+    The body moves up to the place of the other, so that what stands between can use it. Raises `SyntaxTreeError`.
+    """
+    module = Module("flat", text.encode())
+    if lacking := {name, by} - module.definitions.keys():
+        raise SyntaxTreeError(f"no definition of {', '.join(sorted(lacking))} to put in place")
+    old, new = (slice(unit.start_byte, end(unit)) for unit in (module.definitions[name], module.definitions[by]))
+    body = re.sub(rf"\b{by}\b".encode(), name.encode(), module.text[new])
+    return (module.text[: old.start] + body + module.text[old.stop :]).decode()
 
 
 def module_text(module: str, folders: list[Path], roots: Iterable[str], instead: Mapping[str, str]) -> str:
     """The module with all that it extends and the roots need; `instead` puts operators in the place of others.
 
-    Raises OSError, `FlattenError`.
+    Raises OSError, `SyntaxTreeError`.
     """
-    text = flatten(module, folders)
-    letters = default_letters(text)
-    text = read_by_default(as_action(text), letters)
+    flat = flatten(module, folders)
+    text = read_by_default(as_action(flat.text), default_letters(flat.text))
     for name, by in instead.items():
         text = put_in_place(text, name, by)
-    return f"---- MODULE {module} ----\nEXTENDS {', '.join(sorted(STANDARD))}\n{keep_only(text, roots)}====\n"
+    return keep_only(replace(flat, text=text), roots)
 
 
-def defined(text: str, name: str) -> bool:
-    """Whether a module's text defines the operator."""
-    return name in definitions(text)
+def definitions(text: str) -> frozenset[str]:
+    """The operators that a module's text defines. Raises `SyntaxTreeError`."""
+    return frozenset(Module("flat", text.encode()).definitions)

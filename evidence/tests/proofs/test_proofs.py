@@ -16,11 +16,11 @@ from evidence.common.processes import Processes
 from evidence.harness.manifest import Mutation
 from evidence.proofs import command
 from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
-from evidence.proofs.flatten import FlattenError, definitions
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions
 from evidence.proofs.runner import Asking, ask, ok, write_texts
-from evidence.proofs.text import as_action, default_letters, put_in_place, read_by_default
+from evidence.proofs.text import as_action, default_letters, definitions, put_in_place, read_by_default
+from evidence.tla.syntax import SyntaxTreeError
 from s7check.cli import main
 
 RECORDED = Path(__file__).parent / "fixtures"
@@ -159,11 +159,14 @@ def test_readings_are_read_by_default() -> None:
 
 def test_an_operator_is_put_in_the_place_of_another() -> None:
     """With its type, and what used the one uses the other."""
-    text = "\\* @type: Int => Int;\nF(x) == x\n\nG == F(1)\n\n\\* @type: Int => Int;\nApF(x) ==\n  x + 1\n\nH == 1\n"
+    text = (
+        "---- MODULE M ----\nEXTENDS Integers\n\\* @type: Int => Int;\nF(x) == x\n\nG == F(1)\n\n"
+        "\\* @type: Int => Int;\nApF(x) ==\n  x + 1\n\nH == 1\n====\n"
+    )
     changed = put_in_place(text, "F", "ApF")
-    assert definitions(changed).keys() == {"F", "G", "H"}
-    assert changed.index("x + 1") < changed.index("G == F(1)")
-    with pytest.raises(FlattenError, match="no definition of K"):
+    assert changed.index("F(x) ==\n  x + 1") < changed.index("G == F(1)")
+    assert "F(x) == x\n" not in changed
+    with pytest.raises(SyntaxTreeError, match="no definition of K"):
         put_in_place(text, "K", "ApF")
 
 
@@ -171,7 +174,7 @@ def test_the_text_has_what_the_query_needs(tmp_path: Path, proofs: Proofs) -> No
     """And no box, no reading, and of the calendar the lemma."""
     (query,) = proofs.select(("CallDisAirt",))
     text, config = write_texts(ROOT, query, tmp_path / "query")
-    assert {"CallDisAirt", "AnyInit", *query.formulas} <= definitions(text).keys()
+    assert {"CallDisAirt", "AnyInit", *query.formulas} <= definitions(text)
     assert "CallSetTint" not in definitions(text)
     assert "[][" not in text
     assert 'Reading("' not in text
