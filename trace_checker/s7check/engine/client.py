@@ -83,11 +83,15 @@ class Engine:
     def alternatives(self) -> Alternatives:
         """The choices that a header has; not while a log is at work."""
         if self._alternatives is None:
-            process = self._idle = self._ready()
-            with self._dropped_on_error(process):
-                process.write(self._encoder.encode({"message": "alternatives"}) + b"\n")
-                self._alternatives = _decode(process.line(), _Alternatives).alternatives
+            self._alternatives = self.ask({"message": "alternatives"}, _Alternatives).alternatives
         return self._alternatives
+
+    def ask(self, message: dict[str, Any], shape: type[_Shape]) -> _Shape:
+        """The answer to a message with one answer, which has this shape; not while a log is at work."""
+        process = self._idle = self._ready()
+        with self._dropped_on_error(process):
+            process.write(self._encoder.encode(message) + b"\n")
+            return _decode(process.line(), shape)
 
     def _ready(self) -> EngineProcess:
         """The idle process, if it still runs, or else a new one."""

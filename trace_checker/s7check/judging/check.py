@@ -99,7 +99,8 @@ class Judging:
         if self._failed is not None:
             return Report(self._log, "no verdict", str(self._failed))
         if answer is not None and answer.verdict == "rejected":
-            return _rejected(self._log, answer, self._recent)
+            last = answer.line or 0
+            return rejection(self._log, answer, self._recent.get(last), self._recent.up_to(last))
         if answer is not None and answer.verdict == "error":
             return Report(self._log, "no verdict", answer.message, line=answer.line, events=answer.events)
         events = answer.events if answer else 0
@@ -122,21 +123,22 @@ def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> Unusab
     )
 
 
-def _rejected(log: str, answer: Answer, recent: "_RecentLines") -> Report:
+def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes]) -> Report:
+    """The report of a log that the engine rejects; ``event`` is the rejected line, ``lines`` are those up to it."""
     return Report(
         log,
         "rejected",
         (_TOO_LATE if answer.late else _UNEXPLAINED) + _loosened(answer),
         line=answer.line,
         events=answer.events,
-        event=recent.get(answer.line or 0),
+        event=event,
         expected=[format_allowed(allowed) for allowed in answer.expected],
         requirements=answer.requirements,
         late=[format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else [],
         states=answer.states,
         situations=answer.situations,
         candidates=_telling(answer.candidates),
-        lines=recent.up_to(answer.line or 0),
+        lines=lines,
     )
 
 

@@ -20,6 +20,11 @@ class Clocks:
         self._elapsed = 0
         self._jumps_logged = jumps_logged
 
+    @property
+    def reading(self) -> int:
+        """The CPU clock, in milliseconds since 1990-01-01T00:00."""
+        return self._clock
+
     def stamp(self, event: dict[str, Any]) -> None:
         """Turns ``at`` into a moment and ``up`` too, which is filled in where it is missing; as it was given it
         becomes ``counter``.

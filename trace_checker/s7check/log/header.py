@@ -15,6 +15,9 @@ NO_START = -1
 KINDS = ("call", "ob", "clock", "mode", "interrupt", "load", "diag", "state")
 _DEFAULT_KINDS = tuple(kind for kind in KINDS if kind not in ("diag", "state"))
 
+CPUS = ("S7-300", "S7-400", "CPU 318")
+"""Families of CPUs that a header may name."""
+
 PROFILES = ("1997", "2006", "2010")
 """Editions of the manual whose readings a header may ask for together."""
 
@@ -71,7 +74,7 @@ _HEADER = Fields(
     "header",
     {
         "format": choice(FORMAT),
-        "cpu": choice("S7-300", "S7-400", "CPU 318"),
+        "cpu": choice(*CPUS),
         "obs": list_of(integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)),
         "clock": instant_moment,
     },

@@ -7,6 +7,7 @@ import java.util.Set;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import tla.eval.State;
 import tla.eval.Way;
 import tla.json.Json;
@@ -49,7 +50,16 @@ final class Contract {
     EXPECTED("Expected", 1),
     DECIDING("Deciding", 2),
     TOO_LATE("TooLate", 1),
-    LATE_REQUIREMENTS("LateRequirements", 2);
+    LATE_REQUIREMENTS("LateRequirements", 2),
+    OFFERS("Offers", 0),
+    WITH_ANSWERS("WithAnswers", 1),
+    LIKEWISE("Likewise", 1),
+    DATED("Dated", 2),
+    PRESENT("Present", 0),
+    END_OF_TIME("EndOfTime", 0),
+    LAST_IN_TIME("LastInTime", 0),
+    TOO_LATE_NOW("TooLateNow", 0),
+    GROUNDS("Grounds", 2);
 
     final String tla;
     final int arity;
@@ -235,6 +245,61 @@ final class Contract {
   /** The actions that are not enabled, each with its first false conjunct. */
   Set<Guards.Failure> failures(Failing failing, State state, Value event) {
     return spec.failures(failing.action.tla, Contract::label, state, event);
+  }
+
+  /** Lines without a time that come into question after this state. */
+  List<Value> offers(State state) {
+    return Values.elements(value(Operator.OFFERS, state));
+  }
+
+  /** The line with each value that the CPU may give with it in this state. */
+  List<Value> withAnswers(State state, Value event) {
+    return Values.elements(value(Operator.WITH_ANSWERS, state, event));
+  }
+
+  /** A line before which the same silent steps are possible, in this state, as before {@code event}. */
+  Value likewise(State state, Value event) {
+    return value(Operator.LIKEWISE, state, event);
+  }
+
+  /** The line at a time, which {@link #present} and the operators below it give. */
+  RecordValue dated(Value event, Value time) {
+    return (RecordValue) value(Operator.DATED, blank, event, time).toRcd();
+  }
+
+  /** A line of no kind at a time. */
+  RecordValue instant(Value time) {
+    return dated(noEvent, time);
+  }
+
+  /** Both clocks of the state. */
+  Value present(State state) {
+    return value(Operator.PRESENT, state);
+  }
+
+  /** The last time that a log can have. */
+  Value endOfTime(State state) {
+    return value(Operator.END_OF_TIME, state);
+  }
+
+  /** The last time at which nothing is late that the state waits for. */
+  Value lastInTime(State state) {
+    return value(Operator.LAST_IN_TIME, state);
+  }
+
+  /** A time at which everything is late that the state waits for. */
+  Value tooLateNow(State state) {
+    return value(Operator.TOO_LATE_NOW, state);
+  }
+
+  /** The requirements by which the line is possible in this state. */
+  JsonArray grounds(State state, Value event, Value past) {
+    return array(Operator.GROUNDS, state, event, past);
+  }
+
+  /** The event as an object, without the fields that it does not give. */
+  JsonObject given(Value event) {
+    return Values.given((RecordValue) event.toRcd(), noEvent);
   }
 
   /** Such as {@code OB 40}; null for a record that no OB belongs to. */

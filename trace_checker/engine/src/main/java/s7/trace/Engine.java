@@ -10,7 +10,6 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 
-import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -34,6 +33,8 @@ import util.ToolIO;
  *       {"verdict":"open"}}; if it is, its verdict has been printed.
  *   <li>{@code {"message":"finish"}} ends it.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
+ *   <li>{@code {"message":"open","session":NAME,"header":HEADER}} and the messages of {@link Sessions}
+ *       ask, between two logs, about logs that grow.
  *   <li>An object with another first field is an event of the log.
  * </ul>
  *
@@ -55,6 +56,7 @@ public final class Engine {
   private Explanation explanation;
   private int events;
   private boolean decided;
+  private final Sessions sessions;
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
   private int follow;
   private JsonElement loose;
@@ -62,6 +64,7 @@ public final class Engine {
   Engine(Contract spec, PrintStream out) {
     this.spec = spec;
     this.out = out;
+    sessions = new Sessions(spec);
   }
 
   /**
@@ -158,7 +161,7 @@ public final class Engine {
           answer("accepted", null);
         }
       }
-      default -> throw new IllegalArgumentException("an unknown message: " + line);
+      default -> print(sessions.answer(message, object(line)));
     }
   }
 
@@ -214,20 +217,8 @@ public final class Engine {
       }
       return;
     }
-    var rejected = new JsonObject();
+    JsonObject rejected = refusal.asJson();
     rejected.add("line", number(event));
-    rejected.addProperty("late", refusal.late());
-    var expected = new JsonArray();
-    refusal.expected().forEach(expected::add);
-    rejected.add("expected", expected);
-    var requirements = new JsonArray();
-    refusal.requirements().forEach(requirements::add);
-    rejected.add("requirements", requirements);
-    rejected.addProperty("states", refusal.states());
-    var situations = new JsonArray();
-    refusal.situations().forEach(situations::add);
-    rejected.add("situations", situations);
-    rejected.add("candidates", new Gson().toJsonTree(refusal.candidates()));
     answer("rejected", rejected);
   }
 

@@ -10,8 +10,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import tla.eval.State;
 import tla.json.Json;
@@ -58,10 +60,14 @@ final class Explanation {
       Set<String> requirements,
       int states,
       List<JsonElement> situations,
-      Set<Guards.Failure> candidates) {}
+      Set<Guards.Failure> candidates) {
+    JsonObject asJson() {
+      return new Gson().toJsonTree(this).getAsJsonObject();
+    }
+  }
 
   private final Contract spec;
-  private final Past past = new Past();
+  private final Past past;
   private List<State> states;
   private int most = LOOSE_STATES;
   private boolean loosened;
@@ -69,6 +75,10 @@ final class Explanation {
   /** More states explain the log than are followed. */
   private static final class TooMany extends RuntimeException {
     private static final long serialVersionUID = 1L;
+
+    TooMany(int most) {
+      super("more than " + most + " states explain the log; choose readings in the header");
+    }
   }
 
   /**
@@ -80,6 +90,7 @@ final class Explanation {
    */
   Explanation(Contract spec, Json header) {
     this.spec = spec;
+    past = new Past();
     try {
       begin(header);
     } catch (NotCovered e) {
@@ -100,9 +111,37 @@ final class Explanation {
     states = distinct(states);
   }
 
+  private Explanation(Explanation other) {
+    spec = other.spec;
+    past = new Past(other.past);
+    states = other.states;
+    most = other.most;
+    loosened = other.loosened;
+  }
+
+  /** An explanation of the same log that goes on by itself. */
+  Explanation branch() {
+    return new Explanation(this);
+  }
+
   /** How many states explain the log so far. */
   int size() {
     return states.size();
+  }
+
+  /** The states that explain the log so far. */
+  List<State> states() {
+    return states;
+  }
+
+  /** The explained lines that a report may need. */
+  Value past() {
+    return past.lines();
+  }
+
+  /** The states in which time has elapsed to the event; none if something had to come before. */
+  List<State> arrivals(RecordValue event) {
+    return elapse(event, new ArrayList<>());
   }
 
   /** One of the situations in which the CPU may be after the log so far. */
@@ -143,8 +182,7 @@ final class Explanation {
     try {
       return followed(event);
     } catch (TooMany e) {
-      throw new NotCovered(
-          "more than " + most + " states explain the log; choose readings in the header");
+      throw new NotCovered(e.getMessage());
     }
   }
 
@@ -251,7 +289,8 @@ final class Explanation {
     }
   }
 
-  private List<State> closure(List<State> from, Value event) {
+  /** The states {@code from}, and those to which silent steps lead just before the event. */
+  List<State> closure(List<State> from, Value event) {
     List<State> closed = from;
     Set<Long> seen = null;
     for (int i = 0; i < closed.size(); i++) {
@@ -356,7 +395,7 @@ final class Explanation {
 
   private void limit(int size) {
     if (size > most) {
-      throw new TooMany();
+      throw new TooMany(most);
     }
   }
 }

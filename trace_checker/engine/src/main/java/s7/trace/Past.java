@@ -23,6 +23,13 @@ final class Past {
   /** By kind; the latest line is the last. */
   private final Map<List<Object>, Value> older = new LinkedHashMap<>(16, 0.75f, true);
 
+  Past() {}
+
+  Past(Past other) {
+    latest.addAll(other.latest);
+    older.putAll(other.older);
+  }
+
   void add(RecordValue event) {
     latest.addLast(event);
     if (latest.size() > LATEST) {

@@ -1,6 +1,7 @@
 package tla.json;
 
 import java.util.ArrayList;
+import java.util.List;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
@@ -137,6 +138,30 @@ public final class Values {
       return array(tuple.elems);
     }
     throw new IllegalArgumentException("no JSON for " + value);
+  }
+
+  /** The elements of a finite set, in TLC's order. */
+  public static List<Value> elements(Value set) {
+    SetEnumValue all = (SetEnumValue) set.toSetEnum();
+    all.normalize();
+    var elements = new ArrayList<Value>(all.elems.size());
+    for (int i = 0; i < all.elems.size(); i++) {
+      elements.add(all.elems.elementAt(i));
+    }
+    return elements;
+  }
+
+  /** The fields of {@code record} whose values are not those of {@code template}, a record with the same fields. */
+  public static JsonObject given(RecordValue record, RecordValue template) {
+    record.normalize();
+    template.normalize();
+    var object = new JsonObject();
+    for (int i = 0; i < record.names.length; i++) {
+      if (!record.values[i].equals(template.values[i])) {
+        object.add(record.names[i].toString(), toJson(record.values[i]));
+      }
+    }
+    return object;
   }
 
   private static JsonArray array(ValueVec elements) {

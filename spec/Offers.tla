@@ -1,0 +1,156 @@
+------------------------------- MODULE Offers -------------------------------
+(***************************************************************************)
+(* Lines that come into question after a log: the events, with operands    *)
+(* and values.  The engine tries each by the same operators that judge a   *)
+(* log, so a line that is offered here need not be possible.               *)
+(*                                                                         *)
+(* Source: docs/checking/log-format.md, events.                            *)
+(* Left out: lines of kind `state', which are never owed; operands of      *)
+(* calls and clocks other than some that stand for all.                    *)
+(***************************************************************************)
+EXTENDS CallReasons
+
+\* @type: Str => $event;
+Line(name) == [NoEvent EXCEPT !.event = name]
+
+\* @type: (Str, Int) => $event;
+LineOf(name, o) == [NoEvent EXCEPT !.event = name, !.ob = o]
+
+-----------------------------------------------------------------------------
+(* Operands that stand for all *)
+
+(* The least of these OBs, if there is one.                                *)
+\* @type: Set(Int) => Set(Int);
+OneOf(obs) == IF obs = {} THEN {} ELSE {Least(obs)}
+
+(* No interrupt has this OB.                                               *)
+StrangeOb == 9
+StrangePeriod == \h0002
+
+(* The loaded OBs, one that is missing, one that is none of these.         *)
+\* @type: Set(Int) => Set(Int);
+ObOperands(obs) ==
+    (obs \cap loaded) \cup OneOf(obs \ loaded) \cup {StrangeOb}
+
+\* @type: Int => $date;
+DateAt(minute) ==
+    LET day == minute \div MinutesADay
+        rest == minute % MinutesADay
+    IN  [ year |-> YearOf(day), month |-> MonthOf(day), day |-> DayOf(day),
+          hour |-> rest \div 60, minute |-> rest % 60, second |-> 0, ms |-> 0 ]
+
+(* The next minute, the last one, the end of the year, no date.            *)
+NextMinute  == Earlier(clock.min + 1, LastMinute)
+SdtOperands ==
+    LET next == DateAt(NextMinute)
+    IN  { next, DateAt(IF clock.min = 0 THEN 0 ELSE clock.min - 1),
+          [next EXCEPT !.month = 12, !.day = 31, !.hour = 23, !.minute = 59],
+          [next EXCEPT !.month = 13] }
+
+DtimeOperands == {0, 1, 1000, 60000, 60001}
+DisModeOperands == {0, 1, 2, 3, \h80, \h81, \h82}
+EnModeOperands  == {0, 1, 2, 3}
+
+(* Numbers of classes are OB numbers, too.                                 *)
+IrtOperands == ObOperands(Blockable)
+                 \cup { ClassNumber(o) : o \in Blockable \cap loaded }
+
+CallOffers ==
+    {Line("DIS_AIRT"), Line("EN_AIRT")}
+      \cup { [LineOf("SET_TINT", o) EXCEPT !.sdt = DateAt(NextMinute),
+                                           !.period = Once]
+             : o \in ObOperands(TodObs) }
+      \cup { [LineOf("SET_TINT", o) EXCEPT !.sdt = d, !.period = p]
+             : o \in OneOf(TodObs \cap loaded), d \in SdtOperands,
+               p \in PeriodCodes \cup {StrangePeriod} }
+      \cup { LineOf(name, o) : name \in {"CAN_TINT", "ACT_TINT", "QRY_TINT"},
+                               o \in ObOperands(TodObs) }
+      \cup { [LineOf("SRT_DINT", o) EXCEPT !.dtime = d, !.sign = 0]
+             : o \in ObOperands(DintObs), d \in DtimeOperands }
+      \cup { LineOf(name, o) : name \in {"CAN_DINT", "QRY_DINT"},
+                               o \in ObOperands(DintObs) }
+      \cup { [LineOf("DIS_IRT", o) EXCEPT !.mode = m]
+             : o \in IrtOperands, m \in DisModeOperands }
+      \cup { [LineOf("EN_IRT", o) EXCEPT !.mode = m]
+             : o \in IrtOperands, m \in EnModeOperands }
+
+(* A minute forward and back; onto each start point, and beyond it.        *)
+ClockTimes ==
+    LET watched == { o \in TodObs : tod[o].active /\ tod[o].next # Never }
+        points  == { NextMoment(tod[o]) : o \in watched }
+    IN  { m \in {After(clock, 60000), After(clock, -60000)} \cup points
+                  \cup { After(p, 1) : p \in points }
+            : m.min \in 0..LastMinute }
+
+-----------------------------------------------------------------------------
+(* Lines *)
+
+(* Faults of OB 80 and 85 that come from outside.                          *)
+ObsWithFault  == {TimeErrorOb, ProgramErrorOb}
+OutsideFaults == {<<TimeErrorOb, CycleTimeExceeded>>, <<TimeErrorOb, \h0B>>,
+                  <<ProgramErrorOb, \hA3>>}
+
+(* What does not depend on the state just before the line.                 *)
+Offers ==
+    { LineOf("start", o) : o \in loaded \cup {CycleOb} }
+      \cup { LineOf("end", o) : o \in { stack[i].ob : i \in DOMAIN stack }
+                                        \cup {CycleOb} \cup StartupObs }
+      \cup { LineOf("interrupt", o) : o \in ExternalObs \ ObsWithFault }
+      \cup { [LineOf("interrupt", f[1]) EXCEPT !.flt_id = f[2]]
+             : f \in OutsideFaults }
+      \cup { [Line("clock") EXCEPT !.to = m] : m \in ClockTimes }
+      \cup { LineOf("load", o) : o \in (Blockable \cup StartupObs) \ loaded }
+      \cup { LineOf("delete", o) : o \in loaded \ {CycleOb} }
+      \cup { [Line("restart") EXCEPT !.type = t] : t \in {"warm", "cold"} }
+      \cup { Line(name) : name \in {"run", "hold", "release", "stop"} }
+      \cup (IF stopCause \in {NoCause, OtherErrorOb} THEN {}
+            ELSE {[Line("stop") EXCEPT !.cause = stopCause]})
+      \cup { [Line("diag") EXCEPT !.id = r.entry.id]
+             : r \in IF DiagRecorded THEN reports ELSE {} }
+      \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallOffers)
+
+(* The line with each value that the CPU may give with it.                 *)
+\* @type: $event => Set($event);
+WithAnswers(e) ==
+    CASE e.event \in {"QRY_TINT", "QRY_DINT"} ->
+           UNION { { [e EXCEPT !.ret = r, !.status = s]
+                     : s \in IF r = OK THEN RightStatuses(e) ELSE {-1} }
+                   : r \in Given(e.ret, RightAnswers(e)) }
+      [] e.event \in CallEvents ->
+           { [e EXCEPT !.ret = r] : r \in Given(e.ret, RightAnswers(e)) }
+      [] e.event = "start" /\ e.ob \in ObsWithFault ->
+           { [e EXCEPT !.info.flt_id = r.fault]
+             : r \in { q \in requests : q.ob = e.ob } }
+      [] OTHER -> {e}
+
+(* A line before which the same silent steps are possible as before e.     *)
+\* @type: $event => $event;
+Likewise(e) == IF Partial THEN e
+               ELSE Line(IF e.event = "start" THEN e.event ELSE "")
+
+-----------------------------------------------------------------------------
+(* Times *)
+
+\* @type: ($event, { at: $moment, up: $moment }) => $event;
+Dated(e, time) == [e EXCEPT !.at = time.at, !.up = time.up]
+
+Present == [at |-> clock, up |-> up]
+
+(* The CPU clock at its end.                                               *)
+EndOfTime == [at |-> At(LastMinute), up |-> Shifted(up, clock, At(LastMinute))]
+
+(* d ms from now. *)
+\* @type: Int => { at: $moment, up: $moment };
+Later(d) == [at |-> After(clock, d), up |-> After(up, d)]
+
+(* The last moment at which nothing that has to come is late; asked for    *)
+(* where time cannot go on.                                                *)
+LastInTime ==
+    LET ages == { waiting[c] : c \in { k \in DOMAIN waiting : k < 100 } }
+                  \cup { r.age : r \in EntriesLate(terms.latency) }
+                  \cup {0}
+    IN  Later(terms.latency - (CHOOSE a \in ages : \A b \in ages : b <= a))
+
+(* A moment at which everything that waits now is late.                    *)
+TooLateNow == Later(terms.latency + 1)
+=============================================================================

@@ -1,0 +1,275 @@
+package s7.trace;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import tla.eval.State;
+import tla.json.Json;
+import tla.json.Values;
+import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.Value;
+
+/**
+ * A log that is asked about while it grows: what may come after its last line, when, and by which
+ * requirements. It keeps the explanation after each line, so that lines can be taken back.
+ *
+ * <p>A line is possible if {@link Explanation} explains it. Which lines to try, and at which times,
+ * the specification says.
+ */
+final class Session {
+  /** Times that are looked at: now, and when something happens by itself. */
+  private static final int MOST_TIMES = 4;
+
+  /** Steps by which time goes on. */
+  private static final int MOST_STEPS = 10_000;
+
+  private final Contract spec;
+  private final ArrayList<Explanation> after = new ArrayList<>();
+
+  /**
+   * Begins a log.
+   *
+   * @throws NotCovered if the header asks for what the specification does not have
+   */
+  Session(Contract spec, Json header) {
+    this.spec = spec;
+    after.add(new Explanation(spec, header));
+  }
+
+  private Explanation last() {
+    return after.get(after.size() - 1);
+  }
+
+  /** The number of lines so far. */
+  int lines() {
+    return after.size() - 1;
+  }
+
+  /**
+   * Adds a line.
+   *
+   * @return null if it is explained, else why not; the log then stays as it was
+   */
+  Explanation.Refusal feed(Json event) {
+    Explanation next = last().branch();
+    Explanation.Refusal refusal = next.observe(event);
+    if (refusal == null) {
+      after.add(next);
+    }
+    return refusal;
+  }
+
+  /** What {@link #feed} would return; the log stays as it is. */
+  Explanation.Refusal judge(Json event) {
+    return last().branch().observe(event);
+  }
+
+  /** Takes lines back until {@code lines} are left. */
+  void back(int lines) {
+    after.subList(lines + 1, after.size()).clear();
+  }
+
+  /** The situations in which the CPU may be, at most {@code most}. */
+  JsonArray situations(int most) {
+    var all = new LinkedHashSet<JsonElement>();
+    for (State state : last().states()) {
+      if (all.size() < most) {
+        all.add(spec.situation(state));
+      }
+    }
+    var array = new JsonArray();
+    all.forEach(array::add);
+    return array;
+  }
+
+  /** A time, and what has to have come by then where nothing may come later. */
+  private record Time(Value clocks, List<JsonElement> due, TreeSet<String> requirements) {}
+
+  /** A line that is possible, from one time to another, with its requirements. */
+  private static final class Offer {
+    final int from;
+    int until;
+
+    /** By which it is possible at the first of its times. */
+    final TreeSet<String> requirements = new TreeSet<>();
+
+    Offer(int from) {
+      this.from = from;
+    }
+  }
+
+  /**
+   * The lines that may come next, each with the first and the last time at which it may.
+   *
+   * @param lines the lines to try, without a time, as JSON; null for those that the specification
+   *     offers
+   */
+  JsonObject possible(JsonArray lines) {
+    try {
+      return answer(lines);
+    } catch (NotCovered e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw NotCovered.because("after the last line", e);
+    }
+  }
+
+  private JsonObject answer(JsonArray lines) {
+    Explanation now = last();
+    var times = new TreeMap<String, Time>();
+    boolean endless = times(now.states(), times);
+    List<Time> ordered = new ArrayList<>(times.values());
+    var offers = new LinkedHashSet<Value>();
+    for (State state : lines == null ? now.states() : List.<State>of()) {
+      offers.addAll(spec.offers(state));
+    }
+    if (lines != null) {
+      lines.forEach(line -> offers.add(spec.event(Json.of(line.toString()))));
+    }
+    var found = new LinkedHashMap<Value, Offer>();
+    for (int i = 0; i < ordered.size(); i++) {
+      List<State> arrived = now.arrivals(spec.instant(ordered.get(i).clocks));
+      var ready = new HashMap<Value, List<State>>();
+      for (Value offer : arrived.isEmpty() ? Set.<Value>of() : offers) {
+        Value kind = spec.likewise(arrived.get(0), offer);
+        Value clocks = ordered.get(i).clocks;
+        List<State> states =
+            ready.computeIfAbsent(kind, line -> now.closure(arrived, spec.dated(line, clocks)));
+        tryIn(states, clocks, offer, i, found);
+      }
+    }
+    return written(ordered, endless, found);
+  }
+
+  private void tryIn(
+      List<State> ready, Value clocks, Value asked, int index, Map<Value, Offer> found) {
+    Value past = last().past();
+    for (State state : ready) {
+      for (Value line : spec.withAnswers(state, asked)) {
+        RecordValue dated = spec.dated(line, clocks);
+        Offer known = found.get(line);
+        boolean news = known == null || known.until < index;
+        if ((news || known.from == index) && !spec.observe(state, dated).isEmpty()) {
+          Offer offer = found.computeIfAbsent(line, each -> new Offer(index));
+          offer.until = index;
+          if (offer.from == index) {
+            spec.grounds(state, dated, past).forEach(id -> offer.requirements.add(id.getAsString()));
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * The times at which the answer may change, by the time elapsed: now, whenever something happens
+   * by itself, and when something is late.
+   *
+   * @return whether a line may come at any later time
+   */
+  private boolean times(List<State> from, Map<String, Time> times) {
+    var open = new ArrayDeque<State>(from);
+    var seen = new HashSet<Long>();
+    boolean endless = false;
+    int steps = 0;
+    while (!open.isEmpty()) {
+      State state = open.poll();
+      Time present = new Time(spec.present(state), new ArrayList<>(), new TreeSet<>());
+      times.putIfAbsent(sortable(present.clocks), present);
+      if (times.size() >= MOST_TIMES || ++steps > MOST_STEPS) {
+        return true;
+      }
+      RecordValue end = spec.instant(spec.endOfTime(state));
+      if (spec.arrived(state, end)) {
+        endless = true;
+        continue;
+      }
+      List<State> next = spec.elapse(state, end);
+      if (next.isEmpty()) {
+        late(state, times);
+      }
+      for (State each : next) {
+        if (spec.arrived(each, end)) {
+          endless = true;
+        } else if (seen.add(spec.key(each))) {
+          open.add(each);
+        }
+      }
+    }
+    return endless;
+  }
+
+  /** Time cannot go on from {@code state}: something has to come. */
+  private void late(State state, Map<String, Time> times) {
+    Value limit = spec.lastInTime(state);
+    Time time =
+        times.computeIfAbsent(
+            sortable(limit), key -> new Time(limit, new ArrayList<>(), new TreeSet<>()));
+    RecordValue later = spec.instant(spec.tooLateNow(state));
+    for (JsonElement due : spec.expected(Contract.Failing.TOO_LATE, state, later)) {
+      if (!time.due.contains(due)) {
+        time.due.add(due);
+      }
+    }
+    for (JsonElement id : spec.deciding(Contract.Failing.TOO_LATE, state, later, last().past())) {
+      time.requirements.add(id.getAsString());
+    }
+  }
+
+  /** A text by which times are in the order of the time elapsed. */
+  private static String sortable(Value clocks) {
+    var json = Values.toJson(clocks).getAsJsonObject();
+    var up = json.getAsJsonObject("up");
+    var at = json.getAsJsonObject("at");
+    return String.format(
+        "%012d %06d %012d %06d",
+        up.get("min").getAsInt(), up.get("ms").getAsInt(), at.get("min").getAsInt(), at.get("ms").getAsInt());
+  }
+
+  private JsonObject written(List<Time> times, boolean endless, Map<Value, Offer> found) {
+    var answer = new JsonObject();
+    var allTimes = new JsonArray();
+    for (Time time : times) {
+      var json = Values.toJson(time.clocks).getAsJsonObject();
+      var due = new JsonArray();
+      time.due.forEach(due::add);
+      json.add("due", due);
+      json.add("requirements", strings(time.requirements));
+      allTimes.add(json);
+    }
+    answer.add("times", allTimes);
+    answer.addProperty("endless", endless);
+    var lines = new JsonArray();
+    found.forEach(
+        (line, offer) -> {
+          var json = new JsonObject();
+          json.add("event", spec.given(line));
+          json.addProperty("first", offer.from);
+          boolean ends = offer.until < times.size() - 1 || !endless;
+          json.add("last", ends ? new JsonPrimitive(offer.until) : JsonNull.INSTANCE);
+          json.add("requirements", strings(offer.requirements));
+          lines.add(json);
+        });
+    answer.add("lines", lines);
+    return answer;
+  }
+
+  private static JsonArray strings(Iterable<String> texts) {
+    var array = new JsonArray();
+    texts.forEach(array::add);
+    return array;
+  }
+}

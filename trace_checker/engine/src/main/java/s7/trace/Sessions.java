@@ -1,0 +1,78 @@
+package s7.trace;
+
+import java.util.HashMap;
+import java.util.Map;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import tla.json.Json;
+
+/**
+ * The sessions of an engine, by their names. Each message has one answer:
+ *
+ * <ul>
+ *   <li>{@code open} with {@code header} begins a session, anew if there is one of that name; {@code
+ *       close} ends it.
+ *   <li>{@code feed} with {@code event} adds a line: the answer has {@code refusal} if it is not
+ *       possible. {@code judge} tells the same and adds nothing.
+ *   <li>{@code back} with {@code lines}: so many lines are left.
+ *   <li>{@code situations} with {@code most}.
+ *   <li>{@code possible}, with {@code lines} or for all that the specification offers.
+ * </ul>
+ *
+ * <p>The answer has {@code error} where the specification cannot be evaluated.
+ */
+final class Sessions {
+  private static final String EVENT = "event";
+
+  private final Contract spec;
+  private final Map<String, Session> open = new HashMap<>();
+
+  Sessions(Contract spec) {
+    this.spec = spec;
+  }
+
+  /**
+   * @throws IllegalArgumentException if there is no such message or session
+   */
+  JsonObject answer(String message, JsonObject json) {
+    var answer = new JsonObject();
+    try {
+      fill(answer, message, json);
+    } catch (NotCovered | StackOverflowError e) {
+      answer.addProperty("error", String.valueOf(e.getMessage()));
+    }
+    return answer;
+  }
+
+  private void fill(JsonObject answer, String message, JsonObject json) {
+    String name = json.get("session").getAsString();
+    if ("open".equals(message)) {
+      open.put(name, new Session(spec, text(json, "header")));
+      return;
+    }
+    Session session = open.get(name);
+    if (session == null) {
+      throw new IllegalArgumentException("no session " + name);
+    }
+    switch (message) {
+      case "close" -> open.remove(name);
+      case "feed" -> refusal(answer, session.feed(text(json, EVENT)));
+      case "judge" -> refusal(answer, session.judge(text(json, EVENT)));
+      case "back" -> session.back(json.get("lines").getAsInt());
+      case "situations" -> answer.add("situations", session.situations(json.get("most").getAsInt()));
+      case "possible" -> answer.add("possible", session.possible((JsonArray) json.get("lines")));
+      default -> throw new IllegalArgumentException("an unknown message: " + message);
+    }
+  }
+
+  private static Json text(JsonObject json, String field) {
+    return Json.of(json.get(field).toString());
+  }
+
+  private static void refusal(JsonObject answer, Explanation.Refusal refusal) {
+    if (refusal != null) {
+      answer.add("refusal", refusal.asJson());
+    }
+  }
+}

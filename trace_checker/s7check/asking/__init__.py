@@ -1,0 +1,5 @@
+"""Questions to the specification: what may come after a log, and why something may not.
+
+:class:`s7check.asking.session.Session` is the interface for programs. It knows no rule: every answer is evaluated in
+spec/ by the engine.
+"""

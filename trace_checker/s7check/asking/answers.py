@@ -1,0 +1,51 @@
+"""The engine's answers about a log that grows, as they come over the wire."""
+
+from typing import Any
+
+import msgspec
+
+from s7check.engine.answer import Allowed, Candidate, Moment, Situation
+
+
+class Refusal(msgspec.Struct, frozen=True):
+    """Why a line is not possible; the fields as in :class:`s7check.engine.answer.Answer`."""
+
+    late: bool = False
+    expected: list[Allowed] = []
+    requirements: list[str] = []
+    states: int = 0
+    situations: list[Situation] = []
+    candidates: list[Candidate] = []
+
+
+class Time(msgspec.Struct, frozen=True):
+    """Both clocks at a time at which something changes: ``at`` the CPU clock, ``up`` the time since the log began.
+
+    ``due`` has to have come by then, by these ``requirements``, in at least one explanation of the log.
+    """
+
+    at: Moment
+    up: Moment
+    due: list[Allowed] = []
+    requirements: list[str] = []
+
+
+class Line(msgspec.Struct, frozen=True):
+    """A line that may come: ``event`` is normalised, without its time.
+
+    It may come from the time number ``first`` to the time number ``last``, or at any later time where ``last`` is
+    None.
+    """
+
+    event: dict[str, Any]
+    first: int
+    last: int | None
+    requirements: list[str]
+
+
+class Possible(msgspec.Struct, frozen=True):
+    """Everything that may come next. ``endless``: nothing has to; else a line has to come by the last of the times."""
+
+    times: list[Time]
+    endless: bool
+    lines: list[Line]

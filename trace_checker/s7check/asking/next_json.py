@@ -1,0 +1,48 @@
+"""The answer of ``s7check next`` as JSON."""
+
+from typing import Any
+
+import msgspec
+
+from s7check.asking.answers import Line
+from s7check.asking.line_text import as_line, iso_of
+from s7check.asking.next_answer import NextAnswer
+from s7check.report import words
+from s7check.report.expected import format_allowed
+
+
+def to_json(answer: NextAnswer) -> str:
+    """One object on one line; the fields as in docs/checking/next.md."""
+    times = [iso_of(time.at) for time in answer.possible.times]
+    return msgspec.json.encode(
+        {
+            "log": answer.place,
+            "message": answer.message,
+            "situations": [[list(said) for said in words.situation(state)] for state in answer.situations],
+            "due": [
+                {
+                    "by": iso_of(time.at),
+                    "events": [format_allowed(allowed) for allowed in time.due],
+                    "requirements": time.requirements,
+                }
+                for time in answer.possible.times
+                if time.due
+            ],
+            "endless": answer.possible.endless,
+            "possible": [_line(line, times) for line in answer.possible.lines],
+            "columns": answer.columns,
+            "differences": [
+                {"example": one.example, "others": one.others, "cells": one.cells} for one in answer.differences
+            ],
+            "broken": answer.broken,
+        }
+    ).decode()
+
+
+def _line(line: Line, times: list[str]) -> dict[str, Any]:
+    return {
+        "event": as_line(line.event),
+        "from": times[line.first],
+        "until": None if line.last is None else times[line.last],
+        "requirements": line.requirements,
+    }

@@ -1,0 +1,74 @@
+"""Other headers for the same log: another CPU, another edition, another reading."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import click
+
+from s7check.letters import Letters
+from s7check.log.header import CPUS, PROFILES
+from s7check.log.tables import PRIORITY_CPUS
+
+_CPU = click.Choice(CPUS)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A change of a header, and its name, such as ``cpu S7-400`` or ``AMB-12 a``."""
+
+    name: str
+    cpu: str | None = None
+    profile: str | None = None
+    letters: tuple[tuple[str, str], ...] = ()
+
+    def of(self, header: Mapping[str, Any]) -> dict[str, Any]:
+        """The header, an object as in a log, with this change."""
+        changed = dict(header)
+        if self.cpu is not None:
+            changed["cpu"] = self.cpu
+            if self.cpu not in PRIORITY_CPUS:
+                changed.pop("priority", None)
+        if self.profile is not None:
+            changed["profile"] = self.profile
+        if self.letters:
+            changed["readings"] = {**changed.get("readings", {}), **dict(self.letters)}
+        return changed
+
+
+def variants(cpus: Iterable[str], profiles: Iterable[str], readings: Iterable[Mapping[str, str]]) -> list[Variant]:
+    """The variants that the options of a command name, each once."""
+    named = [
+        *(Variant(f"cpu {cpu}", cpu=cpu) for cpu in cpus),
+        *(Variant(f"profile {profile}", profile=profile) for profile in profiles),
+        *(
+            Variant(", ".join(f"{name} {letter}" for name, letter in letters.items()), letters=tuple(letters.items()))
+            for letters in readings
+        ),
+    ]
+    return list(dict.fromkeys(named))
+
+
+def variant_options(command: click.decorators.FC) -> click.decorators.FC:
+    """The options ``--cpu``, ``--profile`` and ``--reading``, each any number of times."""
+    options: list[Callable[[click.decorators.FC], click.decorators.FC]] = [
+        click.option("--cpu", "cpus", multiple=True, type=_CPU, help="In this CPU. May be given several times."),
+        click.option(
+            "--profile",
+            "profiles",
+            multiple=True,
+            type=click.Choice(PROFILES),
+            help="By this edition of the manual. May be given several times.",
+        ),
+        click.option(
+            "--reading",
+            "readings",
+            multiple=True,
+            type=Letters(),
+            metavar="AMB-NN=LETTER,...",
+            help="By this reading of an open question (docs/rules/readings.md). May be given several times.",
+        ),
+    ]
+    for option in reversed(options):
+        command = option(command)
+    return command
