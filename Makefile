@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean
+.PHONY: help setup engine verify test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -19,22 +19,31 @@ engine: $(ENGINE)  ## build the trace checker's engine
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7check verify
 
-test: setup lint  ## all tests: ruff and mypy, Python, models harness, engine, soft PLC
-	$(BIN)/python -m pytest -q
+test: lint test-checker test-evidence test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
+
+test-checker: setup
+	$(BIN)/python -m pytest -q trace_checker/tests
+
+test-evidence: setup
+	$(BIN)/python -m pytest -q evidence/tests
+
+test-engine: setup
 	cd trace_checker/engine && mvn -q -B test
+
+test-plc: setup
 	$(MAKE) -s -C examples/soft_plc test
 
 requirements: $(BIN)/s7check  ## every requirement has its formula, property, model and logs, or a written reason
 	$(BIN)/s7check requirements
 
-models: setup  ## model-check the CI lane
-	$(BIN)/s7check models --lane ci
+models: setup  ## model-check the CI lane; SHARD=1/4 does a quarter of it
+	$(BIN)/s7check models --lane ci $(if $(SHARD),--shard $(SHARD))
 
 models-smoke: setup  ## model-check the smoke lane
 	$(BIN)/s7check models --lane smoke
 
-models-full: setup  ## model-check everything
-	$(BIN)/s7check models --lane full
+models-full: setup  ## model-check everything; SHARD=1/4 does a quarter of it
+	$(BIN)/s7check models --lane full $(if $(SHARD),--shard $(SHARD))
 
 controls: setup  ## the negative controls: model, change, exit code and property, result
 	$(BIN)/s7check models 'neg-*'

@@ -165,6 +165,13 @@ class Manifest:
         return [m for m in self.models if any(fnmatch.fnmatchcase(m.name, name) for name in names)]
 
 
+def shard(models: list[Model], number: int, of: int) -> list[Model]:
+    """Return the part `number` (1 to `of`) of the models, in their order: each is in one part, long ones are spread."""
+    dealt = sorted(models, key=lambda m: (-(m.expect.distinct or 0), -sum(m.seconds), m.name))
+    mine = {m.name for m in dealt[number - 1 :: of]}
+    return [m for m in models if m.name in mine]
+
+
 def load(path: Path) -> Manifest:
     """Read and check the manifest and the files that it names. Raises `ManifestError`."""
     try:

@@ -5,6 +5,7 @@ Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 
 
 from __future__ import annotations
 
+import re
 import sys
 import time
 from collections.abc import Callable
@@ -19,6 +20,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.harness.judge import Result, judge
 from evidence.harness.manifest import LANES, Manifest, ManifestError, Model, find_manifest, load, nearest_manifest
+from evidence.harness.manifest import shard as part_of
 from evidence.harness.progress import Progress
 from evidence.harness.runner import Event, Harness, run_all
 from evidence.models import canaries, distributed, report
@@ -42,6 +44,15 @@ class Request:
     verbose: bool
     names: tuple[str, ...]
     cluster: distributed.Cluster | None = None
+    shard: tuple[int, int] = (1, 1)
+
+
+def _part(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
+    """Read the part and the number of parts."""
+    found = re.fullmatch(r"(\d+)/(\d+)", value)
+    if not found or not 1 <= int(found[1]) <= int(found[2]):
+        raise click.BadParameter(f"{value!r}: expected I/N with I from 1 to N, such as 2/4")
+    return int(found[1]), int(found[2])
 
 
 @click.command(name="models", short_help="Model-check the specification.")
@@ -63,6 +74,13 @@ class Request:
     help="TLC's distributed mode with N workers here: models that must pass, without liveness.",
 )
 @click.option("--host", help="With --distributed: this machine's name for workers on other machines.")
+@click.option(
+    "--shard",
+    metavar="I/N",
+    default="1/1",
+    callback=_part,
+    help="Only the I-th of N parts of these models, for several machines.",
+)
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def models_command(
     lane: str,
@@ -75,6 +93,7 @@ def models_command(
     verbose: bool,
     spread: int | None,
     host: str | None,
+    shard: tuple[int, int],
     names: tuple[str, ...],
 ) -> None:
     """Run TLC on the models of the manifest and compare each result with its pins.
@@ -92,14 +111,14 @@ def models_command(
     processes = Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
         path = manifest or find_manifest()
-        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster)
+        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster, shard)
         sys.exit(run_request(request, processes, console))
 
 
 def run_request(request: Request, processes: Processes, console: Console) -> int:
     """Do the work and return the exit code."""
     manifest = load(request.manifest)
-    selected = manifest.select(request.lane, request.names)
+    selected = part_of(manifest.select(request.lane, request.names), *request.shard)
     tools = tlc.find_toolchain(request.jar)
     if request.cluster is not None and not distributed.works(tools):
         raise tlc.ToolMissingError(
@@ -110,7 +129,7 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     report.show_canaries(console, tools, answers)
     drift = list(manifest.drift)
     if not selected:
-        drift.append(f"{manifest.path}: no model is in lane {request.lane}: nothing was checked")
+        drift.append(f"{manifest.path}: no model is in {_lane(request)}: nothing was checked")
     harness = Harness(manifest, tools, processes, request.workers)
     if request.cluster is not None:
         possible = _distributable(selected, console)
@@ -127,11 +146,16 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
         results = _update(manifest, results, request, console)
     seconds = time.monotonic() - began
     _show(results, drift, request, console)
-    lane = None if request.names else request.lane
+    lane = None if request.names else _lane(request)
     report.show_tables(console, results, answers.version, lane, seconds)
     document = report.as_json(tools, answers, lane, results, drift, seconds)
     write_json(request.json, document)
     return DRIFT if drift or not all(r.ok for r in results) else 0
+
+
+def _lane(request: Request) -> str:
+    number, of = request.shard
+    return request.lane if of == 1 else f"{request.lane}, shard {number}/{of}"
 
 
 def _distributable(selected: list[Model], console: Console) -> list[Model]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from evidence.harness.manifest import Manifest, ManifestError, expected_kinds, load
+from evidence.harness.manifest import Manifest, ManifestError, expected_kinds, load, shard
 from evidence.harness.mutate import StaleMutationError, prepare
 from evidence.models.update import render
 
@@ -134,6 +134,16 @@ def test_names_may_be_globs(manifest: Path) -> None:
         "neg-deadlock",
         "endless",
     ]
+
+
+@pytest.mark.parametrize("of", [1, 2, 4, 50])
+def test_each_model_is_in_one_shard(manifest: Path, of: int) -> None:
+    """The shards together have each model once, in the manifest's order, and about as many each."""
+    models = list(load(manifest).models)
+    shards = [shard(models, number, of) for number in range(1, of + 1)]
+    assert sorted(m.name for part in shards for m in part) == sorted(m.name for m in models)
+    assert all(part == [m for m in models if m in part] for part in shards)
+    assert max(map(len, shards)) - min(map(len, shards)) <= 1
 
 
 def test_mutation_changes_the_copy_only(manifest: Path, tmp_path: Path) -> None:

@@ -49,6 +49,18 @@ def test_all_as_pinned(project: Project) -> None:
     assert "[9/9]" in output, "progress is lines where there is no terminal"
 
 
+def test_a_shard_runs_its_part(project: Project) -> None:
+    """Nine models in five parts: two models, and the report says which part it was; a part of none is refused."""
+    exit_code, output, results = project.run("--shard", "2/5")
+    assert exit_code == 0, output
+    assert len(results["models"]) == 2
+    assert results["lane"] == "smoke, shard 2/5"
+    for wrong in ("0/5", "6/5", "2", "2/5/1"):
+        exit_code, output, _ = project.run("--shard", wrong)
+        assert exit_code == 2
+        assert "expected I/N with I from 1 to N" in output
+
+
 def test_runs_leave_nothing_behind(
     project: Project, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
