@@ -52,6 +52,7 @@ class Request:
     jobs: int
     thorough: bool
     fresh: bool
+    explained: bool
     listing: bool
     difference: bool
     json: Path | None
@@ -76,6 +77,7 @@ class Request:
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Mutants at a time, a core each.")
 @click.option("--thorough", is_flag=True, help="After a kill by counts or time, look for a kill by a property.")
 @click.option("--fresh", is_flag=True, help="Use nothing that an earlier run found.")
+@click.option("--explained", is_flag=True, help="Past the logs, try no mutant whose survival has a reason already.")
 @click.option("--list", "listing", is_flag=True, help="Show the mutants, run nothing.")
 @click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
 @json_option
@@ -90,6 +92,7 @@ def mutants_command(
     jobs: int,
     thorough: bool,
     fresh: bool,
+    explained: bool,
     listing: bool,
     difference: bool,
     json_path: Path | None,
@@ -107,7 +110,7 @@ def mutants_command(
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
         request = Request(
             *(against, lane, manifest or find_manifest(), jar, sample, seed, jobs),
-            *(thorough, fresh, listing, difference, json_path, names),
+            *(thorough, fresh, explained, listing, difference, json_path, names),
         )
         sys.exit(run_request(request, processes, console))
 
@@ -135,10 +138,14 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     verdicts: dict[str, Verdict] = {}
     left = chosen
     for stage in stages:
-        bench.calibrate(stage, everything, lambda line: plain(console, line))
+        # All mutants, so that later runs find the same marks; those of a sample change anyway.
+        marked = everything if request.sample is None else left
+        bench.calibrate(stage, marked, lambda line: plain(console, line))
         for verdict in bench.judge_all(left, request.jobs, report.Progress(console, len(left))):
             verdicts[verdict.mutant.id] = verdict
         left = [mutant for mutant in left if not bench.decided(verdicts[mutant.id])]
+        if request.explained:
+            left = [mutant for mutant in left if not any(reason.fits(mutant.id) for reason in why)]
         if not left:
             break
     explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing), stated=stated)

@@ -147,6 +147,22 @@ def test_models_see_what_the_logs_leave(tmp_path: Path, monkeypatch: pytest.Monk
     assert len(quick.ran) == ran + 4
 
 
+def test_survivors_with_a_reason_are_not_tried_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With --explained the models are asked about the others only."""
+    for folder in ("spec", "models"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "spec" / "M.tla").write_text(TEXT)
+    (tmp_path / "models" / "manifest.json").write_text('{"version": 1, "models": []}')
+    (tmp_path / "models" / "survivors.json").write_text('[{"id": "M/A/*", "reason": "nothing differs"}]')
+    quick, slow = FakeCheck("logs", {}), FakeCheck("model", {"x + 2": "property"})
+    monkeypatch.setattr(command, "_stages", lambda *_: [[quick], [slow]])
+    code, _, document = run(tmp_path, "--explained", "M/A/*")
+    assert (code, document["all"]["killed"], slow.ran) == (0, 0, [])
+    (tmp_path / "models" / "survivors.json").unlink()
+    code, _, document = run(tmp_path, "--explained", "M/A/*")
+    assert (code, document["all"]["killed"]) == (1, 1)
+
+
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """Copy the specification."""

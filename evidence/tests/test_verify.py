@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 from evidence.verify import command as verify
 
@@ -28,6 +29,15 @@ def script(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"#!/bin/sh\n{text}\n")
     path.chmod(0o755)
+
+
+def test_models_left_out_are_shown_as_not_run(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The table has their row, without a result."""
+    monkeypatch.setattr(verify, "STEPS", {"models": verify._models})
+    ran = CliRunner().invoke(verify.verify_command, ["--without-models"], standalone_mode=False)
+    assert ran.return_value == 0
+    assert "not run" in ran.output
+    assert not (root / "verify" / "models.json").exists()
 
 
 def test_no_scenarios(root: Path) -> None:
