@@ -229,6 +229,10 @@ public final class Engine {
     if (loose != null) {
       answer.add("loose", loose);
     }
+    if (explanation != null) {
+      answer.addProperty("largest", explanation.largest());
+      answer.addProperty("followed", explanation.steps());
+    }
     if (!followed.isEmpty()) {
       var steps = new JsonArray();
       followed.forEach(steps::add);

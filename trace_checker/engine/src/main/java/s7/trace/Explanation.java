@@ -71,6 +71,8 @@ final class Explanation {
   private List<State> states;
   private int most = LOOSE_STATES;
   private boolean loosened;
+  private int largest;
+  private long steps;
 
   /** More states explain the log than are followed. */
   private static final class TooMany extends RuntimeException {
@@ -173,6 +175,16 @@ final class Explanation {
     return loosened;
   }
 
+  /** The most states that explained the log at a time, those on the way to a line included. */
+  int largest() {
+    return largest;
+  }
+
+  /** How often a state was followed by a step of time, by a silent step or by a line. */
+  long steps() {
+    return steps;
+  }
+
   private Refusal observed(RecordValue event) {
     try {
       return followed(event);
@@ -214,6 +226,7 @@ final class Explanation {
     List<State> ready = closure(arrived, event);
     List<State> after = new ArrayList<>(ready.size());
     for (State state : ready) {
+      steps++;
       after.addAll(spec.observe(state, event));
       limit(after.size());
     }
@@ -245,6 +258,7 @@ final class Explanation {
         arrived.add(state);
         continue;
       }
+      steps++;
       List<State> next = spec.elapse(state, event);
       if (next.size() == 0) {
         stuck.add(state);
@@ -298,6 +312,7 @@ final class Explanation {
       if (!spec.stirs(state, event)) {
         continue;
       }
+      steps++;
       List<State> next = spec.silent(state, event);
       if (next.size() > 0 && seen == null) {
         closed = new ArrayList<>(closed);
@@ -394,6 +409,7 @@ final class Explanation {
   }
 
   private void limit(int size) {
+    largest = Math.max(largest, size);
     if (size > most) {
       throw new TooMany(most);
     }
