@@ -12,6 +12,29 @@
 EXTENDS LogHeader, Lines
 
 -----------------------------------------------------------------------------
+(* Points and delays of the moment of a line *)
+
+(* The start event of OB o makes it wait, and changes nothing else.        *)
+\* @type: Int => Bool;
+OnlyWaits(o) == /\ o \in loaded /\ ~Idle(o) /\ ~OnStack(o)
+                /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
+
+(* It matters for line e whether OB o waits, or for the queue that the     *)
+(* line leaves.                                                            *)
+\* @type: ($event, Int) => Bool;
+Touches(e, o) ==
+    CASE e.event \in {"DIS_IRT", "EN_IRT"} -> MarkedIn(Meant(e.mode, e.ob), o)
+      [] e.event = "interrupt"            -> ClassOf(e.ob) = ClassOf(o)
+      [] e.event \in CallEvents \cup {"start", "end", "load", "delete", "state"} ->
+           e.ob = o
+      [] OTHER                            -> e.event # "diag"
+
+(* A start event of this moment may come before or after line e.  Where    *)
+(* that makes no difference it comes after: to wait later allows no less.  *)
+\* @type: ($event, Int) => Bool;
+ComesBefore(e, o) == Partial \/ PointsComeByNumber \/ ~OnlyWaits(o) \/ Touches(e, o)
+
+-----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
 (* The boundaries of the cycle and of the startup OB.  The end of a cycle  *)
@@ -24,8 +47,9 @@ HiddenBoundary ==
 \* @type: $event => Bool;
 HiddenBefore(e) ==
     /\ UNCHANGED <<lineVars, up>>
-    /\ \/ \E o \in PointsNow : PointReached(o) /\ Rewait
-       \/ \E o \in OverBefore(e) : DelayElapses(o) /\ Rewait
+    /\ \/ \E o \in PointsNow : ComesBefore(e, o) /\ PointReached(o) /\ Rewait
+       \/ \E o \in OverBefore(e) :
+            (o \in OverNow => ComesBefore(e, o)) /\ DelayElapses(o) /\ Rewait
        \/ FindMissing
        \/ HiddenBoundary /\ Rewait
 

@@ -116,6 +116,11 @@ final class Contract {
     alone = spec.remembered(this::goAlone);
   }
 
+  /** The record for no event at all. */
+  RecordValue noEvent() {
+    return noEvent;
+  }
+
   /** The record for a normalised header. */
   Value header(Json json) {
     return Values.like(value(Operator.NO_HEADER, blank), json);

@@ -348,11 +348,20 @@ final class Explanation {
     return nearest;
   }
 
+  /** These states, and those that a silent step leads to, also one that this event does not ask for. */
+  private List<State> withSilent(List<State> from) {
+    List<State> all = new ArrayList<>(from);
+    for (State state : from) {
+      all.addAll(spec.silent(state, spec.noEvent()));
+    }
+    return all;
+  }
+
   private Refusal refusal(
       Contract.Failing failing, List<State> from, List<State> near, Value event) {
     Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
-    for (State state : from) {
+    for (State state : failing == Contract.Failing.TOO_LATE ? from : withSilent(from)) {
       for (JsonElement e : spec.expected(failing, state, event)) {
         allowed.put(e.toString(), e);
       }
