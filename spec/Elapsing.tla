@@ -32,11 +32,49 @@ FindMissing ==
     \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
 
 -----------------------------------------------------------------------------
+(* Points without effect *)
+
+(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the   *)
+(* point after them: lost without an entry, or in STARTUP one more for a   *)
+(* run that waits already.  There may be millions before the next line.    *)
+PassedOver ==
+    IF ~Watching THEN {}
+    ELSE { o \in DOMAIN tod :
+             /\ tod[o].active /\ tod[o].period # Once
+             /\ clock.min > tod[o].repeatTo
+             /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
+                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers }
+
+(* The setting when all its points before moment m are over.               *)
+\* @type: ($tod, $moment) => $tod;
+PassedUntil(t, m) ==
+    IF ~Before(NextMoment(t), m) THEN t
+    ELSE [t EXCEPT !.next =
+            PointFrom(t, IF m.ms > t.offset THEN m.min + 1 ELSE m.min)]
+
+\* @type: $moment => Bool;
+PassesNoOther(t) ==
+    \A o \in DOMAIN tod \ PassedOver :
+      tod[o].active => ~Before(NextMoment(tod[o]), t) /\ clock # NextMoment(tod[o])
+
+(* As TimePasses, over points without effect.                              *)
+\* @type: ($moment, Int) => Bool;
+PassesOver(t, d) ==
+    /\ Before(clock, t) /\ PassesNoOther(t) /\ PassesNoDelay(d)
+    /\ clock' = t
+    /\ tod' = [ o \in DOMAIN tod |-> IF o \in PassedOver THEN PassedUntil(tod[o], t)
+                                                         ELSE tod[o] ]
+    /\ dint' = JobsAfter(d)
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, irt, outcomeVars, runVars>>
+
+-----------------------------------------------------------------------------
 (* How far time can elapse in one step *)
 
 (* The next start point, on the CPU clock. *)
 NextPointDue ==
-    LET n == { NextMoment(tod[o]) : o \in { p \in DOMAIN tod : tod[p].active } }
+    LET obs == { p \in DOMAIN tod \ PassedOver : tod[p].active }
+        n   == { NextMoment(tod[o]) : o \in obs }
     IN  CHOOSE m \in n : \A k \in n : ~Before(k, m)
 
 (* The end of the next delay, on the clock of `up'.                        *)
@@ -67,7 +105,8 @@ ElapseTo(until, to) ==
         /\ reports' = ReportsAfter(d)
         /\ UNCHANGED eventVars
         /\ up' = until
-        /\ IF to # clock THEN TimePasses(to, d)
+        /\ IF to # clock
+           THEN IF PassedOver = {} THEN TimePasses(to, d) ELSE PassesOver(to, d)
            ELSE /\ dint' = JobsAfter(d)
                 /\ NothingEntered
                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, irt,
@@ -77,7 +116,7 @@ ElapseTo(until, to) ==
 (* next end of a delay.                                                    *)
 \* @type: $event => Bool;
 Advance(e) ==
-    LET straight == clock = e.at \/ PassesNoPoint(e.at)
+    LET straight == clock = e.at \/ ~Watching \/ PassesNoOther(e.at)
         point == IF straight THEN e.at ELSE NextPointDue
         there == IF straight THEN e.up ELSE UpAt(point, e)
         over  == IF Jobs = {} THEN there ELSE NextDelayOver

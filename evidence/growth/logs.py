@@ -20,7 +20,7 @@ MINUTE = 60_000
 LONG = 10_000
 """Events of a long log."""
 
-PLANT = ROOT / "bench" / "plant.scn"
+PLANT = ROOT / "bench" / "plant.json"
 TIME_OF_DAY = range(10, 18)
 DELAYS = range(20, 24)
 CYCLIC = range(30, 39)
@@ -44,6 +44,11 @@ class Book:
     def add(self, name: str, **fields: object) -> None:
         """An event happens now."""
         self.events.append({"event": name, "at": _spelled(self.now), **fields})
+
+    def set_clock(self, by: int) -> None:
+        """The clock is set."""
+        self.add("clock", to=_spelled(self.now + by))
+        self.now += by
 
     def call(self, name: str, ret: str = RIGHT, **fields: object) -> None:
         """OB 1, or the OB that runs, calls a system function."""
@@ -221,23 +226,22 @@ def recorded(*kinds: str) -> Callable[[int], Log]:
     return some
 
 
-def synchronised(events: int, cpu: str = "S7-400") -> Log:
-    """The clock is synchronised once a minute, ahead and back by turns, while interrupts come."""
-    book = Book(10, 11, 35, 80, 85, cpu=cpu)
+def synchronised(events: int) -> Log:
+    """The clock is set back over a point that was served, and ahead again, each minute."""
+    book = Book(10, 11, 35, 80, 85, cpu="S7-400")
     book.each_minute(10)
     book.each_minute(11)
-    ahead = 20
     while len(book.events) < events:
-        book.now += MINUTE - book.now % MINUTE - 30_000 + MINUTE * (book.now % MINUTE >= 30_000)
+        book.now += MINUTE - (book.now + 30_000) % MINUTE
         book.run(10)
         book.run(11)
+        book.now += 300
+        book.set_clock(-400)
         for _ in range(4):
             book.now += 1000
             book.add("interrupt", ob=35)
             book.run(35)
-        book.add("clock", to=_spelled(book.now + ahead))
-        book.now += ahead
-        ahead = -ahead
+        book.set_clock(400)
     return book.log
 
 
@@ -269,36 +273,40 @@ def at_their_end(events: int) -> Log:
 class Kind:
     """A way to write logs of any size, with two sizes: for a test, and as large as a plant may make it.
 
-    ``log`` gives the log of a size; ``long`` logs may cost twenty small logs, the others ten.
+    ``log`` gives the log of a size; ``long`` logs may cost twenty small logs, the others ten. ``states``: so many
+    explain it at a time, on the way from line to line too; ``followed``: so often for each event a state is followed to
+    its successors.
     """
 
     name: str
     log: Callable[[int], Log]
     little: int
     large: int
+    states: int
+    followed: int
     long: bool = False
     rejected: bool = False
 
 
 def kinds() -> Iterator[Kind]:
     """All of them."""
-    yield Kind("ten lines", small, 1, 1)
-    yield Kind("minute interrupt blocked, unblocked years later", blocked_for_years, 1, 16)
-    yield Kind("minute interrupt in STARTUP for years", passed_for_years, 1, 16)
-    yield Kind("asynchronous errors in one millisecond", errors_at_once, 8, 16)
-    yield Kind("OBs of one class in one millisecond", one_class_at_once, 8, 17)
-    yield Kind("8 time-of-day, 4 delay, 9 cyclic, 8 hardware OBs in one millisecond", all_at_once, 3, 9)
-    yield Kind("26 lines, the last one wrong", wrong_at_the_end, 7, 7, rejected=True)
-    yield Kind("HOLD, an interrupt a second", held, 50, 800)
-    yield Kind("interrupts in STARTUP", in_startup, 50, 400)
-    yield Kind("OB 10 waits, a line a minute", waiting, 30, 240)
-    yield Kind("recorded: call, ob", recorded("call", "ob"), 300, LONG, long=True)
+    yield Kind("ten lines", small, 1, 1, 2, 3)
+    yield Kind("minute interrupt blocked, unblocked years later", blocked_for_years, 1, 16, 2, 3)
+    yield Kind("minute interrupt in STARTUP for years", passed_for_years, 1, 16, 8, 9)
+    yield Kind("asynchronous errors in one millisecond", errors_at_once, 8, 16, 0, 0)
+    yield Kind("OBs of one class in one millisecond", one_class_at_once, 8, 17, 0, 0)
+    yield Kind("8 time-of-day, 4 delay, 9 cyclic, 8 hardware OBs in one millisecond", all_at_once, 3, 9, 4, 3)
+    yield Kind("26 lines, the last one wrong", wrong_at_the_end, 7, 7, 4, 4, rejected=True)
+    yield Kind("HOLD, an interrupt a second", held, 50, 800, 0, 0)
+    yield Kind("interrupts in STARTUP", in_startup, 50, 400, 0, 0)
+    yield Kind("OB 10 waits, a line a minute", waiting, 30, 240, 0, 0)
+    yield Kind("recorded: call, ob", recorded("call", "ob"), 1000, LONG, 8, 9, long=True)
     for kind in EVERY_KIND:
         others = [other for other in EVERY_KIND if other != kind]
-        yield Kind(f"recorded: all but {kind}", recorded(*others), 300, LONG, long=True)
-    yield Kind("recorded: call", recorded("call"), 300, LONG, long=True)
-    yield Kind("recorded: interrupt", recorded("interrupt"), 300, LONG, long=True)
-    yield Kind("recorded: nothing", recorded(), 300, LONG, long=True)
-    yield Kind("S7-400, clock synchronised once a minute", synchronised, 300, LONG, long=True)
-    yield Kind("missing OB 20, started again by OB 85", missing_again, 50, 100)
-    yield Kind("4 delays started again at their end", at_their_end, 300, 20_000, long=True)
+        yield Kind(f"recorded: all but {kind}", recorded(*others), 1000, LONG, 0, 0, long=True)
+    yield Kind("recorded: call", recorded("call"), 1000, LONG, 8, 9, long=True)
+    yield Kind("recorded: interrupt", recorded("interrupt"), 1000, LONG, 8, 9, long=True)
+    yield Kind("recorded: nothing", recorded(), 1000, LONG, 8, 9, long=True)
+    yield Kind("S7-400, clock synchronised once a minute", synchronised, 1000, LONG, 8, 9, long=True)
+    yield Kind("missing OB 20, started again by OB 85", missing_again, 50, 100, 8, 9)
+    yield Kind("4 delays started again at their end", at_their_end, 1000, 20_000, 24, 28, long=True)

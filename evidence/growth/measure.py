@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import resource
 import signal
@@ -62,9 +63,7 @@ def cost_of(kind: Kind, size: int, limit: float) -> Cost:
             process.join()
         if not report.exists():
             return Cost(kind.name, len(log.events) + 1, "none in time", None, None, 0, 0, limit, 0)
-        from ast import literal_eval
-
-        return Cost(**literal_eval(report.read_text()))
+        return Cost(**json.loads(report.read_text()))
 
 
 def _measured(kind: Kind, log: Log, limit: float, report: Path) -> None:
@@ -79,4 +78,4 @@ def _measured(kind: Kind, log: Log, limit: float, report: Path) -> None:
         kind.name, len(log.events) + 1, answer.verdict, answer.line, answer.loose, answer.largest, answer.followed,
         round(used.ru_utime + used.ru_stime, 2), used.ru_maxrss // 1024, answer.message[:90],
     )  # fmt: skip
-    report.write_text(repr(asdict(cost)))
+    report.write_text(json.dumps(asdict(cost)))

@@ -214,6 +214,7 @@ final class Explanation {
   private Refusal followed(RecordValue event) {
     List<State> alone = states.size() == 1 ? spec.alone(states.get(0), event) : List.of();
     if (!alone.isEmpty()) {
+      steps++;
       return explained(alone, event);
     }
     List<State> stuck = new ArrayList<>();
