@@ -31,6 +31,8 @@ DependsOn(e) ==
            {e.ob} \cup (IF e.ob = ProgramErrorOb THEN { r.ob : r \in requests }
                         ELSE {})
       [] e.event \in {"QRY_TINT", "QRY_DINT", "state"} -> {e.ob}
+      [] e.event \in {"ACT_TINT", "SRT_DINT"} -> {e.ob, ProgramErrorOb}
+      [] e.event = "end" /\ e.ob = ProgramErrorOb -> { r.ob : r \in requests }
       [] e.event \in {"stop", "diag"} ->
            { r.ob : r \in requests } \cup {TimeErrorOb, ProgramErrorOb}
       [] e.event = "interrupt" -> {e.ob, TimeErrorOb, ProgramErrorOb}
@@ -41,7 +43,7 @@ DependsOn(e) ==
 
 (* ... and the OBs on which it depends what happens now.                   *)
 NowNeeded ==
-    LET due == { r \in requests : MayStart(r) }
+    LET due == { r \in requests : MayStart(r) \/ MissingNoticedWhenDue }
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 

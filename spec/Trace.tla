@@ -66,4 +66,12 @@ HidesBefore(e) == \/ stack = <<>>
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               requests, stack, delay, stopCause, up, waiting, first, overruns,
               arrivals, changes, reports>>
+
+(* ... between two lines.  Where loading is not recorded, OBs are loaded    *)
+(* and deleted unseen when something depends on it: then it does not       *)
+(* matter which were loaded before.                                        *)
+DistinctAfterLine ==
+    <<cpu.readings, IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
+      mode, startup, clock, tod, dint, irt, requests, stack, delay, stopCause,
+      up, waiting, first, overruns, arrivals, changes, reports>>
 =============================================================================

@@ -59,6 +59,7 @@ Either(n) == \/ Guarded(n)
 
 Situation == [count |-> count]
 Distinct == <<count, time>>
+DistinctAfterLine == Distinct
 Alternatives == {1, 2}
 
 Next == Silent(NoEvent)

@@ -45,6 +45,7 @@ final class Contract {
     OBSERVE("Observe", 1),
     LOOSEN("Loosen", 0),
     DISTINCT("Distinct", 0),
+    DISTINCT_AFTER_LINE("DistinctAfterLine", 0),
     DISTANCE("Distance", 1),
     SITUATION("Situation", 0),
     EXPECTED("Expected", 1),
@@ -221,6 +222,11 @@ final class Contract {
   /** A number that is the same for states that explain the rest of every log alike. */
   long key(State state) {
     return spec.key(Operator.DISTINCT.tla, state);
+  }
+
+  /** As {@link #key}, for a state between two lines. */
+  long keyAfterLine(State state) {
+    return spec.key(Operator.DISTINCT_AFTER_LINE.tla, state);
   }
 
   /** How far a state is from one in which the event would be possible. */

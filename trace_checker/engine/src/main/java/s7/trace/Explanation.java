@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.ToLongFunction;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonArray;
@@ -239,7 +240,7 @@ final class Explanation {
 
   private Refusal explained(List<State> after, RecordValue event) {
     limit(after.size());
-    states = distinct(after);
+    states = distinct(after, spec::keyAfterLine);
     past.add(event);
     return null;
   }
@@ -405,13 +406,17 @@ final class Explanation {
   }
 
   private List<State> distinct(List<State> from) {
+    return distinct(from, spec::key);
+  }
+
+  private static List<State> distinct(List<State> from, ToLongFunction<State> key) {
     if (from.size() < 2) {
       return from;
     }
     var seen = new HashSet<Long>();
     var distinct = new ArrayList<State>(from.size());
     for (State state : from) {
-      if (seen.add(spec.key(state))) {
+      if (seen.add(key.applyAsLong(state))) {
         distinct.add(state);
       }
     }
