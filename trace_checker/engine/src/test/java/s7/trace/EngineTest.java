@@ -28,8 +28,18 @@ class EngineTest {
     spec = new Contract(Tiny.load());
   }
 
-  /** The answers to the lines, which are written as the Python side writes them, without spaces. */
+  /** The answers to the lines, without what they cost. */
   private static List<JsonObject> serve(String... lines) throws IOException {
+    var answers = served(lines);
+    for (JsonObject answer : answers) {
+      answer.remove("largest");
+      answer.remove("followed");
+    }
+    return answers;
+  }
+
+  /** The answers to the lines, which are written as the Python side writes them, without spaces. */
+  private static List<JsonObject> served(String... lines) throws IOException {
     var printed = new ByteArrayOutputStream();
     String input = String.join("\n", lines).replace('\'', '"').replace("\": ", "\":");
     new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8))
@@ -141,5 +151,13 @@ class EngineTest {
     assertEquals("error", answers.get(0).get("verdict").getAsString());
     assertEquals(false, answers.get(0).has("line"));
     assertTrue(answers.get(0).get("message").getAsString().contains("AMB-99"));
+  }
+
+  @Test
+  @DisplayName("an answer says what the log cost: the most states at a time, and the steps")
+  void cost() throws IOException {
+    var answer = served(begin("{'choices': [10, 20]}"), read(2, 20), FINISH).get(0);
+    assertEquals(3, answer.get("largest").getAsInt());
+    assertTrue(answer.get("followed").getAsInt() >= 3);
   }
 }
