@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
-from evidence.left_out.drop import EVERY_KIND, without
 from evidence.random_logs.damage import Event, Log
+from evidence.random_logs.drop import EVERY_KIND, without
 
 BEGIN = datetime(2026, 11, 21, 5, 59, 30)
 MINUTE = 60_000

@@ -21,8 +21,8 @@ from evidence.common.console import plain
 from evidence.common.options import json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.left_out.drop import subsets, without
 from evidence.random_logs.damage import Log
+from evidence.random_logs.drop import subsets, without
 from evidence.random_logs.generate import Generator, SoftPlcError
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError

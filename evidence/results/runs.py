@@ -71,6 +71,21 @@ RUNS = {
         "agree --logs 10000",
         summaries.agreement,
     ),
+    "left-out": _s7check(
+        "Kinds left out",
+        "Random accepted logs, each with every subset of the kinds of event left out: none may get worse.",
+        "left-out --logs 1000",
+        summaries.left_out,
+        tlc=False,
+    ),
+    "growth": _s7check(
+        "Logs that leave much open",
+        "Many start events at once, few kinds recorded, years between two lines: what each costs "
+        "([growth](commands.md#s7check-growth-name)).",
+        "growth",
+        summaries.growth,
+        tlc=False,
+    ),
     "mutation": _s7check(
         "Mutation",
         "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",

@@ -77,6 +77,28 @@ def agreement(text: str) -> list[Table]:
     return [Table(list(counts), [list(counts.values())])]
 
 
+def left_out(text: str) -> list[Table]:
+    """Accepted logs with kinds left out, and how many got worse."""
+    report: dict[str, Any] = json.loads(text)
+    counts = {
+        "accepted logs": report["logs"],
+        "with kinds left out": report["left_out"],
+        "only what is certain from some line on": report["loose"],
+        "got worse": len(report["worse"]),
+    }
+    return [Table(list(counts), [list(counts.values())])]
+
+
+def growth(text: str) -> list[Table]:
+    """What each log costs, ten lines first."""
+    report: dict[str, Any] = json.loads(text)
+    columns = ("lines", "verdict", "largest", "followed", "cpu", "memory")
+    rows: list[list[Cell]] = [
+        [cost["kind"], *(cost[column] for column in columns)] for cost in (report["usual"], *report["costs"])
+    ]
+    return [Table(["log", "lines", "verdict", "states at a time", "steps", "CPU, s", "MB"], rows)]
+
+
 def logs(text: str) -> list[Table]:
     """Shipped logs by area and verdict."""
     areas: dict[str, Counter[str]] = {}
