@@ -5,11 +5,9 @@ from collections import Counter
 import click
 
 from s7check.judging.verdict import EXIT_CODES, Report
-from s7check.report.lines import Part, decision, message, parts, place, readings, source
+from s7check.report.lines import Cause, Part, cause, decision, message, parts, place, readings, source
 
 COLOURS = {"accepted": "green", "rejected": "red", "unusable": "yellow", "no verdict": "magenta"}
-
-_Cause = tuple[str, tuple[str, ...], tuple[tuple[str, str], ...]]
 
 
 class TextReports:
@@ -18,7 +16,7 @@ class TextReports:
     """
 
     def __init__(self) -> None:
-        self._explained: dict[_Cause, str] = {}
+        self._explained: dict[Cause, str] = {}
         self._verdicts: Counter[str] = Counter()
         self._deciding: Counter[str] = Counter()
 
@@ -41,9 +39,7 @@ class TextReports:
     def _parts(self, report: Report) -> list[Part]:
         if report.verdict != "rejected":
             return list(parts(report))
-        candidates = tuple((one.place, one.conjunct) for one in report.candidates)
-        cause = (report.message, tuple(report.requirements), candidates)
-        first = self._explained.setdefault(cause, place(report))
+        first = self._explained.setdefault(cause(report), place(report))
         if first == place(report):
             return list(parts(report))
         return [*decision(report), Part("the same cause as", [first]), *readings(report)]

@@ -13,6 +13,14 @@ MOST_EXPECTED = 12
 _MOST_CANDIDATES = 6
 
 
+Cause = tuple[str, tuple[str, ...], tuple[tuple[str, str], ...]]
+
+
+def cause(report: Report) -> Cause:
+    """Equal for rejections for the same reason: such reports differ in little but the log."""
+    return report.message, tuple(report.requirements), tuple((one.place, one.conjunct) for one in report.candidates)
+
+
 class Part(NamedTuple):
     """A heading and the lines under it; a single line stands beside it."""
 

@@ -14,13 +14,16 @@ from s7check.report.markup import Node, add, node
 
 _MOST = 80
 _AFTER = 2
-_COLUMN = 96.0
-_LEFT = 118.0
+_COLUMN = 116.0
+_LABELS = 118.0
+_LEFT = 8.0
 _HEAD = 66.0
-_LANE = 44.0
+_LANE = 58.0
 _STRIP = 20.0
 _CALLS = ("TINT", "DINT", "IRT", "AIRT")
 _NEGATIVE = 0x8000
+_NO_LANE = "no effect"
+"""The strip for start events of OBs that neither run nor wait in any situation, so that no class is known."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +37,27 @@ class _Column:
     x: float
 
 
-class _Rows:
-    """Where the lanes and the strips above them are."""
+@dataclass(frozen=True)
+class Picture:
+    """A timeline: ``labels`` stay in view while ``lanes`` are scrolled; it has the lines ``first`` to ``last``."""
 
-    def __init__(self, states: list[Situation]) -> None:
+    labels: Node
+    lanes: Node
+    first: int
+    last: int
+
+
+class _Rows:
+    """Where the lanes and the strips above them are; ``apart``: an OB of unknown class has a place of its own."""
+
+    def __init__(self, states: list[Situation], named: set[int]) -> None:
         frames = {(one.class_, one.ob) for state in states for one in state.running}
         frames |= {(one.class_, one.ob) for state in states for one in state.pending}
         self.classes = sorted({number for number, _ in frames} | {1}, reverse=True)
-        self.obs = {number: ranges({ob for other, ob in frames if other == number}) or "1" for number in self.classes}
+        self.obs = {number: {ob for other, ob in frames if other == number} or {1} for number in self.classes}
         self.strips = ["mode"]
+        if named - {ob for _, ob in frames}:
+            self.strips.append(_NO_LANE)
         if any(state.delay for state in states):
             self.strips.append("delayed")
         if any(state.blocked for state in states):
@@ -56,30 +71,53 @@ class _Rows:
     def lane(self, number: int) -> float:
         return self._lanes + self.classes.index(number) * _LANE
 
+    def lost(self, ob: int) -> float:
+        """Where a start event of this OB comes to nothing: below what runs and waits in its class."""
+        found = [number for number in self.classes if ob in self.obs[number]]
+        return self.lane(found[0]) + 49 if found else self.strip(_NO_LANE) + 8
 
-def timeline(report: Report) -> Node | None:
+
+def timeline(report: Report) -> Picture | None:
     """The picture as SVG, or None where the situations after the lines are not known."""
     columns = _columns(report)
     if not columns:
         return None
     states = [column.state for column in columns if column.state] + report.situations
-    rows = _Rows(states)
+    lost = {ob for column in columns if (ob := _interrupt(column.event)) is not None}
+    rows = _Rows(states, lost)
     width = _LEFT + len(columns) * _COLUMN + 20
-    svg = node(
-        "svg",
-        *_patterns(),
-        *_background(rows, width),
-        role="img",
-        aria_label="timeline of the log",
-        viewBox=f"0 0 {width:g} {rows.height:g}",
-        width=width,
-        height=rows.height,
-    )
-    add(svg, *_strips(columns, rows), *_bars(columns, rows))
+    first, last = columns[0].number, columns[-1].number
+    labels = _svg(_LABELS, rows.height, *_lanes(rows, _LABELS), *_labels(rows), aria_hidden="true")
+    about = f"timeline of lines {first} to {last}"
+    svg = _svg(width, rows.height, *_lanes(rows, width), role="img", aria_label=about)
+    add(svg, *_bands(columns, rows, report), *_strips(columns, rows), *_bars(columns, rows))
     for before, column in zip([None, *columns[:-1]], columns, strict=True):
         add(svg, *_line(column, before, rows, report))
     add(svg, *_expected(report, columns, rows))
-    return svg
+    return Picture(labels, svg, first, last)
+
+
+def legend() -> Node:
+    """The marks of the pictures in words. It has the patterns that all pictures of a page use."""
+    items = [
+        (node("rect", x=2, y=2, width=20, height=12, rx=3, class_="runs"), "OB runs"),
+        (node("rect", x=2, y=2, width=20, height=12, rx=3, class_="interrupted"), "OB is interrupted"),
+        (node("rect", x=2, y=2, width=20, height=12, rx=3, class_="waiting"), "start event is pending"),
+        (node("rect", x=2, y=2, width=20, height=12, rx=3, class_="ghost"), "OB had to start"),
+        (node("circle", cx=12, cy=8, r=5, class_="call fine"), "call, RET_VAL below 16#8000"),
+        (node("circle", cx=12, cy=8, r=5, class_="call error"), "call, RET_VAL from 16#8000"),
+        (node("circle", cx=12, cy=8, r=5, class_="call wrong"), "call whose answer is rejected"),
+        (_cross(12, 8), "start event has no effect"),
+        (node("rect", x=2, y=2, width=20, height=12, class_="jump"), "clock is set"),
+        (node("rect", x=2, y=2, width=20, height=12, class_="band"), "rejected line"),
+    ]
+    marks = [node("li", _svg(24, 16, mark, aria_hidden="true"), text) for mark, text in items]
+    return node("ul", _svg(0, 0, *_patterns(), aria_hidden="true"), *marks, class_="legend")
+
+
+def _svg(width: float, height: float, *content: Node, **attributes: str) -> Node:
+    box = f"0 0 {width:g} {height:g}"
+    return node("svg", *content, viewBox=box, width=width, height=height, **attributes)
 
 
 def _columns(report: Report) -> list[_Column]:
@@ -127,14 +165,28 @@ def _patterns() -> Iterator[Node]:
     yield node("defs", hatch("interrupted", "runs"), hatch("waiting", "waits"))
 
 
-def _background(rows: _Rows, width: float) -> Iterator[Node]:
+def _lanes(rows: _Rows, width: float) -> Iterator[Node]:
+    for i, number in enumerate(rows.classes):
+        colour = f"lane {'even' if i % 2 else 'odd'}"
+        yield node("rect", x=0, y=rows.lane(number), width=width, height=_LANE, class_=colour)
+
+
+def _bands(columns: list[_Column], rows: _Rows, report: Report) -> Iterator[Node]:
+    """Behind all else the rejected line, and lines that set the clock."""
+    for column in columns:
+        offending = report.verdict == "rejected" and column.number == report.line
+        if offending or column.event["event"] == "clock":
+            colour = "band" if offending else "jump"
+            yield node("rect", x=column.x, y=0, width=_COLUMN, height=rows.height, class_=colour)
+
+
+def _labels(rows: _Rows) -> Iterator[Node]:
     for name in rows.strips:
         yield node("text", name, x=8, y=rows.strip(name) + 14, class_="label")
-    for i, number in enumerate(rows.classes):
-        top = rows.lane(number)
-        yield node("rect", x=0, y=top, width=width, height=_LANE, class_=f"lane {'even' if i % 2 else 'odd'}")
+    for number in rows.classes:
+        top, obs = rows.lane(number), f"OB {ranges(rows.obs[number])}"
         yield node("text", f"class {number}", x=8, y=top + 19, class_="label strong")
-        yield node("text", f"OB {rows.obs[number]}", x=8, y=top + 35, class_="label")
+        yield node("text", node("title", obs), _fitting(obs, _LABELS - 12, bold=False), x=8, y=top + 35, class_="label")
 
 
 def _strips(columns: list[_Column], rows: _Rows) -> Iterator[Node]:
@@ -144,7 +196,7 @@ def _strips(columns: list[_Column], rows: _Rows) -> Iterator[Node]:
                 y = rows.strip(name)
                 title = node("title", f"{name}: {text}")
                 yield node("rect", title, x=first, y=y, width=end - first, height=_STRIP - 4, rx=3, class_=class_)
-                yield node("text", _fitting(text, end - first), x=first + 5, y=y + 12, class_="on")
+                yield node("text", _fitting(text, end - first - 8, 11), x=first + 5, y=y + 12, class_="on")
 
     for text, first, end in _runs(columns, lambda state: state.mode):
         y = rows.strip("mode")
@@ -204,7 +256,9 @@ def _bars(columns: list[_Column], rows: _Rows) -> Iterator[Node]:
                 yield node(
                     "rect", node("title", text), x=first, y=y, width=end - first, height=11, rx=3, class_="waiting"
                 )
-                yield node("text", _fitting(text, (end - first) * 1.3), x=first + 5, y=y + 9, class_="small")
+                yield node(
+                    "text", _fitting(text, end - first - 8, 9.5, bold=False), x=first + 5, y=y + 9, class_="small"
+                )
 
 
 def _pending(one: Pending) -> str:
@@ -216,43 +270,53 @@ def _line(column: _Column, before: _Column | None, rows: _Rows, report: Report) 
     """The line's number, time and words above, and its mark in the lanes."""
     offending = report.verdict == "rejected" and column.number == report.line
     later = report.verdict == "rejected" and report.line is not None and column.number > report.line
+    answer = "wrong" if offending else _class_of_answer(column.event)
     group = node("g", class_="offending" if offending else "later" if later else "event")
     x = column.x
-    if offending:
-        add(group, node("rect", x=x, y=0, width=_COLUMN, height=rows.height, class_="band"))
-    elif column.event["event"] == "clock":
-        add(group, node("rect", x=x, y=0, width=_COLUMN, height=rows.height, class_="jump"))
     add(group, node("path", d=f"M{x:g} 4V{rows.height:g}", class_="tick"))
     add(group, node("title", source(column.text)))
     head = [f"{column.number}", _clock(column, before), *_words(column.event)]
     for i, text in enumerate(head):
-        class_ = ("number", "time", "what", _class_of_answer(column.event))[min(i, 3)]
-        add(group, node("text", _fitting(text, _COLUMN), x=x + 4, y=13 + i * 15, class_=class_))
+        class_, size = (("number", 10), ("time", 11), ("what", 12), (answer, 12))[i]
+        fitting = _fitting(text, _COLUMN - 6, size, bold=class_ == "what")
+        add(group, node("text", fitting, x=x + 4, y=13 + i * 15, class_=class_))
     state = before.state if before else column.state
     if column.event["event"].endswith(_CALLS) and state and state.running:
         y = rows.lane(state.running[-1].class_) + 16
-        add(group, node("circle", cx=x, cy=y, r=5, class_=f"call {_class_of_answer(column.event)}"))
+        add(group, node("circle", cx=x, cy=y, r=5, class_=f"call {answer}"))
     if column.state and before and before.state and not offending:
-        for number, why in _come_to_nothing(column, before.state, rows):
-            y = rows.lane(number) + 34
-            cross = node("path", node("title", why), d=f"M{x - 4:g} {y - 4:g}l8 8m0 -8l-8 8", class_="lost")
-            add(group, cross, node("text", why, x=x + 8, y=y + 4, class_="small nothing"))
+        found: dict[float, list[str]] = {}
+        for ob, why in _come_to_nothing(column, before.state):
+            found.setdefault(rows.lost(ob), []).append(why)
+        for y, reasons in found.items():
+            why = ", ".join(reasons)
+            add(group, _cross(x, y, node("title", why)))
+            add(
+                group,
+                node("text", _fitting(why, _COLUMN - 12, 9.5, bold=False), x=x + 8, y=y + 4, class_="small nothing"),
+            )
     yield group
 
 
-def _come_to_nothing(column: _Column, before: Situation, rows: _Rows) -> Iterator[tuple[int, str]]:
-    """Start events that neither wait nor have started after the line, with their class."""
+def _cross(x: float, y: float, title: Node | None = None) -> Node:
+    return node("path", title, d=f"M{x - 4:g} {y - 4:g}l8 8m0 -8l-8 8", class_="lost")
+
+
+def _come_to_nothing(column: _Column, before: Situation) -> Iterator[tuple[int, str]]:
+    """OBs whose start events neither wait nor have started after the line, and the words for it."""
     state = column.state
     assert state is not None
     kept = {one.ob for one in state.pending} | {frame.ob for frame in state.running}
-    gone = {one.ob: one.class_ for one in before.pending if one.ob not in kept and not one.open}
-    for lost, number in gone.items():
-        if number in rows.classes:
-            yield number, f"OB {lost} gone"
-    ob = column.event.get("ob")
-    if column.event["event"] == "interrupt" and ob not in kept:
-        number = next((n for n in rows.classes if str(ob) in rows.obs[n].split(", ")), rows.classes[-1])
-        yield number, f"OB {ob}: no effect"
+    for lost in dict.fromkeys(one.ob for one in before.pending if one.ob not in kept and not one.open):
+        yield lost, f"OB {lost} gone"
+    ob = _interrupt(column.event)
+    if ob is not None and ob not in kept:
+        yield ob, f"OB {ob}: no effect"
+
+
+def _interrupt(event: dict[str, Any]) -> int | None:
+    """The OB whose start event comes from outside in this line."""
+    return event["ob"] if event["event"] == "interrupt" else None
 
 
 def _expected(report: Report, columns: list[_Column], rows: _Rows) -> Iterator[Node]:
@@ -261,11 +325,17 @@ def _expected(report: Report, columns: list[_Column], rows: _Rows) -> Iterator[N
     if report.verdict != "rejected" or column is None:
         return
     for state in report.situations[:1]:
+        due: dict[int, list[int]] = {}
         for request in state.pending:
-            if request.ready and not request.missing and request.class_ in rows.classes:
-                y = rows.lane(request.class_) + 6
-                yield node("rect", x=column.x + 3, y=y, width=_COLUMN - 6, height=20, rx=3, class_="ghost")
-                yield node("text", f"OB {request.ob} due", x=column.x + 8, y=y + 14, class_="due")
+            if request.ready and not request.missing:
+                due.setdefault(request.class_, []).append(request.ob)
+        for number, obs in due.items():
+            y = rows.lane(number) + 6
+            text = f"OB {ranges(set(obs))} due"
+            box = node("rect", node("title", text), x=column.x + 3, y=y, width=_COLUMN - 6, height=20, rx=3)
+            box.set("class", "ghost")
+            yield box
+            yield node("text", _fitting(text, _COLUMN - 14), x=column.x + 8, y=y + 14, class_="due")
 
 
 # ---------------------------------------------------------------------------- words
@@ -316,6 +386,24 @@ def _class_of_answer(event: dict[str, Any]) -> str:
     return "error" if ret is not None and ret >= _NEGATIVE else "fine"
 
 
-def _fitting(text: str, width: float) -> str:
-    most = max(3, int(width / 6.4))
-    return text if len(text) <= most else text[: most - 1] + "…"
+def _fitting(text: str, width: float, size: float = 12, bold: bool = True) -> str:
+    """The text, or as much of it as surely has room in ``width`` pixels with letters of ``size`` pixels."""
+    room = width / size / (1 if bold else 0.9)
+    if sum(map(_breadth, text)) <= room:
+        return text
+    room -= 1
+    kept = 0
+    while kept < len(text) and (room := room - _breadth(text[kept])) >= 0:
+        kept += 1
+    return text[:kept] + "…"
+
+
+def _breadth(letter: str) -> float:
+    """At most so many times its size a bold letter is broad in the usual fonts."""
+    if letter in " .,:;'il|j()":
+        return 0.42
+    if letter in "tfr-":
+        return 0.5
+    if letter in "mwMW%@" or letter > "\x7f":
+        return 1.1
+    return 0.78 if letter.isupper() or letter in "_=" else 0.7
