@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Literal, Self, TypeVar
@@ -13,13 +14,19 @@ from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import JavaMissingError, check_java
 from s7check.engine.process import EngineProcess
+from s7check.log.elapsed import Clocks, Readings
 from s7check.log.errors import printable
+from s7check.log.events import VARYING
+from s7check.log.fields import OWN
+from s7check.log.lines import Lines
+from s7check.log.reader import LogReader
 from s7check.log.source import wait_for_input
 from s7check.readable import readable
 from s7check.resources import REMEDY
 
 _SHOWN = 300
 _OPEN = b'{"verdict":"open"}'
+_ABOUT_LINES = (b'{"unread"', b'{"clocks"')
 _Shape = TypeVar("_Shape")
 
 
@@ -29,6 +36,26 @@ class _Ready(msgspec.Struct, frozen=True):
 
 class _Alternatives(msgspec.Struct, frozen=True):
     alternatives: Alternatives
+
+
+class _Lines(msgspec.Struct, frozen=True):
+    """The clocks before the line ``unread``, which the engine has no example for, or after all lines."""
+
+    clocks: Readings
+    unread: int = 0
+
+
+Read = Callable[[int], dict[str, Any] | None]
+"""The event of the line with a number; none if it cannot be read, and then the log ends before it."""
+
+
+@dataclass
+class _Unread:
+    """The reading of lines that the engine has got as they are; ``ended`` before a line that cannot be read."""
+
+    clocks: Clocks
+    read: Read
+    ended: bool = False
 
 
 class Engine:
@@ -50,6 +77,7 @@ class Engine:
         self._answer: Answer | None = None
         self._until: float | None = None
         self._alternatives: Alternatives | None = None
+        self._unread: _Unread | None = None
         self._encoder = msgspec.json.Encoder()
 
     def __enter__(self) -> Self:
@@ -73,6 +101,7 @@ class Engine:
         process = self._ready()
         self._at_work, self._idle = process, None
         self._answer = None
+        self._unread = None
         self._until = until
         message: dict[str, Any] = {"message": "begin", "header": header}
         if follow:
@@ -128,16 +157,67 @@ class Engine:
             with self._dropped_on_error(process):
                 process.write(self._encoder.encode_lines(events), self._until)
 
+    def send_lines(self, lines: Lines, reader: LogReader, read: Read) -> None:
+        """Sends lines that are not read yet: the engine reads those that differ from others in their times alone.
+
+        The others it gets from ``read``, which is called in ``wait``, ``end_lines`` and ``finish``; ``reader`` has
+        read the lines before, the header among them, and its clocks go on with the lines.
+        """
+        process = self._at_work
+        if process is None or self._answer is not None or not lines.texts:
+            return
+        if self._unread is None:
+            assert reader.clocks is not None
+            self._unread = _Unread(reader.clocks, read)
+            its = {**reader.clocks.readings, "jumps_logged": reader.clocks.jumps_logged}
+            self._say(process, {"message": "raw", "clocks": its, "varying": VARYING, "own": OWN})
+        begin = self._encoder.encode({"message": "lines", "first": lines.first, "count": len(lines.texts)})
+        with self._dropped_on_error(process):
+            process.write(b"\n".join([begin, *lines.texts, b""]), self._until)
+
+    def end_lines(self) -> None:
+        """The next lines come by ``send``: the reader's clocks are those after the lines before them."""
+        process = self._at_work
+        if process is None or self._unread is None:
+            return
+        self._say(process, {"message": "clocks"})
+        heard = None
+        while heard is None or heard.unread:
+            heard = self._hear(process)
+        self._unread = None
+
+    def _say(self, process: EngineProcess, *messages: dict[str, Any]) -> None:
+        with self._dropped_on_error(process):
+            process.write(self._encoder.encode_lines(messages), self._until)
+
+    def _hear(self, process: EngineProcess) -> _Lines | None:
+        """The engine's next line: a verdict, which is kept, or a question for a line, which is answered."""
+        with self._dropped_on_error(process):
+            line = process.line(self._until)
+            if self._unread is None or not line.startswith(_ABOUT_LINES):
+                self._answer = _decode(line, Answer)
+                return None
+            heard = _decode(line, _Lines)
+        clocks = self._unread.clocks
+        clocks.set(heard.clocks)
+        if heard.unread:
+            event = self._unread.read(heard.unread)
+            if event is None:
+                self._unread.ended = True
+                self._say(process, {"message": "unreadable"})
+            else:
+                self._say(process, {"message": "read", "clocks": clocks.readings}, event)
+        return heard
+
     def wait(self, fd: int) -> bool:
-        """Waits until ``fd`` can be read. False once the log is decided, with or without input."""
+        """Waits until ``fd`` can be read. False once the log is decided or ends, with or without input."""
         process = self._at_work
         if process is None:
             return wait_for_input(fd)
-        while self._answer is None:
+        while self._answer is None and not (self._unread and self._unread.ended):
             if process.output not in readable(fd, process.output):
                 return True
-            with self._dropped_on_error(process):
-                self._answer = _decode(process.line(), Answer)
+            self._hear(process)
         return False
 
     def decided(self) -> bool:
@@ -155,11 +235,11 @@ class Engine:
         process = self._at_work
         if process is None:
             raise EngineError("no log was begun")
-        with self._dropped_on_error(process):
-            process.write(self._encoder.encode({"message": "finish"}) + b"\n", self._until)
-            answer = self._answer or _decode(process.line(self._until), Answer)
+        self._say(process, {"message": "finish"})
+        while self._answer is None:
+            self._hear(process)
         self._idle, self._at_work = process, None
-        return answer
+        return self._answer
 
 
 def _explained(error: EngineError, process: EngineProcess, program: str) -> EngineError:

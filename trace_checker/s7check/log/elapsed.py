@@ -5,6 +5,9 @@ from typing import Any
 from s7check.log.errors import UnusableLogError
 from s7check.log.values import MS_PER_MINUTE, Moment, iso, moment
 
+Readings = dict[str, int]
+"""The state of both clocks in milliseconds: ``clock``, ``up`` and ``elapsed``."""
+
 
 class Clocks:
     """Follows a log's times from line to line.
@@ -18,7 +21,16 @@ class Clocks:
         self._clock = _milliseconds(clock)
         self._up = 0
         self._elapsed = 0
-        self._jumps_logged = jumps_logged
+        self.jumps_logged = jumps_logged
+
+    @property
+    def readings(self) -> Readings:
+        """The clocks after the last line."""
+        return {"clock": self._clock, "up": self._up, "elapsed": self._elapsed}
+
+    def set(self, readings: Readings) -> None:
+        """Goes on from these readings."""
+        self._clock, self._up, self._elapsed = readings["clock"], readings["up"], readings["elapsed"]
 
     @property
     def reading(self) -> int:
@@ -34,7 +46,7 @@ class Clocks:
         at: int = event["at"]
         up: int | None = event.get("up")
         passed = at - self._clock
-        if passed < 0 and self._jumps_logged:
+        if passed < 0 and self.jumps_logged:
             raise UnusableLogError(f"no time before {iso(self._clock)}, the clock's last reading", iso(at), field="at")
         if up is None:
             # Where its settings are not logged, a clock that runs backward was set.

@@ -1,11 +1,13 @@
 """The events: every line of a log but the first."""
 
+from itertools import chain
 from typing import Any
 
 from s7check.log import tables
 from s7check.log.errors import UnusableLogError, quote, ranges
 from s7check.log.fields import Fields, Reader
 from s7check.log.values import (
+    INSTANTS,
     byte,
     choice,
     date_components,
@@ -22,9 +24,11 @@ from s7check.log.values import (
 _LONGEST_UP = 100 * 366 * 86_400_000
 """Milliseconds; no log outlasts the years that the CPU clock can show."""
 
+_up = integer(0, _LONGEST_UP)
 _passed_ob = integer(-0x8000, 0x7FFF)
 _block = integer(tables.OB_NUMBERS.start, tables.OB_NUMBERS.stop - 1)
-_left = integer(0, 0x7FFF_FFFF)
+_LONGEST_LEFT = 0x7FFF_FFFF
+_left = integer(0, _LONGEST_LEFT)
 _external_obs = f"an OB {ranges(tables.EXTERNAL_OBS)}"
 
 
@@ -39,22 +43,19 @@ def _truth_number(value: object) -> int:
     return int(truth(value))
 
 
-_info = Fields(
-    "info",
-    {},
-    {
-        "strt_info": byte,
-        "flt_id": byte,
-        "priority": byte,
-        "period": word,
-        "sign": word,
-        "dtime": duration,
-        "error_info": word,
-        "ev": word,
-        "ev_ob": byte,
-        "time": instant_moment,
-    },
-).nested
+_INFO: dict[str, Reader] = {
+    "strt_info": byte,
+    "flt_id": byte,
+    "priority": byte,
+    "period": word,
+    "sign": word,
+    "dtime": duration,
+    "error_info": word,
+    "ev": word,
+    "ev_ob": byte,
+    "time": instant_moment,
+}
+_info = Fields("info", {}, _INFO).nested
 
 _ANY: dict[str, Reader] = {"event": lambda name: name, "at": instant}
 _OB = {"ob": _passed_ob}
@@ -108,9 +109,29 @@ FIELDS: dict[str, dict[str, Reader]] = {
 """Event that is no call -> the fields of its own, required and optional."""
 
 _EVENTS = {
-    name: Fields(name, {**_ANY, **required}, {"up": integer(0, _LONGEST_UP), **optional})
-    for name, (required, optional) in _TABLE.items()
+    name: Fields(name, {**_ANY, **required}, {"up": _up, **optional}) for name, (required, optional) in _TABLE.items()
 }
+
+
+_VARYING: dict[Reader, tuple[str, int, int]] = {
+    instant: ("date", *INSTANTS),
+    instant_moment: ("date", *INSTANTS),
+    _up: ("number", 0, _LONGEST_UP),
+    _left: ("number", 0, _LONGEST_LEFT),
+}
+
+VARYING: dict[str, tuple[str, int, int]] = {
+    path: _VARYING[reader]
+    for path, reader in chain(
+        *(fields.items() for of_event in _TABLE.values() for fields in of_event),
+        *(_ANY.items(), {"up": _up}.items(), ((f"info.{name}", reader) for name, reader in _INFO.items())),
+    )
+    if reader in _VARYING
+}
+"""Path of a field whose value is another one in most lines -> its plain form, its least and largest value.
+
+A plain date is the form of ISO 8601, a plain number is written in digits alone.
+"""
 
 
 def _check_status(event: dict[str, Any]) -> None:

@@ -15,21 +15,24 @@ from s7check.log.lines import Lines, split_lines
 class Batch(NamedTuple):
     """The content of a piece of the log: its lines, the header if it was among them, its events.
 
-    Events have the field ``line``, the number of their physical line.
+    Events have the field ``line``, the number of their physical line. ``error`` is that of a line that cannot be read;
+    the events are those before it.
     """
 
     lines: Lines
     header: dict[str, Any] | None
     events: list[dict[str, Any]]
+    error: UnusableLogError | None = None
 
 
-def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
-    """Yields the log in batches, each as soon as its lines are complete; memory stays constant.
+class LogReader:
+    """Reads the lines of one log; ``clocks`` are its clocks, none before the header."""
 
-    Raises UnusableLogError, with its line, after everything before that line has been yielded.
-    """
-    clocks: Clocks | None = None
-    for lines in split_lines(as_utf8(chunks)):
+    def __init__(self) -> None:
+        self.clocks: Clocks | None = None
+
+    def read(self, lines: Lines) -> Batch:
+        """The content of the next lines."""
         header: dict[str, Any] | None = None
         events: list[dict[str, Any]] = []
         number = lines.first
@@ -37,19 +40,39 @@ def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
             for number, text in enumerate(lines.texts, lines.first):
                 if not text.strip(b" \t\r"):
                     continue
-                raw = decode_object(text)
-                if clocks is None:
-                    header = read_header(raw)
-                    clocks = Clocks(header["clock"], "clock" in header["records"])
+                if self.clocks is None:
+                    header = read_header(decode_object(text))
+                    self.clocks = Clocks(header["clock"], "clock" in header["records"])
                 else:
-                    event = read_event(raw)
-                    clocks.stamp(event)
-                    event["line"] = number
-                    events.append(event)
+                    events.append(read_line(number, text, self.clocks))
         except UnusableLogError as error:
             error.line = number
-            yield Batch(lines, header, events)
-            raise
-        yield Batch(lines, header, events)
-    if clocks is None:
-        raise UnusableLogError("a header", "an empty log", line=1)
+            return Batch(lines, header, events, error)
+        return Batch(lines, header, events)
+
+    def end(self) -> None:
+        """Raises UnusableLogError if the log has no header."""
+        if self.clocks is None:
+            raise UnusableLogError("a header", "an empty log", line=1)
+
+
+def read_line(number: int, text: bytes, clocks: Clocks) -> dict[str, Any]:
+    """The event of the line ``number``, to which the clocks go on. Raises UnusableLogError, without the line."""
+    event = read_event(decode_object(text))
+    clocks.stamp(event)
+    event["line"] = number
+    return event
+
+
+def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
+    """Yields the log in batches, each as soon as its lines are complete; memory stays constant.
+
+    Raises UnusableLogError, with its line, after everything before that line has been yielded.
+    """
+    reader = LogReader()
+    for lines in split_lines(as_utf8(chunks)):
+        batch = reader.read(lines)
+        yield batch
+        if batch.error is not None:
+            raise batch.error
+    reader.end()

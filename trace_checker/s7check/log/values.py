@@ -13,6 +13,7 @@ Moment = dict[str, int]
 
 MS_PER_MINUTE = 60_000
 _EPOCH = datetime(1990, 1, 1)
+_YEARS = range(1990, 2090)
 _CACHED = 4096
 
 
@@ -187,7 +188,7 @@ def instant(value: object) -> int:
 
 def _new_instant(value: object) -> int:
     year, month, day, hour, minute, second, ms = date_components(value).values()
-    if not 1990 <= year <= 2089:
+    if year not in _YEARS:
         raise UnusableLogError("a date and time from 1990-01-01 to 2089-12-31", quote(value))
     try:
         exact = datetime(year, month, day, hour, minute, second)
@@ -200,6 +201,10 @@ def _new_instant(value: object) -> int:
             _minutes.clear()
         _minutes[str(value)[:16]] = seconds // 60 * MS_PER_MINUTE
     return seconds * 1000 + ms
+
+
+INSTANTS = (0, (datetime(_YEARS.stop, 1, 1) - _EPOCH) // timedelta(milliseconds=1) - 1)
+"""The least and the largest of what ``instant`` gives."""
 
 
 def step(text: str) -> int:

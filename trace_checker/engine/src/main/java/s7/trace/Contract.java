@@ -78,6 +78,20 @@ final class Contract {
   /** The fields of an event that tell kinds of line apart. */
   static final List<String> KIND = List.of("event", "ob", "mode");
 
+  /** The fields of an event with the clock at the line, the time elapsed, and this as the line has it. */
+  static final String AT = "at";
+
+  static final String UP = "up";
+  static final String COUNTER = "counter";
+
+  /** The field of an event with the time to which the clock is set. */
+  static final String TO = "to";
+
+  /** The fields of a point in time. */
+  static final String MINUTES = "min";
+
+  static final String MILLISECONDS = "ms";
+
   /** The field by which a report names a record that an action is applied to. */
   static final String OB = "ob";
 
@@ -127,9 +141,27 @@ final class Contract {
     return Values.like(value(Operator.NO_HEADER, blank), json);
   }
 
-  /** The record for a normalised event. */
+  /** An event in which no field has a value. */
+  RecordValue noEvent() {
+    return noEvent;
+  }
+
+  /**
+   * The record for a normalised event.
+   *
+   * @throws NotCovered if it is of another shape
+   */
   RecordValue event(Json json) {
-    return (RecordValue) Values.like(noEvent, json);
+    try {
+      return (RecordValue) Values.like(noEvent, json);
+    } catch (IllegalArgumentException e) {
+      throw NotCovered.because("at an event", e);
+    }
+  }
+
+  /** The name of an event. */
+  Object name(RecordValue event) {
+    return Values.field(event, KIND.get(0));
   }
 
   /** The values that a header may ask for. */

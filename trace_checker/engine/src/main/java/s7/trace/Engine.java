@@ -1,5 +1,6 @@
 package s7.trace;
 
+import java.io.EOFException;
 import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
@@ -9,15 +10,18 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.function.Supplier;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
 import tla.json.Json;
 import tla.json.JsonLines;
 import tla.spec.Specification;
 import tlc2.TLCGlobals;
+import tlc2.value.impl.RecordValue;
 import util.ToolIO;
 
 /**
@@ -36,6 +40,12 @@ import util.ToolIO;
  *   <li>{@code {"message":"open","session":NAME,"header":HEADER}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
  *   <li>An object with another first field is an event of the log.
+ *   <li>{@code {"message":"raw","clocks":CLOCKS,"varying":FIELDS,"own":"x_"}} says that lines follow as the log has
+ *       them. {@code {"message":"lines","first":N,"count":K}} is in front of K of them. Of a line that it cannot
+ *       read ({@link Examples}) the engine asks {@code {"unread":N,"clocks":CLOCKS}}. The answer, between any two
+ *       messages, is {@code {"message":"read","clocks":CLOCKS}} with the event in the next line, or {@code
+ *       {"message":"unreadable"}}, and then the log ends before the line. {@code {"message":"clocks"}} ends the
+ *       lines as the log has them; the answer has the CLOCKS.
  * </ul>
  *
  * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is
@@ -49,6 +59,7 @@ public final class Engine {
   private static final String FOLDER = "s7check-engine-";
 
   private static final String MESSAGE = "message";
+  private static final String CLOCKS = "clocks";
 
   private final Contract spec;
   private final PrintStream out;
@@ -57,9 +68,13 @@ public final class Engine {
   private int events;
   private boolean decided;
   private final Sessions sessions;
+  private boolean unreadable;
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
   private int follow;
   private JsonElement loose;
+  private JsonLines lines;
+  private Examples examples;
+  private Clocks clocks;
 
   Engine(Contract spec, PrintStream out) {
     this.spec = spec;
@@ -124,38 +139,32 @@ public final class Engine {
   }
 
   void serve(InputStream in) throws IOException {
-    var lines = new JsonLines(in);
+    lines = new JsonLines(in);
     for (Json line = lines.next(); line != null; line = lines.next()) {
-      try {
-        take(line);
-      } catch (NotCovered | StackOverflowError e) {
-        var error = new JsonObject();
-        if (object(line).has("line")) {
-          error.add("line", number(line));
-        }
-        error.addProperty("message", String.valueOf(e.getMessage()));
-        answer("error", error);
-      }
+      take(line);
     }
   }
 
-  private void take(Json line) {
+  private void take(Json line) throws IOException {
     String message = line.first(MESSAGE);
     if (message == null) {
       // The engine passes over the other lines of a log that is decided.
       if (!decided) {
-        observe(line);
+        judge(() -> number(line), () -> observe(spec.event(line), () -> number(line)));
       }
       return;
     }
     switch (message) {
-      case "begin" -> begin(object(line));
+      case "begin" -> judge(() -> null, () -> begin(object(line)));
       case "alternatives" -> print(alternatives());
       case "verdict" -> {
         if (!decided) {
-          print(open());
+          print(with("verdict", new JsonPrimitive("open")));
         }
       }
+      case "raw" -> raw(object(line));
+      case "lines" -> read(object(line));
+      case "clocks" -> print(with(CLOCKS, clocks.json()));
       case "finish" -> {
         if (!decided) {
           answer("accepted", null);
@@ -163,6 +172,89 @@ public final class Engine {
       }
       default -> print(sessions.answer(message, object(line)));
     }
+  }
+
+  /** Does a part of the judging; where it fails the log ends without verdict. */
+  private void judge(Supplier<JsonElement> line, Runnable part) {
+    try {
+      part.run();
+    } catch (NotCovered | StackOverflowError e) {
+      var error = new JsonObject();
+      if (line.get() != null) {
+        error.add("line", line.get());
+      }
+      error.addProperty("message", String.valueOf(e.getMessage()));
+      answer("error", error);
+    }
+  }
+
+  private void raw(JsonObject message) {
+    clocks = new Clocks(message.getAsJsonObject(CLOCKS));
+    if (examples == null) {
+      var text = new LineText(message.getAsJsonObject("varying"), message.get("own").getAsString());
+      examples = new Examples(spec.noEvent(), text);
+    }
+  }
+
+  /** Reads and observes the next lines, which are as the log has them. */
+  private void read(JsonObject message) throws IOException {
+    int first = message.get("first").getAsInt();
+    int count = message.get("count").getAsInt();
+    for (int i = 0; i < count; i++) {
+      Json line = next();
+      if (decided || unreadable || line.isBlank()) {
+        continue;
+      }
+      RecordValue event = examples.read(line, clocks);
+      if (event == null) {
+        event = asked(first + i, count - i - 1);
+      }
+      unreadable = event == null;
+      if (!unreadable) {
+        RecordValue its = event;
+        var number = new JsonPrimitive(first + i);
+        judge(() -> number, () -> observe(its, () -> number));
+      }
+    }
+  }
+
+  /**
+   * Asks for the event of a line. What comes before the answer is put back.
+   *
+   * @param under the lines that are still to come from the message before
+   * @return null if the line cannot be read
+   */
+  private RecordValue asked(int line, int under) throws IOException {
+    var question = with("unread", new JsonPrimitive(line));
+    question.add(CLOCKS, clocks.json());
+    print(question);
+    var passed = new ArrayDeque<Json>();
+    int raw = under;
+    RecordValue event = null;
+    for (boolean answered = false; !answered; ) {
+      Json next = next();
+      String message = raw-- > 0 ? "" : String.valueOf(next.first(MESSAGE));
+      answered = message.equals("read") || message.equals("unreadable");
+      if (message.equals("read")) {
+        clocks.set(object(next).getAsJsonObject(CLOCKS));
+        event = spec.event(next());
+        examples.learn(event);
+      } else if (!answered) {
+        raw = message.equals("lines") ? object(next).get("count").getAsInt() : raw;
+        passed.add(next.copy());
+      }
+    }
+    lines.again(passed);
+    return event;
+  }
+
+  /** The next line, which has to come. */
+  private Json next() throws IOException {
+    Json next = lines.next();
+    if (next == null) {
+      throw new EOFException();
+    }
+    return next;
   }
 
   private static JsonObject object(Json json) {
@@ -177,6 +269,7 @@ public final class Engine {
   private void begin(JsonObject json) {
     decided = false;
     events = 0;
+    unreadable = false;
     loose = null;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
@@ -189,10 +282,10 @@ public final class Engine {
     return answer;
   }
 
-  private static JsonObject open() {
-    var answer = new JsonObject();
-    answer.addProperty("verdict", "open");
-    return answer;
+  private static JsonObject with(String name, JsonElement value) {
+    var object = new JsonObject();
+    object.add(name, value);
+    return object;
   }
 
   private void remember(JsonElement line) {
@@ -205,20 +298,20 @@ public final class Engine {
     }
   }
 
-  private void observe(Json event) {
+  private void observe(RecordValue event, Supplier<JsonElement> line) {
     Explanation.Refusal refusal = explanation.observe(event);
     if (loose == null && explanation.loosened()) {
-      loose = number(event);
+      loose = line.get();
     }
     if (refusal == null) {
       events++;
       if (follow > 0) {
-        remember(number(event));
+        remember(line.get());
       }
       return;
     }
     JsonObject rejected = refusal.asJson();
-    rejected.add("line", number(event));
+    rejected.add("line", line.get());
     answer("rejected", rejected);
   }
 

@@ -15,7 +15,6 @@ import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import tla.eval.State;
 import tla.json.Json;
 import tla.spec.Guards;
@@ -155,19 +154,18 @@ final class Explanation {
   /**
    * Observes one event.
    *
-   * @param event the normalised event, an object as JSON
+   * @param event an event of the specification
    * @return null if it is explained, else why not; the states then stay as before the event
    * @throws NotCovered if more states explain the log than can be followed, or if the
    *     specification cannot be evaluated for this event
    */
-  Refusal observe(Json event) {
+  Refusal observe(RecordValue event) {
     try {
-      return observed(spec.event(event));
+      return observed(event);
     } catch (NotCovered e) {
       throw e;
     } catch (RuntimeException e) {
-      JsonElement name = JsonParser.parseString(event.toString()).getAsJsonObject().get("event");
-      throw NotCovered.because("at the event " + name, e);
+      throw NotCovered.because("at the event \"" + spec.name(event) + "\"", e);
     }
   }
 

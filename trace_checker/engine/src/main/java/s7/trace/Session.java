@@ -66,7 +66,7 @@ final class Session {
    */
   Explanation.Refusal feed(Json event) {
     Explanation next = last().branch();
-    Explanation.Refusal refusal = next.observe(event);
+    Explanation.Refusal refusal = next.observe(spec.event(event));
     if (refusal == null) {
       after.add(next);
     }
@@ -75,7 +75,7 @@ final class Session {
 
   /** What {@link #feed} would return; the log stays as it is. */
   Explanation.Refusal judge(Json event) {
-    return last().branch().observe(event);
+    return last().branch().observe(spec.event(event));
   }
 
   /** Takes lines back until {@code lines} are left. */

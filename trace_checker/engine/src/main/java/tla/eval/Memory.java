@@ -121,7 +121,7 @@ final class Memory {
     inputs[state.values.length] = of;
     if (of != argument) {
       argument = of;
-      argumentShape = shapes.of(of, false);
+      argumentShape = of instanceof Shaped shaped ? shaped.shape(shapes) : shapes.of(of, false);
     }
     return Hash.mix(Hash.mix(state.shape + operator.number()) + argumentShape);
   }

@@ -1,6 +1,7 @@
 package tla.json;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 import com.google.gson.JsonParser;
 import util.UniqueString;
@@ -30,6 +31,32 @@ public final class Json {
   public static Json of(String text) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     return new Json(bytes, 0, bytes.length);
+  }
+
+  /** The same text, which stays valid. */
+  public Json copy() {
+    byte[] own = Arrays.copyOfRange(bytes, begin, end);
+    return new Json(own, 0, own.length);
+  }
+
+  /** A question about the bytes of a text. */
+  public interface Question {
+    boolean of(byte[] bytes, int begin, int end);
+  }
+
+  /** The answer to a question about the bytes. */
+  public boolean ask(Question question) {
+    return question.of(bytes, begin, end);
+  }
+
+  /** Whether it has spaces alone, or nothing. */
+  public boolean isBlank() {
+    for (int i = begin; i < end; i++) {
+      if (bytes[i] != ' ' && bytes[i] != '\t' && bytes[i] != '\r') {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The whole text. */

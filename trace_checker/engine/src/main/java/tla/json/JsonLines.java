@@ -2,6 +2,8 @@ package tla.json;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.ArrayDeque;
+import java.util.Collection;
 
 /** Splits a stream of bytes into lines, each as soon as it has come. */
 public final class JsonLines {
@@ -9,6 +11,7 @@ public final class JsonLines {
   private byte[] buffer = new byte[1 << 16];
   private int begin;
   private int end;
+  private final ArrayDeque<Json> again = new ArrayDeque<>();
 
   public JsonLines(InputStream in) {
     this.in = in;
@@ -16,6 +19,15 @@ public final class JsonLines {
 
   /** The next line, valid until the next call; null at the end of the stream. */
   public Json next() throws IOException {
+    return again.isEmpty() ? fresh() : again.removeFirst();
+  }
+
+  /** Puts lines back: they come again, before all others. */
+  public void again(Collection<Json> lines) {
+    again.addAll(lines);
+  }
+
+  private Json fresh() throws IOException {
     int at = begin;
     while (true) {
       for (; at < end; at++) {

@@ -97,14 +97,23 @@ public final class Values {
 
   /** The string or number in a record's field; an empty string if the record has no field {@code name}. */
   public static Object field(RecordValue record, String name) {
+    int place = place(record, name);
+    if (place < 0) {
+      return "";
+    }
+    return record.values[place] instanceof StringValue string
+        ? string.val.toString()
+        : ((IntValue) record.values[place]).val;
+  }
+
+  /** The place of a field among the values of a record; -1 if it has none of this name. */
+  public static int place(RecordValue record, String name) {
     for (int i = 0; i < record.names.length; i++) {
       if (record.names[i].equals(name)) {
-        return record.values[i] instanceof StringValue string
-            ? string.val.toString()
-            : ((IntValue) record.values[i]).val;
+        return i;
       }
     }
-    return "";
+    return -1;
   }
 
   /**

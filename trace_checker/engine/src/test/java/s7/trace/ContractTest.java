@@ -55,7 +55,9 @@ class ContractTest {
   }
 
   static Stream<String> fields() {
-    return Stream.concat(Contract.KIND.stream(), Stream.of(Contract.OB));
+    return Stream.concat(
+        Contract.KIND.stream(),
+        Stream.of(Contract.OB, Contract.AT, Contract.UP, Contract.COUNTER, Contract.TO));
   }
 
   @ParameterizedTest
@@ -70,8 +72,8 @@ class ContractTest {
   @DisplayName("a log begins, its lines are observed, and a line that is not possible has its reasons")
   void log() {
     var explanation = new Explanation(contract, Tiny.text(HEADER));
-    assertNull(explanation.observe(line("interrupt", 40, 0)));
-    var refusal = explanation.observe(line("start", 41, 0));
+    assertNull(explanation.observe(contract.event(line("interrupt", 40, 0))));
+    var refusal = explanation.observe(contract.event(line("start", 41, 0)));
     assertFalse(refusal.late());
     assertNotEquals(0, refusal.expected().size());
     assertNotEquals(0, refusal.requirements().size());
@@ -83,8 +85,8 @@ class ContractTest {
   @DisplayName("a line that comes too late has its reasons")
   void late() {
     var explanation = new Explanation(contract, Tiny.text(HEADER));
-    assertNull(explanation.observe(line("interrupt", 40, 0)));
-    var refusal = explanation.observe(line("start", 40, 1));
+    assertNull(explanation.observe(contract.event(line("interrupt", 40, 0))));
+    var refusal = explanation.observe(contract.event(line("start", 40, 1)));
     assertTrue(refusal.late());
     assertNotEquals(0, refusal.expected().size());
     assertNotEquals(0, refusal.requirements().size());

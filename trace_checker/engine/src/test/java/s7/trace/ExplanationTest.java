@@ -28,7 +28,7 @@ class ExplanationTest {
   }
 
   private static Explanation.Refusal observe(Explanation explanation, String event) {
-    return explanation.observe(Tiny.text(event));
+    return explanation.observe(spec.event(Tiny.text(event)));
   }
 
   @Test
