@@ -140,7 +140,12 @@ def test_questions(real_engine: Engine, tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(check, "_ASKED", 20)
     asked: list[int] = []
     read = check.Judging._read
-    monkeypatch.setattr(check.Judging, "_read", lambda *args: (asked.append(args[-1]), read(*args))[1])
+
+    def counted(*args: Any) -> dict[str, Any] | None:
+        asked.append(args[-1])
+        return read(*args)
+
+    monkeypatch.setattr(check.Judging, "_read", counted)
     header = HEADER | {"mode": "RUN"}
     time = {"at": "2026-11-21T05:59:31.000", "ret": None}
     alike = [{"event": "EN_AIRT", **time, "x_n": n} for n in range(3000)]

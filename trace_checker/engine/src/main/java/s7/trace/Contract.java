@@ -141,11 +141,6 @@ final class Contract {
     return Values.like(value(Operator.NO_HEADER, blank), json);
   }
 
-  /** An event in which no field has a value. */
-  RecordValue noEvent() {
-    return noEvent;
-  }
-
   /**
    * The record for a normalised event.
    *
