@@ -134,10 +134,15 @@ Likewise(e) == IF Partial THEN e
 \* @type: ($event, { at: $moment, up: $moment }) => $event;
 Dated(e, time) == [e EXCEPT !.at = time.at, !.up = time.up]
 
+\* @type: $event => { at: $moment, up: $moment };
+TimeOf(e) == [at |-> e.at, up |-> e.up]
+
 Present == [at |-> clock, up |-> up]
 
 (* The CPU clock at its end.                                               *)
-EndOfTime == [at |-> At(LastMinute), up |-> Shifted(up, clock, At(LastMinute))]
+EndOfTime ==
+    LET end == [min |-> LastMinute, ms |-> 59999]
+    IN  [at |-> end, up |-> Shifted(up, clock, end)]
 
 (* d ms from now. *)
 \* @type: Int => { at: $moment, up: $moment };

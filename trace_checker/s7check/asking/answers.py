@@ -44,8 +44,12 @@ class Line(msgspec.Struct, frozen=True):
 
 
 class Possible(msgspec.Struct, frozen=True):
-    """Everything that may come next. ``endless``: nothing has to; else a line has to come by the last of the times."""
+    """Everything that may come next. ``endless``: nothing has to; else a line has to come by the last of the times.
+
+    ``key`` is the same for logs that go on alike.
+    """
 
     times: list[Time]
     endless: bool
     lines: list[Line]
+    key: str = ""

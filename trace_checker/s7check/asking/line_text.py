@@ -4,11 +4,15 @@ import re
 from typing import Any
 
 from s7check.engine.answer import Moment
+from s7check.log.events import OPERANDS
 from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"period", "sign", "ret", "status", "cause", "id", "error_info", "ev"})
 _BYTES = frozenset({"mode", "flt_id", "strt_info"})
 _TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off"})
+_UNSAID = {"ob": 0, "dtime": -1}
+"""Operands that the engine does not tell, since a line without them has the same number."""
+
 _WHOLE = re.compile(r"(?::00)?\.000$")
 _OF_THE_ENGINE = frozenset({"line", "step", "counter"})
 
@@ -34,7 +38,9 @@ def as_line(event: dict[str, Any], at: Moment | None = None) -> dict[str, Any]:
     for name, value in event.items():
         if name not in _OF_THE_ENGINE:
             line[name] = _spelled(name, value)
-    if event["event"].isupper():
+    if event["event"] in OPERANDS:
+        for name in _UNSAID.keys() & OPERANDS[event["event"]].keys():
+            line.setdefault(name, _UNSAID[name])
         line.setdefault("ret", None)
     return line
 

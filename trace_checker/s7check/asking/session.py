@@ -42,6 +42,7 @@ class Session:
             session.possible([{"event": "EN_AIRT"}])   # the answers to this call; the same for any line
             session.why({"event": "EN_AIRT", "ret": 5})  # None, or why it is not possible
             session.undo()                # takes the last line back
+            session.branch()              # another session that goes on from here
             other = session.under({"cpu": "S7-300"})   # the same lines in a CPU with another header
 
     Headers and lines are objects as in a log (docs/checking/log-format.md). ``at`` may be left out: it is then that
@@ -93,12 +94,15 @@ class Session:
         """The situations in which the CPU may be after the last line: one for each explanation, some at most."""
         return self._ask("situations", most=MOST_SITUATIONS).situations
 
-    def possible(self, lines: Iterable[Mapping[str, Any]] | None = None) -> Possible:
+    def possible(self, lines: Iterable[Mapping[str, Any]] | None = None, at: str | None = None) -> Possible:
         """What may come next: all that the specification offers, or which of these lines with which answers.
 
-        A line of ``lines`` may lack ``at``, which counts for nothing, and ``ret``.
+        A line of ``lines`` may lack ``at``, which counts for nothing, and ``ret``. With ``at`` only this time of the
+        CPU clock is looked at, and the only one of the answer.
         """
         more: dict[str, Any] = {}
+        if at is not None:
+            more["when"] = self._event({"event": "hold", "at": at}, copy(self._clocks[-1]))
         if lines is not None:
             events = [self._event(self._whole(line), copy(self._clocks[-1])) for line in lines]
             more["lines"] = [{name: each[name] for name in each if name not in _TIMES} for each in events]
@@ -113,6 +117,15 @@ class Session:
             if (refusal := other.feed(line)) is not None:
                 return other, refusal
         return other, None
+
+    def branch(self) -> Self:
+        """A session with the same lines that goes on by itself."""
+        twin = copy(self)
+        twin._name = str(next(_names))
+        twin.lines = list(self.lines)
+        twin._clocks = list(self._clocks)
+        self._ask("branch", to=twin._name)
+        return twin
 
     def close(self) -> None:
         """Ends the session; nothing else may be called any more."""

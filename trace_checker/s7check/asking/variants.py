@@ -36,6 +36,10 @@ class Variant:
         return changed
 
 
+AS_IT_IS = Variant("as it is")
+"""No change."""
+
+
 def variants(cpus: Iterable[str], profiles: Iterable[str], readings: Iterable[Mapping[str, str]]) -> list[Variant]:
     """The variants that the options of a command name, each once."""
     named = [

@@ -56,6 +56,7 @@ final class Contract {
     WITH_ANSWERS("WithAnswers", 1),
     LIKEWISE("Likewise", 1),
     DATED("Dated", 2),
+    TIME_OF("TimeOf", 1),
     PRESENT("Present", 0),
     END_OF_TIME("EndOfTime", 0),
     LAST_IN_TIME("LastInTime", 0),
@@ -308,6 +309,11 @@ final class Contract {
   /** A line of no kind at a time. */
   RecordValue instant(Value time) {
     return dated(noEvent, time);
+  }
+
+  /** Both clocks of the line. */
+  Value timeOf(Value event) {
+    return value(Operator.TIME_OF, blank, event);
   }
 
   /** Both clocks of the state. */

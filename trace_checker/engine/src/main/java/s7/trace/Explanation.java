@@ -75,7 +75,7 @@ final class Explanation {
   private long steps;
 
   /** More states explain the log than are followed. */
-  private static final class TooMany extends RuntimeException {
+  static final class TooMany extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     TooMany(int most) {
@@ -197,7 +197,8 @@ final class Explanation {
     }
   }
 
-  private void loosen() {
+  /** Goes on with what is certain, or with more states than before where all of them have to be followed. */
+  void loosen() {
     List<State> loose = new ArrayList<>();
     for (State state : states) {
       loose.addAll(spec.loosen(state));

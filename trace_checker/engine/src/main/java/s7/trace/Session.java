@@ -50,6 +50,16 @@ final class Session {
     after.add(new Explanation(spec, header));
   }
 
+  private Session(Session other) {
+    spec = other.spec;
+    after.addAll(other.after);
+  }
+
+  /** A session with the same lines that goes on by itself. */
+  Session branch() {
+    return new Session(this);
+  }
+
   private Explanation last() {
     return after.get(after.size() - 1);
   }
@@ -117,10 +127,17 @@ final class Session {
    *
    * @param lines the lines to try, without a time, as JSON; null for those that the specification
    *     offers
+   * @param when the only time to look at, with {@code at} and {@code up}; null for all at which
+   *     something happens
    */
-  JsonObject possible(JsonArray lines) {
+  JsonObject possible(JsonArray lines, JsonObject when) {
     try {
-      return answer(lines);
+      try {
+        return answer(lines, when);
+      } catch (Explanation.TooMany e) {
+        last().loosen();
+        return answer(lines, when);
+      }
     } catch (NotCovered e) {
       throw e;
     } catch (RuntimeException e) {
@@ -128,10 +145,14 @@ final class Session {
     }
   }
 
-  private JsonObject answer(JsonArray lines) {
+  private JsonObject answer(JsonArray lines, JsonObject when) {
     Explanation now = last();
     var times = new TreeMap<String, Time>();
-    boolean endless = times(now.states(), times);
+    boolean endless = when != null || times(now.states(), times);
+    if (when != null) {
+      Value clocks = spec.timeOf(spec.event(Json.of(when.toString())));
+      times.put("", new Time(clocks, List.of(), new TreeSet<>()));
+    }
     List<Time> ordered = new ArrayList<>(times.values());
     var offers = new LinkedHashSet<Value>();
     for (State state : lines == null ? now.states() : List.<State>of()) {
@@ -264,7 +285,15 @@ final class Session {
           lines.add(json);
         });
     answer.add("lines", lines);
+    answer.addProperty("key", key());
     return answer;
+  }
+
+  /** The same for logs that can go on in the same ways. */
+  private String key() {
+    var keys = new TreeSet<Long>();
+    last().states().forEach(state -> keys.add(spec.key(state)));
+    return keys.toString();
   }
 
   private static JsonArray strings(Iterable<String> texts) {

@@ -3,7 +3,6 @@ package s7.trace;
 import java.util.HashMap;
 import java.util.Map;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import tla.json.Json;
 
@@ -13,11 +12,13 @@ import tla.json.Json;
  * <ul>
  *   <li>{@code open} with {@code header} begins a session, anew if there is one of that name; {@code
  *       close} ends it.
+ *   <li>{@code branch} with {@code to}, the name of a session that begins with the same lines.
  *   <li>{@code feed} with {@code event} adds a line: the answer has {@code refusal} if it is not
  *       possible. {@code judge} tells the same and adds nothing.
  *   <li>{@code back} with {@code lines}: so many lines are left.
  *   <li>{@code situations} with {@code most}.
- *   <li>{@code possible}, with {@code lines} or for all that the specification offers.
+ *   <li>{@code possible}, with {@code lines} or for all that the specification offers, {@code when}
+ *       or at all times.
  * </ul>
  *
  * <p>The answer has {@code error} where the specification cannot be evaluated.
@@ -57,13 +58,18 @@ final class Sessions {
     }
     switch (message) {
       case "close" -> open.remove(name);
+      case "branch" -> open.put(json.get("to").getAsString(), session.branch());
       case "feed" -> refusal(answer, session.feed(text(json, EVENT)));
       case "judge" -> refusal(answer, session.judge(text(json, EVENT)));
       case "back" -> session.back(json.get("lines").getAsInt());
       case "situations" -> answer.add("situations", session.situations(json.get("most").getAsInt()));
-      case "possible" -> answer.add("possible", session.possible((JsonArray) json.get("lines")));
+      case "possible" -> answer.add("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
+  }
+
+  private static JsonObject possible(Session session, JsonObject json) {
+    return session.possible(json.getAsJsonArray("lines"), json.getAsJsonObject("when"));
   }
 
   private static Json text(JsonObject json, String field) {

@@ -1,0 +1,1 @@
+"""The specification as an implementation: it runs programs of the kit."""

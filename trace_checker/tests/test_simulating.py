@@ -1,0 +1,164 @@
+"""``s7check simulate``: the specification runs programs, and accepts the logs."""
+
+import io
+import json
+import sys
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from s7check import cli
+from s7check.api import check
+from s7check.engine.client import Engine
+from s7check.kit.collection import programs_of
+from s7check.kit.followed import departure
+from s7check.kit.program import Program, read_program
+from s7check.resources import KIT
+from s7check.simulating.outcomes import count, outcomes
+from s7check.simulating.simulation import Simulation
+
+SOME = programs_of([KIT])[::40]
+
+PROGRAM: dict[str, Any] = {
+    "format": "s7-interrupt-program/1",
+    "name": "AIRT-nested",
+    "about": "Delays nest.",
+    "requirements": ["AIRT-03"],
+    "header": {"cpu": "S7-400", "obs": [1, 35, 80, 85, 100], "clock": "2026-11-21T05:59:30", "mode": "RUN"},
+    "duration": 5000,
+    "outside": [{"after": 1000, "event": "interrupt", "ob": 35}],
+    "bodies": [{"ob": 1, "run": 1, "steps": [{"call": "DIS_AIRT"}, {"wait": 2000}, {"call": "EN_AIRT"}]}],
+}
+
+
+def program(**changes: Any) -> Program:
+    """The program above with other fields."""
+    return read_program(json.dumps(PROGRAM | changes).encode())
+
+
+def run(engine: Engine, one: Program, seed: int | None = None) -> list[dict[str, Any]]:
+    """The log of a program."""
+    simulation = Simulation(engine, one, random=None if seed is None else Random(seed))  # noqa: S311
+    log = simulation.run()
+    simulation.close()
+    return log
+
+
+def told(log: list[dict[str, Any]]) -> list[str]:
+    """The events of a log without the date."""
+    return [f"{line['at'][17:]} {line['event']} {line.get('ob', line.get('ret', ''))}".strip() for line in log[1:]]
+
+
+@pytest.mark.parametrize("seed", [None, 1])
+@pytest.mark.parametrize("one", SOME, ids=lambda one: one.name)
+def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine) -> None:
+    """Of the programs of the kit, as early as possible and at random; the log is that of the program."""
+    lines = [json.dumps(line).encode() for line in run(real_engine, one, seed)]
+    report = check(lines)
+    assert report.verdict == "accepted", str(report)
+    assert departure(one, lines) == ""
+
+
+def test_as_early_as_may_be(real_engine: Engine) -> None:
+    """OB 35 waits for the end of the delay, no longer."""
+    assert told(run(real_engine, program())) == [
+        "30.000 DIS_AIRT W#16#0001",
+        "31.000 interrupt 35",
+        "32.000 EN_AIRT W#16#0000",
+        "32.000 start 35",
+        "32.000 end 35",
+    ]
+
+
+def test_at_random(real_engine: Engine) -> None:
+    """OBs come up to the latency late; a seed chooses alike."""
+    begins = {told(run(real_engine, program(), seed))[3] for seed in range(12)}
+    assert len(begins) > 2
+    assert run(real_engine, program(), 5) == run(real_engine, program(), 5)
+
+
+def test_an_interrupted_wait_goes_on(real_engine: Engine) -> None:
+    """The time of the OB that interrupts does not count."""
+    bodies = [
+        {"ob": 1, "run": 1, "steps": [{"wait": 2000}, {"call": "EN_AIRT"}]},
+        {"ob": 35, "steps": [{"wait": 300}]},
+    ]
+    assert told(run(real_engine, program(bodies=bodies)))[-1] == "32.300 EN_AIRT W#16#8080"
+
+
+def test_modes(real_engine: Engine) -> None:
+    """A restart comes through STOP; the startup OB runs; HOLD stops a wait; a start event in STOP reaches nobody."""
+    outside = [
+        {"after": 100, "event": "restart", "type": "warm"},
+        {"after": 200, "event": "hold"},
+        {"after": 700, "event": "release"},
+        {"after": 1500, "event": "stop"},
+        {"after": 1600, "event": "interrupt", "ob": 35},
+    ]
+    bodies = [
+        {"ob": 1, "run": 1, "steps": [{"wait": 1000}]},
+        {"ob": 1, "run": 2, "steps": [{"wait": 200}, {"call": "EN_AIRT"}]},
+        {"ob": 100, "steps": [{"wait": 50}]},
+    ]
+    assert told(run(real_engine, program(outside=outside, bodies=bodies))) == [
+        "30.100 stop",
+        "30.100 restart",
+        "30.100 start 100",
+        "30.150 end 100",
+        "30.150 run",
+        "30.200 hold",
+        "30.700 release",
+        "30.850 EN_AIRT W#16#8080",
+        "31.500 stop",
+    ]
+
+
+def test_a_stop_by_rule(real_engine: Engine) -> None:
+    """It has its cause."""
+    step7 = {"execution": "minute", "start": "2026-11-21T05:00", "active": True}
+    header = PROGRAM["header"] | {"obs": [1, 10], "step7": {"tod": {"10": step7}}}
+    log = run(real_engine, program(header=header, bodies=[], outside=[{"after": 20, "event": "clock", "by": 90_000}]))
+    assert told(log)[-1] == "00.020 stop"
+    assert log[-1]["cause"] == "W#16#4568"
+
+
+def test_all_outcomes(real_engine: Engine) -> None:
+    """Two OBs of one moment come in either order; behind them everything is alike."""
+    header = PROGRAM["header"] | {"obs": [1, 10, 11, 80, 85]}
+    step7 = {"execution": "minute", "start": "2026-11-21T05:00", "active": True}
+    header["step7"] = {"tod": {"10": step7, "11": step7}}
+    tree = outcomes(Simulation(real_engine, program(header=header, outside=[], bodies=[], duration=60_000)))
+    ways = {name for name, _ in tree.ways}
+    assert {"start ob=10", "start ob=11"} <= ways
+    assert count(tree) == 1
+
+
+def test_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A log; all outcomes, as text and as JSON."""
+    file = tmp_path / "program.json"
+    file.write_text(json.dumps(PROGRAM), encoding="utf-8")
+    assert cli.main(["simulate", str(file), "--cpu", "S7-300", "--latency", "5"]) == 0
+    header, *lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert (header["cpu"], header["latency_ms"], len(lines)) == ("S7-300", 5, 5)
+    assert cli.main(["simulate", str(file), "--all"]) == 0
+    assert capsys.readouterr().out.endswith("\n1 outcome\n")
+    assert cli.main(["simulate", str(file), "--all", "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["outcomes"] == 1
+    assert cli.main(["simulate", str(file), "--all", "--seed", "1"]) == 2
+    assert cli.main(["simulate", str(file), "--only", "other"]) == 2
+    assert "expected a program other" in capsys.readouterr().err
+    file.write_text("{", encoding="utf-8")
+    assert cli.main(["simulate", str(file)]) == 2
+    assert "expected a JSON object" in capsys.readouterr().err
+
+
+def test_adapter(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """Programs a line, logs with `done` behind them; a program that cannot be run is skipped."""
+    text = json.dumps(PROGRAM).encode() + b"\n"
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(text + b"\n{}\n" + text)))
+    assert cli.main(["simulate", "-"]) == 0
+    events = [json.loads(line).get("event") for line in capsys.readouterr().out.splitlines()]
+    assert events.count("done") == 2
+    assert events.count("skip") == 1
