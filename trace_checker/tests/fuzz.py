@@ -36,7 +36,7 @@ from s7check.report.as_text import TextReports
 
 TRACES = Path(cli.__file__).parents[2] / "traces"
 KEPT = Path("build") / "fuzz"
-SOURCES = Path(__file__).with_name("data") / "import"
+SOURCES = Path(__file__).parents[2] / "examples" / "import"
 
 HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
 

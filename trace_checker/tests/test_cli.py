@@ -265,7 +265,7 @@ def test_no_log(logs: Path, name: str, capsys: pytest.CaptureFixture[str]) -> No
 )
 def test_diagnostic_buffer(logs: Path, source: str, kind: str, capsys: pytest.CaptureFixture[str]) -> None:
     """The message names the command that makes a log of it."""
-    data = Path(__file__).parent / "data" / "import"
+    data = Path(__file__).parents[2] / "examples" / "import"
     content = bytes.fromhex((data / "szl.hex").read_text()) if source == "szl" else (data / source).read_bytes()
     (logs / "buffer").write_bytes(content)
     assert cli.main(["trace", "buffer"]) == 2

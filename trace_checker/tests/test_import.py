@@ -9,10 +9,11 @@ from typing import Any
 
 import pytest
 
-from s7check import cli
+from s7check import check, cli
+from s7check.importing.kinds import kind_of
 from s7check.log.reader import read_log
 
-DATA = Path(__file__).parent / "data" / "import"
+DATA = Path(__file__).parents[2] / "examples" / "import"
 CPU = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100"]
 
 Run = Callable[..., "tuple[dict[str, Any], list[dict[str, Any]], str]"]
@@ -310,6 +311,91 @@ def test_csv(run: Run) -> None:
     assert "5 entries read, 1 skipped; 4 events written" in err
     assert "1 skipped: left out by the column map" in err
     assert 'note: columns not used: "Bemerkung"' in err
+
+
+def test_csv_texts_that_the_map_does_not_have(run: Run, tmp_path: Path) -> None:
+    """``others`` says for them; without it they stand in the log as they are, where the format refuses them."""
+    (tmp_path / "events.csv").write_text("at,what,ob\n2026-11-21T06:00,begins,10\n2026-11-21T06:00,a remark,10\n")
+    columns = {"columns": {"at": "at", "event": "what", "ob": "ob"}, "values": {"event": {"begins": "start"}}}
+    (tmp_path / "columns.json").write_text(json.dumps(columns | {"others": {"event": None}}))
+    arguments = ("--from", "csv", tmp_path / "events.csv", "--map", tmp_path / "columns.json", *CPU, "--mode", "RUN")
+    _, events, err = run(*arguments)
+    assert [event["event"] for event in events] == ["start"]
+    assert "1 skipped: left out by the column map" in err
+    (tmp_path / "columns.json").write_text(json.dumps(columns | {"others": {"event": "end"}}))
+    assert [event["event"] for event in run(*arguments)[1]] == ["start", "end"]
+
+
+@pytest.mark.parametrize(
+    ("name", "family"),
+    [
+        ("S7-300", "S7-300"),
+        ("s7-400", "S7-400"),
+        ("cpu 318", "CPU 318"),
+        ("315-2DP", "S7-300"),
+        ("CPU 317-2 PN/DP", "S7-300"),
+        ("CPU318-2", "CPU 318"),
+        ("416-3", "S7-400"),
+        ("6ES7 315-2AG10-0AB0", "S7-300"),
+        ("6ES7412-3HJ14-0AB0", "S7-400"),
+    ],
+)
+def test_names_of_cpus(run: Run, name: str, family: str) -> None:
+    """A CPU's own name or order number tells its family."""
+    header, _, _ = run("--from", "step7", DATA / "english.txt", "--cpu", name, "--obs", "OB1, ob 10,35")
+    assert (header["cpu"], header["obs"]) == (family, [1, 10, 35])
+
+
+@pytest.mark.parametrize("name", ["S7-1500", "1516-3", "CPU 224", "515", "3155", ""])
+def test_other_cpus(refused: Callable[..., str], name: str) -> None:
+    """No family of these rules: the message says which are."""
+    message = refused("--from", "step7", DATA / "english.txt", "--cpu", name, "--obs", "1")
+    assert "expected S7-300, S7-400, CPU 318, or a CPU such as 315-2DP" in message
+
+
+@pytest.mark.parametrize("obs", ["OB", "1;10", "1,,10", "FB1"])
+def test_no_obs(refused: Callable[..., str], obs: str) -> None:
+    """The message shows both spellings."""
+    message = refused("--from", "step7", DATA / "english.txt", "--cpu", "S7-300", "--obs", obs)
+    assert "expected OBs such as 1,10,80 or OB1,OB10,OB80" in message
+
+
+def test_entries_that_contradict_the_obs(run: Run) -> None:
+    """They are named and stay as they are, and so does the header."""
+    header, events, err = run("--from", "step7", DATA / "english.txt", "--cpu", "S7-400", "--obs", "1,86")
+    assert header["obs"] == [1, 86]
+    assert "entry 2 (line 18): OB 86 could not be started (priority 16#FE), as if it were not loaded; --obs" in err
+    assert "OB 80 was started, so it is loaded; --obs does not name it" in err
+    assert next(event for event in events if event.get("ob") == 86)["x_coding"].startswith("38C4 FE56")
+    _, _, err = run("--from", "step7", DATA / "english.txt", *CPU)
+    assert "note" not in err
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "cp1252"])
+def test_text_from_a_forum(run: Run, tmp_path: Path, encoding: str) -> None:
+    """Its spaces are no-break ones."""
+    text = (
+        (DATA / "english.txt").read_text(encoding="utf-8").replace("  ", "\u00a0 ").replace(" 16# ", "\u00a016#\u00a0")
+    )
+    (tmp_path / "forum.txt").write_text(text, encoding=encoding)
+    _, events, _ = run("--from", "step7", tmp_path / "forum.txt", *CPU)
+    assert events == run("--from", "step7", DATA / "english.txt", *CPU)[1]
+    assert kind_of((tmp_path / "forum.txt").read_bytes()) == "step7"
+
+
+def test_example_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each command of the page beside the sources makes a log with the verdict that the page tells."""
+    page = (DATA / "README.md").read_text(encoding="utf-8")
+    assert all(path.name in page for path in DATA.iterdir() if path.name != "README.md")
+    commands = [line.split()[2:] for line in page.splitlines() if line.startswith("s7check import")]
+    monkeypatch.chdir(DATA)
+    judged = []
+    for number, command in enumerate(commands):
+        log = tmp_path / f"{number}.ndjson"
+        assert cli.main(["import", *command[:-1], str(log)]) == 0
+        report = check(log)
+        judged.append((report.verdict, report.line))
+    assert judged == [("accepted", None)] * 4 + [("rejected", 5)]
 
 
 def test_csv_newest_first_with_info(run: Run, tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from s7check.importing import bcd, diagnostics, szl
 from s7check.importing.entry import Buffer, Entry
 from s7check.importing.errors import SourceError
 from s7check.importing.header import complete
+from s7check.importing.kinds import kind_of
 from s7check.importing.log_text import render
 from s7check.importing.recording import Recording
 
@@ -69,6 +70,19 @@ def test_fields(coding: str, fields: dict[str, Any]) -> None:
         fields = fields | {"info": dict(zip(["flt_id", "error_info", "ev", "ev_ob"], fields["info"], strict=False))}
     expected = {"event": "diag", "at": "2026-11-21T05:59:30.000", "id": f"W#16#{coding[:4]}", **fields}
     assert imported(coding).events[0].event == expected | {"x_coding": coding}
+
+
+def test_answer_with_its_transport() -> None:
+    """Four bytes stand before the header of the list in an answer on the network; their length has to fit."""
+    data = records("4301 FF46 C700 0000 0000 0000", RUN)
+    listed = bytes.fromhex("00A0 0000 0014 0002") + data
+    answer = bytes.fromhex("FF09") + len(listed).to_bytes(2, "big") + listed
+    assert szl.read(answer) == szl.read(data)
+    assert szl.read(answer.hex(" ").encode()) == szl.read(data)
+    assert kind_of(answer) == "szl"
+    for wrong in (bytes.fromhex("FF09 0001") + listed, bytes.fromhex("0A09") + answer[2:]):
+        with pytest.raises(SourceError):
+            szl.read(wrong)
 
 
 def test_time_of_day_and_delay() -> None:

@@ -8,7 +8,7 @@ import click
 from s7check.completion import complete_files
 from s7check.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
 from s7check.importing.errors import SourceError
-from s7check.importing.options import JsonFile, Numbers, Span, Words
+from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
 from s7check.importing.recording import Recording
 from s7check.letters import set_option
 from s7check.log.errors import printable
@@ -66,8 +66,8 @@ Exit codes:
 @click.option(
     "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), help="The log; standard output by default."
 )
-@click.option("--cpu", type=click.Choice(["S7-300", "S7-400", "CPU 318"]), help="The CPU's family.")
-@click.option("--obs", type=Numbers(), metavar="N,N...", help="The OBs that are loaded in it, 1,10,80 for instance.")
+@click.option("--cpu", type=Cpu(), help="The CPU's family, S7-300, S7-400 or CPU 318; or its name, such as 315-2DP.")
+@click.option("--obs", type=Obs(), metavar="N,N...", help="The OBs loaded in it, such as 1,10,80 or OB1,OB10,OB80.")
 @click.option("--clock", metavar="TIME", help="Its clock when the log begins; that of the first event by default.")
 @click.option("--mode", type=click.Choice(["STOP", "STARTUP", "RUN"]), help="Its mode then, if SOURCE does not tell.")
 @click.option(
@@ -176,5 +176,5 @@ def _report(name: str, recording: Recording, complete: dict[str, Any]) -> None:
     for reason, count in recording.skipped.items():
         click.echo(f"  {count} skipped: {reason}", err=True)
     click.echo(f"  recorded completely: {', '.join(complete['records']) or 'nothing'}", err=True)
-    for remark in recording.remarks:
+    for remark in [*recording.remarks, *recording.contradictions(complete["obs"])]:
         click.echo(f"  note: {remark}", err=True)

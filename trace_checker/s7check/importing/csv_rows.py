@@ -24,11 +24,13 @@ class ColumnMap(msgspec.Struct, forbid_unknown_fields=True):
 
     ``columns``: field of the log (``info.period`` for one within ``info``) -> heading of its column;
     ``values``: field -> what a cell says -> what the log says, null where the row or the field is to
-    be left out; ``times``: how dates and times are written, as in Python's strptime.
+    be left out; ``others``: field -> what the log says for any other text; ``times``: how dates and
+    times are written, as in Python's strptime.
     """
 
     columns: dict[str, str]
     values: dict[str, dict[str, str | int | None]] = {}
+    others: dict[str, str | int | None] = {}
     times: str | None = None
     delimiter: str = ","
     encoding: str = "utf-8-sig"
@@ -122,6 +124,8 @@ def _value(row: _Row, field: str, cell: str, columns: ColumnMap) -> str | int | 
         return known[cell]
     if not cell:
         return None
+    if field in columns.others:
+        return columns.others[field]
     if field in _TIMES and columns.times is not None:
         try:
             return datetime.strptime(cell, columns.times).isoformat(timespec="milliseconds")

@@ -18,7 +18,10 @@ _START_EVENTS = frozenset({1, 3})
 _MODE_CLASS = 4
 
 _CLASSES = range(30)
-"""Priority classes; 16#FF stands for none, 16#FE for an OB that could not be started."""
+"""Priority classes; 16#FF stands for none."""
+
+_NOT_STARTED = 0xFE
+"""In the place of the priority class: the OB could not be started."""
 
 
 def convert(buffer: Buffer, chosen: range | None = None) -> Recording:
@@ -39,6 +42,7 @@ def convert(buffer: Buffer, chosen: range | None = None) -> Recording:
             change = modes.events[index]
             recording.events.append(Placed({"event": change["event"], "at": entry.at, **change}, entry.place))
         recording.events.append(Placed(_diag(entry), entry.place))
+        _note_ob(entry, recording)
     recording.header["clock"] = kept[0].at
     if modes.first in ("STOP", "STARTUP", "RUN"):
         recording.header["mode"] = modes.first
@@ -65,12 +69,30 @@ def _without_gap(entries: Sequence[Entry]) -> bool:
     return entries[0].number - entries[-1].number == len(entries) - 1
 
 
+def _ob(entry: Entry) -> tuple[int, int] | None:
+    """The OB that an entry is about, and its priority class as the entry has it."""
+    if entry.coding is None or entry.event_class == _MODE_CLASS or entry.coding[3] not in OB_NUMBERS:
+        return None
+    return entry.coding[3], entry.coding[2]
+
+
+def _note_ob(entry: Entry, recording: Recording) -> None:
+    found = _ob(entry)
+    if found is None:
+        return
+    ob, priority = found
+    if priority == _NOT_STARTED:
+        recording.missing.setdefault(ob, entry.place)
+    elif priority in _CLASSES:
+        recording.started.setdefault(ob, entry.place)
+
+
 def _diag(entry: Entry) -> dict[str, Any]:
     event: dict[str, Any] = {"event": "diag", "at": entry.at, "id": word(entry.id)}
     if entry.coding is None:
         return event
-    priority, ob = entry.coding[2], entry.coding[3]
-    if entry.event_class != _MODE_CLASS and ob in OB_NUMBERS:
+    if found := _ob(entry):
+        ob, priority = found
         event["ob"] = ob
         if priority in _CLASSES:
             event["priority"] = priority

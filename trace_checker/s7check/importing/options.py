@@ -9,17 +9,41 @@ import click
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
 
+_FAMILIES = ("S7-300", "S7-400", "CPU 318")
+_NAME = re.compile(r"(?:(?:SIMATIC|CPU|6ES7)[ -]*)*(3|4)(\d)(\d)(?!\d).*", re.IGNORECASE)
+"""A CPU's name or order number: CPU 315-2DP, 416-3 PN/DP, 6ES7 315-2AG10-0AB0."""
 
-class Numbers(click.ParamType[list[int]]):
-    """Numbers with commas between them."""
 
-    name = "numbers"
+class Cpu(click.ParamType[str]):
+    """A family of CPUs, by its name or by that of one of its CPUs."""
+
+    name = "cpu"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The family."""
+        text = " ".join(value.split())
+        for family in _FAMILIES:
+            if text.upper() == family:
+                return family
+        found = _NAME.fullmatch(text)
+        if found is None or found[2] != "1":
+            self.fail(f"expected S7-300, S7-400, CPU 318, or a CPU such as 315-2DP; found {value!r}", param, ctx)
+        if found[1] + found[2] + found[3] == "318":
+            return "CPU 318"
+        return f"S7-{found[1]}00"
+
+
+class Obs(click.ParamType[list[int]]):
+    """Numbers of OBs with commas between them, with or without ``OB``."""
+
+    name = "obs"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> list[int]:
         """The list."""
-        if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", value):
-            self.fail(f"expected numbers such as 1,10,80; found {value!r}", param, ctx)
-        return [int(number) for number in value.split(",")]
+        found = [re.fullmatch(r"\s*(?:OB)?\s*([0-9]{1,9})\s*", part, re.IGNORECASE) for part in value.split(",")]
+        if not all(found):
+            self.fail(f"expected OBs such as 1,10,80 or OB1,OB10,OB80; found {value!r}", param, ctx)
+        return [int(number[1]) for number in found if number]
 
 
 class Words(click.ParamType[list[str]]):

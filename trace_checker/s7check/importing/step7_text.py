@@ -67,8 +67,13 @@ def read(content: bytes, date_order: str | None = None) -> Buffer:
 def _decode(content: bytes) -> str:
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return content.decode("utf-16", "replace")
-    # Windows code pages and UTF-8 alike: all that is read is ASCII.
-    return content.removeprefix(codecs.BOM_UTF8).decode("latin-1")
+    content = content.removeprefix(codecs.BOM_UTF8)
+    try:
+        # A text from a forum has no-break spaces, of several bytes in UTF-8. The last letter may be cut off.
+        return codecs.getincrementaldecoder("utf-8")().decode(content)
+    except UnicodeDecodeError:
+        # Any Windows code page: all else that is read is ASCII.
+        return content.decode("latin-1")
 
 
 def _blocks(text: str) -> Iterator[_Block]:
