@@ -68,7 +68,7 @@ static void priority_class_error(struct s7cpu *cpu, int missing)
     struct s7cpu_request r = error(cpu, 85, by_sfc ? FLT_MISSING_BY_SFC : FLT_MISSING);
     const struct s7cpu_frame *top = s7cpu_top(cpu);
     r.info.ev = s7_ob_start_event(missing);
-    r.info.ev_ob = top != NULL ? top->ob : 1; /* the OB active at the error */
+    r.info.ev_ob = top != NULL ? top->ob : S7CPU_NONE; /* the OB active at the error */
     s7_diag_error(cpu, &r);
     if (s7_irt_blocks(cpu, 85))
         return; /* AMB-33, reading a: disabled is not missing */
