@@ -153,5 +153,6 @@ OfCall(e, past) ==
     IF mode = "STOP" THEN {"OBS-41"}
     ELSE IF mode = "HOLD" THEN {"OBS-45"}
     ELSE IF ~Called THEN {IF mode = "STARTUP" THEN "OBS-42" ELSE "OBS-01"}
+    ELSE IF StandsBefore(e) THEN {"AIRT-08"}
     ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e)
 =============================================================================

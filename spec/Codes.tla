@@ -43,6 +43,8 @@ EndOfMonth == \h2001
 (* [AMB-05] (c) Not a code of the CPU: monthly, in shorter months on the    *)
 (* last day.                                                               *)
 MonthlyOrLast == -1
+(* [AMB-62] (b) Nor this: set, without a point. *)
+NoPeriod == -2
 
 PeriodCodes ==
     {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly

@@ -41,8 +41,9 @@ TwoLetters ==
       "AMB-16", "AMB-17", "AMB-20", "AMB-21", "AMB-22", "AMB-23",
       "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-33", "AMB-35",
       "AMB-36", "AMB-37", "AMB-38", "AMB-40", "AMB-41", "AMB-42",
-      "AMB-43", "AMB-44", "AMB-46", "AMB-51", "AMB-59", "AMB-63",
-      "AMB-65", "AMB-66", "AMB-72", "AMB-73", "AMB-74", "AMB-75", "AMB-76" }
+      "AMB-43", "AMB-44", "AMB-46", "AMB-51", "AMB-58", "AMB-59",
+      "AMB-62", "AMB-63", "AMB-65", "AMB-66", "AMB-69", "AMB-72", "AMB-73",
+      "AMB-74", "AMB-75", "AMB-76" }
 
 Ambiguities == FourLetters \cup ThreeLetters \cup TwoLetters
 

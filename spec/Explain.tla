@@ -80,7 +80,7 @@ Expected(e) ==
     IF BeforeItsEnd(e) THEN {}
     ELSE IF ~KeepsPace(e) THEN {Allowed("clock", 0, "", 0)}
     ELSE IF e.event = "state" THEN ExpectedState(e)
-    ELSE IF e.event \in CallEvents /\ Called
+    ELSE IF e.event \in CallEvents /\ Called /\ ~StandsBefore(e)
     THEN IF AnswerRight(e)
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
          ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }

@@ -131,8 +131,16 @@ NextPace(e) ==
 
 -----------------------------------------------------------------------------
 
+(* [AMB-69] (b) A call or the start of OB 1 while another OB may start.       *)
+\* @type: $event => Bool;
+StandsBefore(e) ==
+    /\ NothingStandsBefore
+    /\ e.event \in CallEvents \/ (e.event = "start" /\ e.ob = CycleOb)
+    /\ \E r \in requests : ~r.open /\ MayStart(r)
+
 \* @type: $event => Bool;
 Shows(e) ==
+    /\ ~StandsBefore(e)
     /\ CASE e.event \in CallEvents -> IsCall(e)
          [] e.event = "start"      -> IsStart(e)
          [] e.event = "end"        -> End(e.ob)

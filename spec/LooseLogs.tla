@@ -35,7 +35,7 @@ Marked(o) == \E r \in requests : r.ob = o
 
 (* STEP 7 may have set the interrupt again, at an unseen restart.          *)
 \* @type: Int => Bool;
-SetByStep7(o) == ~ModeKnown /\ cpu.step7[o].execution # "none"
+SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o]).set
 
 \* @type: Int => Bool;
 MayBeSet(o) == tod[o].set \/ SetByStep7(o)

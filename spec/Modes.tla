@@ -20,11 +20,13 @@ PeriodOf(execution) ==
       [] execution = "end_of_month" -> EndOfMonth
       [] OTHER                 -> Once
 
-(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none" [AMB-62].    *)
-(* The point is armed later.                                               *)
+(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none", or a date     *)
+(* that no point belongs to [AMB-62].  The point is armed later.           *)
 \* @type: $step7 => $tod;
 Configured(s) ==
-    IF s.execution = "none" THEN NoSetting
+    IF s.execution = "none"
+    THEN IF NoneHasItsDate /\ s.start > 0
+         THEN [NoSetting EXCEPT !.set = TRUE, !.period = NoPeriod] ELSE NoSetting
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
                             !.start  = s.start,

@@ -117,29 +117,23 @@ SeriesBeginsAPeriodLater == Reading("AMB-36") = "b"
 EqualIsPast == Reading("AMB-37") = "b"
 (* [AMB-38] Yearly on February 29 is refused. *)
 YearlyNotOnLeapDay == Reading("AMB-38") = "b"
-
 (* [AMB-39] An end-of-month interrupt whose start is on another day.       *)
 EndOfMonthRunsAtStart == Reading("AMB-39") = "b"
 EndOfMonthTakesNoOtherDay == Reading("AMB-39") = "c"
-
 (* [AMB-40] A clock that is set back calls every active OB of an S7-300. *)
 SetBackCallsActiveObs == Reading("AMB-40") = "b"
-
 (* [AMB-41] An entry 5380 for the call; else for each event that is lost. *)
 DisIrtIsEntered     == Reading("AMB-41") = "a"
 LostEventIsEntered  == Reading("AMB-41") = "b"
-
 (* [AMB-42] EN_IRT with MODE 1 blocks. *)
 EnIrtMode1Blocks == Reading("AMB-42") = "b"
 (* [AMB-43] PERIOD 0401 is daily. *)
 Period0401IsDaily == Reading("AMB-43") = "b"
 (* [AMB-44] A missing OB is noticed when due, though it could not start.   *)
 MissingNoticedWhenDue == Reading("AMB-44") = "a"
-
 (* [AMB-45] One OB 85 for all missing OBs; or one for each. *)
 OneOb85ForAll  == Reading("AMB-45") = "a"
 OneOb85ForEach == Reading("AMB-45") = "b"
-
 (* [AMB-46] After a missing OB its interrupt is no longer active. *)
 MissingObEndsItsSource == Reading("AMB-46") = "b"
 (* [AMB-47] A delay that is over while its OB runs: a second run; or none. *)
@@ -192,6 +186,8 @@ NewSettingForgets(c) == ReadingOf(c, "AMB-57") = "a"
 CpusByMemory == UNION { Turned(c, "AMB-57", "c", {"a", "b"}) :
                           c \in Turned(cpu, "AMB-56", "c", {"a", "b", "d"}) }
 
+(* [AMB-58] A clock set forward skips points that were served already. *)
+ServedPointsAreSkipped == Reading("AMB-58") = "b"
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
 
@@ -204,6 +200,8 @@ CalledOnceIsPast  == Reading("AMB-60") = "b"
 DeselectedIsRefused  == Reading("AMB-61") = "a"
 DeselectedIsOrdinary == Reading("AMB-61") = "b"
 
+(* [AMB-62] The date that STEP 7 gives an interrupt with execution "none". *)
+NoneHasItsDate == Reading("AMB-62") = "b"
 (* [AMB-63] Of several errors the first is answered. *)
 FirstErrorIsAnswered == Reading("AMB-63") = "a"
 (* [AMB-65] An S7-300 has the cold restart. *)
@@ -219,6 +217,8 @@ OutsideRunEventsAreOpen == Reading("AMB-67") = "c"
 EndedSeriesIsActive   == Reading("AMB-68") = "a"
 EndedSeriesIsInactive == Reading("AMB-68") = "b"
 
+(* [AMB-69] Nothing stands before the start of an OB that may start. *)
+NothingStandsBefore == Reading("AMB-69") = "b"
 (* [AMB-70] Calls in the last millisecond of a delay.                      *)
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"

@@ -7,12 +7,19 @@
 (***************************************************************************)
 EXTENDS StartPoints
 
+(* The next point that can be skipped: the one that is watched for; under    *)
+(* AMB-58 (b) also a point that was served before the clock was set back.  *)
+\* @type: $tod => $moment;
+NextSkipped(t) ==
+    IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
+    ELSE [NextMoment(t) EXCEPT !.min = Earlier(@, PointFrom(t, clock.min + 1))]
+
 (* The active interrupts with points between the old and the new time.  A   *)
 (* point that equals the new time is reached, not skipped [AMB-37].        *)
 \* @type: $moment => Set(Int);
 SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
                                       /\ ~Deselected(o)
-                                      /\ IsPast(NextMoment(tod[o]), to) }
+                                      /\ IsPast(NextSkipped(tod[o]), to) }
 
 -----------------------------------------------------------------------------
 (* The settings after a skip *)
@@ -55,7 +62,7 @@ StaysUsed(o, to) ==
 Rearmed(o, to, c) ==
     LET t    == SettingAt(o, to)
         next == NextPoint(t, to, c)
-        done == IF Blocked(o) THEN t ELSE Served(t, t.next)
+        done == IF Blocked(o) THEN t ELSE Served(t, NextSkipped(t).min)
     IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
         ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
         ELSE AfterPoint(o, [done EXCEPT !.next = next])
@@ -83,7 +90,7 @@ WithCatchUps(q, runs) ==
 CatchUps(fault, obs, absent) ==
     LET held == fault = SkippedInHold
     IN  IF held /\ NoCatchUpAfterHold THEN {}
-        ELSE { [ TodRequest(o, NextMoment(tod[o]),
+        ELSE { [ TodRequest(o, NextSkipped(tod[o]),
                             IF o \in absent THEN 0 ELSE fault)
                  EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
 
@@ -104,7 +111,7 @@ WaitsOrRuns(o) == OnStack(o) \/ PendingIn(requests, o) \/ OpenIn(requests, o)
 \* @type: (Set(Int), $moment) => $moment;
 TimeOfSkip(skipped, now) ==
     IF SkipGivesNewTime THEN now
-    ELSE LET points == { NextMoment(tod[o]) : o \in skipped }
+    ELSE LET points == { NextSkipped(tod[o]) : o \in skipped }
          IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
 
 (* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are   *)
@@ -128,7 +135,7 @@ Skip(fault, now, skipped) ==
 (* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
 \* @type: Set(Int) => Bool;
 Defer(skipped) ==
-    LET runs == { TodRequest(o, NextMoment(tod[o]), 0)
+    LET runs == { TodRequest(o, NextSkipped(tod[o]), 0)
                   : o \in { s \in skipped : ~PendingIn(requests, s)
                                             /\ ~Blocked(s) } }
     IN  RequestsBecome(WithCatchUps(requests, runs))

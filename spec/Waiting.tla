@@ -80,7 +80,7 @@ RewaitMissing(r) ==
 HighestFirst(r) ==
     \A q \in requests :
       /\ q.class > r.class /\ ~q.open /\ MayStart(q)
-      => /\ terms.latency > 0
+      => /\ terms.latency > 0 /\ ~NothingStandsBefore
          /\ Span(arrivals[AsItCame(q)], up) <= terms.latency
 
 -----------------------------------------------------------------------------
