@@ -15,6 +15,12 @@ MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
 (* What follows a STOP is left to MCRestart. *)
+(* [AMB-25] (b) *)
+CountLasts == {[a \in {"AMB-25"} |-> "b"]}
+Shallow == /\ delay <= 1
+           /\ Waiting(1)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+
 Bounded == /\ delay <= 3
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -24,7 +24,8 @@ HalfMinutes(a, b) == { Moment(m, ms) : m \in a..b, ms \in {0, 30000} }
 Date(m) == [ year |-> 2026, month |-> 11, day |-> 21, hour |-> 6,
              minute |-> m, second |-> 20, ms |-> 0 ]
 
-WrongDate == [ Date(0) EXCEPT !.month = 2, !.day = 30 ]
+(* It would be December 1, which is ahead. *)
+WrongDate == [ Date(0) EXCEPT !.day = 31 ]
 Monthly29 == [ Date(0) EXCEPT !.month = 12, !.day = 29 ]
 
 NotConfigured == [ execution |-> "none", start |-> 0, active |-> FALSE,

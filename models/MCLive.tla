@@ -1,7 +1,8 @@
 ------------------------------- MODULE MCLive -------------------------------
 (***************************************************************************)
 (* Liveness on an S7-300 and an S7-400: points of every minute, a hardware *)
-(* OB, delays, the clock set forward and back, STOP and restart.           *)
+(* OB, delays of SFC 41, the clock set forward and back, STOP and restart; *)
+(* and a delay interrupt in their place.                                   *)
 (*                                                                         *)
 (* There is no constraint: it would cut off behaviours after which nothing *)
 (* has to happen any more.  The world is finite by itself: the clock ends  *)
@@ -22,6 +23,16 @@ MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 (* DIS_AIRT answers at most 2. *)
 MCRetVals == {0, 1, 2}
+
+(* MCLiveDelay.cfg: a delay that the program starts and cancels. *)
+MCDintObs == {20}
+DelayLoads == {{20, 40, 80, 85}}
+DelayStep7 == {[o \in TodObs |-> NotConfigured]}
+DelayDtimes == {30000}
+DelaySigns == {1}
+DelayMoments == HalfMinutes(1, 1)
+DelayRetVals == {OK}
+OneFamily == {"S7-300"}
 
 MCBudget == 2
 (* Enough for the negative controls. *)

@@ -16,6 +16,18 @@ MCPowerOnMoments == {Moment(0, 0)}
 MCInterrupts == {<<85, 0>>}
 MCRestartTypes == {"warm"}
 
+(* [AMB-46] (b) *)
+SourceEnds == {[a \in {"AMB-46"} |-> "b"]}
+
+(* The same of a delay. *)
+DelayObs == {20}
+DelayLoads == {{20, 80, 85}}
+DelayStep7Settings == {[o \in TodObs |-> NotConfigured]}
+DelayDtimes == {30000}
+DelaySigns == {1}
+DelayMoments == {Moment(0, 30000), Moment(1, 0)}
+JustOK == {OK}
+
 (* What follows a STOP is left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(2)

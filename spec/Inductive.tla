@@ -26,7 +26,8 @@ ActiveInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
       /\ ~tod[o].active => /\ tod[o].next = Never
-                           /\ { r \in requests : r.ob = o } = {}
+                           /\ \/ MissingObEndsItsSource  \* [AMB-46]
+                              \/ { r \in requests : r.ob = o } = {}
 
 (* [TINT-02] (c) [OBS-06] A deselected OB does not wait. *)
 DeselectedWaitsInv == \A r \in requests : ~Deselected(r.ob)

@@ -69,4 +69,12 @@ BackToCycleLive == []<>(Running.class <= 1 /\ requests = {})
 Watched(o, t) == Watching /\ tod[o].active /\ NextMoment(tod[o]) = t
 PointLive == \A o \in TodObs : \A t \in Moments :
                Watched(o, t) ~> ~Watched(o, t)
+
+(* [DINT-03] [DINT-06] A delay that runs and whose end the clock can reach   *)
+(* comes to its end, or it is cancelled, started anew or stopped.          *)
+\* @type: (Int, $moment) => Bool;
+Runs(o, t) == Watching /\ dint[o].started /\ After(clock, dint[o].left) = t
+DelayLive == \A o \in DintObs : \A t \in Moments :
+               Runs(o, t) ~> \/ ~dint[o].started \/ ~Watching
+                             \/ step.event = "SRT_DINT" /\ step.ob = o
 =============================================================================

@@ -6,22 +6,26 @@
 (***************************************************************************)
 EXTENDS Steps
 
-(* [AIRT-12] A delay belongs to a running OB. *)
-AirtInv == delay > 0 => stack # <<>>
+(* [AIRT-12] A delay belongs to a running OB, or lasts over cycles [AMB-25]. *)
+AirtInv == delay > 0 => stack # <<>> \/ CountOutlivesTheCycle
 
 (* [AIRT-04] The end of an OB ends its delay. *)
-AirtEndProp == [][Did("end") => delay' = 0]_vars
+AirtEndProp ==
+    [][ Did("end") => \/ delay' = 0
+                      \/ CountOutlivesTheCycle /\ step'.ob = CycleOb ]_vars
 
-(* [AIRT-01] Nothing starts while a delay is on. *)
+(* [AIRT-01] [AIRT-09] Nothing starts while a delay is on, no OB 80 either. *)
 AirtHoldsProp == [][Dispatched => delay = 0]_vars
 
 (* [AIRT-02] A delay loses nothing: requests leave only by a start, a       *)
 (* missing OB, a withdrawal, or the end of all.                            *)
 AirtKeepsProp ==
     [][ \/ Did("end") /\ step'.ob # ProgramErrorOb
-        \/ step'.event \in {"DIS_AIRT", "EN_AIRT", "time", "interrupt",
-                         "QRY_TINT", "ACT_TINT"}
-          => { r \in requests : ~r.open } \subseteq requests' ]_vars
+        \/ step'.event \in {"DIS_AIRT", "EN_AIRT", "DIS_IRT", "EN_IRT", "QRY_TINT",
+                         "QRY_DINT", "ACT_TINT", "time", "reached", "elapsed",
+                         "interrupt", "clock", "hold", "release", "load", "run"}
+          => \A r \in requests : ~r.open =>
+               \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
 
 (* [AIRT-03] [AIRT-06] [AIRT-07] Counting. *)
 AirtCountProp ==

@@ -54,11 +54,12 @@ CatchUpProp ==
                                   /\ r.follows = 5 ]_vars
 
 (* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a clock that is set, fault 06 *)
-(* by HOLD; a late OB is neither.                                          *)
+(* by HOLD, and names the OBs that are late; a late start is neither.  From *)
+(* outside, either may come and names no OB.                               *)
 SkipFaultProp ==
-    [][ \A r \in Fresh : r.ob = TimeErrorOb =>
-          /\ r.fault = 5 => Did("clock")
-          /\ r.fault = 6 => Did("release") ]_vars
+    [][ \A r \in Fresh : r.ob = TimeErrorOb /\ r.fault \in {5, 6} =>
+          IF r.late = {} THEN Did("interrupt")
+          ELSE Did(IF r.fault = 5 THEN "clock" ELSE "release") ]_vars
 
 (* [AMB-37] [AMB-58] [CLK-14] Without a skip the clock may be set freely:    *)
 (* nothing is requested and nothing is lost.                               *)

@@ -16,8 +16,11 @@ MissingProp ==
              THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D
              ELSE step'.ob \in {82, 83, 86} => stopCause' # NoCause
-          /\ \A o \in TodObs : tod[o].period # Once
-                                 => tod'[o] = tod[o] ]_vars
+          /\ \A o \in TodObs :
+               tod[o].period # Once =>
+                 tod'[o] = IF MissingObEndsItsSource /\ o = step'.ob
+                           THEN [tod[o] EXCEPT !.active = FALSE, !.next = Never]
+                           ELSE tod[o] ]_vars
 
 (* [OBS-21] [OBS-22] [OBS-23] [OBS-25] The CPU must stop only for a rule:   *)
 (* a time error without OB 80, a program error without OB 85, another      *)
@@ -72,8 +75,9 @@ PeriodTable ==
       <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
       <<"end_of_month", \h2001>> }
 
-(* [TINT-04] [OBS-50] [OBS-52] [OBS-54] After a restart only the settings  *)
-(* of STEP 7 hold, and only a once of the past waits [OBS-56].             *)
+(* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] After a restart  *)
+(* only the settings of STEP 7 hold, and only a once of the past waits     *)
+(* [OBS-56].                                                               *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>

@@ -70,6 +70,20 @@ ContentProp ==
                          "EN_AIRT", "SET_TINT", "CAN_TINT", "ACT_TINT", "run"}
           => Fresh = {} ]_vars
 
+(* [OBS-10] [TINT-25] [DINT-03] What a start event says of its interrupt:    *)
+(* PERIOD or SIGN, also where an OB 80 or OB 85 reports it; of an error the *)
+(* OB that was active.                                                     *)
+WordProp ==
+    [][ \A r \in Fresh :
+          /\ r.ob \in TodObs =>
+               r.word = (IF Did("restart") THEN Once ELSE tod[r.ob].period)
+          /\ r.ob \in DintObs => r.word = dint[r.ob].sign
+          /\ r.ob = TimeErrorOb /\ r.cause \in TodObs => r.word = tod[r.cause].period
+          /\ r.ob = TimeErrorOb /\ r.cause \in DintObs => r.word = dint[r.cause].sign
+          /\ r.ob = ProgramErrorOb /\ r.cause # 0 =>
+               \E q \in requests : q.ob = r.cause /\ q.word = r.word
+          /\ r.cause # 0 => r.during = Top(stack).ob /\ r.cause = step'.ob ]_vars
+
 (* [OBS-08] A buffer overflows only where something of the class waits or    *)
 (* runs already.                                                           *)
 OverflowProp ==
@@ -85,15 +99,18 @@ OverflowProp ==
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
 
 (* [OBS-02] The OBs of one class start in the order of their start events.  *)
-(* Not of a clock that is set back.                                        *)
+(* Not of a clock that is set back, or set in STARTUP [AMB-53]; and runs     *)
+(* that catch up together come in any order [AMB-54].                      *)
 FifoProp ==
     [][ Dispatched /\ step'.ob \in TodObs =>
           \E r \in requests :
             /\ r.ob = step'.ob
             /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs /\ ~q.open
-                                     => ~Before(q.since, r.since) ]_vars
+                                     => \/ ~Before(q.since, r.since)
+                                        \/ {q.follows, r.follows} \subseteq {5, 6} ]_vars
 
-(* [OBS-02] The same by the queue, for start events that have no time. *)
+(* [OBS-02] [TINT-12] [OBS-11] The same by the queue, for start events that  *)
+(* have no time.                                                           *)
 TurnProp ==
     [][ Dispatched =>
           \E r \in requests :

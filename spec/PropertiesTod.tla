@@ -3,7 +3,7 @@
 (* Properties of time-of-day interrupts, SFC 28-31 (section 1), said of    *)
 (* states and of steps.                                                    *)
 (*                                                                         *)
-(* Left out: the series of points itself, which models/MCCalendar checks.  *)
+(* Left out: the series of points (PropertiesSeries).                      *)
 (***************************************************************************)
 EXTENDS Steps
 
@@ -16,12 +16,14 @@ CallerProp ==
           => stack # <<>> ]_vars
 
 (* [TINT-05] [TINT-50] Only a set interrupt is active, and only an active  *)
-(* interrupt is watched or waits.                                          *)
+(* interrupt is watched or waits; it may wait still when its missing OB has *)
+(* made it inactive [AMB-46].                                              *)
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
       /\ ~tod[o].active => /\ tod[o].next = Never
-                            /\ ~\E r \in requests : r.ob = o
+                            /\ \/ MissingObEndsItsSource
+                               \/ ~\E r \in requests : r.ob = o
 
 (* [TINT-02] (c) [OBS-06] A deselected OB neither waits nor runs. *)
 DeselectedInv ==
@@ -40,6 +42,19 @@ OverlapInv ==
 -----------------------------------------------------------------------------
 (* RET_VAL *)
 
+(* [TINT-39] The last day of a month, by the calendar.                     *)
+\* @type: (Int, Int) => Int;
+LastDay(year, month) ==
+    IF month = 2 THEN (IF year % 4 = 0 THEN 29 ELSE 28)
+    ELSE IF month \in {4, 6, 9, 11} THEN 30 ELSE 31
+
+(* [TINT-18] [TINT-39] A date for this PERIOD.                             *)
+\* @type: ($date, Int) => Bool;
+Fit(d, period) ==
+    /\ d.year \in 1990..2089 /\ d.month \in 1..12
+    /\ d.day \in 1..(IF period = Monthly THEN 28 ELSE LastDay(d.year, d.month))
+    /\ d.hour \in 0..23 /\ d.minute \in 0..59
+
 (* [TINT-35] [TINT-36] [TINT-33] The answers of SET_TINT: a code only      *)
 (* where it applies, and 0000 only where none does. models/MCTod says the  *)
 (* same of its operands by a table.                                        *)
@@ -52,8 +67,10 @@ SetAnswerProp ==
           IN  /\ v \in {\h0000, \h8090, \h8091, \h8092, \h80A1}
               /\ v = \h8090 => o \notin TodObs \/ Deselected(o)
               /\ v = \h80A1 => past
+              /\ v = \h8091 => ~Fit(step'.sdt, step'.operand)
               /\ v = \h8092 => step'.operand \notin PeriodCodes
               /\ v = 0 => /\ o \in TodObs
+                          /\ Fit(step'.sdt, step'.operand)
                           /\ step'.operand \in PeriodCodes
                           /\ ~past ]_vars
 
@@ -64,6 +81,7 @@ SetProp ==
           /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active
           /\ tod'[step'.ob].start = MinuteOf(step'.sdt)
           /\ tod'[step'.ob].period = step'.operand
+          /\ tod'[step'.ob].offset = 0 /\ tod'[step'.ob].next = Never
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
 (* A once whose only point is past and no run of which is sure to come;    *)
@@ -101,29 +119,6 @@ ActProp ==
                    /\ tod[o].active => tod' = tod
                    /\ ~tod[o].active /\ tod[o].period = Once =>
                         ~Before(At(tod[o].start), clock) ]_vars
-
-(* [TINT-32] [AMB-39] The first month end at the time of day of the start,  *)
-(* for a start that is not past.                                           *)
-\* @type: $tod => Bool;
-AtFirstMonthEnd(t) ==
-    /\ (t.next - t.start) % MinutesADay = 0
-    /\ t.next - t.start \in 0..30 * MinutesADay
-    /\ DayOf((t.next \div MinutesADay) + 1) = 1
-
-(* [TINT-10] [TINT-24] [TINT-32] The first point after activation: the start *)
-(* itself or, at the end of the month, the next month end; for every minute *)
-(* the next one; never a past one.  In an interval that the clock repeats   *)
-(* it may be a later one [AMB-57].                                         *)
-FirstPointProp ==
-    [][ Did("ACT_TINT") /\ step'.value = 0 /\ ~tod[step'.ob].active =>
-          LET t == tod'[step'.ob]
-          IN  /\ ~Before(At(t.next), clock)
-              /\ t.repeatTo < clock.min =>
-                   /\ ~Before(At(t.start), clock) =>
-                        IF t.period = EndOfMonth THEN AtFirstMonthEnd(t)
-                        ELSE t.next = t.start
-                   /\ t.period = Minutely =>
-                        t.next = t.start \/ IsFirstMinute(t.next, clock) ]_vars
 
 (* A call that answers an error, and a query, change nothing [AMB-20]       *)
 (* [TINT-70].                                                              *)
@@ -166,6 +161,7 @@ PointProp ==
                r.ob = o /\ ~\E q \in requests : q.ob = o /\ q.since = r.since
           => \/ Did("reached") /\ step'.ob = o /\ clock = At(tod[o].next)
                   /\ tod[o].active /\ mode \in {"RUN", "STARTUP"}
+                  /\ \A r \in Fresh : r.ob = o => r.since = clock
              \/ step'.event \in {"clock", "restart", "release"} ]_vars
 
 (* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with  *)
@@ -179,7 +175,7 @@ OverlapProp ==
                      r.ob = 80 /\ r.fault = 2 /\ r.late = {step'.ob}
            ELSE stopCause' = \h4568 ]_vars
 
-(* [TINT-23] Otherwise a point leads to its OB. *)
+(* [TINT-23] [OBS-44] Otherwise a point leads to its OB, in STARTUP as well. *)
 OrdinaryProp ==
     [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Idle(step'.ob)
         => PendingIn(requests', step'.ob) ]_vars
@@ -211,15 +207,24 @@ OnceOverProp ==
           /\ Did("missing") /\ step'.ob = o /\ tod[o].period = Once
              => ~tod'[o].set ]_vars
 
-(* A setting of STEP 7 or the program stays until a call, a start of the   *)
-(* OB itself, or a restart [TINT-38].                                      *)
+(* Start, PERIOD and whether it is set. *)
+\* @type: $tod => <<Bool, Int, Int, Int>>;
+SettingOf(t) == <<t.set, t.start, t.period, t.offset>>
+
+(* [TINT-60] A setting of STEP 7 or the program stays until SET_TINT or      *)
+(* CAN_TINT for its OB or a restart [TINT-38]; ACT_TINT only activates it.  *)
+(* A once is gone with the start of its OB, its end, or its lost event.    *)
 SettingStaysProp ==
     [][ \A o \in TodObs :
-          tod'[o].set # tod[o].set \/ tod'[o].active # tod[o].active
-            \/ tod'[o].start # tod[o].start
-          => \/ step'.ob = o /\ step'.event \in TodCalls \cup {"start", "missing"}
-             \/ Did("end") /\ step'.ob = o /\ tod[o].called
-             \/ Did("restart")
-             \/ /\ o \in irt.blocked  \* a once that is lost is used up [AMB-12]
-                /\ step'.event \in {"reached", "clock", "release"} ]_vars
+          \/ /\ SettingOf(tod'[o]) = SettingOf(tod[o])
+             /\ \/ tod'[o].active = tod[o].active
+                \/ Did("ACT_TINT") /\ step'.ob = o /\ step'.value = 0
+                \/ Did("missing") /\ step'.ob = o /\ MissingObEndsItsSource
+          \/ Did("restart")
+          \/ step'.ob = o /\ step'.event \in {"SET_TINT", "CAN_TINT"}
+          \/ /\ tod[o].period = Once /\ ~tod'[o].set
+             /\ \/ step'.ob = o /\ step'.event \in {"start", "missing"}
+                \/ Did("end") /\ step'.ob = o /\ tod[o].called
+                \/ /\ o \in irt.blocked  \* [AMB-12]
+                   /\ step'.event \in {"reached", "clock", "release"} ]_vars
 =============================================================================

@@ -1,0 +1,31 @@
+"""The negative controls of the project: no two of them are the same wrong rule."""
+
+import json
+import re
+from collections import defaultdict
+
+from evidence.common.checkout import ROOT
+from evidence.harness.manifest import MANIFEST, Manifest, Model, load
+from evidence.tla.modules import read_modules
+
+
+def controls(manifest: Manifest) -> dict[str, list[Model]]:
+    """The negative controls by what they make of the specification, without layout."""
+    modules = {**read_modules(manifest.spec), **read_modules(manifest.directory)}
+    found = defaultdict(list)
+    for model in manifest.models:
+        if model.kind == "negative":
+            texts = {m.module: modules[m.module.removesuffix(".tla")].text.decode() for m in model.mutations}
+            for m in model.mutations:
+                texts[m.module] = texts[m.module].replace(m.replace, m.by)
+            found[re.sub(r"\s+", "", "".join(texts.values()))].append(model)
+    return found
+
+
+def test_each_control_has_a_wrong_rule_of_its_own() -> None:
+    """One model never has a change twice. If several have it, all but one say why: the field `what` of the file."""
+    said = {entry["name"] for entry in json.loads((ROOT / MANIFEST).read_text())["models"] if "what" in entry}
+    for same in controls(load(ROOT / MANIFEST)).values():
+        names = [model.name for model in same]
+        assert len({model.base for model in same}) == len(same), names
+        assert len(set(names) - said) <= 1, names

@@ -1,0 +1,24 @@
+------------------------------ MODULE MCCatchUps ------------------------------
+(***************************************************************************)
+(* Two time-of-day OBs whose points a clock set forward, or HOLD, skips: OB *)
+(* 80 reports both, and their catch-ups come in any order [AMB-54].        *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10, 11}
+MCFamilies == {"S7-300"}
+MCLoads == {{10, 11, 80}}
+MCStep7Settings ==
+    {[o \in TodObs |-> Activated("minute", IF o = 10 THEN 1 ELSE 2)]}
+MCMoments == { Moment(m, 0) : m \in 1..4 }
+MCPowerOnMoments == {Moment(0, 30000)}
+(* Runs that are deferred in STARTUP are of start events without an order. *)
+MCClockTargets == IF mode = "STARTUP" THEN {} ELSE {Moment(4, 0)}
+MCRestartTypes == {"warm"}
+\* @type: Bool;
+Holding == TRUE
+
+Bounded == /\ delay = 0
+           /\ Waiting(3)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================
