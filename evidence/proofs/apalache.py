@@ -15,6 +15,9 @@ from typing import Literal
 from evidence.common.processes import InterruptedRunError, Processes, kill
 
 HOME_VARIABLE = "APALACHE_HOME"
+JVM_VARIABLE = "JVM_ARGS"
+JVM_ARGUMENTS = "-Xmx5g -XX:+UseSerialGC -XX:TieredStopAtLevel=1"
+"""Most of a run is short work on a large module: code that is compiled better, and more collectors, cost more time."""
 PROGRAM = "apalache-mc"
 
 Outcome = Literal["holds", "violated", "nothing checked", "failed", "timeout"]
@@ -59,8 +62,12 @@ class ApalacheRun:
 
 
 def find_apalache() -> str:
-    """apalache-mc in APALACHE_HOME/bin, else on PATH. Raises `ApalacheMissingError`."""
+    """apalache-mc in APALACHE_HOME/bin, else on PATH; it gets arguments for its JVM, if the environment has none.
+
+    Raises `ApalacheMissingError`.
+    """
     home = os.environ.get(HOME_VARIABLE)
+    os.environ.setdefault(JVM_VARIABLE, JVM_ARGUMENTS)
     program = shutil.which(str(Path(home) / "bin" / PROGRAM) if home else PROGRAM)
     if program is None:
         raise ApalacheMissingError(

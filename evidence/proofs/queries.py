@@ -68,13 +68,13 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     constants: str
     first: str
     any: str
-    invariant: str
+    invariants: list[str]
     control: str
     waiting: int
     running: int
     timeout: int
-    instead: dict[str, str] = {}
-    """Operators of spec/, and the operators that stand in their places."""
+    instead: dict[str, list[str]] = {}
+    """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
 
 
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
@@ -105,7 +105,7 @@ class Query:
     timeout: int
     action: str = ""
     constants: str = ""
-    instead: tuple[tuple[str, str], ...] = ()
+    instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
     expect: Literal["holds", "violated"] = "holds"
     mutation: Mutation | None = None
 
@@ -142,13 +142,13 @@ def load(root: Path) -> Proofs:
     modules = read_modules(root / "spec")
     actions = named_actions(modules)
     steps, states = properties(modules)
-    formulas = {name for names in steps.values() for name in names} | {file.induction.invariant}
+    formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
     named = [(cell.action, cell.formula) for cell in file.not_proved]
     for action, formula in [*named, *((mutant.action, mutant.formula) for mutant in file.mutants)]:
         if action not in actions:
             raise ManifestError(f"{path}: {action} is no action of System")
         if formula not in formulas:
-            raise ManifestError(f"{path}: {formula} is neither a property of steps nor the invariant")
+            raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     return Proofs(file, tuple(_queries(file, actions, steps, states)), actions, steps, states)
 
 
@@ -189,11 +189,14 @@ def _queries(
         formulas=tuple(name for names in states.values() for name in names),
         timeout=base.timeout,
         constants=base.constants,
-        instead=tuple(base.instead.items()),
+        instead=tuple((name, tuple(others)) for name, others in base.instead.items()),
     )
-    queries = [replace(anywhere, name="first", kind="begins", init=base.first, formulas=(base.invariant,)), anywhere]
+    queries = [
+        replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants)),
+        anywhere,
+    ]
     left = {(cell.action, cell.formula) for cell in file.not_proved}
-    whole = (base.invariant, *(name for names in steps.values() for name in names))
+    whole = (*base.invariants, *(name for names in steps.values() for name in names))
     by_action = {}
     for action in actions:
         formulas = tuple(formula for formula in whole if (action, formula) not in left)

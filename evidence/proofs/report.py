@@ -17,7 +17,8 @@ def assumptions(proofs: Proofs) -> str:
     """What every result of the induction assumes, in a sentence."""
     base = proofs.file.induction
     return (
-        f"One step of System from any state in which {base.invariant} holds, in the world of models/{base.module}.tla, "
+        f"One step of System from any state in which {base.invariants[0]} holds, in the world of "
+        f"models/{base.module}.tla, "
         f"with at most {base.waiting} start events that wait and {base.running} OBs that run before the step; "
         "the calendar by its lemma; readings by default."
     )
