@@ -28,13 +28,28 @@ NotCovered(h) ==
 \* @type: Str => <<Str, Str>>;
 DefaultOf(a) == <<a, Defaults[a]>>
 
+(* The RET_VALs of each call, but for SFC 41, which answers a count.       *)
+AnswersOfCalls ==
+    { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
+      <<"CAN_TINT", {OK, BadOb, NotSet}>>,
+      <<"ACT_TINT", {OK, BadOb, NotSet, PastStart}>>,
+      <<"QRY_TINT", {OK, BadOb}>>,
+      <<"SRT_DINT", {OK, BadOb, BadDtime}>>,
+      <<"CAN_DINT", {OK, BadOb, NotStarted}>>,
+      <<"QRY_DINT", {OK, BadOb}>>,
+      <<"DIS_IRT", {OK, BadOb, BadMode}>>,
+      <<"EN_IRT", {OK, BadOb, BadMode}>>,
+      <<"EN_AIRT", {OK, NotDelayed}>> }
+
 (* What a header may ask for: CPUs, profiles, and the letters of each      *)
-(* ambiguity.                                                              *)
+(* ambiguity.  What a call may be given and answer.                        *)
 Alternatives ==
     [ families |-> {"S7-300", "S7-400", "CPU 318"},
       profiles |-> ProfileNames,
       letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
-      defaults |-> { DefaultOf(a) : a \in Ambiguities } ]
+      defaults |-> { DefaultOf(a) : a \in Ambiguities },
+      periods  |-> PeriodCodes,
+      answers  |-> AnswersOfCalls ]
 
 -----------------------------------------------------------------------------
 (* What may be observed in this state *)

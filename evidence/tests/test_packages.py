@@ -13,7 +13,6 @@ SHARED = {
     "common": set[str](),
     "tla": set[str](),
     "tlc": {"common", "tla"},
-    "behaviours": set[str](),
     "harness": {"common", "tlc"},
     "random_logs": set[str](),
 }

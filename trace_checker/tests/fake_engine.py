@@ -110,6 +110,8 @@ def main() -> None:
             explained, answer = 0, None
             lenient = ["AMB-12", "b"] in entry["header"]["readings"]
             steps = [] if "follow" in entry else None
+        elif message == "decisions":
+            print(json.dumps({"decisions": []}), flush=True)
         elif message == "verdict":
             if answer is None:
                 print('{"verdict":"open"}', flush=True)

@@ -14,6 +14,7 @@ import pytest
 from packaging.requirements import Requirement
 
 from s7check import __version__, resources
+from s7check.cli import COMMANDS
 from tests.shipped import TRACES
 from tests.test_shipped_logs import PROJECT
 
@@ -118,12 +119,21 @@ def test_import(s7check: Path, bare: Path) -> None:
 def test_only_commands_for_logs(s7check: Path) -> None:
     """Help and version work, and no command is offered that needs a checkout."""
     run = subprocess.run([s7check, "--help"], capture_output=True, text=True, check=True)
-    assert re.findall(r"^  ([a-z]+) ", run.stdout.partition("Commands:")[2], re.MULTILINE) == ["trace", "import"]
+    assert re.findall(r"^  ([a-z]+) ", run.stdout.partition("Commands:")[2], re.MULTILINE) == [*COMMANDS]
     run = subprocess.run([s7check, "--version"], capture_output=True, text=True, check=True)
     assert run.stdout == f"s7check, version {__version__}\n"
     run = subprocess.run([s7check, "models"], capture_output=True, text=True, check=False)
     assert (run.returncode, run.stdout) == (2, "")
     assert "No such command 'models'" in run.stderr
+
+
+@pytest.mark.usefixtures("bare")
+def test_coverage(s7check: Path) -> None:
+    """The gaps of a log come with programs of the wheel's kit."""
+    log = TRACES / "AIRT" / "accept" / "AIRT-09-ob-80-is-delayed.ndjson"
+    run = subprocess.run([s7check, "coverage", log], capture_output=True, text=True, check=True)
+    assert run.stdout.startswith("1 logs: 1 accepted\nrequirements: ")
+    assert re.search(r"^  [A-Z]+-[0-9]+[A-Za-z0-9._-]*: [A-Z]+ [0-9]+", run.stdout, re.MULTILINE)
 
 
 @pytest.mark.usefixtures("bare")

@@ -126,6 +126,10 @@ class Answer(msgspec.Struct, frozen=True):
     many explanations, and only what is certain was followed. ``steps`` are there if the log was
     begun with ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its
     successors so many times.
+
+    The ``outcomes`` are those of decisions on the way of all explanations of the lines before: 2k where decision k was
+    true, has another value or was an action that was taken, 2k + 1 where it was false; the ``open`` ones are those of
+    some explanations. ``classes`` are the priority classes in which OBs have started.
     """
 
     verdict: Literal["accepted", "rejected", "error"]
@@ -142,12 +146,36 @@ class Answer(msgspec.Struct, frozen=True):
     steps: list[Step] = []
     largest: int = 0
     followed: int = 0
+    outcomes: list[int] = []
+    open: list[int] = []
+    classes: list[int] = []
+
+
+class Decision(msgspec.Struct, frozen=True):
+    """A place at which the specification decides: a definition, or a condition in one.
+
+    ``line`` and ``column`` are where it begins; ``text`` is that of a condition. The ``requirements`` are those that
+    the specification names there.
+    """
+
+    kind: Literal["ACTION", "DEFINITION", "GUARD", "CONDITION"]
+    module: str
+    definition: str
+    line: int
+    column: int
+    text: str = ""
+    requirements: list[str] = []
 
 
 class Alternatives(msgspec.Struct, frozen=True):
-    """The choices that a header has, ``Alternatives`` of the specification."""
+    """The choices that a header and a call have, ``Alternatives`` of the specification.
+
+    ``answers`` are calls with the RET_VALs that they may have, but for SFC 41, which answers a count.
+    """
 
     families: list[str] = []
     profiles: list[str] = []
     letters: list[tuple[str, list[str]]] = []
     defaults: list[tuple[str, str]] = []
+    periods: list[int] = []
+    answers: list[tuple[str, list[int]]] = []

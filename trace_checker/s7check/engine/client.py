@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 import msgspec
 
 from s7check.engine import limits
-from s7check.engine.answer import Alternatives, Answer
+from s7check.engine.answer import Alternatives, Answer, Decision
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import JavaMissingError, check_java
 from s7check.engine.process import EngineProcess
@@ -36,6 +36,10 @@ class _Ready(msgspec.Struct, frozen=True):
 
 class _Alternatives(msgspec.Struct, frozen=True):
     alternatives: Alternatives
+
+
+class _Decisions(msgspec.Struct, frozen=True):
+    decisions: list[Decision]
 
 
 class _Lines(msgspec.Struct, frozen=True):
@@ -71,13 +75,14 @@ class Engine:
     """
 
     def __init__(self, command: Callable[[], list[str]] = engine_command) -> None:
-        self._command = command
+        self.command = command
         self._idle: EngineProcess | None = None
         self._at_work: EngineProcess | None = None
         self._answer: Answer | None = None
         self._until: float | None = None
         self._alternatives: Alternatives | None = None
         self._unread: _Unread | None = None
+        self._decisions: list[Decision] | None = None
         self._encoder = msgspec.json.Encoder()
 
     def __enter__(self) -> Self:
@@ -115,6 +120,12 @@ class Engine:
             self._alternatives = self.ask({"message": "alternatives"}, _Alternatives).alternatives
         return self._alternatives
 
+    def decisions(self) -> list[Decision]:
+        """The decisions that the ``outcomes`` of an answer speak of; not while a log is at work."""
+        if self._decisions is None:
+            self._decisions = self.ask({"message": "decisions"}, _Decisions).decisions
+        return self._decisions
+
     def ask(self, message: dict[str, Any], shape: type[_Shape]) -> _Shape:
         """The answer to a message with one answer, which has this shape; not while a log is at work."""
         process = self._idle = self._ready()
@@ -128,7 +139,7 @@ class Engine:
             if self._idle.running:
                 return self._idle
             self._drop(self._idle)
-        command = self._command()
+        command = self.command()
         process = EngineProcess(command)
         with self._dropped_on_error(process):
             try:

@@ -2,6 +2,7 @@
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -12,6 +13,7 @@ from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.chosen import NOTHING, Chosen
+from s7check.judging.decisions import decisions_of
 from s7check.judging.verdict import Report
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
@@ -154,7 +156,22 @@ class Judging:
             line = self._unusable.line or None
             return Report(self._log, "unusable", self._unusable.reason, line=line, events=events)
         message = "the specification explains every event" + _loosened(answer)
-        return Report(self._log, "accepted", message, events=events)
+        report = Report(self._log, "accepted", message, events=events)
+        return report if answer is None else self._with_decided(report, answer)
+
+    def _with_decided(self, report: Report, answer: Answer) -> Report:
+        try:
+            decisions = decisions_of(self._engine)
+        except EngineError:  # the verdict stands without it
+            return report
+        return replace(
+            report,
+            outcomes=answer.outcomes,
+            open=answer.open,
+            classes=answer.classes,
+            decided=decisions.requirements_of(answer.outcomes),
+            decidable=len(decisions.requirements),
+        )
 
 
 def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
@@ -184,6 +201,9 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         states=answer.states,
         situations=answer.situations,
         candidates=_telling(answer.candidates),
+        outcomes=answer.outcomes,
+        open=answer.open,
+        classes=answer.classes,
         lines=lines,
     )
 

@@ -53,6 +53,11 @@ class Report:
     candidates: list[Candidate] = field(default_factory=list)
     readings: list[Reading] | None = None
     untried: list[str] = field(default_factory=list)
+    outcomes: list[int] = field(default_factory=list, repr=False)
+    open: list[int] = field(default_factory=list, repr=False)
+    classes: list[int] = field(default_factory=list, repr=False)
+    decided: list[str] = field(default_factory=list)
+    decidable: int = 0
     lines: list[bytes] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
 

@@ -11,8 +11,7 @@ import click
 import msgspec
 
 from s7check.kit.results import STATES, Outcome, Result, outcomes
-from s7check.log.errors import ranges
-from s7check.report.clauses import clause
+from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
 
 _COLOURS = {"passed": "green", "failed": "red", "skipped": "yellow", "no verdict": "magenta", "not reached": "blue"}
@@ -36,17 +35,8 @@ def to_text(results: Sequence[Result]) -> str:
             lines.append(f"  {_coloured(state)}:")
             lines += [f"    {_outcome(one)}" for one in named]
     if left := [one.requirement for one in requirements if one.state == "not reached"]:
-        lines.append(f"  {_coloured('not reached')}: {_areas(left)}")
+        lines.append(f"  {_coloured('not reached')}: {by_area(left)}")
     return "\n".join(lines)
-
-
-def _areas(names: Sequence[str]) -> str:
-    """Such as ``AIRT 03, 06-08; OBS 20``."""
-    numbers: dict[str, list[int]] = {}
-    for name in names:
-        area, _, number = name.partition("-")
-        numbers.setdefault(area, []).append(int(number))
-    return "; ".join(f"{area} {ranges(found)}" for area, found in numbers.items())
 
 
 def _coloured(state: str) -> str:

@@ -22,6 +22,7 @@ def to_json(report: Report) -> bytes:
             "requirements": report.requirements,
             "message": report.message,
             **(_explanation(report) if report.verdict == "rejected" else {}),
+            **({"decided": report.decided, "decidable": report.decidable} if report.decidable else {}),
             **({} if report.readings is None else {"readings": _readings(report), "untried": report.untried}),
         }
     )

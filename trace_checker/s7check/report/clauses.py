@@ -5,10 +5,13 @@ docs/rules/requirements.md and docs/rules/readings.md, where each row has an anc
 """
 
 import re
+from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
 
 import msgspec
+
+from s7check.log.errors import ranges
 
 _FILE = "requirements.json"
 _NAMED = re.compile(r"\b[A-Z]+-[0-9]{2,}\b")
@@ -36,11 +39,6 @@ def _clauses() -> dict[str, Clause]:
     return {clause.id: clause for clause in msgspec.json.decode(data, type=list[Clause])}
 
 
-def all_clauses() -> list[Clause]:
-    """Every requirement and every open question."""
-    return list(_clauses().values())
-
-
 def clause(name: str) -> Clause:
     """The clause with this ID; without a text if there is none."""
     return _clauses().get(name, Clause(name, ""))
@@ -54,3 +52,12 @@ def named(text: str) -> list[str]:
 def requirements() -> list[str]:
     """The IDs of all requirements, in the order of the documents; questions that the sources leave open are none."""
     return [name for name in _clauses() if not name.startswith("AMB-")]
+
+
+def by_area(names: Iterable[str]) -> str:
+    """IDs in short, such as ``AIRT 3, 6-8; OBS 20``."""
+    numbers: dict[str, list[int]] = {}
+    for name in names:
+        area, _, number = name.partition("-")
+        numbers.setdefault(area, []).append(int(number))
+    return "; ".join(f"{area} {ranges(found)}" for area, found in numbers.items())

@@ -40,8 +40,11 @@ def place(report: Report) -> str:
 
 
 def message(report: Report) -> str:
-    """The report's message, for an accepted log with the number of its events."""
-    return report.message + (f" ({report.events} events)" if report.verdict == "accepted" else "")
+    """The report's message, for an accepted log with the number of its events and how much of the rules it met."""
+    if report.verdict != "accepted":
+        return report.message
+    met = f"; {len(report.decided)} of {report.decidable} requirements decided something" if report.decidable else ""
+    return f"{report.message} ({report.events} events){met}"
 
 
 def parts(report: Report) -> Iterator[Part]:

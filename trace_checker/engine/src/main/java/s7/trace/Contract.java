@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
@@ -12,6 +13,7 @@ import tla.eval.State;
 import tla.eval.Way;
 import tla.json.Json;
 import tla.json.Values;
+import tla.spec.Decisions;
 import tla.spec.Guards;
 import tla.spec.Specification;
 import tlc2.value.impl.IntValue;
@@ -99,6 +101,9 @@ final class Contract {
   /** The most steps of time, and the most states before the event, that {@link #alone} is for. */
   private static final int MOST_ALONE = 8;
 
+  /** The event by which an OB starts. */
+  private static final String START = "start";
+
   /** The two ways in which a line can have no explanation. */
   enum Failing {
     /** An event had to come before the line. */
@@ -117,7 +122,12 @@ final class Contract {
     }
   }
 
+  /** The operators that explain a log. */
+  private static final List<Operator> EXPLAINING =
+      List.of(Operator.BEGIN, Operator.ELAPSE, Operator.SILENT, Operator.OBSERVE, Operator.LOOSEN);
+
   private final Specification spec;
+  private final Decisions decisions;
   private final State blank;
   private final RecordValue noEvent;
   private final Way alone;
@@ -127,6 +137,7 @@ final class Contract {
    */
   Contract(Specification spec) {
     this.spec = spec;
+    decisions = spec.tellDecisions(EXPLAINING.stream().map(each -> each.tla).collect(Collectors.toSet()));
     blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
     alone = spec.remembered(this::goAlone);
@@ -163,6 +174,14 @@ final class Contract {
   /** The values that a header may ask for. */
   JsonElement alternatives() {
     return Values.toJson(value(Operator.ALTERNATIVES, blank));
+  }
+
+  /**
+   * The decisions of the operators that explain a log. The outcomes of a state ({@link State#commonOutcomes})
+   * count by their places in this list.
+   */
+  List<Decisions.Decision> decisions() {
+    return decisions.described();
   }
 
   /** The parts of a header that the specification does not have. */
@@ -265,6 +284,17 @@ final class Contract {
   /** The state as a report shows it. */
   JsonElement situation(State state) {
     return Values.toJson(value(Operator.SITUATION, state));
+  }
+
+  /** The number of the OB that the event starts; null for another event. */
+  Object startedOb(RecordValue event) {
+    return Values.field(event, KIND.get(0)).equals(START) ? Values.field(event, OB) : null;
+  }
+
+  /** The priority class that runs. */
+  int runningClass(State state) {
+    JsonArray running = situation(state).getAsJsonObject().getAsJsonArray("running");
+    return running.get(running.size() - 1).getAsJsonObject().get("class").getAsInt();
   }
 
   /** The events that were possible in the place of the failing one, or had to come before it. */

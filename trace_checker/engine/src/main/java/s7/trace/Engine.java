@@ -10,8 +10,10 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.BitSet;
 import java.util.function.Supplier;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -39,6 +41,7 @@ import util.ToolIO;
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
  *   <li>{@code {"message":"open","session":NAME,"header":HEADER}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
+ *   <li>{@code {"message":"decisions"}} asks, between two logs, for the decisions of the specification.
  *   <li>An object with another first field is an event of the log.
  *   <li>{@code {"message":"raw","clocks":CLOCKS,"varying":FIELDS,"own":"x_"}} says that lines follow as the log has
  *       them. {@code {"message":"lines","first":N,"count":K}} is in front of K of them. Of a line that it cannot
@@ -49,7 +52,10 @@ import util.ToolIO;
  * </ul>
  *
  * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is
- * "accepted", "rejected" or "error", and for each question an object with its answer.
+ * "accepted", "rejected" or "error", and for each question an object with its answer. The {@code
+ * outcomes} of a log are those of the decisions on the way to the last line that was explained: 2k where
+ * decision k was true, has another value or was taken, 2k + 1 where it was false. They are those of all
+ * explanations of the log; {@code open} has those of some of them.
  */
 public final class Engine {
   /** Exit code of an engine whose parent has ended. */
@@ -157,6 +163,7 @@ public final class Engine {
     switch (message) {
       case "begin" -> judge(() -> null, () -> begin(object(line)));
       case "alternatives" -> print(alternatives());
+      case "decisions" -> print(decisions());
       case "verdict" -> {
         if (!decided) {
           print(with("verdict", new JsonPrimitive("open")));
@@ -282,6 +289,18 @@ public final class Engine {
     return answer;
   }
 
+  private static JsonArray numbers(BitSet bits) {
+    var numbers = new JsonArray();
+    bits.stream().forEach(numbers::add);
+    return numbers;
+  }
+
+  private JsonObject decisions() {
+    var answer = new JsonObject();
+    answer.add("decisions", new Gson().toJsonTree(spec.decisions()));
+    return answer;
+  }
+
   private static JsonObject with(String name, JsonElement value) {
     var object = new JsonObject();
     object.add(name, value);
@@ -330,6 +349,11 @@ public final class Engine {
       var steps = new JsonArray();
       followed.forEach(steps::add);
       answer.add("steps", steps);
+    }
+    if (explanation != null) {
+      answer.add("outcomes", numbers(explanation.outcomes()));
+      answer.add("open", numbers(explanation.openOutcomes()));
+      answer.add("classes", new Gson().toJsonTree(explanation.classes()));
     }
     decided = true;
     explanation = null;

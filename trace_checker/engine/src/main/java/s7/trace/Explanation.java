@@ -2,6 +2,8 @@ package s7.trace;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -68,6 +70,8 @@ final class Explanation {
 
   private final Contract spec;
   private final Past past;
+  private final Set<Object> startedObs = new HashSet<>();
+  private final Set<Integer> classes = new TreeSet<>();
   private List<State> states;
   private int most = LOOSE_STATES;
   private boolean loosened;
@@ -144,6 +148,23 @@ final class Explanation {
   /** The states in which time has elapsed to the event; none if something had to come before. */
   List<State> arrivals(RecordValue event) {
     return elapse(event, new ArrayList<>());
+  }
+
+  /** The priority classes in which OBs have started, each OB for the first time. */
+  Set<Integer> classes() {
+    return classes;
+  }
+
+  /** The outcomes of the decisions that all explanations of the log so far have in common. */
+  BitSet outcomes() {
+    return State.commonOutcomes(states);
+  }
+
+  /** The outcomes of the decisions in some of the explanations, not in all of them. */
+  BitSet openOutcomes() {
+    BitSet open = State.allOutcomes(states);
+    open.andNot(outcomes());
+    return open;
   }
 
   /** One of the situations in which the CPU may be after the log so far. */
@@ -241,6 +262,10 @@ final class Explanation {
     limit(after.size());
     states = distinct(after, spec::keyAfterLine);
     past.add(event);
+    Object ob = spec.startedOb(event);
+    if (ob != null && startedObs.add(ob)) {
+      classes.add(spec.runningClass(states.get(0)));
+    }
     return null;
   }
 
@@ -412,11 +437,14 @@ final class Explanation {
     if (from.size() < 2) {
       return from;
     }
-    var seen = new HashSet<Long>();
+    var seen = new HashMap<Long, State>();
     var distinct = new ArrayList<State>(from.size());
     for (State state : from) {
-      if (seen.add(key.applyAsLong(state))) {
+      State known = seen.putIfAbsent(key.applyAsLong(state), state);
+      if (known == null) {
         distinct.add(state);
+      } else {
+        known.alsoBy(state);
       }
     }
     return distinct;

@@ -81,7 +81,7 @@ final class Actions {
       }
       var lazy = new ArrayList<Integer>();
       Scope inner = compiler.inlined(operator, x, scope, lazy);
-      return entering(lazy, compile(operator.getBody(), inner, then));
+      return machine.marks.underWay(operator, entering(lazy, compile(operator.getBody(), inner, then)));
     }
     return switch (node.getOperator().getName().toString()) {
       case "$ConjList", "\\land" -> conjunction(x, scope, then);

@@ -59,6 +59,11 @@ final class Compiler {
    * its size makes that worthwhile.
    */
   Expr compile(SemanticNode node, Scope scope) {
+    return machine.marks.telling(node, silent(node, scope));
+  }
+
+  /** The expression as if it were not marked. */
+  private Expr silent(SemanticNode node, Scope scope) {
     if (!(node instanceof OpApplNode apply)) {
       return plain(node, scope);
     }
@@ -87,6 +92,7 @@ final class Compiler {
     var slots = new Scope.Slots();
     Expr body = plain(node, Scope.empty(slots, primed));
     return new Memo(
+        machine.marks,
         primed ? machine.next : machine.now,
         its.variables.stream().toArray(),
         f -> body.eval(new Object[slots.count()]));

@@ -58,7 +58,13 @@ public final class Evaluator {
       machine.load(state);
       System.arraycopy(arguments, 0, frame, 0, parameters);
       machine.begin();
+      machine.marks.restart();
+      long[] outer = machine.marks.begin();
       act.run(frame);
+      long[] outcomes = machine.marks.end(outer);
+      for (State found : machine.found()) {
+        found.outcomes = Marks.union(state.outcomes, Marks.union(found.outcomes, outcomes));
+      }
       return machine.found();
     }
   }
@@ -85,6 +91,17 @@ public final class Evaluator {
     machine = new Machine(variables);
     compiler = new Compiler(machine);
     memory = new Memory(machine, variables, times);
+  }
+
+  /**
+   * Has each state tell to which of these expressions the steps to it came ({@link State#commonOutcomes}): mark
+   * k in bit 2k where it was true, or has another value, or is an action that was taken; in bit 2k + 1
+   * where it was false.
+   *
+   * @param marked expressions and definitions; before the first evaluation
+   */
+  public void mark(List<? extends SemanticNode> marked) {
+    machine.marks.set(marked);
   }
 
   /** The states that satisfy an initial predicate; null if TLC has to find them. */
@@ -186,9 +203,8 @@ public final class Evaluator {
       if (use == Use.VALUE) {
         expr = compiler.compile(operator.getBody(), scope);
       } else {
-        act =
-            new Actions(compiler, machine, use == Use.INITIAL)
-                .compile(operator.getBody(), scope, f -> machine.emit());
+        var actions = new Actions(compiler, machine, use == Use.INITIAL);
+        act = machine.marks.underWay(operator, actions.compile(operator.getBody(), scope, f -> machine.emit()));
       }
     } catch (Unsupported e) {
       return new Program(machine, 0, 0, null, null, null);

@@ -20,6 +20,8 @@ final class Machine {
   /** The values assigned so far; null elsewhere. */
   final Value[] next;
 
+  final Marks marks = new Marks();
+
   /** The recording under way; null otherwise. */
   Recording recording;
 
@@ -81,7 +83,9 @@ final class Machine {
         throw new IllegalStateException(variables[i].getName() + " is not assigned");
       }
     }
-    found.add(new State(next.clone()));
+    var state = new State(next.clone());
+    state.outcomes = marks.path();
+    found.add(state);
   }
 
   List<State> found() {

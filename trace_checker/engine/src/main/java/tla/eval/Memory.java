@@ -47,7 +47,7 @@ final class Memory {
   }
 
   /** A successor: its values, of which some are those of an input, and their shapes. */
-  private record Next(Part[] values, int[] unchanged, long[] shapes, long shape) {}
+  private record Next(Part[] values, int[] unchanged, long[] shapes, long shape, long[] outcomes) {}
 
   Memory(Machine machine, OpDeclNode[] variables, Set<String> times) {
     this.machine = machine;
@@ -183,7 +183,7 @@ final class Memory {
         parts[k] = recording.part(values[k]);
         its[k] = shapes.of(values[k], areTimes[k]);
       }
-      nexts[i] = new Next(parts, unchanged, its, all(its));
+      nexts[i] = new Next(parts, unchanged, its, all(its), found.get(i).outcomes);
     }
     return nexts;
   }
@@ -197,6 +197,7 @@ final class Memory {
     var state = new State(values);
     state.shapes = next.shapes;
     state.shape = next.shape;
+    state.outcomes = Marks.union(before.outcomes, next.outcomes);
     return state;
   }
 }

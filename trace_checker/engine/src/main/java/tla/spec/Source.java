@@ -15,10 +15,13 @@ import tla2sany.st.Location;
 
 /** The text of the specification's modules. */
 final class Source {
-  private static final Pattern REQUIREMENT = Pattern.compile("\\[([A-Z]+-[0-9]+)\\]");
+  /** Such as {@code [AIRT-03]}, and ranges such as {@code [TINT-72] .. [TINT-79]}. */
+  private static final Pattern REQUIREMENT =
+      Pattern.compile("\\[([A-Z]+-)([0-9]+)\\](?:\\s*\\.\\.\\s*\\[\\1([0-9]+)\\])?");
 
   private final Path folder;
   private final Map<String, List<String>> modules = new HashMap<>();
+  private final Map<String, Boolean> known = new HashMap<>();
 
   Source(Path folder) {
     this.folder = folder;
@@ -26,7 +29,8 @@ final class Source {
 
   /** Whether the node stands in a module of the specification, not in one of TLA+'s own. */
   boolean has(SemanticNode node) {
-    return !lines(node.getLocation().source()).isEmpty();
+    return known.computeIfAbsent(
+        node.getLocation().source(), module -> Files.exists(folder.resolve(module + ".tla")));
   }
 
   /** The text of a node in one line, without comments. */
@@ -71,7 +75,11 @@ final class Source {
     var found = new TreeSet<String>();
     var matcher = REQUIREMENT.matcher(text);
     while (matcher.find()) {
-      found.add(matcher.group(1));
+      int first = Integer.parseInt(matcher.group(2));
+      int last = matcher.group(3) == null ? first : Integer.parseInt(matcher.group(3));
+      for (int number = first; number <= last; number++) {
+        found.add(String.format("%s%02d", matcher.group(1), number));
+      }
     }
     return found;
   }

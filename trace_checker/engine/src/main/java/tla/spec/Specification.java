@@ -81,7 +81,7 @@ public final class Specification {
 
   /** The only state that satisfies the initial predicate {@code name}. */
   public State initialState(String name) {
-    return chosen(evaluator.initial(operator(name)), () -> tlc().initial(), name).get(0);
+    return chosen(evaluator.initial(operator(name)), () -> tlc().initial(), new State(), name).get(0);
   }
 
   /** The successors of {@code state} under the action {@code name}, applied to {@code arguments}. */
@@ -90,7 +90,7 @@ public final class Specification {
     if (found != null && !COMPARE) {
       return found;
     }
-    return chosen(found, () -> tlc().successors(name, state, arguments), name);
+    return chosen(found, () -> tlc().successors(name, state, arguments), state, name);
   }
 
   /** The value of a state function or state predicate. */
@@ -104,11 +104,13 @@ public final class Specification {
     return byTlc;
   }
 
-  private List<State> chosen(List<State> found, Supplier<List<State>> interpreted, String name) {
+  private List<State> chosen(
+      List<State> found, Supplier<List<State>> interpreted, State before, String name) {
     if (found != null && !COMPARE) {
       return found;
     }
     List<State> byTlc = interpreted.get();
+    byTlc.forEach(state -> state.follow(before));
     differs(name, found == null, found == null || asSet(found).equals(asSet(byTlc)));
     return byTlc;
   }
@@ -171,6 +173,19 @@ public final class Specification {
    */
   public long key(String name, State state) {
     return evaluator.key(operator(name), state);
+  }
+
+  /**
+   * Has each state tell which outcomes the decisions of these operators had on the way to it; before the
+   * first evaluation.
+   *
+   * @return the decisions, in the order of the numbers that {@link Evaluator#mark} gives them
+   */
+  public Decisions tellDecisions(Set<String> names) {
+    var decisions = new Decisions(source);
+    decisions.of(names.stream().sorted().map(this::operator).toList());
+    evaluator.mark(decisions.nodes());
+    return decisions;
   }
 
   /** The number of parameters of an operator; -1 if the module does not have it. */

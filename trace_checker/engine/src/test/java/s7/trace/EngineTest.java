@@ -9,7 +9,10 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.TreeSet;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
@@ -28,12 +31,11 @@ class EngineTest {
     spec = new Contract(Tiny.load());
   }
 
-  /** The answers to the lines, without what they cost. */
+  /** The answers to the lines, without what they cost and what they tell of decisions. */
   private static List<JsonObject> serve(String... lines) throws IOException {
-    var answers = served(lines);
+    List<JsonObject> answers = served(lines);
     for (JsonObject answer : answers) {
-      answer.remove("largest");
-      answer.remove("followed");
+      List.of("largest", "followed", "outcomes", "open", "classes").forEach(answer::remove);
     }
     return answers;
   }
@@ -122,6 +124,21 @@ class EngineTest {
     assertEquals(1, answers.get(0).get("events").getAsInt());
     assertTrue(answers.get(0).get("message").getAsString().contains("hold"));
     assertEquals(ACCEPTED_ONE, answers.get(1));
+  }
+
+  @Test
+  @DisplayName("an answer tells the outcomes of decisions on the way, and the decisions can be asked for")
+  void decisions() throws IOException {
+    var answers = served("{'message': 'decisions'}", begin(10), read(2, 10), read(3, 11));
+    var decisions = answers.get(0).getAsJsonArray("decisions");
+    var told = new TreeSet<String>();
+    for (JsonElement outcome : answers.get(1).getAsJsonArray("outcomes")) {
+      JsonObject decision = decisions.get(outcome.getAsInt() / 2).getAsJsonObject();
+      String text = decision.get("text").getAsString();
+      told.add((text.isEmpty() ? decision.get("definition").getAsString() : text) + outcome.getAsInt() % 2);
+    }
+    assertTrue(told.containsAll(List.of("Begin0", "Observe0", "count = e.value0")), told.toString());
+    assertEquals(new JsonArray(), answers.get(1).getAsJsonArray("open"));
   }
 
   @Test

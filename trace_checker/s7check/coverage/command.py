@@ -1,0 +1,96 @@
+"""``s7check coverage``."""
+
+from pathlib import Path
+
+import click
+
+from s7check.completion import complete_files
+from s7check.coverage import report
+from s7check.coverage.measure import Coverage, Guard, measure, together
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.decisions import decisions_of
+from s7check.judging.verdict import EXIT_CODES
+from s7check.kit.collection import UnreadableProgramError, programs_of
+from s7check.kit.program import Program
+from s7check.names import logs_of
+from s7check.output import echo, write_whole
+from s7check.report.progress import ProgressBar
+
+_HELP = """Tell which rules logs exercise, and which they do not.
+
+LOG is as for `s7check trace`: files, folders, patterns. For each requirement that decided nothing the report names the
+programs of the kit that are about it. Of a log that is not accepted the lines before its verdict count.
+
+Exit codes: 0 all logs accepted, 1 to 3 as `s7check trace` has them.
+"""
+
+
+@click.command("coverage", help=_HELP, short_help="Which rules do logs exercise?")
+@click.option(
+    "--format",
+    "output",
+    type=click.Choice(["text", "json", "html"]),
+    default="text",
+    show_default=True,
+    help="text for people; json, one object; html, a page.",
+)
+@click.option(
+    "--output",
+    "file",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Write to FILE, whole or not at all, and not to standard output.",
+    metavar="FILE",
+)
+@click.option("--guards", is_flag=True, help="text: also each condition of the rules that never had an outcome.")
+@click.option(
+    "--programs",
+    multiple=True,
+    type=click.Path(exists=True, path_type=Path),
+    help="Name programs of this file or folder in place of the kit's. May be given several times.",
+    metavar="FILE",
+)
+@click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
+def coverage_command(
+    output: str, file: Path | None, guards: bool, programs: tuple[Path, ...], logs: tuple[str, ...]
+) -> int:
+    """Measure and report."""
+    if "" in logs:
+        raise click.UsageError("LOG: expected the name of a file or folder, a pattern or -; found an empty text")
+    try:
+        known = programs_of(programs)
+    except UnreadableProgramError as error:
+        raise click.ClickException(str(error)) from error
+    try:
+        total = _total(logs_of(logs), known)
+    except EngineError as error:
+        click.echo(f"Error: {error}", err=True)
+        return EXIT_CODES["no verdict"]
+    if output == "text":
+        written = report.to_text(total, guards).encode() + b"\n"
+    else:
+        written = report.to_json(total) if output == "json" else report.to_html(total)
+    if file is None:
+        echo(written.rstrip(b"\n").decode())
+    else:
+        try:
+            write_whole(file, written)
+        except OSError as error:
+            raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+    return max(EXIT_CODES[verdict] for verdict in total.coverage.verdicts)
+
+
+def _total(names: list[str], programs: list[Program]) -> report.Total:
+    found: list[Coverage] = []
+    with Engine() as engine, ProgressBar(len(names)) as progress:
+        decisions = decisions_of(engine)
+        choices = engine.alternatives()
+        for name in names:
+            progress.begin(click.format_filename(name))
+            found.append(measure(name, engine))
+            progress.done()
+    outcomes = [Guard.of(one, outcome) for one in decisions.guards().values() for outcome in (True, False)]
+    answers = frozenset((call, ret & 0xFFFF) for call, rets in choices.answers for ret in rets)
+    return report.Total(
+        together(found), decisions.requirements, outcomes, answers, frozenset(choices.periods), programs
+    )

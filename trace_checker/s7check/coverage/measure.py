@@ -1,0 +1,168 @@
+"""The coverage of a log, and of several together."""
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import reduce
+from typing import Any, Self
+
+from s7check.engine import pool
+from s7check.engine.answer import Decision
+from s7check.engine.client import Engine
+from s7check.judging.check import Judging
+from s7check.judging.chosen import NOTHING, Chosen
+from s7check.judging.decisions import Decisions, decisions_of
+from s7check.judging.verdict import Report, Verdict
+from s7check.log.errors import UnusableLogError
+from s7check.log.header import KINDS
+from s7check.log.reader import Batch, read_log
+from s7check.log.source import open_log
+from s7check.log.values import NOT_LOGGED
+
+_COMPLETE = frozenset(KINDS) - {"diag", "state"}
+
+
+@dataclass(frozen=True, order=True)
+class Guard:
+    """An outcome of a condition in an action: where the condition stands in ``spec/``, and whether it held."""
+
+    module: str
+    definition: str
+    line: int
+    column: int
+    text: str
+    outcome: bool
+
+    @classmethod
+    def of(cls, decision: Decision, outcome: bool) -> Self:
+        """The outcome of a decision."""
+        place = decision.module, decision.definition, decision.line, decision.column
+        return cls(*place, decision.text, outcome)
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """The parts of the specification that logs exercise, as far as they are explained.
+
+    ``requirements`` decided something in every explanation of a log, ``open`` ones in some explanations only.
+    ``answers`` are calls with the RET_VALs that came, ``periods`` the PERIODs of successful SET_TINT, ``obs`` those
+    that started, ``classes`` the priority classes in which they did. ``left_out`` are the kinds of event that a log
+    does not record completely. ``a | b`` is the coverage of both.
+    """
+
+    requirements: frozenset[str] = frozenset()
+    open: frozenset[str] = frozenset()
+    guards: frozenset[Guard] = frozenset()
+    answers: frozenset[tuple[str, int]] = frozenset()
+    periods: frozenset[int] = frozenset()
+    obs: frozenset[int] = frozenset()
+    classes: frozenset[int] = frozenset()
+    left_out: frozenset[str] = frozenset()
+    verdicts: tuple[Verdict, ...] = field(default=())
+
+    def __or__(self, other: "Coverage") -> "Coverage":
+        requirements = self.requirements | other.requirements
+        return Coverage(
+            requirements,
+            (self.open | other.open) - requirements,
+            self.guards | other.guards,
+            self.answers | other.answers,
+            self.periods | other.periods,
+            self.obs | other.obs,
+            self.classes | other.classes,
+            self.left_out | other.left_out,
+            self.verdicts + other.verdicts,
+        )
+
+
+def measure(
+    log: str | os.PathLike[str] | Iterable[bytes], engine: Engine | None = None, chosen: Chosen = NOTHING
+) -> Coverage:
+    """The coverage of a log, a file or its lines; of a log that is not accepted, that of the lines before the verdict.
+
+    ``engine`` is one from the pool if none is given. Raises EngineError.
+    """
+    if engine is None:
+        with pool.engine() as own:
+            return measure(log, own, chosen)
+    decisions = decisions_of(engine)
+    taken = _Taken()
+    report = _judged(log, engine, chosen, taken)
+    return coverage_of(report, decisions, taken.answers, taken.periods, taken.obs, taken.left_out)
+
+
+def coverage_of(
+    report: Report,
+    decisions: Decisions,
+    answers: Iterable[tuple[str, int]] = (),
+    periods: Iterable[int] = (),
+    obs: Iterable[int] = (),
+    left_out: Iterable[str] = (),
+) -> Coverage:
+    """The coverage that a report shows, with what its log says itself."""
+    sure = frozenset(decisions.requirements_of(report.outcomes))
+    outcomes = frozenset(report.outcomes)
+    return Coverage(
+        sure,
+        frozenset(decisions.requirements_of(report.open)) - sure,
+        frozenset(
+            Guard.of(one, outcome)
+            for number, one in decisions.guards().items()
+            for outcome in (True, False)
+            if 2 * number + (not outcome) in outcomes
+        ),
+        frozenset(answers),
+        frozenset(periods),
+        frozenset(obs),
+        frozenset(report.classes),
+        frozenset(left_out),
+        (report.verdict,),
+    )
+
+
+def together(coverages: Iterable[Coverage]) -> Coverage:
+    """The coverage of all."""
+    return reduce(Coverage.__or__, coverages, Coverage())
+
+
+class _Taken:
+    """The part of a coverage that the lines say themselves."""
+
+    def __init__(self) -> None:
+        self.answers: set[tuple[str, int]] = set()
+        self.periods: set[int] = set()
+        self.obs: set[int] = set()
+        self.left_out: frozenset[str] = frozenset()
+
+    def take(self, batch: Batch) -> None:
+        if batch.header is not None:
+            self.left_out = _COMPLETE - frozenset(batch.header["records"])
+        for event in batch.events:
+            self._event(event)
+
+    def _event(self, event: dict[str, Any]) -> None:
+        if "ret" in event and event["ret"] != NOT_LOGGED:
+            self.answers.add((event["event"], event["ret"] & 0xFFFF))
+            if event["event"] == "SET_TINT" and event["ret"] == 0:
+                self.periods.add(event["period"])
+        elif event["event"] == "start":
+            self.obs.add(event["ob"])
+
+
+def _judged(log: str | os.PathLike[str] | Iterable[bytes], engine: Engine, chosen: Chosen, taken: _Taken) -> Report:
+    judging = Judging("log", engine, chosen)
+    try:
+        if isinstance(log, str | os.PathLike):
+            with open_log(os.fspath(log)) as source:
+                _take(source.chunks(engine.wait), judging, taken)
+        else:
+            _take((line.removesuffix(b"\n") + b"\n" for line in log), judging, taken)
+    except UnusableLogError as error:
+        judging.refuse(error)
+    return judging.report()
+
+
+def _take(chunks: Iterable[bytes], judging: Judging, taken: _Taken) -> None:
+    for batch in read_log(chunks):
+        judging.take(batch)
+        taken.take(batch)

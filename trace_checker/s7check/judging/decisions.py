@@ -1,0 +1,124 @@
+"""The outcomes of an explanation, and the requirements that they show.
+
+A requirement has decided something in a log if, on the way of every explanation of it,
+
+- an action that names it was taken, which no log of ``usual.IDLE`` takes;
+- a definition that names it was false, or a condition in it had an outcome, as in no log of ``usual.PLAIN``; a
+  definition without conditions only has to be evaluated;
+- a condition beside which it stands had such an outcome.
+
+So it is known as exactly as the specification names it: a definition that names three requirements shows all three.
+"""
+
+import hashlib
+from collections import defaultdict
+from collections.abc import Collection, Mapping
+from contextlib import suppress
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import msgspec
+
+from s7check.engine.answer import Decision
+from s7check.engine.class_archive import cache_folder
+from s7check.engine.client import Engine
+from s7check.engine.command import engine_command
+from s7check.judging import usual
+from s7check.log.reader import read_log
+from s7check.output import write_whole
+from s7check.resources import ENGINE, SPECIFICATION
+
+_AMBIGUITY = "AMB-"
+
+
+class _Kept(msgspec.Struct, frozen=True):
+    """The decisions of a specification, and the outcomes that ``usual.IDLE`` and ``usual.PLAIN`` have."""
+
+    decisions: list[Decision]
+    idle: list[int]
+    plain: list[int]
+
+
+class Decisions:
+    """The decisions of a specification; an outcome is a number as in ``Answer.outcomes``."""
+
+    def __init__(self, kept: _Kept) -> None:
+        self._decisions = kept.decisions
+        idle = frozenset(kept.idle)
+        usual_ones = idle | frozenset(kept.plain)
+        inside: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
+        for number, one in enumerate(kept.decisions):
+            if one.kind in ("GUARD", "CONDITION"):
+                inside[one.module, one.definition].append(number)
+        shown: defaultdict[str, set[int]] = defaultdict(set)
+        for number, one in enumerate(kept.decisions):
+            if one.kind == "ACTION":
+                telling = {2 * number} - idle
+            elif one.text or not inside[one.module, one.definition]:
+                telling = {2 * number, 2 * number + 1} - usual_ones
+            else:
+                conditions = inside[one.module, one.definition]
+                telling = {2 * number + 1, *(2 * n + side for n in conditions for side in (0, 1))} - usual_ones
+            for name in one.requirements:
+                if not name.startswith(_AMBIGUITY):
+                    shown[name] |= telling
+        self._shown = {name: frozenset(outcomes) for name, outcomes in sorted(shown.items()) if outcomes}
+        self.requirements = tuple(self._shown)
+        """Those that a log can show to decide something."""
+
+    def requirements_of(self, outcomes: Collection[int]) -> list[str]:
+        """The requirements that decided something, in their order."""
+        met = frozenset(outcomes)
+        return [name for name, shown in self._shown.items() if not shown.isdisjoint(met)]
+
+    def guards(self) -> Mapping[int, Decision]:
+        """The conditions in actions, by the number of their decision."""
+        return {number: one for number, one in enumerate(self._decisions) if one.kind == "GUARD"}
+
+
+_known: WeakKeyDictionary[Engine, Decisions] = WeakKeyDictionary()
+
+
+def decisions_of(engine: Engine) -> Decisions:
+    """The decisions of the engine's specification; not while a log is at work. Raises EngineError.
+
+    They are found once and then kept in the cache, since every report needs them.
+    """
+    if engine not in _known:
+        _known[engine] = (
+            _of_the_specification(engine) if engine.command is engine_command else Decisions(_found(engine))
+        )
+    return _known[engine]
+
+
+def _of_the_specification(engine: Engine) -> Decisions:
+    file = cache_folder() / f"{_state()}.decisions"
+    with suppress(OSError, msgspec.MsgspecError):
+        return Decisions(msgspec.msgpack.decode(file.read_bytes(), type=_Kept))
+    kept = _found(engine)
+    with suppress(OSError):  # then they are found again
+        file.parent.mkdir(parents=True, exist_ok=True)
+        for old in file.parent.glob("*.decisions"):
+            old.unlink()
+        write_whole(file, msgspec.msgpack.encode(kept))
+    return Decisions(kept)
+
+
+def _state() -> str:
+    """A text that is another one for each specification and engine."""
+    files = [ENGINE / "s7-trace-engine.jar", *sorted(SPECIFICATION.glob("*.tla"))]
+    states = [(file.name, file.stat().st_size, file.stat().st_mtime_ns) for file in files]
+    return hashlib.sha256(repr((str(SPECIFICATION), states)).encode()).hexdigest()[:32]
+
+
+def _found(engine: Engine) -> _Kept:
+    idle, plain = (sorted({n for log in logs for n in _outcomes(log, engine)}) for logs in (usual.IDLE, usual.PLAIN))
+    return _Kept(engine.decisions(), idle, plain)
+
+
+def _outcomes(lines: list[dict[str, Any]], engine: Engine) -> list[int]:
+    for batch in read_log([b"\n".join(map(msgspec.json.encode, lines))]):
+        if batch.header is not None:
+            engine.begin(batch.header)
+        engine.send(batch.events)
+    return engine.finish().outcomes
