@@ -1,7 +1,7 @@
 """``s7check trace``."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from importlib import import_module
@@ -16,6 +16,7 @@ from s7check.judging.check import check_log
 from s7check.judging.chosen import Chosen
 from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
 from s7check.judging.verdict import Report
+from s7check.judging.workers import Workers
 from s7check.letters import set_option
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
@@ -124,10 +125,9 @@ def trace_command(
         else:
             written.append((click.unstyle(piece) if output == "text" else piece).encode() + b"\n")
 
-    with Engine() as engine, ProgressBar(len(names)) as progress:
-        work = _Work(engine, progress, readings, budget, Chosen(profile, letters), drawn=output == "html")
-        for name in names:
-            report = work.report(name)
+    with Workers(Engine) as workers, ProgressBar(len(names)) as progress:
+        work = _Work(workers, progress, readings, budget, Chosen(profile, letters), drawn=output == "html")
+        for report in work.reports(names):
             if output in _WHOLE:
                 reports.append(report)
                 continue
@@ -148,18 +148,18 @@ def trace_command(
 
 
 class _Work:
-    """Judges log after log."""
+    """Judges logs; the parts of a report for which there is a limit come in the order of the logs."""
 
     def __init__(
         self,
-        engine: Engine,
+        workers: Workers,
         progress: ProgressBar,
         readings: str,
         budget: float | None,
         chosen: Chosen,
         drawn: bool,
     ) -> None:
-        self._engine = engine
+        self._workers = workers
         self._progress = progress
         self._readings = readings
         self._chosen = chosen
@@ -167,35 +167,53 @@ class _Work:
         self._left = _BUDGET if budget is None and readings == "auto" else budget
         self._to_draw = _DRAWN if drawn else 0
 
-    def report(self, name: str) -> Report:
-        self._progress.begin(click.format_filename(name))
-        report = check_log(name, self._engine, self._progress.update, self._chosen)
-        lines, report = report.lines, replace(report, lines=[])
-        with suppress(TooLongError, EngineError):  # the verdict stands without it
-            report = self._completed(report, name, lines)
-        self._progress.done()
+    def reports(self, names: Sequence[str]) -> Iterator[Report]:
+        """The reports in the order of the names."""
+        for name, judged in zip(names, self._workers.in_order(names, self._judged), strict=True):
+            self._progress.begin(click.format_filename(name))
+            report = judged.result()
+            yield self._completed(replace(report, lines=[]), name, report.lines)
+            self._progress.done()
+
+    def _judged(self, name: str, engine: Engine) -> Report:
+        report = check_log(name, engine, self._progress.of(click.format_filename(name)), self._chosen)
+        if self._readings == "all" and self._left is None:
+            return _again(report, lambda r: with_readings(r, engine, Replay(name, report.lines, self._chosen)))
         return report
 
     def _completed(self, report: Report, name: str, lines: list[bytes]) -> Report:
         """The report with the parts that need the log once more; ``lines`` are the lines of a stream, which is gone."""
-        judged = report.verdict in ("accepted", "rejected")
         auto = self._readings == "auto" and report.verdict == "rejected" and self._tried < _TRIED
-        tries = judged and (self._readings == "all" or auto)
-        draws = judged and self._to_draw > 0
+        tries = auto or (self._readings == "all" and self._left is not None)
+        draws = self._to_draw > 0
+
+        def completed(report: Report, engine: Engine) -> Report:
+            replay = Replay(name, lines, self._chosen)
+            if tries:
+                self._tried += 1
+                self._progress.trying()
+                begun = time.monotonic()
+                report = with_readings(report, engine, replay, None if self._left is None else begun + self._left)
+                if self._left is not None:
+                    self._left = max(0, self._left - (time.monotonic() - begun))
+            if draws:
+                self._to_draw -= 1
+                report = with_steps(report, engine, replay)
+            return report
+
         if not tries and not draws:
             return report
-        replay = Replay(name, lines, self._chosen)
-        if tries:
-            self._tried += 1
-            self._progress.trying()
-            begun = time.monotonic()
-            report = with_readings(report, self._engine, replay, None if self._left is None else begun + self._left)
-            if self._left is not None:
-                self._left = max(0, self._left - (time.monotonic() - begun))
-        if draws:
-            self._to_draw -= 1
-            report = with_steps(report, self._engine, replay)
-        return report
+        return self._workers.submit(
+            report, lambda report, engine: _again(report, lambda r: completed(r, engine))
+        ).result()
+
+
+def _again(report: Report, judge: Callable[[Report], Report]) -> Report:
+    """The report with parts that need the log once more, if it has a verdict about behaviour."""
+    if report.verdict in ("accepted", "rejected"):
+        with suppress(TooLongError, EngineError):  # the verdict stands without it
+            return judge(report)
+    return report
 
 
 def _document(output: str, reports: Sequence[Report]) -> bytes:

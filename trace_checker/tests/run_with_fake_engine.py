@@ -8,6 +8,6 @@ from s7check.engine.client import Engine
 from tests.conftest import FAKE_ENGINE
 
 if __name__ == "__main__":
-    engine = Engine(lambda: [sys.executable, str(FAKE_ENGINE)])
-    with mock.patch("s7check.trace_command.Engine", return_value=engine):
+    command = [sys.executable, str(FAKE_ENGINE)]
+    with mock.patch("s7check.trace_command.Engine", side_effect=lambda: Engine(lambda: command)):
         sys.exit(main())

@@ -2,6 +2,8 @@
 
 import sys
 import time
+from collections.abc import Callable
+from threading import Lock
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
@@ -26,6 +28,7 @@ class ProgressBar:
         self._done = 0
         self._name = ""
         self._begun = time.monotonic()
+        self._lock = Lock()
         self._bar: Progress | None = None
         self._task: TaskID | None = None
         self._shown = sys.stderr is not None and sys.stderr.isatty()
@@ -40,6 +43,16 @@ class ProgressBar:
         """The log ``name`` is the next."""
         self._name = printable(name)
         self._show()
+
+    def of(self, name: str) -> Callable[[Source, int], None]:
+        """The ``update`` of the log ``name``: several are at work, and the one that was begun last is shown."""
+        shown = printable(name)
+
+        def update(source: Source, events: int) -> None:
+            if shown == self._name:
+                self.update(source, events)
+
+        return update
 
     def update(self, source: Source, events: int) -> None:
         """``events`` events have been read from ``source``."""
@@ -56,16 +69,18 @@ class ProgressBar:
 
     def pause(self) -> None:
         """Takes the line away, for something else to be printed."""
-        if self._bar is not None:
-            self._bar.stop()
-            self._bar = None
+        with self._lock:
+            if self._bar is not None:
+                self._bar.stop()
+                self._bar = None
 
     def _show(self, counts: str = "") -> None:
         if not self._shown or time.monotonic() - self._begun < _DELAY:
             return
-        if self._bar is None or self._task is None:
-            self._bar, self._task = self._started()
-        self._bar.update(self._task, description=self._name, counts=counts, completed=self._done)
+        with self._lock:
+            if self._bar is None or self._task is None:
+                self._bar, self._task = self._started()
+            self._bar.update(self._task, description=self._name, counts=counts, completed=self._done)
 
     def _started(self) -> tuple["Progress", "TaskID"]:
         # Most calls show no bar: they do not wait for its library.
