@@ -69,6 +69,11 @@ agreement: setup  ## LOGS=10000 random logs: the engine and TLC give the same ve
 agreement-sample: setup  ## the same for 200 logs
 	$(BIN)/s7check agree --logs 200
 
+kit: setup  ## run the conformance kit on the soft PLC and on the toy CPU of the template; results in build/kit
+	mkdir -p build/kit
+	$(BIN)/s7check kit run --output build/kit/soft_plc.html --output build/kit/soft_plc.json -- $(PLC) --kit
+	-$(BIN)/s7check kit run --offer examples/adapters/toy_offer.json --output build/kit/toy.html --output build/kit/toy.json -- $(BIN)/python examples/adapters/template.py
+
 REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
 	$(BIN)/s7check since $(REV) --json build/since/report.json

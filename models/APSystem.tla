@@ -11,10 +11,10 @@
 (* time-of-day OB remembers two runs of points of each kind.               *)
 (*                                                                         *)
 (* The calendar: of the first point of a series only what CalendarLemma    *)
-(* says is used; docs/project/proofs.md says how it is checked.            *)
+(* says is used; models/MCCalendarLemma checks that.                       *)
 (* models/proofs.json has the queries; `s7check prove' asks them.          *)
 (***************************************************************************)
-EXTENDS InductiveSystem, Apalache
+EXTENDS InductiveSystem, APCalendar, Apalache
 
 CONSTANTS
     (* The CPU at hand, the operands of a call, the moment of an event of    *)
@@ -47,24 +47,17 @@ APAmbiguities == {"AMB-11", "AMB-56", "AMB-57"}
 -----------------------------------------------------------------------------
 (* The calendar *)
 
-(* What the proof uses of q, the first point of a series at or after m. *)
-\* @type: (Int, Int, Int, Int) => Bool;
-CalendarLemma(start, period, m, q) ==
-    /\ q = Never \/ (m <= q /\ start <= q /\ q <= LastMinute)
-    /\ period = Once => q = NotBefore(start, m)
-    /\ period = Minutely /\ m <= LastMinute =>
-         q = IF m <= start THEN start ELSE m
-    /\ period # EndOfMonth /\ m <= start => q = start
-
-(* Any point that the lemma allows. *)
+(* In place of FirstPoint: any point that the lemma allows.  Where the one  *)
+(* drawn is not allowed, another that is.                                  *)
 \* @type: (Int, Int, Int) => Int;
-APFirstPoint(start, period, m) ==
+AnyFirstPoint(start, period, m) ==
     CHOOSE point \in
-      { IF m > LastMinute THEN Never
+      { IF CalendarLemma(start, period, m, q) THEN q
         ELSE IF period = Once THEN NotBefore(start, m)
+        ELSE IF m > LastMinute THEN Never
         ELSE IF period # EndOfMonth /\ m <= start THEN start
         ELSE IF period = Minutely THEN m
-        ELSE IF m <= q /\ start <= q /\ q <= LastMinute THEN q ELSE Never
+        ELSE Never
         : q \in {Gen(1)} } : TRUE
 
 -----------------------------------------------------------------------------
@@ -128,6 +121,24 @@ AnyState ==
     /\ stopCause \in Int
     /\ entered = {}
     /\ step = Step("any", 0, 0)
+
+(* What AnyState takes for granted of a variable stays so. *)
+InWorld ==
+    /\ cpu.family = AnyCpu.family
+    /\ cpu.priority = AnyCpu.priority
+    /\ cpu.step7 = AnyCpu.step7
+    /\ \A a \in DOMAIN cpu.readings :
+         /\ a \in APAmbiguities
+         /\ cpu.readings[a] \in CASE a = "AMB-11" -> {"b", "c"}
+                                  [] a = "AMB-56" -> {"a", "b", "d"}
+                                  [] OTHER        -> {"a", "b"}
+    /\ loaded \subseteq APObs
+    /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
+    /\ startup \in {"none", "warm", "cold", "begun"}
+    /\ DOMAIN tod = APTodObs
+    /\ DOMAIN dint = APDintObs
+    /\ irt.blocked \subseteq APBlockable
+    /\ irt.silent \subseteq APBlockable
 
 AnyInit == AnyState /\ Ind
 

@@ -25,7 +25,9 @@ SettingDataInv ==
       /\ tod[o].period \in PeriodCodes
       /\ IsPoint(tod[o].next)
       /\ \A i \in tod[o].served : IsRun(i.from, i.to)
-      /\ \A i \in tod[o].earlier : IsRun(i.from, i.to)
+      /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
+                                    /\ i.start \in 0..LastMinute
+                                    /\ i.period \in PeriodCodes
       /\ tod[o].repeatTo >= -1
 
 (* [CLK-09] [CLK-10] Only a CPU that does not serve a point again remembers. *)
@@ -42,6 +44,12 @@ CalledInv ==
                        /\ tod[o].next = Never
                        /\ mode = "STOP" \/ OnStack(o)
                        /\ { r \in requests : r.ob = o } = {}
+
+(* [TINT-08] A once has one point, its start. *)
+OnceInv ==
+    \A r \in requests :
+      r.ob \in TodObs /\ tod[r.ob].period = Once =>
+        r.since = FirstMoment(tod[r.ob])
 
 (* [OBS-04] [OBS-05] [OBS-43] The class of a start event and of its OB. *)
 \* @type: (Int, Int) => Bool;
@@ -71,7 +79,9 @@ Ind == /\ IndInv
        /\ SettingDataInv
        /\ MemoryInv
        /\ CalledInv
+       /\ OnceInv
        /\ RequestDataInv
        /\ FrameDataInv
        /\ DueInv
+       /\ OverlapInv
 =============================================================================

@@ -125,7 +125,7 @@ WithAnswers(e) ==
 
 (* A line before which the same silent steps are possible as before e.     *)
 \* @type: $event => $event;
-Likewise(e) == IF Partial THEN e
+Likewise(e) == IF Partial \/ PointsNow # {} \/ OverNow # {} THEN e
                ELSE Line(IF e.event = "start" THEN e.event ELSE "")
 
 -----------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from evidence.common.checkout import ROOT
-from evidence.kit import calendar, calls, meetings, shipped
+from evidence.kit import calendar, calls, meetings, shipped, waiting
 from evidence.kit.from_log import Json
 from s7check.kit.program import read_program
 
@@ -24,7 +24,13 @@ def generate_command(seed: int, write: bool) -> int:
 
     Exit codes: 0 done, or nothing differs; 1 the files differ, and --write was not given.
     """
-    made = [*shipped.programs(ROOT / "traces"), *calls.programs(), *calendar.programs(), *meetings.programs(seed)]
+    made = [
+        *shipped.programs(ROOT / "traces"),
+        *calls.programs(),
+        *calendar.programs(),
+        *waiting.programs(),
+        *meetings.programs(seed),
+    ]
     files = _by_area(made)
     click.echo(f"{len(made)} programs, {sum(map(len, files.values())):,} bytes")
     different = [name for name, text in files.items() if _kept(PROGRAMS / name) != text]

@@ -108,7 +108,7 @@ def _fits(choice: Choice) -> bool:
         return False
     if choice["hindrance"] == "startup" and choice["begin"] == "run":
         return False
-    return choice["source"] != "time error" or choice["block"] == "there"
+    return choice["source"] not in ("time error", "burst") or choice["block"] == "there"
 
 
 class _Meeting:

@@ -15,14 +15,20 @@ from typing import Literal
 from evidence.common.processes import InterruptedRunError, Processes, kill
 
 HOME_VARIABLE = "APALACHE_HOME"
+JVM_VARIABLE = "JVM_ARGS"
+JVM_ARGUMENTS = "-Xmx5g -XX:+UseSerialGC -XX:TieredStopAtLevel=1"
+"""Most of a run is short work on a large module: code that is compiled better, and more collectors, cost more time."""
 PROGRAM = "apalache-mc"
 
-Outcome = Literal["holds", "violated", "nothing checked", "failed", "timeout"]
+Outcome = Literal["holds", "violated", "nothing checked", "failed", "timeout", "not asked"]
 
 _MADE = re.compile(
     r"Producing verification conditions from the invariant (\w+).*\n.*VCGen produced (\d+) verification condition"
 )
+_CHECKING = re.compile(r"^State \d+: Checking (\d+) (?:state|action) invariants", re.MULTILINE)
 _HOLDS = re.compile(r"^State \d+: ((?:state|action) invariant \d+) holds\.", re.MULTILINE)
+_TRANSITIONS = re.compile(r"Found (\d+) transitions")
+_DISABLED = re.compile(r"^Step \d+: Transition #\d+ is disabled", re.MULTILINE)
 _VIOLATED = re.compile(r"^State \d+: ((?:state|action) invariant \d+) violated\.", re.MULTILINE)
 _TRACE = re.compile(r"^Check the trace in: ([^,\s]+)", re.MULTILINE)
 _ERROR = re.compile(r"^(.*\S)\s+E@\d\d:", re.MULTILINE)
@@ -37,15 +43,18 @@ class ApalacheMissingError(RuntimeError):
 
 @dataclass(frozen=True)
 class Answer:
-    """What Apalache's output says: `checked` is the number of conditions that it names as holding.
+    """What Apalache's output says: `checked` is how often it names a condition as holding.
 
-    `detail` says why the outcome is not "holds"; `trace` is the file of the counterexample.
+    It divides an action into transitions, and checks the conditions after each of the `taken` ones, which some state
+    can take; but not those that the transition cannot change. `detail` says why the outcome is not "holds"; `trace` is
+    the file of the counterexample.
     """
 
     outcome: Outcome
     checked: int
     detail: str = ""
     trace: str = ""
+    taken: int = 0
 
 
 @dataclass(frozen=True)
@@ -59,8 +68,12 @@ class ApalacheRun:
 
 
 def find_apalache() -> str:
-    """apalache-mc in APALACHE_HOME/bin, else on PATH. Raises `ApalacheMissingError`."""
+    """apalache-mc in APALACHE_HOME/bin, else on PATH; it gets arguments for its JVM, if the environment has none.
+
+    Raises `ApalacheMissingError`.
+    """
     home = os.environ.get(HOME_VARIABLE)
+    os.environ.setdefault(JVM_VARIABLE, JVM_ARGUMENTS)
     program = shutil.which(str(Path(home) / "bin" / PROGRAM) if home else PROGRAM)
     if program is None:
         raise ApalacheMissingError(
@@ -73,10 +86,11 @@ def find_apalache() -> str:
 def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
     """Read the output of a run with this exit code that was asked to check these formulas.
 
-    It counts as "holds" only where Apalache made conditions of every formula asked and says of every condition that it
-    holds: a filter that lets none through, or a formula that got lost, ends with exit code 0 too.
+    It counts as "holds" only where Apalache made conditions of every formula asked, could take a step, and says of
+    every condition, and of all that it announced after a transition, that they hold: a filter that lets none through, a
+    formula that got lost, and an action that can take no step end with exit code 0 too.
     """
-    held = set(_HOLDS.findall(output))
+    held = _HOLDS.findall(output)
     if violated := _VIOLATED.search(output):
         trace = _TRACE.search(output)
         return Answer("violated", len(held), f"{violated[1]} is violated", trace[1] if trace else "")
@@ -84,13 +98,18 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
         errors = _ERROR.findall(output)
         return Answer("failed", len(held), f"exit code {code}: {errors[0] if errors else 'no message'}")
     made = {name: int(number) for name, number in _MADE.findall(output)}
-    lacking = [name for name in asked if not made.get(name)]
-    expected = sum(made.values())
-    if lacking:
+    if lacking := [name for name in asked if not made.get(name)]:
         return Answer("nothing checked", len(held), f"no condition was made of {', '.join(lacking)}")
-    if len(held) != expected or not held:
-        return Answer("nothing checked", len(held), f"{len(held)} of {expected} conditions were checked")
-    return Answer("holds", len(held))
+    announced = sum(map(int, _CHECKING.findall(output)))
+    conditions = sum(made.values())
+    if len(set(held)) != conditions or len(held) != announced:
+        said = f"{len(set(held))} of {conditions} conditions were checked, {len(held)} times of {announced} announced"
+        return Answer("nothing checked", len(held), said)
+    transitions = _TRANSITIONS.search(output)
+    taken = int(transitions[1]) - len(_DISABLED.findall(output)) if transitions else 0
+    if taken < 1:
+        return Answer("nothing checked", len(held), "no step can be taken")
+    return Answer("holds", len(held), taken=taken)
 
 
 def version(output: str) -> str:
@@ -125,7 +144,7 @@ def run(
     if processes.closed:
         raise InterruptedRunError
     if expired.is_set():
-        answer = Answer("timeout", len(set(_HOLDS.findall(output))), f"ended after {timeout:.0f} s")
+        answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
     else:
         answer = interpret(output, process.returncode, asked)
     return ApalacheRun(answer, round(time.monotonic() - began, 1), usage.ru_maxrss // 1024, output)

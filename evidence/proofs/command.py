@@ -18,7 +18,7 @@ from evidence.common.session import session
 from evidence.proofs import report
 from evidence.proofs.apalache import ApalacheMissingError, find_apalache
 from evidence.proofs.queries import ManifestError, Query, load
-from evidence.proofs.runner import Asking, Result, ask, ok
+from evidence.proofs.runner import Asking, Kept, Result, ask, ok
 from evidence.tla.syntax import SyntaxTreeError
 
 DIFFERENT = 1
@@ -40,11 +40,18 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.command(name="prove", short_help="Prove properties of the specification with Apalache.")
 @click.option("--list", "listing", is_flag=True, help="Name the queries and ask nothing.")
 @click.option("--shard", type=_Shard(), help="Only the I-th of N parts of the queries.")
-@click.option("--resume", is_flag=True, help="Take answers that are kept of the same text.")
+@click.option("--resume", is_flag=True, help="Take kept answers that are as claimed, and ask for the others.")
+@click.option("--kept", "only_kept", is_flag=True, help="Report the kept answers and ask nothing.")
 @json_option
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def prove_command(
-    *, listing: bool, shard: tuple[int, int] | None, resume: bool, json_path: Path | None, names: tuple[str, ...]
+    *,
+    listing: bool,
+    shard: tuple[int, int] | None,
+    resume: bool,
+    only_kept: bool,
+    json_path: Path | None,
+    names: tuple[str, ...],
 ) -> None:
     """Ask Apalache the queries of models/proofs.json.
 
@@ -61,17 +68,20 @@ def prove_command(
             for query in queries:
                 click.echo(f"{query.name}: {query.kind}, {query.expect}, {len(query.formulas)} formulas")
             return
-        asking = Asking(ROOT, ROOT / BUILD, find_apalache(), processes)
+        asking = Asking(ROOT, ROOT / BUILD, "" if only_kept else find_apalache(), processes)
         asking.build.mkdir(parents=True, exist_ok=True)
-        answers = [_ask(asking, query, console, resume=resume) for query in queries]
+        kept: Kept = "all" if only_kept else "claimed" if resume else "nothing"
+        answers = [_ask(asking, query, kept, console) for query in queries]
         write_json(json_path, report.as_json(proofs, answers))
         report.show(console, proofs, answers)
         sys.exit(0 if answers and all(ok(query, result) for query, result in answers) else DIFFERENT)
 
 
-def _ask(asking: Asking, query: Query, console: Console, *, resume: bool) -> tuple[Query, Result]:
-    result = ask(asking, query, resume=resume)
+def _ask(asking: Asking, query: Query, kept: Kept, console: Console) -> tuple[Query, Result]:
+    result = ask(asking, query, kept)
+    outcome = result.answer.outcome
     word = "as claimed" if ok(query, result) else f"NOT AS CLAIMED (claimed: {query.expect})"
-    said = f"{query.name}: {result.answer.outcome}, {word}, {result.answer.checked} conditions, {result.seconds:.0f} s"
+    said = f"{query.name}: {outcome}, {word}, {result.answer.checked} conditions, {result.seconds:.0f} s"
+    said = f"{query.name}: {outcome}" if outcome == "not asked" else said
     console.print(said + (", kept" if result.kept else ""), markup=False, highlight=False, soft_wrap=True)
     return query, result

@@ -25,6 +25,9 @@ MANIFEST = Path("models/proofs.json")
 BOXED = re.compile(r"^(\w+) ==\s*\[\]\[", re.MULTILINE)
 STATED = re.compile(r"^(\w+Inv) ==", re.MULTILINE)
 
+TOGETHER = "Together"
+"""The disjunction of the actions of a query."""
+
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
 
@@ -68,13 +71,15 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     constants: str
     first: str
     any: str
-    invariant: str
+    invariants: list[str]
     control: str
     waiting: int
     running: int
     timeout: int
-    instead: dict[str, str] = {}
-    """Operators of spec/, and the operators that stand in their places."""
+    together: dict[str, list[str]] = {}
+    """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
+    instead: dict[str, list[str]] = {}
+    """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
 
 
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
@@ -91,8 +96,8 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
 class Query:
     """What Apalache is asked: `expect` of the formulas from `init` after `length` steps of `next`.
 
-    `action` is the action of System, `mutation` a change of the specification; `constants` the initial predicate of
-    the constants; `instead` the operators that stand in the places of others.
+    `actions` are the actions of System whose disjunction is `next`, `mutation` a change of the specification,
+    `constants` the initial predicate of the constants, `instead` the operators that stand in the places of others.
     """
 
     name: str
@@ -103,9 +108,9 @@ class Query:
     length: int
     formulas: tuple[str, ...]
     timeout: int
-    action: str = ""
+    actions: tuple[str, ...] = ()
     constants: str = ""
-    instead: tuple[tuple[str, str], ...] = ()
+    instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
     expect: Literal["holds", "violated"] = "holds"
     mutation: Mutation | None = None
 
@@ -129,7 +134,9 @@ class Proofs:
 
 
 def _matches(query: Query, glob: str) -> bool:
-    return fnmatchcase(query.name, glob) or (query.kind == "step" and fnmatchcase(query.action, glob))
+    return fnmatchcase(query.name, glob) or (
+        query.kind == "step" and any(fnmatchcase(action, glob) for action in query.actions)
+    )
 
 
 def load(root: Path) -> Proofs:
@@ -142,13 +149,16 @@ def load(root: Path) -> Proofs:
     modules = read_modules(root / "spec")
     actions = named_actions(modules)
     steps, states = properties(modules)
-    formulas = {name for names in steps.values() for name in names} | {file.induction.invariant}
+    formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
+    joined = [action for some in file.induction.together.values() for action in some]
+    if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
+        raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
     named = [(cell.action, cell.formula) for cell in file.not_proved]
     for action, formula in [*named, *((mutant.action, mutant.formula) for mutant in file.mutants)]:
         if action not in actions:
             raise ManifestError(f"{path}: {action} is no action of System")
         if formula not in formulas:
-            raise ManifestError(f"{path}: {formula} is neither a property of steps nor the invariant")
+            raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     return Proofs(file, tuple(_queries(file, actions, steps, states)), actions, steps, states)
 
 
@@ -189,26 +199,30 @@ def _queries(
         formulas=tuple(name for names in states.values() for name in names),
         timeout=base.timeout,
         constants=base.constants,
-        instead=tuple(base.instead.items()),
+        instead=tuple((name, tuple(others)) for name, others in base.instead.items()),
     )
-    queries = [replace(anywhere, name="first", kind="begins", init=base.first, formulas=(base.invariant,)), anywhere]
+    queries = [
+        replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants)),
+        anywhere,
+    ]
     left = {(cell.action, cell.formula) for cell in file.not_proved}
-    whole = (base.invariant, *(name for names in steps.values() for name in names))
-    by_action = {}
-    for action in actions:
-        formulas = tuple(formula for formula in whole if (action, formula) not in left)
-        one = replace(anywhere, name=action, kind="step", next=action, action=action, length=1, formulas=formulas)
-        by_action[action] = one
-        control = replace(one, name=f"control-{action}", kind="control", formulas=(base.control,), expect="violated")
-        queries += [one, control]
+    whole = (*base.invariants, *(name for names in steps.values() for name in names))
+    joined = {action for some in base.together.values() for action in some}
+    groups = {**{action: [action] for action in actions if action not in joined}, **base.together}
+    for name, some in groups.items():
+        formulas = tuple(formula for formula in whole if not left & {(action, formula) for action in some})
+        following = some[0] if len(some) == 1 else TOGETHER
+        queries.append(
+            replace(anywhere, name=name, kind="step", next=following, actions=tuple(some), length=1, formulas=formulas)
+        )
+    one = {
+        action: replace(anywhere, name=f"control-{action}", next=action, actions=(action,), length=1, expect="violated")
+        for action in actions
+    }
+    queries += [replace(query, kind="control", formulas=(base.control,)) for query in one.values()]
     queries += [
         replace(
-            by_action[mutant.action],
-            name=f"mutant-{mutant.name}",
-            kind="mutant",
-            formulas=(mutant.formula,),
-            expect="violated",
-            mutation=mutant,
+            one[mutant.action], name=f"mutant-{mutant.name}", kind="mutant", formulas=(mutant.formula,), mutation=mutant
         )
         for mutant in file.mutants
     ]

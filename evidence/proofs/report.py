@@ -17,7 +17,8 @@ def assumptions(proofs: Proofs) -> str:
     """What every result of the induction assumes, in a sentence."""
     base = proofs.file.induction
     return (
-        f"One step of System from any state in which {base.invariant} holds, in the world of models/{base.module}.tla, "
+        f"One step of System from any state in which {base.invariants[0]} holds, in the world of "
+        f"models/{base.module}.tla, "
         f"with at most {base.waiting} start events that wait and {base.running} OBs that run before the step; "
         "the calendar by its lemma; readings by default."
     )
@@ -32,22 +33,47 @@ def as_json(proofs: Proofs, answers: Answers) -> dict[str, Any]:
             {
                 "name": query.name,
                 "kind": query.kind,
-                "action": query.action,
+                "actions": list(query.actions),
                 "formulas": list(query.formulas),
                 "expect": query.expect,
                 "outcome": result.answer.outcome,
                 "ok": ok(query, result),
                 "conditions": result.answer.checked,
+                "transitions": result.answer.taken,
                 "detail": result.answer.detail,
                 "seconds": result.seconds,
                 "megabytes": result.megabytes,
             }
             for query, result in answers
         ],
+        "formulas": standing(proofs, answers),
         "not_proved": [
             {"action": cell.action, "formula": cell.formula, "tried": cell.tried} for cell in proofs.file.not_proved
         ],
     }
+
+
+def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
+    """Each property with the actions of which it is proved, of which it is not claimed, and of which nobody knows yet.
+
+    A property of states is proved of an action with the invariants from which it follows.
+    """
+    base = proofs.file.induction
+    holds = {query.name: query for query, result in answers if result.answer.outcome == "holds"}
+    proved = [(set(query.formulas), query.actions) for query in holds.values() if query.kind == "step"]
+    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved}
+    rows = []
+    for kind, modules in (("steps", proofs.steps), ("states", proofs.states)):
+        for module, names in modules.items():
+            for name in names:
+                needed = {name} if kind == "steps" else set(base.invariants)
+                whole = kind == "steps" or {"first", "invariants"} <= holds.keys()
+                of = {action for formulas, actions in proved if whole and needed <= formulas for action in actions}
+                not_claimed = [action for action in proofs.actions if (action, name) in left]
+                unknown = [action for action in proofs.actions if action not in of and action not in not_claimed]
+                row = {"formula": name, "module": module, "of": kind, "proved": len(of)}
+                rows.append(row | {"not claimed": not_claimed, "unknown": unknown})
+    return rows
 
 
 def show(console: Console, proofs: Proofs, answers: Answers) -> None:

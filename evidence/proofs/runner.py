@@ -5,16 +5,21 @@ from __future__ import annotations
 import hashlib
 import re
 import shutil
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import msgspec
 
 from evidence.common.processes import Processes
+from evidence.harness.manifest import Mutation
 from evidence.proofs import apalache
 from evidence.proofs.apalache import Answer
-from evidence.proofs.queries import ManifestError, Query
+from evidence.proofs.queries import TOGETHER, ManifestError, Query
 from evidence.proofs.text import definitions, module_text
+
+Kept = Literal["nothing", "claimed", "all"]
 
 AFTER_A_STEP = "--tuning-options=search.invariantFilter=1->.*"
 """Formulas about states are checked after the step, not before, where they are assumed."""
@@ -49,14 +54,16 @@ def ok(query: Query, result: Result) -> bool:
     return result.answer.outcome == query.expect
 
 
-def ask(asking: Asking, query: Query, *, resume: bool) -> Result:
-    """Ask a query, or, with `resume`, take the result that is kept of the same text.
+def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
+    """Ask a query, or take the result that is kept of the same text.
 
-    Raises `ManifestError`, OSError, `evidence.common.processes.InterruptedRunError`.
+    Of `kept` answers, "claimed" takes those that are as claimed and asks for the others; "all" takes any, and asks
+    nothing: without one the outcome is "not asked".
+
+    Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
+    `evidence.common.processes.InterruptedRunError`.
     """
-    folder = asking.build / query.name
-    kept = asking.build / f"{query.name}.json"
-    text, config = write_texts(asking.root, query, folder)
+    text, config = texts(asking.root, query)
     arguments = [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
         f"--inv={','.join(query.formulas)}",
@@ -65,45 +72,51 @@ def ask(asking: Asking, query: Query, *, resume: bool) -> Result:
         f"{query.module}.tla",
     ]
     key = hashlib.sha256("\0".join([text, config, *arguments]).encode()).hexdigest()
-    if resume and kept.exists():
-        before = msgspec.json.decode(kept.read_bytes(), type=Result)
-        if before.key == key and before.answer.outcome == query.expect:
-            return msgspec.structs.replace(before, kept=True)
+    file = asking.build / f"{query.name}.json"
+    before = msgspec.json.decode(file.read_bytes(), type=Result) if file.exists() else None
+    if before is not None and before.key == key and (kept == "all" or (kept == "claimed" and ok(query, before))):
+        return msgspec.structs.replace(before, kept=True)
+    if kept == "all":
+        return Result(query.name, key, Answer("not asked", 0), 0, 0, "")
+    folder = asking.build / query.name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / f"{query.module}.tla").write_text(text, encoding="utf-8")
+    (folder / "query.cfg").write_text(config, encoding="utf-8")
     done = apalache.run(asking.program, arguments, query.formulas, folder, query.timeout, asking.processes)
     (folder / "log").write_text(done.output, encoding="utf-8")
     result = Result(query.name, key, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
-    kept.write_bytes(msgspec.json.encode(result))
+    file.write_bytes(msgspec.json.encode(result))
     return result
 
 
-def write_texts(root: Path, query: Query, folder: Path) -> tuple[str, str]:
-    """Write the module and the configuration of a query, and return them. Raises `ManifestError`, OSError."""
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    folders = [root / "models", root / "spec"]
-    if query.mutation is not None:
-        folders.insert(0, _mutated(root, query, folder / "changed"))
+def texts(root: Path, query: Query) -> tuple[str, str]:
+    """The module and the configuration of a query.
+
+    Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError.
+    """
     replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
-    roots = {query.init, query.next, *query.formulas, *replaced, *replaced.values()} | {query.constants} - {""}
-    text = module_text(query.module, folders, roots, dict(query.instead))
+    words = (query.init, query.next, query.constants, *query.actions, *query.formulas)
+    with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
+        if query.mutation is not None:
+            _mutate(root, query.name, query.mutation, Path(changed))
+        folders = [Path(changed), root / "models", root / "spec"]
+        roots = {*words, *replaced, *replaced.values()} - {""}
+        text = module_text(query.module, folders, roots, dict(query.instead))
+    if query.next == TOGETHER:
+        either = " \\/ ".join(query.actions)
+        text = text.replace("\n====\n", f"\n{TOGETHER} == {either}\n====\n")
     lacking = sorted({query.init, query.next, *query.formulas} - definitions(text))
     if lacking:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
     constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())
-    config = f"INIT {query.init}\nNEXT {query.next}\n" + (f"CONSTANTS\n{constants}" if constants else "")
-    (folder / f"{query.module}.tla").write_text(text, encoding="utf-8")
-    (folder / "query.cfg").write_text(config, encoding="utf-8")
-    return text, config
+    return text, f"INIT {query.init}\nNEXT {query.next}\n" + (f"CONSTANTS\n{constants}" if constants else "")
 
 
-def _mutated(root: Path, query: Query, folder: Path) -> Path:
-    """A folder with the changed module. Raises `ManifestError` where the text to replace is not there once."""
-    change = query.mutation
-    assert change is not None
+def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:
+    """Write the changed module. Raises `ManifestError` where the text to replace is not there once."""
     path = root / "spec" / change.module
     text = path.read_text(encoding="utf-8")
     if text.count(change.replace) != 1:
-        raise ManifestError(f"query {query.name}: {change.module} has not once the text {change.replace!r}")
-    folder.mkdir()
+        raise ManifestError(f"query {query}: {change.module} has not once the text {change.replace!r}")
     (folder / path.name).write_text(text.replace(change.replace, change.by), encoding="utf-8")
-    return folder

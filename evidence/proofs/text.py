@@ -9,12 +9,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from evidence.tla.flatten import flatten, keep_only
-from evidence.tla.syntax import Module, SyntaxTreeError, end
+from evidence.tla.flatten import definition_span, flatten, keep_only
+from evidence.tla.syntax import Module, SyntaxTreeError
 
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
@@ -38,28 +38,32 @@ def read_by_default(text: str, letters: Mapping[str, str]) -> str:
     return _READING.sub(lambda reading: f'"{letters.get(reading[1], "a")}"', text)
 
 
-def put_in_place(text: str, name: str, by: str) -> str:
-    """The text of a module with an operator's definition replaced by that of another, which has the same type.
+def put_in_place(text: str, name: str, others: Sequence[str]) -> str:
+    """The text of a module with an operator's definition replaced by that of the last of the others.
 
-    The body moves up to the place of the other, so that what stands between can use it. Raises `SyntaxTreeError`.
+    All others move up to its place, with their types. Raises `SyntaxTreeError`.
     """
     module = Module("flat", text.encode())
-    if lacking := {name, by} - module.definitions.keys():
+    if lacking := {name, *others} - module.definitions.keys():
         raise SyntaxTreeError(f"no definition of {', '.join(sorted(lacking))} to put in place")
-    old, new = (slice(unit.start_byte, end(unit)) for unit in (module.definitions[name], module.definitions[by]))
-    body = re.sub(rf"\b{by}\b".encode(), name.encode(), module.text[new])
-    return (module.text[: old.start] + body + module.text[old.stop :]).decode()
+    places = {key: definition_span(module, key) for key in (name, *others)}
+    moved = b"".join(module.text[slice(*places[other])] for other in others)
+    new = re.sub(rf"\b{others[-1]}\b".encode(), name.encode(), moved)
+    out = module.text
+    for key, (start, stop) in sorted(places.items(), key=lambda place: place[1], reverse=True):
+        out = out[:start] + (new if key == name else b"") + out[stop:]
+    return out.decode()
 
 
-def module_text(module: str, folders: list[Path], roots: Iterable[str], instead: Mapping[str, str]) -> str:
+def module_text(module: str, folders: list[Path], roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:
     """The module with all that it extends and the roots need; `instead` puts operators in the place of others.
 
     Raises OSError, `SyntaxTreeError`.
     """
     flat = flatten(module, folders)
     text = read_by_default(as_action(flat.text), default_letters(flat.text))
-    for name, by in instead.items():
-        text = put_in_place(text, name, by)
+    for name, others in instead.items():
+        text = put_in_place(text, name, others)
     return keep_only(replace(flat, text=text), roots)
 
 

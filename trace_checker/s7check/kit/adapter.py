@@ -68,7 +68,7 @@ class Adapter:
         assert process.stdin is not None
         until = time.monotonic() + self._timeout
         try:
-            process.stdin.write(program.line() + b"\n")
+            process.stdin.write(program.plain_line() + b"\n")
             process.stdin.flush()
         except OSError:
             return self._failed([], self._end_of(process))

@@ -15,7 +15,7 @@ from s7check.log.errors import UnusableLogError, quote
 from s7check.log.events import FIELDS, OPERANDS, check_fault
 from s7check.log.fields import OWN, Fields, Reader, list_of
 from s7check.log.jsonline import decode_object
-from s7check.log.values import choice, instant_moment, integer
+from s7check.log.values import byte, choice, date_components, duration, instant_moment, integer, word
 
 FORMAT = "s7-interrupt-program/1"
 
@@ -71,7 +71,39 @@ class Program:
 
     def line(self) -> bytes:
         """The program as one line of JSON, without the end of the line."""
-        return json.dumps(self.raw, ensure_ascii=False, separators=(",", ":")).encode()
+        return _as_line(self.raw)
+
+    def plain_line(self) -> bytes:
+        """The same with one spelling for each value: words and TIMEs are integers, dates ``2026-11-21T06:00:00.000``.
+
+        An adapter then has no spellings of S7 to read.
+        """
+        header = {**self.raw["header"], "clock": _date(self.raw["header"]["clock"])}
+        bodies = [{**body, "steps": [_plain(step) for step in body["steps"]]} for body in self.raw["bodies"]]
+        outside = [_plain(event) for event in self.outside]
+        return _as_line({**self.raw, "header": header, "outside": outside, "bodies": bodies})
+
+
+def _as_line(raw: dict[str, Any]) -> bytes:
+    return json.dumps(raw, ensure_ascii=False, separators=(",", ":")).encode()
+
+
+def _date(value: object) -> str:
+    parts = date_components(value)
+    return "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}.{ms:03}".format(**parts)
+
+
+_PLAIN: dict[str, Reader] = {
+    **dict.fromkeys(("period", "sign"), word),
+    **dict.fromkeys(("mode", "flt_id"), byte),
+    **dict.fromkeys(("sdt", "to"), _date),
+    "dtime": duration,
+}
+"""Operand or field -> its value in the one spelling."""
+
+
+def _plain(step: dict[str, Any]) -> dict[str, Any]:
+    return {name: _PLAIN[name](value) if name in _PLAIN else value for name, value in step.items()}
 
 
 def _text(value: object) -> str:

@@ -39,6 +39,11 @@ def _clauses() -> dict[str, Clause]:
     return {clause.id: clause for clause in msgspec.json.decode(data, type=list[Clause])}
 
 
+def all_clauses() -> list[Clause]:
+    """Every requirement and every open question."""
+    return list(_clauses().values())
+
+
 def clause(name: str) -> Clause:
     """The clause with this ID; without a text if there is none."""
     return _clauses().get(name, Clause(name, ""))

@@ -25,6 +25,12 @@ def add(to: Node, *content: "Node | str | None") -> Node:
     return to
 
 
+def as_text(element: Node) -> str:
+    """An element as it stands in a page."""
+    text: str = Xml.tostring(element, encoding="unicode")
+    return text
+
+
 def document(title: str, style: str, script: str, *content: Node) -> bytes:
     """A whole page that needs nothing else."""
     head = node(

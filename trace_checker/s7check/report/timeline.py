@@ -271,7 +271,8 @@ def _line(column: _Column, before: _Column | None, rows: _Rows, report: Report) 
     offending = report.verdict == "rejected" and column.number == report.line
     later = report.verdict == "rejected" and report.line is not None and column.number > report.line
     answer = "wrong" if offending else _class_of_answer(column.event)
-    group = node("g", class_="offending" if offending else "later" if later else "event")
+    kind = "offending" if offending else "later" if later else "event"
+    group = node("g", class_=kind, data_line=str(column.number))
     x = column.x
     add(group, node("path", d=f"M{x:g} 4V{rows.height:g}", class_="tick"))
     add(group, node("title", source(column.text)))

@@ -166,7 +166,7 @@ final class Session {
       List<State> arrived = now.arrivals(spec.instant(ordered.get(i).clocks));
       var ready = new HashMap<Value, List<State>>();
       for (Value offer : arrived.isEmpty() ? Set.<Value>of() : offers) {
-        Value kind = spec.likewise(arrived.get(0), offer);
+        Value kind = kind(arrived, offer);
         Value clocks = ordered.get(i).clocks;
         List<State> states =
             ready.computeIfAbsent(kind, line -> now.closure(arrived, spec.dated(line, clocks)));
@@ -174,6 +174,19 @@ final class Session {
       }
     }
     return written(ordered, endless, found);
+  }
+
+  /** A line before which the same silent steps are possible as before {@code offer}, in all of the states. */
+  private Value kind(List<State> states, Value offer) {
+    Value kind = null;
+    for (State state : states) {
+      Value here = spec.likewise(state, offer);
+      if (kind != null && !kind.equals(here)) {
+        return offer;
+      }
+      kind = here;
+    }
+    return kind;
   }
 
   private void tryIn(

@@ -1,0 +1,1 @@
+"""The gallery: edge cases, each the shortest behaviour that TLC finds for a predicate, as a log."""

@@ -1,0 +1,125 @@
+"""The gallery: its cases, its logs, and the way from TLC's states to a log."""
+
+import msgspec
+import pytest
+
+from evidence.behaviours.as_log import as_log
+from evidence.behaviours.values import UnreadableValueError, assignments, value
+from evidence.common.processes import Processes
+from evidence.gallery import command
+from evidence.gallery.cases import FOLDER, cases
+from evidence.gallery.search import NotFoundError, Search, configuration, module
+from evidence.tlc.process import find_toolchain
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
+from s7check.report.clauses import all_clauses
+
+
+def test_each_case_has_a_log_of_its_own_and_requirements_that_exist() -> None:
+    """At least forty cases; no log without a case."""
+    found = cases()
+    assert len(found) >= 40
+    assert {case.log.name for case in found} == {path.name for path in FOLDER.glob("*.ndjson")}
+    known = {clause.id for clause in all_clauses()}
+    assert {name for case in found for name in case.requirements} <= known
+    assert all(case.requirements and case.told for case in found)
+
+
+def test_the_trace_checker_accepts_each_log() -> None:
+    """What TLC finds, the trace checker explains."""
+    with Engine() as engine:
+        for case in cases():
+            report = check_log(str(case.log), engine, lambda *_: None)
+            assert report.verdict == "accepted", str(report)
+
+
+def test_page_and_package_are_up_to_date() -> None:
+    """`s7check gallery --write` makes both."""
+    assert command.PACKAGED.read_bytes() == command.packaged()
+    assert command.PAGE.read_text() == command.page()
+
+
+def test_a_case_is_found_again() -> None:
+    """By TLC, as shipped; and not where its goal is never reached."""
+    case = next(one for one in cases() if one.name == "delay-taken-back-too-often")
+    search = Search(find_toolchain(None), Processes())
+    assert command._text(search(case)) == case.log.read_text()
+    never = msgspec.structs.replace(case, goal="FALSE", world={"Moments": "{Moment(0, 30000)}"})
+    with pytest.raises(NotFoundError, match="passed"):
+        search(never)
+
+
+def test_a_case_changes_only_the_constants_it_names() -> None:
+    """The others keep the model's definitions."""
+    case = next(one for one in cases() if "Loads" in one.world)
+    text = configuration(case, "CONSTANTS\n    Loads <- GalleryLoads\n    Words <- GalleryWords\n")
+    assert "Loads <- CaseGalleryLoads\n" in text
+    assert "Words <- GalleryWords\n" in text
+    assert "Goal <- CaseGoal\n" in text
+    assert f"CaseGalleryLoads ==\n    {case.world['Loads']}\n" in module(case)
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("-3", -3),
+        ("TRUE", True),
+        ('"a [ b"', "a [ b"),
+        ("{}", []),
+        ("{1, 80}", [1, 80]),
+        ("1..3", [1, 2, 3]),
+        ('<<"x", <<>>>>', ["x", []]),
+        ("[ob |-> 10, of |-> [min |-> 1]]", {"ob": 10, "of": {"min": 1}}),
+        ("(10 :> 1 @@ 11 :> {2})", {10: 1, 11: [2]}),
+    ],
+)
+def test_a_value_of_tlc_is_read(text: str, read: object) -> None:
+    """Each kind of value."""
+    assert value(text) == read
+
+
+@pytest.mark.parametrize("text", ["", "<<1", "[a 1]", "1 2", "(1 :> 2", "§"])
+def test_what_is_no_value_is_refused(text: str) -> None:
+    """Instead of being read in part."""
+    with pytest.raises(UnreadableValueError):
+        value(text)
+
+
+def test_a_state_is_read_by_its_variables() -> None:
+    """Values may go over several lines."""
+    assert assignments('/\\ mode = "RUN"\n/\\ tod = ( 10 :>\n      [set |-> TRUE] )\n') == {
+        "mode": "RUN",
+        "tod": {10: {"set": True}},
+    }
+
+
+def test_steps_become_lines() -> None:
+    """Those that a log shows, at the time before the step."""
+    state = {
+        "cpu": {"family": "S7-400", "priority": {20: 4}, "step7": {}, "readings": {"AMB-18": "b"}},
+        "loaded": [10, 80],
+        "mode": "RUN",
+        "startup": "none",
+        "clock": {"min": 0, "ms": 30000},
+        "requests": [{"ob": 80, "rank": 1, "fault": 5}],
+    }
+    step = {"ob": 0, "value": 0, "sdt": {}, "operand": 0, "sign": 0}
+    later = state | {"clock": {"min": 60, "ms": 0}}
+    states = [
+        state | {"step": step | {"event": "power on"}},
+        later | {"step": step | {"event": "clock"}},
+        later | {"step": step | {"event": "reached", "ob": 10}},
+        later | {"step": step | {"event": "start", "ob": 80}},
+        later | {"step": step | {"event": "SRT_DINT", "ob": 20, "operand": 500, "sign": 7, "value": 0x8090}},
+        later | {"step": step | {"event": "stop", "value": 0x4568}},
+    ]
+    header, *events = as_log(states)
+    assert header["priority"] == {"20": 4}
+    assert header["readings"] == {"AMB-18": "b"}
+    assert header["obs"] == [1, 10, 80]
+    assert events == [
+        {"event": "clock", "at": "1990-01-01T00:00:30.000", "to": "1990-01-01T01:00:00.000"},
+        {"event": "start", "at": "1990-01-01T01:00:00.000", "ob": 80, "info": {"flt_id": "16#05"}},
+        {"event": "SRT_DINT", "at": "1990-01-01T01:00:00.000", "ob": 20, "dtime": 500, "sign": 7, "ret": "16#8090"},
+        {"event": "stop", "at": "1990-01-01T01:00:00.000", "cause": "16#4568"},
+    ]

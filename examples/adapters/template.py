@@ -1,0 +1,100 @@
+"""A template of an adapter for `s7check kit run`: copy it, and put your CPU in the place of `ToyCpu`.
+
+Standard input has a program a line, standard output gets the log of each and {"event": "done"}. The time is virtual.
+"""
+
+import json
+import sys
+from datetime import datetime, timedelta
+
+from toy_cpu import ToyCpu, UnsupportedError
+
+HEADER = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7")
+
+
+class Adapter:
+    """Runs one program: it owns the time, the CPU and the bodies of the OBs that run."""
+
+    def __init__(self, program):
+        self.program = program
+        self.now = 0
+        self.clock = datetime.fromisoformat(program["header"]["clock"])
+        self.started = {}
+        self.stack = []
+        self.cpu = ToyCpu(program["header"], self)
+
+    def log(self, event, **fields):
+        """Called by the CPU for everything that the log format has a line for."""
+        at = self.clock + timedelta(milliseconds=self.now)
+        line = {"event": event, "at": at.isoformat(timespec="milliseconds"), "up": self.now, **fields}
+        if fields.get("ob") != 1 or event not in ("start", "end"):
+            print(json.dumps(line))
+
+    def start(self, ob):
+        """Called by the CPU when an OB starts: its body for this run."""
+        run = self.started[ob] = self.started.get(ob, 0) + 1
+        found = {body.get("run", 0): body["steps"] for body in self.program["bodies"] if body["ob"] == ob}
+        self.stack.append([ob, list(found.get(run, found.get(0, [])))])
+
+    def stop(self):
+        """Called by the CPU in STOP: nothing runs any more."""
+        self.stack.clear()
+
+    def step(self):
+        """Lets the running OB do its next step; False where there is none that runs or time has to pass."""
+        if not self.stack:
+            return False
+        ob, steps = self.stack[-1]
+        if not steps or "end" in steps[0]:
+            self.stack.pop()
+            self.cpu.ended(ob)
+        elif "wait" in steps[0] and steps[0]["wait"] > 0:
+            return False
+        else:
+            step = dict(steps.pop(0))
+            if "call" in step:
+                self.cpu.call(step.pop("call"), step)
+            elif step.get("event") == "clock":
+                self.set_clock(step)
+        return True
+
+    def set_clock(self, event):
+        """Sets the clock to a date, or moves it."""
+        before = self.clock + timedelta(milliseconds=self.now)
+        to = datetime.fromisoformat(event["to"]) if "to" in event else before + timedelta(milliseconds=event["by"])
+        self.log("clock", to=to.isoformat(timespec="milliseconds"))
+        self.clock += to - before
+        self.cpu.clock_set(before, to)
+
+    def run(self):
+        """Runs the program to its end."""
+        outside = sorted(self.program.get("outside", []), key=lambda event: event["after"])
+        if any("every" in event for event in outside):
+            raise UnsupportedError("no events that come again")
+        while self.now < self.program["duration"]:
+            while outside and outside[0]["after"] <= self.now:
+                event = outside.pop(0)
+                self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
+            self.cpu.poll()
+            if self.cpu.dispatch() or self.step():
+                continue
+            moments = [self.program["duration"], self.cpu.next_moment(), *(event["after"] for event in outside[:1])]
+            waiting = self.stack[-1][1][0] if self.stack and self.cpu.runs() else None
+            if waiting:
+                moments.append(self.now + waiting["wait"])
+            passed = max(1, min(moments) - self.now)
+            if waiting:
+                waiting["wait"] -= passed
+            self.now += passed
+
+
+for text in sys.stdin:
+    program = json.loads(text)
+    try:
+        adapter = Adapter(program)
+        print(json.dumps({"format": "s7-interrupt-log/1", "latency_ms": 0, **{
+            name: value for name, value in program["header"].items() if name in HEADER}}))
+        adapter.run()
+        print(json.dumps({"event": "done"}), flush=True)
+    except UnsupportedError as error:
+        print(json.dumps({"event": "skip", "reason": str(error)}), flush=True)
