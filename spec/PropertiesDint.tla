@@ -18,7 +18,7 @@ JobInv ==
       /\ ~dint[o].started => dint[o] = NoJob
       /\ mode = "STOP" => ~dint[o].started
 
-(* [DINT-04] [DINT-05] [DINT-07] *)
+(* [DINT-04] [DINT-05] [DINT-07] [DINT-08] [DINT-22] In its own OB, too. *)
 SrtProp ==
     [][ Did("SRT_DINT") =>
           LET o == step'.ob

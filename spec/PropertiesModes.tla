@@ -15,7 +15,8 @@ MissingProp ==
           /\ IF step'.ob \notin AsyncErrorObs
              THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D
-             ELSE step'.ob \in {82, 83, 86} => stopCause' # NoCause
+             ELSE /\ step'.ob \in {82, 83, 86} => stopCause' # NoCause
+                  /\ step'.ob = 81 => UNCHANGED stopCause
           /\ \A o \in TodObs :
                tod[o].period # Once =>
                  tod'[o] = IF MissingObEndsItsSource /\ o = step'.ob
@@ -75,9 +76,9 @@ PeriodTable ==
       <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
       <<"end_of_month", \h2001>> }
 
-(* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] After a restart  *)
-(* only the settings of STEP 7 hold, and only a once of the past waits     *)
-(* [OBS-56].                                                               *)
+(* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55] After a *)
+(* restart only the settings of STEP 7 hold, before the startup OB begins, *)
+(* and only a once of the past waits [OBS-56].                             *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>

@@ -151,7 +151,8 @@ AtOnceProp ==
           /\ r.follows = 0
           => step'.event \in {"start", "missing", "dropped", "stop", "switch"} ]_vars
 
-(* [OBS-03] An end takes the topmost OB off the stack; all else stays. *)
+(* [OBS-03] An end takes the topmost OB off the stack; all else stays, also *)
+(* what the OB has set anew for itself [TINT-65].                          *)
 EndProp ==
     [][ Did("end") => /\ stack # <<>>
                       /\ step'.ob = Top(stack).ob

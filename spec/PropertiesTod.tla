@@ -55,9 +55,9 @@ Fit(d, period) ==
     /\ d.day \in 1..(IF period = Monthly THEN 28 ELSE LastDay(d.year, d.month))
     /\ d.hour \in 0..23 /\ d.minute \in 0..59
 
-(* [TINT-35] [TINT-36] [TINT-33] The answers of SET_TINT: a code only      *)
-(* where it applies, and 0000 only where none does. models/MCTod says the  *)
-(* same of its operands by a table.                                        *)
+(* [TINT-35] [TINT-36] [TINT-37] [TINT-33] The answers of SET_TINT: a code   *)
+(* only where it applies, and 0000 only where none does. models/MCTod says  *)
+(* the same of its operands by a table.                                    *)
 SetAnswerProp ==
     [][ Did("SET_TINT") =>
           LET o == step'.ob
@@ -89,7 +89,7 @@ SetProp ==
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
            /\ ~PendingIn(requests, o) /\ ~OnStack(o)
 
-(* [TINT-51] [TINT-50] [TINT-52] CAN_TINT. *)
+(* [TINT-51] [TINT-50] [TINT-52] CAN_TINT; in OB 80 of a catch-up [TINT-54]. *)
 CanProp ==
     [][ Did("CAN_TINT") =>
           LET o == step'.ob
