@@ -259,7 +259,7 @@ NOT_FOUND = 3
 
 NO_APALACHE = "apalache-mc was not found"
 
-PROOFS = ("first", "invariants", "CallDisAirt", "CallEnAirt", "control-Call*Airt")
+PROOFS = ("first", "invariants", "lock", "control-Call*Airt")
 """The queries of the sample: the lock's actions, and what all proofs rest on."""
 
 SAMPLE = 200

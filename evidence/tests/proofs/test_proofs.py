@@ -125,11 +125,8 @@ def test_one_invariant_for_all(proofs: Proofs) -> None:
 
 
 def test_queries_are_picked_by_name(proofs: Proofs) -> None:
-    """By globs; an action stands for its step."""
-    assert [q.name for q in proofs.select(("CallDisAirt", "control-CallD*Airt"))] == [
-        "CallDisAirt",
-        "control-CallDisAirt",
-    ]
+    """By globs; an action stands for the query about its step."""
+    assert [q.name for q in proofs.select(("CallDisAirt", "control-CallD*Airt"))] == ["lock", "control-CallDisAirt"]
     with pytest.raises(ManifestError, match="no query or action is called CallDis:"):
         proofs.select(("CallDis",))
 
@@ -186,24 +183,24 @@ def test_an_operator_is_put_in_the_place_of_another() -> None:
 
 def test_the_text_has_what_the_query_needs(proofs: Proofs) -> None:
     """And no box, no reading, and of the calendar the lemma."""
-    (query,) = proofs.select(("CallDisAirt",))
+    (query,) = proofs.select(("StartsOb",))
     text, config = texts(ROOT, query)
-    assert {"CallDisAirt", "AnyInit", *query.formulas} <= definitions(text)
+    assert {"StartsOb", "AnyInit", *query.formulas} <= definitions(text)
     assert "CallSetTint" not in definitions(text)
     assert "[][" not in text
     assert 'Reading("' not in text
     assert "AnyPoint" not in text
-    assert config.startswith("INIT AnyInit\nNEXT CallDisAirt\n")
+    assert config.startswith("INIT AnyInit\nNEXT StartsOb\n")
 
 
 def test_a_mutation_needs_its_text_once(proofs: Proofs) -> None:
     """Otherwise the manifest is behind the specification."""
-    (query,) = proofs.select(("CallDisAirt",))
-    change = Mutation(module="Airt.tla", replace="    /\\ delay' = delay + 1\n", by="    /\\ delay' = delay + 2\n")
+    (query,) = proofs.select(("control-DropsRequest",))
+    change = Mutation(module="Scheduler.tla", replace="    /\\ r.open\n", by="    /\\ ~r.open\n")
     text, _ = texts(ROOT, dataclasses.replace(query, mutation=change))
-    assert "delay' = delay + 2" in text
+    assert "/\\ ~r.open\n" in text
     stale = msgspec.structs.replace(change, replace="no such text")
-    with pytest.raises(ManifestError, match=r"Airt\.tla has not once the text 'no such text'"):
+    with pytest.raises(ManifestError, match=r"Scheduler\.tla has not once the text 'no such text'"):
         texts(ROOT, dataclasses.replace(query, mutation=stale))
 
 
@@ -313,11 +310,11 @@ def test_a_property_stands_as_its_queries_do(proofs: Proofs) -> None:
         ]
         return {row["formula"]: row for row in standing(proofs, answers)}
 
-    some = rows("EndsOb")
+    some = rows("StartsOb")
     assert some["EndProp"]["proved"] == 1
     assert len(some["EndProp"]["unknown"]) == len(proofs.actions) - 1
     assert some["StackInv"]["proved"] == 0
-    assert rows("EndsOb", "first", "invariants")["StackInv"]["proved"] == 1
+    assert rows("StartsOb", "first", "invariants")["StackInv"]["proved"] == 1
     every = rows(*(q.name for q in proofs.queries))
     for cell in proofs.file.not_proved:
         assert cell.action in every[cell.formula]["not claimed"]
