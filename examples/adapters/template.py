@@ -92,8 +92,15 @@ for text in sys.stdin:
     program = json.loads(text)
     try:
         adapter = Adapter(program)
-        print(json.dumps({"format": "s7-interrupt-log/1", "latency_ms": 0, **{
-            name: value for name, value in program["header"].items() if name in HEADER}}))
+        print(
+            json.dumps(
+                {
+                    "format": "s7-interrupt-log/1",
+                    "latency_ms": 0,
+                    **{name: value for name, value in program["header"].items() if name in HEADER},
+                }
+            )
+        )
         adapter.run()
         print(json.dumps({"event": "done"}), flush=True)
     except UnsupportedError as error:

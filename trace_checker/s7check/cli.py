@@ -14,6 +14,7 @@ NO_VERDICT = 3
 
 COMMANDS = {
     "trace": "s7check.trace_command:trace_command",
+    "merge": "s7check.report.merge_command:merge_command",
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
     "explore": "s7check.exploring.command:explore_command",
