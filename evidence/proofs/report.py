@@ -71,7 +71,7 @@ def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
                 of = {action for formulas, actions in proved if whole and needed <= formulas for action in actions}
                 not_claimed = [action for action in proofs.actions if (action, name) in left]
                 unknown = [action for action in proofs.actions if action not in of and action not in not_claimed]
-                row = {"formula": name, "module": module, "of": kind, "proved": len(of)}
+                row = {"formula": name, "module": module, "of": kind, "proved": len(of), "actions": len(proofs.actions)}
                 rows.append(row | {"not claimed": not_claimed, "unknown": unknown})
     return rows
 

@@ -157,7 +157,11 @@ def proofs(text: str) -> list[Table]:
         if q["kind"] not in ("control", "mutant")
     ]
     standing: list[list[Cell]] = [
-        [row["formula"], row["module"], row["of"], row["proved"], ", ".join(row["not claimed"]), _unknown(row)]
+        [
+            *(row[column] for column in ("formula", "module", "of", "proved", "actions")),
+            ", ".join(row["not claimed"]),
+            _unknown(row),
+        ]
         for row in report["formulas"]
     ]
     left: list[list[Cell]] = [[cell["formula"], cell["action"], cell["tried"]] for cell in report["not_proved"]]
@@ -170,12 +174,8 @@ def proofs(text: str) -> list[Table]:
         Table(["query", "formulas", "answer", "conditions", "seconds", "MB"], each, "Each proof"),
         Table(
             [
-                "property",
-                "module",
-                "of",
-                "proved of actions",
-                "not claimed of",
-                "elsewhere TLC alone, within its bounds",
+                *("property", "module", "of", "proved of actions", "actions", "not claimed of"),
+                "not known of: TLC alone, within its bounds",
             ],
             standing,
             "Each property",

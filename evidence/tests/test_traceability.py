@@ -130,13 +130,13 @@ def test_page(project: Path, run: Run) -> None:
     page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     assert (
         "| [TINT-01](requirements.md#TINT-01) | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
-        " [a](../../traces/TINT/accept/a.ndjson) | [c](../../traces/TINT/reject/c.ndjson) |\n"
+        " [a](../../traces/TINT/accept/a.ndjson) | [c](../../traces/TINT/reject/c.ndjson) | TLC |\n"
     ) in page
     assert (
         "| [TINT-02](requirements.md#TINT-02) | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
-        " *[a](../../traces/TINT/accept/a.ndjson)* | [b](../../traces/TINT/reject/b.ndjson) |\n"
+        " *[a](../../traces/TINT/accept/a.ndjson)* | [b](../../traces/TINT/reject/b.ndjson) | TLC |\n"
     ) in page
-    assert "| [OBS-09](requirements.md#OBS-09) | [module] | [module] | [module] | [module] | [module] |\n" in page
+    assert "| [OBS-09](requirements.md#OBS-09) | [module] | [module] | [module] | [module] | [module] |  |\n" in page
     assert "| [AMB-01](readings.md#AMB-01) | Which? | System: Rule |  |  |\n" in page
     assert "| [AMB-02](readings.md#AMB-02) | When? | [unseen] |  |  |\n" in page
     assert "| AMB-02 | reading | unseen | no line of a log can show it |\n" in page

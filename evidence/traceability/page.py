@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from itertools import groupby
 from pathlib import PurePosixPath
 
@@ -10,6 +10,7 @@ from evidence.traceability.entries import Entries
 from evidence.traceability.matrix import COLUMNS, MODULE, NOTHING, Cell, Matrix, Row, counts
 from evidence.traceability.modules import Definition
 from evidence.traceability.project import Project
+from evidence.traceability.proofs import Proof
 from evidence.traceability.reasons import KINDS
 
 _INTRODUCTION = """\
@@ -24,6 +25,8 @@ requirement with files and lines.
 |---|---|
 | formula | the definitions whose comment names the requirement, of the modules that `System` and `PartialLogs` extend |
 | property | those of the other modules of `spec/` (not `Explain`, `Reasons`) and of `models/`, if a model checks them |
+| proof | of how many of System's actions Apalache has proved the properties ([proofs.md](../project/proofs.md)), the \
+least of them; TLC checks the others within the bounds of its models |
 | model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \
 specification of which the whole fails |
@@ -49,8 +52,8 @@ def page(matrix: Matrix, project: Project) -> str:
     """The page."""
     parts = [_INTRODUCTION, _counts(matrix)]
     for prefix, rows in groupby(matrix.rows, key=lambda row: row.id.partition("-")[0]):
-        parts.append(f"\n## {prefix}\n\n| ID | {' | '.join(COLUMNS)} |\n|{'---|' * (len(COLUMNS) + 1)}\n")
-        parts += [_row(row) for row in rows]
+        parts.append(f"\n## {prefix}\n\n| ID | {' | '.join([*COLUMNS, 'proof'])} |\n|{'---|' * (len(COLUMNS) + 2)}\n")
+        parts += [_row(row, project.proofs) for row in rows]
     parts.append("\n## AMB\n\n| ID | question | looked up in | accepted | rejected |\n|---|---|---|---|---|\n")
     for name, cell in matrix.readings.items():
         logs = " | ".join(_logs(found.get(name, NOTHING)) for found in (project.logs.accepted, project.logs.rejected))
@@ -88,7 +91,7 @@ def _counts(matrix: Matrix) -> str:
     return "".join(lines)
 
 
-def _row(row: Row) -> str:
+def _row(row: Row, proofs: Mapping[str, Proof]) -> str:
     models = ", ".join(row.models)
     controls = _cell(row.cells["model"], _controls)
     cells = {
@@ -97,8 +100,17 @@ def _row(row: Row) -> str:
         "model": f"{models}; {controls}" if models else controls,
         "accepted": _cell(row.cells["accepted"], _logs),
         "rejected": _cell(row.cells["rejected"], _logs),
+        "proof": _proof([proofs[d.name] for d in row.properties if d.name in proofs]) if row.properties else "",
     }
     return f"| [{row.id}](requirements.md#{row.id}) | {' | '.join(cells.values())} |\n"
+
+
+def _proof(found: list[Proof]) -> str:
+    """Of how many actions the property is proved that is proved of the fewest."""
+    least = min(found, key=lambda proof: proof.proved, default=None)
+    if least is None or not least.proved:
+        return "TLC"
+    return "all" if least.proved == least.actions else f"{least.proved} of {least.actions}"
 
 
 def _cell(cell: Cell, show: Callable[[Entries], str]) -> str:

@@ -11,6 +11,7 @@ from evidence.traceability.errors import UnreadableError
 from evidence.traceability.ids import mentioned
 from evidence.traceability.logs import Logs, read_logs
 from evidence.traceability.modules import Module, read_modules
+from evidence.traceability.proofs import Proof, read_proofs
 from evidence.traceability.reasons import Reasons, read_reasons
 from evidence.traceability.roles import rules, statements
 from s7check.report.clauses import Clause
@@ -23,6 +24,7 @@ CLAUSES = Path("trace_checker/s7check/report/requirements.json")
 """The texts that reports of ``s7check trace`` show."""
 MODELS = Path("models")
 TRACES = Path("traces")
+PROOFS = Path("docs/project/results/proofs.json")
 
 CITING = (
     "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
@@ -34,7 +36,7 @@ CITING = (
 
 @dataclass(frozen=True)
 class Project:
-    """All that was read; `cited` are the IDs that each of the files names."""
+    """All that was read; `cited` are the IDs that each of the files names, `proofs` the properties with proofs."""
 
     requirements: dict[str, Clause]
     ambiguities: dict[str, Clause]
@@ -43,6 +45,7 @@ class Project:
     logs: Logs
     reasons: Reasons
     cited: dict[Path, tuple[str, ...]]
+    proofs: dict[str, Proof]
 
 
 def find_project(start: Path) -> Path:
@@ -72,4 +75,5 @@ def read_project(root: Path) -> Project:
         read_logs(root / TRACES),
         read_reasons(root / REASONS),
         {path.relative_to(root): tuple(dict.fromkeys(mentioned(documents.read(path)))) for path in paths},
+        read_proofs(root / PROOFS),
     )

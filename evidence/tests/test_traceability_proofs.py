@@ -1,0 +1,63 @@
+"""The column "proof" of the traceability page."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from evidence.proofs.queries import load
+from evidence.proofs.report import as_json
+from evidence.results import records, summaries
+from evidence.results.records import Record
+from evidence.traceability.errors import UnreadableError
+from evidence.traceability.page import _proof
+from evidence.traceability.project import PROOFS, find_project
+from evidence.traceability.proofs import Proof, read_proofs
+
+ROOT = find_project(Path(__file__).parent)
+
+
+def test_the_kept_summary_is_read(tmp_path: Path) -> None:
+    """With the headings that the summary of a run has."""
+    report = as_json(load(ROOT), [])
+    report["queries"] = [
+        {
+            "name": "q",
+            "kind": "step",
+            "ok": True,
+            "conditions": 1,
+            "seconds": 1,
+            "megabytes": 1,
+            "formulas": ["StackInv"],
+        }
+        | {"outcome": "holds"}
+    ]
+    tables = summaries.proofs(json.dumps(report))
+    record = Record(
+        command="", date="", revision="", tools=[], machine="", load=None, seconds=None, exit=0, tables=tables
+    )
+    records.write(tmp_path, "proofs", record)
+    proofs = read_proofs(tmp_path / "proofs.json")
+    assert proofs["StackInv"] == Proof(0, 30)
+    assert {"EndProp", "AirtCountProp"} <= proofs.keys()
+
+
+def test_no_run_yet(tmp_path: Path) -> None:
+    """Nothing is proved."""
+    assert read_proofs(tmp_path / "proofs.json") == {}
+
+
+def test_a_damaged_summary(tmp_path: Path) -> None:
+    """The message names the file."""
+    (tmp_path / PROOFS.name).write_text("{}")
+    with pytest.raises(UnreadableError, match=r"proofs\.json"):
+        read_proofs(tmp_path / PROOFS.name)
+
+
+@pytest.mark.parametrize(
+    ("proofs", "said"),
+    [([], "TLC"), ([Proof(0, 30)], "TLC"), ([Proof(30, 30)], "all"), ([Proof(30, 30), Proof(11, 30)], "11 of 30")],
+)
+def test_the_least_counts(proofs: list[Proof], said: str) -> None:
+    """A requirement is proved as far as each of its properties."""
+    assert _proof(proofs) == said
