@@ -7,7 +7,7 @@ ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean
+.PHONY: help setup engine verify test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -106,6 +106,9 @@ bench: setup  ## speed of the trace checker beside TLC on the same logs; keeps t
 RUNS ?= --write
 results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
 	$(BIN)/s7check results $(RUNS)
+
+site: setup  ## build/site: docs, specification and edge cases as static pages, with search, without network
+	$(BIN)/s7check site
 
 clean:  ## remove everything built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build

@@ -1,0 +1,100 @@
+"""The pages of docs/ as HTML, with links that lead to pages of the site."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+from evidence.common.checkout import ROOT
+
+_ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
+_NO_WORD = re.compile(r"[^\w\- ]")
+
+
+@dataclass
+class Section:
+    """A part of a page that the search can find: its place in the site, its title, its text."""
+
+    place: str
+    title: str
+    text: str
+
+
+@dataclass
+class Document:
+    """A page: its title, its body, its sections, and the files of the checkout that it refers to."""
+
+    title: str
+    body: str
+    sections: list[Section] = field(default_factory=list)
+    files: set[Path] = field(default_factory=set)
+
+
+def document(source: Path, place: str) -> Document:
+    """Render a Markdown file of the checkout as the page `place`, such as ``rules/review.html``."""
+    parser = MarkdownIt("commonmark", {"html": True}).enable("table")
+    tokens = parser.parse(source.read_text(encoding="utf-8"))
+    files: set[Path] = set()
+    for token in _all(tokens):
+        if token.type == "link_open":
+            token.attrs["href"] = _address(str(token.attrs["href"]), source, place, files.add)
+    sections = list(_sections(tokens, place))
+    title = sections[0].title if sections else source.stem
+    return Document(title, parser.renderer.render(tokens, parser.options, {}), sections, files)
+
+
+def page_of(path: Path) -> str:
+    """The place in the site of a file of the checkout."""
+    inside = path.relative_to(ROOT).as_posix()
+    if inside.startswith("docs/") and inside.endswith(".md"):
+        return inside.removeprefix("docs/").removesuffix(".md") + ".html"
+    if inside.startswith("spec/") and inside.endswith(".tla"):
+        return inside.removesuffix(".tla") + ".html"
+    return f"files/{inside}"
+
+
+def relative(to: str, place: str) -> str:
+    """The address of a place of the site on the page at another one."""
+    return Path(os.path.relpath(to, Path(place).parent)).as_posix()
+
+
+def _address(address: str, source: Path, place: str, refer: Callable[[Path], None]) -> str:
+    if "://" in address or address.startswith("#"):
+        return address
+    found = _ADDRESS.fullmatch(address)
+    assert found is not None
+    target = (source.parent / found["path"]).resolve()
+    if not target.is_file() or not target.is_relative_to(ROOT):
+        return "#"
+    to = page_of(target)
+    if to.startswith("files/"):
+        refer(target)
+    return relative(to, place) + (found["anchor"] or "")
+
+
+def _sections(tokens: list[Token], place: str) -> Iterator[Section]:
+    """Each heading with the text below it; the headings get anchors as the docs' links have them."""
+    current: Section | None = None
+    for token, following in zip(tokens, [*tokens[1:], None], strict=True):
+        if token.type == "heading_open" and following is not None:
+            if current is not None:
+                yield current
+            anchor = _NO_WORD.sub("", following.content.lower()).replace(" ", "-")
+            token.attrs["id"] = anchor
+            current = Section(f"{place}#{anchor}", following.content, "")
+        elif token.type == "inline" and current is not None and token.content != current.title:
+            current.text += f" {token.content}"
+    if current is not None:
+        yield current
+
+
+def _all(tokens: list[Token]) -> Iterator[Token]:
+    for token in tokens:
+        yield token
+        yield from _all(token.children or [])

@@ -1,0 +1,67 @@
+"""The site: every link leads somewhere, nothing comes from elsewhere."""
+
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+import pytest
+from click.testing import CliRunner
+
+from evidence.site.command import site_command
+
+_LINK = re.compile(r'(?:href|src)="([^"]*)"')
+_ANCHOR = re.compile(r'\bid="([^"]*)"')
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The whole site, written once."""
+    folder = tmp_path_factory.mktemp("made") / "site"
+    result = CliRunner().invoke(site_command, ["--output", str(folder)])
+    assert result.exit_code == 0, result.output
+    return folder
+
+
+def test_every_link_leads_to_a_page_and_its_anchor(site: Path) -> None:
+    """Within the site; other hosts are linked from texts only."""
+    texts = {path: path.read_text() for path in site.rglob("*.html")}
+    anchors = {path: set(_ANCHOR.findall(text)) for path, text in texts.items()}
+    wrong = []
+    for path, text in texts.items():
+        for link in _LINK.findall(text):
+            if "://" in link or link.startswith("data:"):
+                continue
+            to, _, anchor = unquote(link).partition("#")
+            target = (path.parent / to).resolve() if to else path
+            if not target.is_file() or (anchor and target.suffix == ".html" and anchor not in anchors[target]):
+                wrong.append(f"{path.relative_to(site)}: {link}")
+    assert wrong == []
+
+
+def test_nothing_is_loaded_from_elsewhere(site: Path) -> None:
+    """Scripts, styles and pictures are files of the site."""
+    for path in site.rglob("*.html"):
+        loaded = re.findall(r'<(?:script|link|img)[^>]*(?:href|src)="([^"]*)"', path.read_text())
+        assert loaded
+        assert not [one for one in loaded if "://" in one]
+
+
+def test_formulas_and_requirements_lead_to_each_other(site: Path) -> None:
+    """From a module to the requirement, and from the requirement to the module."""
+    assert 'href="../rules/requirements.html#AIRT-03"' in (site / "spec" / "Airt.html").read_text()
+    row = (site / "modules.html").read_text().partition('id="AIRT-03"')[2].partition("</tr>")[0]
+    assert 'href="spec/Airt.html#L' in row
+
+
+def test_each_edge_case_is_drawn(site: Path) -> None:
+    """A timeline in each section."""
+    sections = (site / "gallery.html").read_text().split("<section ")[1:]
+    assert len(sections) >= 40
+    assert all("<svg" in section for section in sections)
+
+
+def test_the_search_knows_headings_and_modules(site: Path) -> None:
+    """By their words."""
+    index = (site / "index.js").read_text()
+    assert "spec/Airt.html" in index
+    assert "rules/review.html#" in index
