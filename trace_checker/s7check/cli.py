@@ -15,6 +15,10 @@ NO_VERDICT = 3
 COMMANDS = {
     "trace": "s7check.trace_command:trace_command",
     "merge": "s7check.report.merge_command:merge_command",
+    "decide": "s7check.deciding.command:decide_command",
+    "explain": "s7check.explaining.command:explain_command",
+    "compare": "s7check.simulating.compare_command:compare_command",
+    "distinguish": "s7check.simulating.distinguish_command:distinguish_command",
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
     "explore": "s7check.exploring.command:explore_command",

@@ -1,22 +1,24 @@
 """The option ``--set``: readings of ambiguities on the command line."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import click
+import msgspec
 
 from s7check.log.errors import printable
 from s7check.log.tables import READINGS
 
 
 class Letters(click.ParamType[dict[str, str]]):
-    """Ambiguities and the letters of their readings, ``AMB-02=a,AMB-17=b``."""
+    """Ambiguities and the letters of their readings, ``AMB-02=a,AMB-17=b``, or ``@FILE`` with a JSON object of them."""
 
     name = "letters"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
         """The mapping."""
-        pairs = [pair.partition("=") for pair in value.split(",")]
+        pairs = [pair.partition("=") for pair in self._written(value, param, ctx).split(",")]
         for ambiguity, _, letter in pairs:
             letters = READINGS.get(ambiguity)
             if letters is None:
@@ -24,6 +26,21 @@ class Letters(click.ParamType[dict[str, str]]):
             if letter not in [*letters]:
                 self.fail(f"{ambiguity}: expected {' or '.join(letters)}; found {printable(letter)!r}", param, ctx)
         return {ambiguity: letter for ambiguity, _, letter in pairs}
+
+    def _written(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The letters as text, also those of a file."""
+        if not value.startswith("@"):
+            return value
+        try:
+            letters = msgspec.json.decode(Path(value[1:]).read_bytes(), type=dict[str, str])
+        except (OSError, ValueError, msgspec.MsgspecError) as error:
+            self.fail(f"{printable(value[1:])}: expected a JSON object such as {_EXAMPLE}; {error}", param, ctx)
+        if not letters:
+            self.fail(f"{printable(value[1:])}: expected at least one reading; found none", param, ctx)
+        return ",".join(f"{name}={letter}" for name, letter in letters.items())
+
+
+_EXAMPLE = '{"AMB-02": "a"}'
 
 
 def set_option(explanation: str) -> Callable[[click.decorators.FC], click.decorators.FC]:

@@ -94,6 +94,11 @@ class Session:
         """The situations in which the CPU may be after the last line: one for each explanation, some at most."""
         return self._ask("situations", most=MOST_SITUATIONS).situations
 
+    def before(self, line: Mapping[str, Any]) -> list[Situation]:
+        """The situations just before the line, after all that happens by itself until then; none if it may not come."""
+        event = self._event(self._whole(line), copy(self._clocks[-1]))
+        return self._ask("before", event=event, most=MOST_SITUATIONS).situations
+
     def possible(self, lines: Iterable[Mapping[str, Any]] | None = None, at: str | None = None) -> Possible:
         """What may come next: all that the specification offers, or which of these lines with which answers.
 

@@ -106,6 +106,24 @@ final class Session {
     return array;
   }
 
+  /** The situations just before the line, of the states that allow it, at most {@code most}. */
+  JsonArray before(Json line, int most) {
+    try {
+      RecordValue event = spec.event(line);
+      var all = new LinkedHashSet<JsonElement>();
+      for (State state : last().closure(last().arrivals(event), event)) {
+        if (all.size() < most && !spec.observe(state, event).isEmpty()) {
+          all.add(spec.situation(state));
+        }
+      }
+      var array = new JsonArray();
+      all.forEach(array::add);
+      return array;
+    } catch (Explanation.TooMany e) {
+      throw new NotCovered(e.getMessage());
+    }
+  }
+
   /** A time, and what has to have come by then where nothing may come later. */
   private record Time(Value clocks, List<JsonElement> due, TreeSet<String> requirements) {}
 

@@ -16,7 +16,8 @@ import tla.json.Json;
  *   <li>{@code feed} with {@code event} adds a line: the answer has {@code refusal} if it is not
  *       possible. {@code judge} tells the same and adds nothing.
  *   <li>{@code back} with {@code lines}: so many lines are left.
- *   <li>{@code situations} with {@code most}.
+ *   <li>{@code situations} with {@code most}; {@code before} with {@code event} and {@code most}: just before
+ *       that line.
  *   <li>{@code possible}, with {@code lines} or for all that the specification offers, {@code when}
  *       or at all times.
  * </ul>
@@ -63,6 +64,7 @@ final class Sessions {
       case "judge" -> refusal(answer, session.judge(text(json, EVENT)));
       case "back" -> session.back(json.get("lines").getAsInt());
       case "situations" -> answer.add("situations", session.situations(json.get("most").getAsInt()));
+      case "before" -> answer.add("situations", session.before(text(json, EVENT), json.get("most").getAsInt()));
       case "possible" -> answer.add("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }

@@ -1,0 +1,1 @@
+"""A log told in sentences."""

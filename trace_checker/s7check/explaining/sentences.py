@@ -1,0 +1,124 @@
+"""Sentences about the lines of a log, from the situations before and after them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from s7check.asking.line_text import spelled
+from s7check.engine.answer import Pending, Situation
+from s7check.report import words
+
+_NO_CAUSE = -1
+
+_LINES = {
+    "end": "OB {ob} ends",
+    "restart": "a {type} restart begins",
+    "run": "the CPU goes to RUN",
+    "hold": "the CPU is put on HOLD",
+    "release": "the CPU leaves HOLD",
+    "load": "OB {ob} is loaded",
+    "delete": "OB {ob} is deleted",
+    "interrupt": "a start event for OB {ob} comes from outside",
+    "clock": "the clock is set to {to}",
+    "state": "the state of OB {ob} is read",
+}
+
+
+def by_itself(before: Situation, after: Situation) -> Iterator[str]:
+    """What has happened without a line."""
+    waiting = [request for request in after.pending if _of(request) not in map(_of, before.pending)]
+    due = {request.ob for request in waiting}
+    runs = {frame.ob for frame in after.running}
+    then = {tod.ob: tod for tod in after.tod}
+    for tod in before.tod:
+        now = then.get(tod.ob)
+        if tod.armed and (now is None or now.next != tod.next):
+            again = " again while it runs" if tod.ob in runs else ""
+            lost = ", which comes to nothing" if tod.ob in after.blocked else ""
+            yield f"OB {tod.ob} is due{again}, its point {words.moment(tod.next)} is reached{lost}"
+    left = {job.ob for job in after.dint}
+    for job in before.dint:
+        if job.ob not in left:
+            again = " while the OB runs" if job.ob in runs else ""
+            yield f"the delay of OB {job.ob} is over{again}"
+    known = {tod.ob for tod in before.tod} | {job.ob for job in before.dint}
+    for request in waiting:
+        if request.fault or request.ob not in known:
+            yield _requested(request)
+    for request in before.pending:
+        if request.missing and _of(request) not in map(_of, after.pending) and request.ob not in due:
+            yield f"OB {request.ob} is missing when it would start"
+    if before.stop == _NO_CAUSE != after.stop:
+        yield _stop(after.stop)
+
+
+def of_line(line: dict[str, Any], before: Situation, after: Situation) -> Iterator[str]:
+    """What the line says, and what it brings about."""
+    yield _said(line, before)
+    if line["event"] in ("stop", "restart"):
+        return
+    for request in after.pending:
+        if _of(request) not in map(_of, before.pending):
+            yield _requested(request)
+    yield from _settings(before, after)
+    if before.stop == _NO_CAUSE != after.stop:
+        yield _stop(after.stop)
+
+
+def _said(line: dict[str, Any], before: Situation) -> str:
+    name = line["event"]
+    if name.isupper():
+        caller = f"OB {before.running[-1].ob}" if before.running else "the program"
+        return f"{caller} calls {spelled(line)}"
+    if name == "start":
+        over = [frame.ob for frame in before.running if frame.ob != line["ob"]]
+        request = next((one for one in before.pending if one.ob == line["ob"] and one.ready), None)
+        why = f" with fault 16#{request.fault:02X}" if request is not None and request.fault > 0 else ""
+        why += f" because of OB {request.cause}" if request is not None and request.cause else ""
+        return f"OB {line['ob']} starts{why}" + (f", interrupting OB {over[-1]}" if over else "")
+    if name == "stop":
+        return "the CPU stops" + (f" for 16#{before.stop:04X}" if before.stop > 0 else "")
+    return _LINES.get(name, spelled(line)).format_map({"ob": "", "type": "", "to": "", **line})
+
+
+def _settings(before: Situation, after: Situation) -> Iterator[str]:
+    if after.delay > before.delay:
+        yield f"interrupts are delayed, count {after.delay}"
+    elif after.delay < before.delay:
+        yield f"the delay count falls to {after.delay}"
+    gone, new = set(before.blocked) - set(after.blocked), set(after.blocked) - set(before.blocked)
+    if new:
+        yield f"start events are lost from now on for {len(new)} OBs"
+    if gone:
+        yield f"start events count again for {len(gone)} OBs"
+    armed = {tod.ob: tod.next for tod in before.tod if tod.armed}
+    for tod in after.tod:
+        if tod.armed and armed.get(tod.ob) != tod.next:
+            yield f"the next point of OB {tod.ob} is {words.moment(tod.next)}"
+    for job in after.dint:
+        if job.ob not in {one.ob for one in before.dint}:
+            yield f"OB {job.ob} is due in {job.left} ms"
+
+
+def _requested(request: Pending) -> str:
+    text = f"OB {request.ob} waits to start"
+    if request.fault > 0:
+        text = f"OB {request.ob} with fault 16#{request.fault:02X} is called"
+    if request.cause:
+        text += f" because of OB {request.cause}"
+    if request.late:
+        text += f" because of OB {', '.join(map(str, request.late))}"
+    if request.missing:
+        text += "; it is missing"
+    if request.open:
+        text += "; the sources leave open whether it comes"
+    return text
+
+
+def _stop(cause: int) -> str:
+    return "the CPU has to stop" + (f" for 16#{cause:04X}" if cause > 0 else "")
+
+
+def _of(request: Pending) -> tuple[object, ...]:
+    return (request.ob, request.fault, request.cause, request.since, tuple(request.late))

@@ -1,0 +1,107 @@
+"""``s7check distinguish``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import click
+import msgspec
+
+from s7check.asking.variants import variant_options, variants
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.kit.collection import UnreadableProgramError, programs_of
+from s7check.kit.layout import to_text
+from s7check.kit.program import Program
+from s7check.output import echo
+from s7check.simulating.search import distinguished
+from s7check.simulating.separation import Separation, log_of
+from s7check.simulating.two_sides import difference_text
+
+_HELP = """Find a small program that tells two CPUs, editions or readings apart.
+
+The programs of the kit are tried, the smaller ones first: one side makes the log, the other is asked whether it allows
+it. The first that tells them apart is made smaller while it still does, by the same clauses, and its times round.
+
+\b
+  s7check distinguish --cpu S7-300 --cpu S7-400
+  s7check distinguish --reading AMB-12=a --reading AMB-12=b
+Exit codes: 0 found, 1 none of the programs tried tells them apart, 2 wrong arguments, 3 the search failed.
+"""
+
+
+@click.command("distinguish", help=_HELP, short_help="Find a program that tells two CPUs, editions or readings apart.")
+@click.option(
+    "--programs",
+    "files",
+    multiple=True,
+    type=click.Path(exists=True, path_type=Path),
+    metavar="FILE",
+    help="Begin with the programs of this file or folder in place of the kit's. May be given several times.",
+)
+@click.option(
+    "--budget",
+    type=click.FloatRange(min=0),
+    default=120.0,
+    show_default=True,
+    metavar="SECONDS",
+    help="Seconds for the search; to make the program smaller takes more.",
+)
+@click.option(
+    "--format", "output", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Form."
+)
+@variant_options
+def distinguish_command(
+    files: tuple[Path, ...],
+    budget: float,
+    output: str,
+    cpus: tuple[str, ...],
+    profiles: tuple[str, ...],
+    readings: tuple[Mapping[str, str], ...],
+) -> int:
+    """Search and print."""
+    sides = variants(cpus, profiles, readings)
+    if len(sides) != 2:
+        raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")
+    try:
+        programs = _of_interest(programs_of(files), sides[0].letters, sides[1].letters)
+    except UnreadableProgramError as error:
+        raise click.ClickException(str(error)) from error
+    try:
+        with Engine() as engine:
+            found = distinguished(engine, programs, sides[0], sides[1], budget)
+            if found is None:
+                echo(f"nothing found that tells {sides[0].name} and {sides[1].name} apart")
+                return 1
+            echo(_json(found) if output == "json" else _text(engine, found))
+    except EngineError as error:
+        click.echo(f"Error: {error}", err=True)
+        return 3
+    return 0
+
+
+def _of_interest(programs: list[Program], *letters: tuple[tuple[str, str], ...]) -> list[Program]:
+    """For letters: the programs about their ambiguities, if there are any."""
+    named = {name for pairs in letters for name, _ in pairs}
+    return [one for one in programs if named & set(one.requirements)] or programs
+
+
+def _text(engine: Engine, found: Separation) -> str:
+    other = log_of(engine, found.program, found.refused)
+    mine = log_of(engine, found.program, found.allowed)
+    return "\n".join([to_text(found.program.raw).rstrip("\n"), *difference_text(found, mine, other)])
+
+
+def _json(found: Separation) -> str:
+    return msgspec.json.encode(
+        {
+            "program": found.program.raw,
+            "allowed": found.allowed.name,
+            "refused": found.refused.name,
+            "log": found.log,
+            "line": found.line,
+            "grounds": found.grounds,
+            "requirements": found.refusal.requirements,
+        }
+    ).decode()
