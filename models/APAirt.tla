@@ -34,8 +34,8 @@ APInit ==
     /\ entered = {}
     /\ step = Step("run", 0, 0)
 
-(* Points and the clock without the calendar, of which Apalache would make   *)
-(* a copy for each use: a point of OB 10 falls due at any time.             *)
+(* Points and the clock without the calendar, of which Apalache would make *)
+(* a copy for each use: a point of OB 10 falls due at any time.            *)
 PointAtAnyTime ==
     /\ Occurs(TodRequest(10, clock, 0))
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, runVars>>

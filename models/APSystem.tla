@@ -17,8 +17,8 @@
 EXTENDS InductiveSystem, APCalendar, Apalache
 
 CONSTANTS
-    (* The CPU at hand, the operands of a call, the moment of an event of    *)
-    (* the world, an event from outside: any.                               *)
+    (* The CPU at hand, the operands of a call, the moment of an event of  *)
+    (* the world, an event from outside: any.                              *)
     \* @type: $cpu;
     AnyCpu,
     \* @type: $date;

@@ -34,7 +34,7 @@ Starts == running' /\ ~running
 (* Only what is active and waits starts [TINT-09] [TINT-23]. *)
 StartStep == Starts => setting = "active" /\ (waiting > 0 \/ perhaps)
 
-(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71], and   *)
+(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71], and *)
 (* its OB, when it ends, leaves nothing set.                               *)
 OnceStep ==
     /\ Starts /\ once => /\ setting' \in {"unset", "called"}

@@ -53,7 +53,7 @@ LiveNext == /\ Next
             /\ budget' = budget - Taken
             /\ budget' >= 0
 
-(* For properties that need all of Fairness, what the CPU and its programs  *)
+(* For properties that need all of Fairness, what the CPU and its programs *)
 (* do, or dispatch alone.                                                  *)
 LiveSpec     == LiveInit /\ [][LiveNext]_liveVars /\ Fairness
 CpuSpec      == LiveInit /\ [][LiveNext]_liveVars /\ CpuFairness

@@ -60,7 +60,7 @@ Occurring(o) ==
                       \/ Did("restart") /\ PendingIn(requests', o)
                    THEN 1 ELSE 0
 
-(* How many of them waiting are withdrawn: by a call, or since the OB of a  *)
+(* How many of them waiting are withdrawn: by a call, or since the OB of a *)
 (* once interrupt is called for one.                                       *)
 \* @type: Int => Int;
 Withdrawing(o) ==

@@ -17,8 +17,8 @@ MCPowerOnMoments == {Moment(0, 0)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
-(* [TINT-33] [TINT-35] [TINT-18] [TINT-36] [AMB-63] SET_TINT by a table: for *)
-(* each pair of operands what it may answer beside 8090.                   *)
+(* [TINT-33] [TINT-35] [TINT-18] [TINT-36] [AMB-63] SET_TINT by a table:   *)
+(* for each pair of operands what it may answer beside 8090.               *)
 SetTableProp ==
     [][ Did("SET_TINT") =>
           LET d == step'.sdt

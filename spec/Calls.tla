@@ -8,11 +8,11 @@
 (***************************************************************************)
 EXTENDS Cpu
 
-(* A system function is called by the running OB; in HOLD none runs         *)
+(* A system function is called by the running OB; in HOLD none runs        *)
 (* [OBS-45].                                                               *)
 Called == stack # <<>> /\ mode # "HOLD"
 
-(* [AMB-63] Of several errors in one call any may be answered; under (a)    *)
+(* [AMB-63] Of several errors in one call any may be answered; under (a)   *)
 (* the first in the order of the operands, which is that of the codes.     *)
 \* @type: Set(Int) => Set(Int);
 Usual(errors) ==
@@ -29,7 +29,7 @@ Answers(o, errors) ==
            [] DeselectedIsOrdinary -> Usual(errors)
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
-(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible     *)
+(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible    *)
 (* values of that bit, 0 or 4.  Bit 0 of a deselected OB in RUN is not     *)
 (* judged by default [AMB-03]; there is no test function [AMB-04].  The    *)
 (* clock is base time, bit 6.  SFC 41 does not show [AIRT-13].             *)

@@ -37,7 +37,7 @@ IsBack(to) == Before(to, clock)
 RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
                         ELSE Close(requests \ WithdrawnBy(to))
 
-(* [AMB-40] (b) An S7-300 that is set back calls every active OB, but not    *)
+(* [AMB-40] (b) An S7-300 that is set back calls every active OB, but not  *)
 (* that of a once whose call runs [CLK-12].                                *)
 \* @type: $moment => Set(Int);
 CalledBySetBack(to) ==
@@ -69,7 +69,7 @@ SomeSkipped(to, skipped) ==
 CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
                                          ELSE [t EXCEPT !.next = Never]
 
-(* The settings after the clock was set; those of OBs whose skip is `held'   *)
+(* The settings after the clock was set; those of OBs whose skip is `held' *)
 (* stay until the release.                                                 *)
 \* @type: ($moment, $cpu, Set(Int)) => (Int -> $tod);
 TodAfterClock(to, c, held) ==

@@ -29,7 +29,7 @@ PastStart == \h80A1
 (* [AIRT-07] EN_AIRT where nothing is delayed *)
 NotDelayed == \h8080
 
-(* [TINT-33] [TINT-34] PERIOD; AMB-01 says which of the weekly codes are    *)
+(* [TINT-33] [TINT-34] PERIOD; AMB-01 says which of the weekly codes are   *)
 (* accepted.                                                               *)
 Once       == \h0000
 Minutely   == \h0201
@@ -40,7 +40,7 @@ Monthly    == \h1401
 Yearly     == \h1801
 EndOfMonth == \h2001
 
-(* [AMB-05] (c) Not a code of the CPU: monthly, in shorter months on the    *)
+(* [AMB-05] (c) Not a code of the CPU: monthly, in shorter months on the   *)
 (* last day.                                                               *)
 MonthlyOrLast == -1
 (* [AMB-62] (b) Nor this: set, without a point. *)
@@ -64,12 +64,12 @@ FaultsOfRules == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
 (* No source says which fault it is. *)
 UnknownFault    == -1
 
-(* Entries of the diagnostic buffer (table 7.5): \h3500 + fault id for time  *)
-(* errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09].       *)
+(* Entries of the diagnostic buffer (table 7.5): \h3500 + fault id for     *)
+(* time errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09]. *)
 ErrorEntry == \h3500
 EntriesDisabled == \h5380
 
-(* Causes of STOP, which are entries too: [OBS-22] [OBS-21] [OBS-25]; 0     *)
+(* Causes of STOP, which are entries too: [OBS-22] [OBS-21] [OBS-25]; 0    *)
 (* where the sources name no event for the rule [OBS-23].                  *)
 NoTimeErrorOb    == \h4568
 NoProgramErrorOb == \h456D

@@ -80,7 +80,7 @@ WithLastStart(b) ==
 
 -----------------------------------------------------------------------------
 
-(* One or two start events of an OB occur at a time: a time error may be    *)
+(* One or two start events of an OB occur at a time: a time error may be   *)
 (* reported in two ways.                                                   *)
 Occur == \A o \in Obs :
            LET one == WithOneMore(fates[o])

@@ -49,7 +49,7 @@ DefaultClass(o) ==
 ClassOf(o) == IF o \in DOMAIN cpu.priority THEN cpu.priority[o]
                                            ELSE DefaultClass(o)
 
-(* [OBS-43] [OBS-31] [AMB-13] The class in which the start event of an      *)
+(* [OBS-43] [OBS-31] [AMB-13] The class in which the start event of an     *)
 (* asynchronous error is handled.                                          *)
 \* @type: (Int, Int) => Int;
 ErrorClass(o, fault) ==
@@ -74,7 +74,7 @@ ClassNumber(o) == IF o \in 55..57 THEN 50 ELSE (o \div 10) * 10
 (* [IRT-11] The OBs that can be blocked; models use fewer. *)
 Blockable == (10..17) \cup (20..23) \cup ExternalObs
 
-(* [AMB-21] (b) Marks in irt for a whole class and for everything, apart    *)
+(* [AMB-21] (b) Marks in irt for a whole class and for everything, apart   *)
 (* from the OBs.                                                           *)
 \* @type: Int => Int;
 ClassMark(number) == 1000 + number
@@ -115,7 +115,7 @@ OnStack(o) == \E i \in DOMAIN stack : stack[i].ob = o
 \* @type: (Int, Int) => $frame;
 Frame(o, class) == [ob |-> o, class |-> class]
 
-(* The clock is watched for start points, and delays run, [OBS-41] [OBS-44]; *)
-(* neither in HOLD [OBS-45] [DINT-19].                                      *)
+(* The clock is watched for start points, and delays run, [OBS-41]         *)
+(* [OBS-44]; neither in HOLD [OBS-45] [DINT-19].                           *)
 Watching == mode \in {"RUN", "STARTUP"}
 =============================================================================

@@ -35,7 +35,7 @@ AfterItsEnd(o, job) ==
     IF Blocked(o) /\ ~LostEventEndsItsSource
     THEN [job EXCEPT !.left = Gone] ELSE NoJob
 
-(* [DINT-06] Up to 1 ms before its end a delay may be over [DINT-10]        *)
+(* [DINT-06] Up to 1 ms before its end a delay may be over [DINT-10]       *)
 (* [DINT-11] [DINT-20].                                                    *)
 \* @type: Int => Bool;
 DelayElapses(o) ==

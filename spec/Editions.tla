@@ -86,8 +86,8 @@ ReadAs(a, letter, c) ==
                                 IF x = a THEN letter ELSE c.readings[x] ] ]
 
 -----------------------------------------------------------------------------
-(* Profiles: an edition as printed, where the defaults would reject it.     *)
-(* "delay": of AMB-06, (b) for time-delay interrupts alone, as the edition  *)
+(* Profiles: an edition as printed, where the defaults would reject it.    *)
+(* "delay": of AMB-06, (b) for time-delay interrupts alone, as the edition *)
 (* of 2010 has it.                                                         *)
 
 ProfileNames == {"1997", "2006", "2010"}

@@ -34,7 +34,7 @@ FindMissing ==
 -----------------------------------------------------------------------------
 (* Points without effect *)
 
-(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the   *)
+(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the *)
 (* point after them: lost without an entry, or in STARTUP one more for a   *)
 (* run that waits already.  There may be millions before the next line.    *)
 PassedOver ==

@@ -57,17 +57,18 @@ ErrorsNeverStop(o) == DelaysNeverStopTheCpu /\ o \in DintObs
 -----------------------------------------------------------------------------
 (* Time errors *)
 
-(* [OBS-22] [CLK-05] Without OB 80 a time error stops the CPU, also while    *)
-(* interrupts are delayed [AMB-49]; blocked, it does not [IRT-01] [AMB-23]. *)
+(* [OBS-22] [CLK-05] Without OB 80 a time error stops the CPU, also while  *)
+(* interrupts are delayed [AMB-49]; blocked, it does not [IRT-01]          *)
+(* [AMB-23].                                                               *)
 \* @type: $request => Bool;
 TimeErrorStops(error) ==
     /\ TimeErrorOb \notin loaded
     /\ IF Blocked(TimeErrorOb) THEN BlockedErrorStopsTheCpu
                                ELSE ~ErrorsNeverStop(error.cause)
 
-(* The requests after a time error: those `kept', with the runs that follow *)
-(* it, or those `lost', without them.  A blocked OB 80 may take these runs  *)
-(* along [AMB-48].                                                         *)
+(* The requests after a time error: those `kept', with the runs that       *)
+(* follow it, or those `lost', without them.  A blocked OB 80 may take     *)
+(* these runs along [AMB-48].                                              *)
 \* @type: (Set($request), Set($request), $request) => Set(Set($request));
 RequestsAfterTimeError(kept, lost, error) ==
     IF Blocked(TimeErrorOb)
@@ -109,7 +110,7 @@ ProgramErrorWaits(rest, error) ==
               /\ requests' = rest
               /\ entered'  = OpenEntries({error})
 
-(* [TINT-16] [DINT-09] [OBS-20] The OB of the request r is missing; the     *)
+(* [TINT-16] [DINT-09] [OBS-20] The OB of the request r is missing; the    *)
 (* others are `rest'.  OB 85 waits; blocked, it is lost [AMB-33].          *)
 \* @type: (Set($request), $request) => Bool;
 ProgramErrorOccurs(rest, r) ==

@@ -36,8 +36,8 @@ MemoryInv ==
                                    /\ tod[o].served = {}
                                    /\ tod[o].earlier = {}
 
-(* [AMB-71] A once that its call uses up is not watched for,    *)
-(* and no other run of its OB waits.                                       *)
+(* [AMB-71] A once that its call uses up is not watched for, and no other  *)
+(* run of its OB waits.                                                    *)
 CalledInv ==
     \A o \in TodObs :
       tod[o].called => /\ tod[o].active /\ tod[o].period = Once

@@ -21,8 +21,9 @@ ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
                     \cup (61..65) \cup (100..102) \cup ExternalObs
 
-(* [IRT-06] [IRT-07] [IRT-08] MODE names everything, a class or an OB; with *)
-(* 80 to 82 nothing is entered in the diagnostic buffer either [IRT-09].   *)
+(* [IRT-06] [IRT-07] [IRT-08] MODE names everything, a class or an OB;     *)
+(* with 80 to 82 nothing is entered in the diagnostic buffer either        *)
+(* [IRT-09].                                                               *)
 \* @type: Int => Int;
 Level(m) == m % 128
 \* @type: Int => Bool;
@@ -38,7 +39,7 @@ NumberFits(m, o) ==
       [] Level(m) = 1 -> o \in ClassNumbersOfIrt
       [] OTHER        -> o \in ObNumbersOfIrt
 
-(* [IRT-12] [AMB-63] Beside a bad MODE, 8090 applies only to a number that   *)
+(* [IRT-12] [AMB-63] Beside a bad MODE, 8090 applies only to a number that *)
 (* no OB has.                                                              *)
 \* @type: (Int, Int, Set(Int)) => Set(Int);
 IrtErrors(m, o, modes) ==
@@ -64,8 +65,8 @@ BlockedWith(marks, silent) ==
 BlockedWithout(marks) ==
     [blocked |-> irt.blocked \ marks, silent |-> irt.silent \ marks]
 
-(* [AMB-72] A request that waits already still runs, or the call drops it;   *)
-(* in OB 80 it may keep a catch-up from coming [CLK-04] [AMB-15].           *)
+(* [AMB-72] A request that waits already still runs, or the call drops it; *)
+(* in OB 80 it may keep a catch-up from coming [CLK-04] [AMB-15].          *)
 \* @type: ($request, Set(Int)) => Bool;
 Dropped(r, marks) ==
     /\ MarkedIn(marks, r.ob)

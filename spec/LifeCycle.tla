@@ -77,16 +77,16 @@ Due == /\ on /\ setting = "active" /\ ~blocked
           \/ waiting' = waiting /\ (waiting > 0 \/ running)
        /\ UNCHANGED <<on, setting, once, blocked, running, past>>
 
-(* [IRT-01] [IRT-04] [IRT-18] A once interrupt is used up by it, unless one  *)
-(* of its start events waits still.                                        *)
+(* [IRT-01] [IRT-04] [IRT-18] A once interrupt is used up by it, unless    *)
+(* one of its start events waits still.                                    *)
 Lost == /\ on /\ setting = "active" /\ blocked
         /\ IF once /\ waiting = 0 THEN setting' = "unset" /\ once' = FALSE
                                   ELSE UNCHANGED <<setting, once>>
         /\ past' = "lost"
         /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
 
-(* [TINT-23] [TINT-08] The OB is called for what waits; a once interrupt is *)
-(* no longer set then, or when its OB ends [AMB-71].                       *)
+(* [TINT-23] [TINT-08] The OB is called for what waits; a once interrupt   *)
+(* is no longer set then, or when its OB ends [AMB-71].                    *)
 Start == /\ on /\ ~running /\ running' = TRUE
          /\ setting = "active"
          /\ IF once
@@ -119,8 +119,8 @@ Stop == /\ on /\ on' = FALSE
         /\ past' = PastIf(waiting > 0 \/ running, "cleared")
         /\ UNCHANGED <<setting, once, blocked>>
 
-(* [OBS-50] [OBS-53] [OBS-56] STEP 7 sets the interrupt or does not; a once  *)
-(* of the past waits.                                                      *)
+(* [OBS-50] [OBS-53] [OBS-56] STEP 7 sets the interrupt or does not; a     *)
+(* once of the past waits.                                                 *)
 Restart == /\ ~on /\ on' = TRUE
            /\ blocked' = FALSE
            /\ setting' \in {"unset", "set", "active"} /\ once' \in BOOLEAN

@@ -17,13 +17,13 @@ EXTENDS System
 -----------------------------------------------------------------------------
 (* Assumptions *)
 
-(* [AIRT-08] [OBS-03] The CPU dispatches: it cannot wait for ever with an OB *)
-(* that may start or a STOP that is due.                                   *)
+(* [AIRT-08] [OBS-03] The CPU dispatches: it cannot wait for ever with an  *)
+(* OB that may start or a STOP that is due.                                *)
 DispatchFairness == WF_cpuVars(Respond)
 
-(* Programs end: a running OB that is not interrupted for ever comes to its *)
-(* end, however many calls it makes; STARTUP ends and OB 1 starts again.   *)
-(* Cycle monitoring [OBS-26] enforces it on a real CPU.                    *)
+(* Programs end: a running OB that is not interrupted for ever comes to    *)
+(* its end, however many calls it makes; STARTUP ends and OB 1 starts      *)
+(* again. Cycle monitoring [OBS-26] enforces it on a real CPU.             *)
 ProgramFairness == WF_cpuVars(Proceed)
 
 (* Time passes, and points and delays come with it, unless the CPU has to  *)
@@ -39,7 +39,7 @@ Fairness    == CpuFairness /\ TimeFairness
 WatchedObs == TodObs \cup DintObs \cup { i[1] : i \in Interrupts }
                 \cup {TimeErrorOb}
 
-(* [OBS-07] [OBS-02] No OB waits for ever: it starts, a call withdraws its   *)
+(* [OBS-07] [OBS-02] No OB waits for ever: it starts, a call withdraws its *)
 (* start event or a STOP clears it.                                        *)
 ServedLive == \A o \in WatchedObs : PendingIn(requests, o)
                                        ~> ~PendingIn(requests, o)
@@ -49,28 +49,28 @@ ServedLive == \A o \in WatchedObs : PendingIn(requests, o)
 \* @type: Int => Bool;
 Free(o) == mode = "RUN" /\ delay = 0 /\ Running.class < ClassOf(o)
 
-(* The same where nothing is assumed but that the CPU dispatches: if the    *)
+(* The same where nothing is assumed but that the CPU dispatches: if the   *)
 (* class of the OB is free again and again.                                *)
 ServedWhenFreeLive ==
     \A o \in WatchedObs : []<>Free(o) => ( PendingIn(requests, o)
                                              ~> ~PendingIn(requests, o) )
 
-(* [AIRT-02] [AIRT-03] [AIRT-04] A delay comes to its end, and then all that *)
-(* it held back is released.                                               *)
+(* [AIRT-02] [AIRT-03] [AIRT-04] A delay comes to its end, and then all    *)
+(* that it held back is released.                                          *)
 ReleasedLive == delay > 0 ~> delay = 0 /\ ~Pressing
 
-(* The CPU always comes back to its cycle with nothing left to do: it never *)
-(* goes round for ever between OB 80 and an interrupt.                     *)
+(* The CPU always comes back to its cycle with nothing left to do: it      *)
+(* never goes round for ever between OB 80 and an interrupt.               *)
 BackToCycleLive == []<>(Running.class <= 1 /\ requests = {})
 
-(* [TINT-09] The point that is watched for comes, or the interrupt is       *)
+(* [TINT-09] The point that is watched for comes, or the interrupt is      *)
 (* cancelled, set anew or stopped.                                         *)
 \* @type: (Int, $moment) => Bool;
 Watched(o, t) == Watching /\ tod[o].active /\ NextMoment(tod[o]) = t
 PointLive == \A o \in TodObs : \A t \in Moments :
                Watched(o, t) ~> ~Watched(o, t)
 
-(* [DINT-03] [DINT-06] A delay that runs and whose end the clock can reach   *)
+(* [DINT-03] [DINT-06] A delay that runs and whose end the clock can reach *)
 (* comes to its end, or it is cancelled, started anew or stopped.          *)
 \* @type: (Int, $moment) => Bool;
 Runs(o, t) == Watching /\ dint[o].started /\ After(clock, dint[o].left) = t

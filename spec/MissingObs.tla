@@ -19,7 +19,7 @@ TodAfterMissing(r) ==
 NoticedBefore(o) == \/ o \in TodObs /\ MissingNoticedAtActivation
                     \/ o \in DintObs /\ MissingNoticedAtSrtDint
 
-(* [TINT-16] [DINT-09] [OBS-20] The OB is missing when it would start: OB   *)
+(* [TINT-16] [DINT-09] [OBS-20] The OB is missing when it would start: OB  *)
 (* 85, or OB 80 [AMB-06] (c).  If it was noticed before, perhaps nothing.  *)
 \* @type: $request => Bool;
 ObMissing(r) ==
@@ -62,14 +62,14 @@ Missing(r) ==
 -----------------------------------------------------------------------------
 (* Blocks *)
 
-(* An OB that is deleted takes the requests for it along, or is missing      *)
+(* An OB that is deleted takes the requests for it along, or is missing    *)
 (* when it would start [AMB-66].                                           *)
 \* @type: Set(Int) => Set($request);
 RequestsAfterDeletion(gone) ==
     IF gone # {} /\ DeletedObTakesRequests
     THEN Close({ r \in requests : r.ob \notin gone }) ELSE requests
 
-(* Blocks are loaded and deleted at any time.  An OB that runs goes on to   *)
+(* Blocks are loaded and deleted at any time.  An OB that runs goes on to  *)
 (* its end.                                                                *)
 \* @type: Set(Int) => Bool;
 LoadedAre(obs) ==

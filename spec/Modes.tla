@@ -20,7 +20,7 @@ PeriodOf(execution) ==
       [] execution = "end_of_month" -> EndOfMonth
       [] OTHER                 -> Once
 
-(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none", or a date     *)
+(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none", or a date   *)
 (* that no point belongs to [AMB-62].  The point is armed later.           *)
 \* @type: $step7 => $tod;
 Configured(s) ==
@@ -64,8 +64,8 @@ NoneBlocked == [blocked |-> {}, silent |-> {}]
 RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
                                                   ELSE NoCause
 
-(* [OBS-50] [OBS-52] [OBS-53] [OBS-54] [OBS-55] [OBS-57] [DINT-13] [IRT-03]   *)
-(* [AMB-65]                                                                *)
+(* [OBS-50] [OBS-52] [OBS-53] [OBS-54] [OBS-55] [OBS-57] [DINT-13]         *)
+(* [IRT-03] [AMB-65]                                                       *)
 \* @type: Str => Bool;
 Restart(type) ==
     /\ mode = "STOP"
@@ -92,8 +92,8 @@ Run ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, runVars>>
 
-(* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the clock *)
-(* goes on.                                                                *)
+(* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the     *)
+(* clock goes on.                                                          *)
 Hold ==
     /\ mode = "RUN"
     /\ mode' = "HOLD"
@@ -119,7 +119,7 @@ Release ==
         /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
         /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
-(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  The      *)
+(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  The    *)
 (* settings made by SFCs are of no use any more: a restart follows         *)
 (* [DINT-13].                                                              *)
 Stop ==

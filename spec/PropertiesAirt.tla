@@ -17,7 +17,7 @@ AirtEndProp ==
 (* [AIRT-01] [AIRT-09] Nothing starts while a delay is on, no OB 80 either. *)
 AirtHoldsProp == [][Dispatched => delay = 0]_vars
 
-(* [AIRT-02] A delay loses nothing: requests leave only by a start, a       *)
+(* [AIRT-02] A delay loses nothing: requests leave only by a start, a      *)
 (* missing OB, a withdrawal, or the end of all.                            *)
 AirtKeepsProp ==
     [][ \/ Did("end") /\ step'.ob # ProgramErrorOb

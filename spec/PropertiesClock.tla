@@ -8,10 +8,11 @@
 (***************************************************************************)
 EXTENDS Steps
 
-(* The clock runs forward, and is set by nothing but a clock event, as all   *)
+(* The clock runs forward, and is set by nothing but a clock event, as all *)
 (* requirements of section 6 take for granted.                             *)
 ForwardProp ==
-    [][ clock' # clock => Did("clock") \/ (Did("time") /\ Before(clock, clock')) ]_vars
+    [][ clock' # clock => \/ Did("clock")
+                          \/ Did("time") /\ Before(clock, clock') ]_vars
 
 \* @type: Int => Bool;
 Skipped(o) == /\ tod[o].active /\ ~Deselected(o)
@@ -19,8 +20,9 @@ Skipped(o) == /\ tod[o].active /\ ~Deselected(o)
 
 SkippedNow == { o \in TodObs : Skipped(o) }
 
-(* [CLK-02] [CLK-05] [CLK-06] [OBS-32] A skip in RUN is one time error with  *)
-(* fault 05, which names the skipped interrupts; without OB 80 it is STOP. *)
+(* [CLK-02] [CLK-05] [CLK-06] [OBS-32] A skip in RUN is one time error     *)
+(* with fault 05, which names the skipped interrupts; without OB 80 it is  *)
+(* STOP.                                                                   *)
 SkipProp ==
     [][ Did("clock") /\ mode = "RUN" /\ SkippedNow # {} /\ irt.blocked = {} =>
           IF 80 \in loaded
@@ -53,23 +55,24 @@ CatchUpProp ==
                 /\ \A r \in new : /\ r.since = At(tod[o].next)
                                   /\ r.follows = 5 ]_vars
 
-(* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a clock that is set, fault 06 *)
-(* by HOLD, and names the OBs that are late; a late start is neither.  From *)
-(* outside, either may come and names no OB.                               *)
+(* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a clock that is set, fault *)
+(* 06 by HOLD, and names the OBs that are late; a late start is neither.   *)
+(* From outside, either may come and names no OB.                          *)
 SkipFaultProp ==
     [][ \A r \in Fresh : r.ob = TimeErrorOb /\ r.fault \in {5, 6} =>
           IF r.late = {} THEN Did("interrupt")
           ELSE Did(IF r.fault = 5 THEN "clock" ELSE "release") ]_vars
 
-(* [AMB-37] [AMB-58] [CLK-14] Without a skip the clock may be set freely:    *)
+(* [AMB-37] [AMB-58] [CLK-14] Without a skip the clock may be set freely:  *)
 (* nothing is requested and nothing is lost.                               *)
 NoSkipProp ==
     [][ Did("clock") /\ (mode = "STOP" \/ SkippedNow = {})
           => UNCHANGED <<requests, stopCause>> ]_vars
 
-(* [CLK-08] [CLK-09] [CLK-10] After the clock was set every active interrupt *)
-(* waits for a point that is not before the new time; on an S7-300 for the *)
-(* first one of its series, if there is one before 2090 [TINT-19].         *)
+(* [CLK-08] [CLK-09] [CLK-10] After the clock was set every active         *)
+(* interrupt waits for a point that is not before the new time; on an      *)
+(* S7-300 for the first one of its series, if there is one before 2090     *)
+(* [TINT-19].                                                              *)
 RearmProp ==
     [][ Did("clock") =>
           \A o \in TodObs : tod[o].active /\ mode \notin {"STOP", "HOLD"} =>
@@ -87,7 +90,7 @@ HoldSkipProp ==
                  r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
           ELSE stopCause' # NoCause ]_vars
 
-(* Setting the clock changes no setting, but of a blocked once that is      *)
+(* Setting the clock changes no setting, but of a blocked once that is     *)
 (* skipped [AMB-12], and no OB starts or ends by it.                       *)
 ClockOnlyProp ==
     [][ Did("clock") => /\ clock' # clock

@@ -9,7 +9,7 @@ EXTENDS Steps
 
 DintCalls == {"SRT_DINT", "CAN_DINT", "QRY_DINT"}
 
-(* [DINT-03] [DINT-04] [DINT-13] A job has at most its delay left; none      *)
+(* [DINT-03] [DINT-04] [DINT-13] A job has at most its delay left; none    *)
 (* outlives a STOP.                                                        *)
 JobInv ==
     \A o \in DintObs :
@@ -44,7 +44,8 @@ CanDintProp ==
               /\ v = \h80A0 => o \in DintObs /\ ~dint[o].started
               /\ v = 0 => /\ o \in DintObs /\ ~dint'[o].started
                          /\ \/ dint[o].started
-                            \/ PendingIn(requests, o) \/ OpenIn(requests, o) ]_vars
+                            \/ PendingIn(requests, o)
+                            \/ OpenIn(requests, o) ]_vars
 
 (* [DINT-16] [IRT-17] [AIRT-13] *)
 QryDintProp ==
@@ -59,11 +60,12 @@ QryDintProp ==
                    /\ bit(2) <=> o \in irt.blocked
                    /\ dint[o].started => bit(4)
                    /\ bit(4) => \/ dint[o].started
-                                 \/ PendingIn(requests, o) \/ OpenIn(requests, o)
+                                 \/ PendingIn(requests, o)
+                                 \/ OpenIn(requests, o)
                    /\ bit(16) <=> o \in loaded
               /\ step'.value # 0 => step'.value = \h8090 ]_vars
 
-(* An error and a query change nothing; a call moves no request but one of  *)
+(* An error and a query change nothing; a call moves no request but one of *)
 (* its OB that waits [DINT-15].                                            *)
 DintCallProp ==
     [][ step'.event \in DintCalls =>
@@ -74,14 +76,16 @@ DintCallProp ==
           /\ { q.ob : q \in requests } \ {step'.ob}
                \subseteq { q.ob : q \in requests' } ]_vars
 
-(* [DINT-14] [DINT-15] [AMB-11] Where the OB waits, a CAN_DINT that works   *)
+(* [DINT-14] [DINT-15] [AMB-11] Where the OB waits, a CAN_DINT that works  *)
 (* takes the run away, one that does not leaves it; and a CPU that has     *)
 (* done the one does not do the other.                                     *)
 CanWaitingProp ==
-    [][ Did("CAN_DINT") /\ PendingIn(requests, step'.ob) /\ ~dint[step'.ob].started =>
-          /\ step'.value = 0 <=> ~PendingIn(requests', step'.ob)
-          /\ "AMB-11" \in DOMAIN cpu'.readings
-          /\ cpu'.readings["AMB-11"] = (IF step'.value = 0 THEN "b" ELSE "c") ]_vars
+    [][ /\ Did("CAN_DINT")
+        /\ PendingIn(requests, step'.ob) /\ ~dint[step'.ob].started
+        => /\ step'.value = 0 <=> ~PendingIn(requests', step'.ob)
+           /\ "AMB-11" \in DOMAIN cpu'.readings
+           /\ cpu'.readings["AMB-11"]
+                = (IF step'.value = 0 THEN "b" ELSE "c") ]_vars
 
 (* [DINT-03] [DINT-06] [DINT-20] A delay that has elapsed is over, at most 1 *)
 (* ms early, and leads to its OB, with DTIME and SIGN, unless it is blocked. *)
@@ -95,9 +99,10 @@ ElapsedProp ==
               /\ o \in irt.blocked => UNCHANGED <<requests, stopCause>>
               /\ /\ o \notin irt.blocked /\ ~Deselected(o) /\ ~OnStack(o)
                  /\ { q \in requests : q.ob = o } = {}
-                 => \E r \in new : r.word = dint[o].sign /\ r.dtime = dint[o].dtime ]_vars
+                 => \E r \in new : /\ r.word = dint[o].sign
+                                  /\ r.dtime = dint[o].dtime ]_vars
 
-(* [DINT-10] [AMB-47] While its OB runs: a time error, and at most one run   *)
+(* [DINT-10] [AMB-47] While its OB runs: a time error, and at most one run *)
 (* more.                                                                   *)
 DintOverlapProp ==
     [][ /\ Did("elapsed") /\ OnStack(step'.ob)
@@ -106,13 +111,16 @@ DintOverlapProp ==
               THEN \E r \in requests' \ requests :
                      r.ob = 80 /\ r.fault = 2 /\ r.cause = step'.ob
               ELSE stopCause' = \h4568
-           /\ Cardinality({ r \in requests' : r.ob = step'.ob /\ r.follows = 2 }) <= 1 ]_vars
+           /\ Cardinality({ r \in requests' :
+                              r.ob = step'.ob /\ r.follows = 2 }) <= 1 ]_vars
 
 (* [DINT-02] Nothing else asks for the OB. *)
 DintSourceProp ==
     [][ \A o \in DintObs :
-          { r \in requests' : r.ob = o } \subseteq { r \in requests : r.ob = o }
-            \/ step'.event \in {"elapsed", "start", "missing", "dropped", "end"} ]_vars
+          \/ { r \in requests' : r.ob = o }
+               \subseteq { r \in requests : r.ob = o }
+          \/ step'.event \in {"elapsed", "start", "missing", "dropped",
+                             "end"} ]_vars
 
 (* [DINT-18] [DINT-19] Elapsed time is taken from every job, but not in    *)
 (* HOLD; a clock that is set takes nothing.                                *)
@@ -123,16 +131,18 @@ DintTimeProp ==
                dint'[o].left = IF mode = "HOLD" THEN dint[o].left
                                ELSE dint[o].left - Span(clock, clock') ]_vars
 
-(* [DINT-07] [DINT-08] A job changes by its calls, by time, by its end, and  *)
-(* ends with the RUN.                                                      *)
+(* [DINT-07] [DINT-08] A job changes by its calls, by time, by its end,    *)
+(* and ends with the RUN.                                                  *)
 JobStaysProp ==
     [][ \A o \in DintObs : dint'[o] # dint[o] =>
-          \/ step'.event \in {"SRT_DINT", "CAN_DINT", "elapsed"} /\ step'.ob = o
+          \/ /\ step'.event \in {"SRT_DINT", "CAN_DINT", "elapsed"}
+             /\ step'.ob = o
           \/ step'.event \in {"time", "stop", "switch", "restart"} ]_vars
 
 (* [DINT-01] [DINT-11] [DINT-12] *)
 DintRunProp ==
-    [][ \A o \in DintObs : Started(o) => mode = "RUN" /\ step'.value = o - 17 ]_vars
+    [][ \A o \in DintObs :
+          Started(o) => mode = "RUN" /\ step'.value = o - 17 ]_vars
 
 (* [DINT-13] [OBS-52] *)
 DintRestartProp ==

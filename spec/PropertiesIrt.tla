@@ -15,7 +15,8 @@ ObsOfClass(n) ==
     CASE n = 10 -> 10..17 [] n = 20 -> 20..23 [] n = 30 -> 30..38
       [] n = 40 -> 40..47 [] n = 50 -> 55..57 [] n = 60 -> {60}
       [] n = 70 -> {70, 72} [] n = 80 -> 80..87 [] OTHER -> {}
-AllOfClasses == UNION { ObsOfClass(n) : n \in {10, 20, 30, 40, 50, 60, 70, 80} }
+AllOfClasses ==
+    UNION { ObsOfClass(n) : n \in {10, 20, 30, 40, 50, 60, 70, 80} }
 
 (* The OBs that a call names, for which the model cares. *)
 \* @type: (Int, Int) => Set(Int);
@@ -30,14 +31,16 @@ IrtAnswerProp ==
           LET m == step'.operand
               o == step'.ob
               v == step'.value
-              known == m \in {0, 1, 2} \/ (Did("DIS_IRT") /\ m \in {128, 129, 130})
+              known == \/ m \in {0, 1, 2}
+                       \/ Did("DIS_IRT") /\ m \in {128, 129, 130}
               named == CASE m \in {0, 128} -> TRUE
                          [] m \in {1, 129} -> ObsOfClass(o) # {}
                          [] OTHER          -> o \in AllOfClasses
           IN  /\ v \in {\h0000, \h8090, \h8091}
               /\ v = 0 => known /\ named
               /\ v = \h8091 => ~known
-              /\ v = \h8090 => IF known THEN ~named ELSE o \notin AllOfClasses \cup {1} ]_vars
+              /\ v = \h8090 => IF known THEN ~named
+                              ELSE o \notin AllOfClasses \cup {1} ]_vars
 
 (* [IRT-06] .. [IRT-09] [IRT-13] .. [IRT-16] [AMB-21] [AMB-42] The OBs     *)
 (* that a call blocks and enables.                                         *)
@@ -64,18 +67,20 @@ IrtStaysProp ==
 (* A call moves no request [AMB-72]; an error changes nothing. *)
 IrtCallProp ==
     [][ step'.event \in IrtCalls =>
-          /\ UNCHANGED <<requests, stack, mode, clock, tod, dint, delay, stopCause>>
+          /\ UNCHANGED <<requests, stack, mode, clock, tod, dint, delay,
+                         stopCause>>
           /\ step'.value # 0 => UNCHANGED irt ]_vars
 
-(* [IRT-01] [IRT-04] A start event that is blocked leads to nothing: no OB,  *)
-(* no OB 80 or OB 85, no STOP.                                             *)
+(* [IRT-01] [IRT-04] A start event that is blocked leads to nothing: no    *)
+(* OB, no OB 80 or OB 85, no STOP.                                         *)
 LostProp ==
-    [][ step'.event \in {"reached", "elapsed", "interrupt"} /\ step'.ob \in irt.blocked
-          => UNCHANGED <<requests, stopCause>> ]_vars
+    [][ /\ step'.event \in {"reached", "elapsed", "interrupt"}
+        /\ step'.ob \in irt.blocked
+        => UNCHANGED <<requests, stopCause>> ]_vars
 
-(* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU, but  *)
-(* one that came before it was blocked, when its OB turns out to be missing *)
-(* [AMB-72].                                                               *)
+(* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU,   *)
+(* but one that came before it was blocked, when its OB turns out to be    *)
+(* missing [AMB-72].                                                       *)
 NoStopProp ==
     [][ \A o \in {80, 85} :
           /\ stopCause' # stopCause /\ o \in irt.blocked
@@ -89,8 +94,8 @@ NothingNewProp ==
             Cardinality({ r \in requests' : r.ob = o })
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
-(* [IRT-18] [AMB-12] A point that is lost is used up, and so is a once that  *)
-(* does not wait for an earlier run, for sure or by what is open.          *)
+(* [IRT-18] [AMB-12] A point that is lost is used up, and so is a once     *)
+(* that does not wait for an earlier run, for sure or by what is open.     *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
           /\ tod[step'.ob].period = Once /\ tod'[step'.ob].active
@@ -107,10 +112,11 @@ DisabledEntryProp ==
     [][ \h5380 \in EnteredNow <=>
           Did("DIS_IRT") /\ step'.value = 0 /\ step'.operand >= 128 ]_vars
 
-(* [OBS-30] [OBS-22] [IRT-06] [IRT-09] A time error is entered with its       *)
+(* [OBS-30] [OBS-22] [IRT-06] [IRT-09] A time error is entered with its    *)
 (* fault, also if it is blocked, but not if it is silent.                  *)
 TimeErrorEntryProp ==
-    [][ /\ step'.event \in {"reached", "elapsed", "interrupt", "clock", "release"} =>
+    [][ /\ step'.event \in {"reached", "elapsed", "interrupt", "clock",
+                           "release"} =>
              \A r \in requests' \ requests :
                r.ob = 80 /\ ~r.open => \h3500 + r.fault \in EnteredNow
         /\ \A n \in entered' : 80 \in irt.silent => n.of.ob # 80
@@ -123,6 +129,7 @@ StopEntryProp ==
 
 (* [IRT-09] [OBS-30] An entry has a cause in this step. *)
 EntrySourceProp ==
-    [][ entered' # {} => step'.event \in {"reached", "elapsed", "interrupt", "clock",
-                                          "release", "missing", "restart", "DIS_IRT"} ]_vars
+    [][ entered' # {} =>
+          step'.event \in {"reached", "elapsed", "interrupt", "clock", "release",
+                          "missing", "restart", "DIS_IRT"} ]_vars
 =============================================================================

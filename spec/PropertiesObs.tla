@@ -9,7 +9,7 @@ EXTENDS Steps
 (* [OBS-01] Every running OB is of a higher class than the one it interrupted. *)
 StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
 
-(* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware  *)
+(* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware *)
 (* interrupts, program errors, time errors.                                *)
 PriorityOrderInv ==
     /\ \A o \in TodObs : DefaultClass(CycleOb) < DefaultClass(o)
@@ -51,8 +51,8 @@ ClassInv ==
 (* [OBS-41] No OB runs in STOP, and nothing is waiting. *)
 StopInv == mode = "STOP" => stack = <<>> /\ requests = {} /\ delay = 0
 
-(* [OBS-42] [OBS-43] In STARTUP only the startup OB and asynchronous errors *)
-(* run; in RUN the startup OB does not.                                    *)
+(* [OBS-42] [OBS-43] In STARTUP only the startup OB and asynchronous       *)
+(* errors run; in RUN the startup OB does not.                             *)
 StartupInv ==
     /\ mode = "STARTUP" => \A i \in DOMAIN stack :
                              stack[i].ob \in StartupObs \cup AsyncErrorObs
@@ -70,9 +70,9 @@ ContentProp ==
                          "EN_AIRT", "SET_TINT", "CAN_TINT", "ACT_TINT", "run"}
           => Fresh = {} ]_vars
 
-(* [OBS-10] [TINT-25] [DINT-03] What a start event says of its interrupt:    *)
-(* PERIOD or SIGN, also where an OB 80 or OB 85 reports it; of an error the *)
-(* OB that was active.                                                     *)
+(* [OBS-10] [TINT-25] [DINT-03] What a start event says of its interrupt:  *)
+(* PERIOD or SIGN, also where an OB 80 or OB 85 reports it; of an error    *)
+(* the OB that was active.                                                 *)
 WordProp ==
     [][ \A r \in Fresh :
           /\ r.ob \in TodObs =>
@@ -84,7 +84,7 @@ WordProp ==
                \E q \in requests : q.ob = r.cause /\ q.word = r.word
           /\ r.cause # 0 => r.during = Top(stack).ob /\ r.cause = step'.ob ]_vars
 
-(* [OBS-08] A buffer overflows only where something of the class waits or    *)
+(* [OBS-08] A buffer overflows only where something of the class waits or  *)
 (* runs already.                                                           *)
 OverflowProp ==
     [][ \A e \in Fresh :
@@ -93,13 +93,14 @@ OverflowProp ==
             \/ \E i \in DOMAIN stack : stack[i].class = ClassOf(e.cause)
             \/ /\ e.cause \in AsyncErrorObs
                /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
-                  \/ \E i \in DOMAIN stack : stack[i].ob \in AsyncErrorObs ]_vars
+                  \/ \E i \in DOMAIN stack :
+                        stack[i].ob \in AsyncErrorObs ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
 
-(* [OBS-02] The OBs of one class start in the order of their start events.  *)
-(* Not of a clock that is set back, or set in STARTUP [AMB-53]; and runs     *)
+(* [OBS-02] The OBs of one class start in the order of their start events. *)
+(* Not of a clock that is set back, or set in STARTUP [AMB-53]; and runs   *)
 (* that catch up together come in any order [AMB-54].                      *)
 FifoProp ==
     [][ Dispatched /\ step'.ob \in TodObs =>
@@ -109,8 +110,8 @@ FifoProp ==
                                      => \/ ~Before(q.since, r.since)
                                         \/ {q.follows, r.follows} \subseteq {5, 6} ]_vars
 
-(* [OBS-02] [TINT-12] [OBS-11] The same by the queue, for start events that  *)
-(* have no time.                                                           *)
+(* [OBS-02] [TINT-12] [OBS-11] The same by the queue, for start events     *)
+(* that have no time.                                                      *)
 TurnProp ==
     [][ Dispatched =>
           \E r \in requests :
@@ -124,7 +125,7 @@ HighestFirstProp ==
           q.class > step'.value => /\ mode # "RUN"
                                    /\ q.ob \notin AsyncErrorObs ]_vars
 
-(* [TINT-02] (d) [TINT-16] Only loaded OBs start, and [OBS-07] only by a     *)
+(* [TINT-02] (d) [TINT-16] Only loaded OBs start, and [OBS-07] only by a   *)
 (* start event.                                                            *)
 LoadedProp == [][Dispatched => step'.ob \in loaded]_vars
 RequestedProp ==
@@ -132,8 +133,9 @@ RequestedProp ==
 
 (* [OBS-07] Only an open request may come to nothing. *)
 DropProp ==
-    [][ Did("dropped") => \A r \in requests : r.open
-                            \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
+    [][ Did("dropped") =>
+          \A r \in requests :
+            r.open \/ \E q \in requests' : q.ob = r.ob /\ ~q.open ]_vars
 
 (* [OBS-06] An OB of class 0 never waits, so it never runs. *)
 ClassZeroInv == \A r \in requests : ClassOf(r.ob) # 0
@@ -149,7 +151,8 @@ AtOnceProp ==
              \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
           /\ delay = 0 /\ r.class > Top(stack).class
           /\ r.follows = 0
-          => step'.event \in {"start", "missing", "dropped", "stop", "switch"} ]_vars
+          => step'.event \in {"start", "missing", "dropped", "stop",
+                             "switch"} ]_vars
 
 (* [OBS-03] An end takes the topmost OB off the stack; all else stays, also *)
 (* what the OB has set anew for itself [TINT-65].                          *)

@@ -54,19 +54,19 @@ IsFirst(t, p, m) ==
 (* The first minute that is not before the clock. *)
 Ahead == IF clock.ms = 0 THEN clock.min ELSE clock.min + 1
 
-(* [TINT-10] [TINT-24] [TINT-32] [AMB-39] The first point after activation is *)
-(* the next one of the series, never a past one.  In an interval that the  *)
-(* clock repeats it may be a later one [AMB-57].                           *)
+(* [TINT-10] [TINT-24] [TINT-32] [AMB-39] The first point after activation *)
+(* is the next one of the series, never a past one.  In an interval that   *)
+(* the clock repeats it may be a later one [AMB-57].                       *)
 FirstPointProp ==
     [][ Did("ACT_TINT") /\ step'.value = 0 /\ ~tod[step'.ob].active =>
           LET t == tod'[step'.ob]
           IN  IF t.repeatTo < clock.min THEN IsFirst(t, t.next, Ahead)
               ELSE t.next >= Ahead ]_vars
 
-(* [TINT-09] [TINT-10] [CLK-08] An active interrupt waits for the next point  *)
-(* of its series.  The point that equals the clock may have been reached.  *)
-(* A once has its start and no other point.  In a time that the clock      *)
-(* repeats, points may be left out [CLK-09] [AMB-56] [AMB-57].             *)
+(* [TINT-09] [TINT-10] [CLK-08] An active interrupt waits for the next     *)
+(* point of its series.  The point that equals the clock may have been     *)
+(* reached.  A once has its start and no other point.  In a time that the  *)
+(* clock repeats, points may be left out [CLK-09] [AMB-56] [AMB-57].       *)
 NextPointInv ==
     mode \in {"RUN", "STARTUP"} =>
       \A o \in TodObs :

@@ -11,13 +11,13 @@ TodCalls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT"}
 
 (* The running OB calls. *)
 CallerProp ==
-    [][ step'.event \in TodCalls \cup {"SRT_DINT", "CAN_DINT", "QRY_DINT", "DIS_IRT",
-                                     "EN_IRT", "DIS_AIRT", "EN_AIRT"}
+    [][ step'.event \in TodCalls \cup {"SRT_DINT", "CAN_DINT", "QRY_DINT",
+                                     "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
           => stack # <<>> ]_vars
 
 (* [TINT-05] [TINT-50] Only a set interrupt is active, and only an active  *)
-(* interrupt is watched or waits; it may wait still when its missing OB has *)
-(* made it inactive [AMB-46].                                              *)
+(* interrupt is watched or waits; it may wait still when its missing OB    *)
+(* has made it inactive [AMB-46].                                          *)
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
@@ -37,7 +37,8 @@ DueInv ==
 (* [AMB-19] Of the points that fall due while their OB runs one is kept. *)
 OverlapInv ==
     \A o \in TodObs :
-      Cardinality({ r \in requests : r.ob = o /\ r.follows = StillRunning }) <= 1
+      Cardinality({ r \in requests :
+                      r.ob = o /\ r.follows = StillRunning }) <= 1
 
 -----------------------------------------------------------------------------
 (* RET_VAL *)
@@ -74,8 +75,8 @@ SetAnswerProp ==
                           /\ step'.operand \in PeriodCodes
                           /\ ~past ]_vars
 
-(* [TINT-30] [TINT-31] SET_TINT sets, to the minute [TINT-11], and does not   *)
-(* activate.                                                               *)
+(* [TINT-30] [TINT-31] SET_TINT sets, to the minute [TINT-11], and does    *)
+(* not activate.                                                           *)
 SetProp ==
     [][ Did("SET_TINT") /\ step'.value = 0 =>
           /\ tod'[step'.ob].set /\ ~tod'[step'.ob].active
@@ -95,20 +96,23 @@ CanProp ==
           LET o == step'.ob
           IN  /\ step'.value \in {\h0000, \h8090, \h80A0}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => o \in TodObs /\ (~tod[o].set \/ Over(o))
+              /\ step'.value = \h80A0 =>
+                   o \in TodObs /\ (~tod[o].set \/ Over(o))
               /\ step'.value = 0 => /\ o \in TodObs
                                     /\ tod[o].set /\ ~tod'[o].set
                                     /\ ~PendingIn(requests', o) ]_vars
 
-(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT.  That the OB is missing *)
-(* is noticed later [TINT-17]: nothing waits and nothing stops by the call. *)
+(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT.  That the OB is       *)
+(* missing is noticed later [TINT-17]: nothing waits and nothing stops by  *)
+(* the call.                                                               *)
 ActProp ==
     [][ Did("ACT_TINT") =>
           LET o == step'.ob
           IN  /\ UNCHANGED <<requests, stopCause>>
               /\ step'.value \in {\h0000, \h8090, \h80A0, \h80A1}
               /\ step'.value = \h8090 => o \notin TodObs \/ Deselected(o)
-              /\ step'.value = \h80A0 => o \in TodObs /\ (~tod[o].set \/ Over(o))
+              /\ step'.value = \h80A0 =>
+                   o \in TodObs /\ (~tod[o].set \/ Over(o))
               /\ step'.value = \h80A1 =>
                    /\ o \in TodObs /\ tod[o].period = Once
                    /\ \/ Before(At(tod[o].start), clock)
@@ -120,7 +124,7 @@ ActProp ==
                    /\ ~tod[o].active /\ tod[o].period = Once =>
                         ~Before(At(tod[o].start), clock) ]_vars
 
-(* A call that answers an error, and a query, change nothing [AMB-20]       *)
+(* A call that answers an error, and a query, change nothing [AMB-20]      *)
 (* [TINT-70].                                                              *)
 ErrorChangesNothingProp ==
     [][ \/ Did("QRY_TINT")
@@ -153,8 +157,8 @@ StatusProp ==
 -----------------------------------------------------------------------------
 (* Points *)
 
-(* [TINT-09] A start event of a time-of-day interrupt comes from its point, *)
-(* at its time; [CLK-03] [OBS-56] or from a skip or a restart.             *)
+(* [TINT-09] A start event of a time-of-day interrupt comes from its       *)
+(* point, at its time; [CLK-03] [OBS-56] or from a skip or a restart.      *)
 PointProp ==
     [][ \A o \in TodObs :
           /\ \E r \in requests' \ requests :
@@ -164,7 +168,7 @@ PointProp ==
                   /\ \A r \in Fresh : r.ob = o => r.since = clock
              \/ step'.event \in {"clock", "restart", "release"} ]_vars
 
-(* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with  *)
+(* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with *)
 (* fault 02, and the run follows; or STOP.                                 *)
 OverlapProp ==
     [][ /\ Did("reached") /\ mode = "RUN" /\ OnStack(step'.ob)
@@ -189,20 +193,22 @@ AfterTimeErrorProp ==
             /\ r.follows # 0 =>
                  ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late ]_vars
 
-(* [TINT-08] [TINT-64] [AMB-08] [AMB-71] A once is no longer set when its   *)
+(* [TINT-08] [TINT-64] [AMB-08] [AMB-71] A once is no longer set when its  *)
 (* OB starts, or when it ends (it may be set anew in its OB).              *)
 OnceProp ==
     [][ \A o \in TodObs :
-          /\ Started(o) /\ tod[o].period = Once => ~tod'[o].set \/ tod'[o].called
+          /\ Started(o) /\ tod[o].period = Once
+               => ~tod'[o].set \/ tod'[o].called
           /\ tod'[o].called => tod'[o].set /\ tod'[o].next = Never
           /\ Did("end") /\ step'.ob = o => ~tod'[o].called ]_vars
 
-(* [CLK-12] [AMB-71] [AMB-46] Set back, the clock does not arm a once again *)
-(* whose call waits or runs; nor does its missing OB leave it set.         *)
+(* [CLK-12] [AMB-71] [AMB-46] Set back, the clock does not arm a once      *)
+(* again whose call waits or runs; nor does its missing OB leave it set.   *)
 OnceOverProp ==
     [][ \A o \in TodObs :
           /\ /\ Did("clock") /\ tod[o].active /\ tod[o].period = Once
-             /\ tod[o].next = Never /\ (tod[o].called \/ PendingIn(requests, o))
+             /\ tod[o].next = Never
+             /\ tod[o].called \/ PendingIn(requests, o)
              => tod'[o].next = Never
           /\ Did("missing") /\ step'.ob = o /\ tod[o].period = Once
              => ~tod'[o].set ]_vars
@@ -211,8 +217,8 @@ OnceOverProp ==
 \* @type: $tod => <<Bool, Int, Int, Int>>;
 SettingOf(t) == <<t.set, t.start, t.period, t.offset>>
 
-(* [TINT-60] A setting of STEP 7 or the program stays until SET_TINT or      *)
-(* CAN_TINT for its OB or a restart [TINT-38]; ACT_TINT only activates it.  *)
+(* [TINT-60] A setting of STEP 7 or the program stays until SET_TINT or    *)
+(* CAN_TINT for its OB or a restart [TINT-38]; ACT_TINT only activates it. *)
 (* A once is gone with the start of its OB, its end, or its lost event.    *)
 SettingStaysProp ==
     [][ \A o \in TodObs :

@@ -48,7 +48,7 @@ CanTintNeedsActive == Reading("AMB-09") = "b"
 (* [AMB-10] ACT_TINT on an active interrupt computes its next point anew. *)
 ActTintComputesAnew == Reading("AMB-10") = "b"
 
-(* [AMB-11] A call that cancels an interrupt withdraws a run that waits.    *)
+(* [AMB-11] A call that cancels an interrupt withdraws a run that waits.   *)
 (* Of a delay that may be open: a CPU shows one way and keeps to it.       *)
 TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
 \* @type: $cpu => Bool;
@@ -171,8 +171,8 @@ CatchUpsComeByNumber == Reading("AMB-54") = "b"
 NoCatchUpAfterHold     == Reading("AMB-55") = "b"
 CatchUpAfterHoldIsOpen == Reading("AMB-55") = "c"
 
-(* [AMB-56] In the time that the clock repeats, points that were not served *)
-(* are over, all of them; or those up to the last call of the OB.          *)
+(* [AMB-56] In the time that the clock repeats, points that were not       *)
+(* served are over, all of them; or those up to the last call of the OB.   *)
 \* @type: $cpu => Bool;
 UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
 \* @type: $cpu => Bool;
@@ -191,7 +191,7 @@ ServedPointsAreSkipped == Reading("AMB-58") = "b"
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
 
-(* [AMB-60] ACT_TINT on an active once whose call waits or runs: 0000; or   *)
+(* [AMB-60] ACT_TINT on an active once whose call waits or runs: 0000; or  *)
 (* 80A1.                                                                   *)
 CalledOnceIsAhead == Reading("AMB-60") = "a"
 CalledOnceIsPast  == Reading("AMB-60") = "b"

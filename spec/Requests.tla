@@ -45,7 +45,7 @@ PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 \* @type: (Set($request), Int) => Bool;
 OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
-(* Start events of points that are reached together, and the time errors    *)
+(* Start events of points that are reached together, and the time errors   *)
 (* of such points, come in any order [AMB-29].                             *)
 \* @type: ($request, $request) => Bool;
 OfOnePoint(r, s) ==
@@ -109,7 +109,7 @@ TodRequest(o, since, follows) ==
     [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = since,
                        !.word = tod[o].period, !.follows = follows ]
 
-(* [DINT-03] DTIME and SIGN come again in the start information; under       *)
+(* [DINT-03] DTIME and SIGN come again in the start information; under     *)
 (* AMB-31 (a) the delay that has elapsed.                                  *)
 \* @type: Int => $request;
 DintRequest(o) ==

@@ -19,7 +19,7 @@ Drop(r) ==
 -----------------------------------------------------------------------------
 (* Once interrupts *)
 
-(* [TINT-08] A once interrupt is cancelled by the call of its OB, also       *)
+(* [TINT-08] A once interrupt is cancelled by the call of its OB, also     *)
 (* where the clock was set back meanwhile and its point is ahead again     *)
 (* [AMB-59] [CLK-12]; an interrupt that was set anew is not.               *)
 \* @type: $request => Bool;
@@ -71,7 +71,7 @@ Excused ==
           [] OTHER -> (requests \ missing)
                         \cup { [r EXCEPT !.open = TRUE] : r \in missing }
 
-(* [AIRT-04] The delay count falls to 0 when the OB has been processed       *)
+(* [AIRT-04] The delay count falls to 0 when the OB has been processed     *)
 (* [AMB-25].                                                               *)
 \* @type: Int => Bool;
 End(o) ==

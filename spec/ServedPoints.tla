@@ -11,11 +11,11 @@ EXTENDS Requests, TodSettings
 
 LongestMemory == 8
 
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock   *)
+(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock  *)
 (* was set back; other CPUs remember which were served [AMB-17].           *)
 Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
 
-(* [CLK-09] The OB is called for point p, which joins the runs of points    *)
+(* [CLK-09] The OB is called for point p, which joins the runs of points   *)
 (* beside it.  A point that is lost [IRT-18], or skipped without a run of  *)
 (* its own, is over and yet was not served.                                *)
 \* @type: ($tod, Int) => $tod;
@@ -39,8 +39,8 @@ NotServed(t, p) ==
 -----------------------------------------------------------------------------
 (* A new setting *)
 
-(* [AMB-57] The points that a setting and those before it have served, each *)
-(* run with the series that it belongs to.                                 *)
+(* [AMB-57] The points that a setting and those before it have served,     *)
+(* each run with the series that it belongs to.                            *)
 \* @type: $tod => Set($memory);
 Memory(t) ==
     LET runs == t.earlier \cup
@@ -50,7 +50,7 @@ Memory(t) ==
         ELSE { i \in runs :
                  Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
 
-(* [AMB-57] A setting made in a time that the clock repeats was not active    *)
+(* [AMB-57] A setting made in a time that the clock repeats was not active *)
 (* when the clock was set back: of its points none is over for AMB-56.     *)
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
@@ -66,7 +66,7 @@ Unset(t) == WithMemory(NoSetting, t)
 UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
              ELSE [t EXCEPT !.active = FALSE, !.next = Never, !.called = FALSE]
 
-(* [CLK-12] [AMB-71] The call of a once that waits or runs uses it up: the  *)
+(* [CLK-12] [AMB-71] The call of a once that waits or runs uses it up: the *)
 (* clock, set back, does not arm it again.                                 *)
 \* @type: Int => Bool;
 CallUsesUp(o) ==
@@ -93,8 +93,8 @@ WasServed(t, p, c) ==
 \* @type: ($tod, $cpu) => Set(Int);
 LastCalls(t, c) == { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
 
-(* [AMB-56] Up to this minute points that were not served are over, too, if *)
-(* the interrupt was active when the clock was set back.                   *)
+(* [AMB-56] Up to this minute points that were not served are over, too,   *)
+(* if the interrupt was active when the clock was set back.                *)
 \* @type: ($tod, $cpu) => Int;
 OverUntil(t, c) ==
     LET calls == LastCalls(t, c)
@@ -104,7 +104,7 @@ OverUntil(t, c) ==
         THEN IF last < t.overTo THEN last ELSE t.overTo
         ELSE -1
 
-(* The first point from p on that was not served: p, one of the next two,   *)
+(* The first point from p on that was not served: p, one of the next two,  *)
 (* which may lie between points of another series, or one behind a run.    *)
 \* @type: ($tod, Int, $cpu) => Int;
 FirstUnserved(t, p, c) ==
@@ -114,9 +114,9 @@ FirstUnserved(t, p, c) ==
         free   == { q \in points : ~WasServed(t, q, c) }
     IN  CHOOSE q \in free : \A r \in free : q <= r
 
-(* The first point at or after moment m that is served.  In a time that the *)
-(* clock repeats, points that were served are not served again [CLK-09];   *)
-(* the others may be over [AMB-56].                                        *)
+(* The first point at or after moment m that is served.  In a time that    *)
+(* the clock repeats, points that were served are not served again         *)
+(* [CLK-09]; the others may be over [AMB-56].                              *)
 \* @type: ($tod, $moment, $cpu) => Int;
 NextPoint(t, m, c) ==
     LET p    == PointFrom(t, FirstMinute(t, m))
@@ -127,8 +127,8 @@ NextPoint(t, m, c) ==
 \* @type: ($tod, $moment, $cpu) => $tod;
 Armed(t, m, c) == [t EXCEPT !.next = NextPoint(t, m, c)]
 
-(* [AMB-56] [AMB-57] Settings are armed at moment m: where the reading makes *)
-(* a difference, the CPU shows how it reads.                               *)
+(* [AMB-56] [AMB-57] Settings are armed at moment m: where the reading     *)
+(* makes a difference, the CPU shows how it reads.                         *)
 \* @type: (Set($tod), $moment) => Set($cpu);
 CpusThatShow(settings, m) ==
     IF \E t \in settings :

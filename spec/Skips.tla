@@ -7,14 +7,14 @@
 (***************************************************************************)
 EXTENDS StartPoints
 
-(* The next point that can be skipped: the one that is watched for; under    *)
+(* The next point that can be skipped: the one that is watched for; under  *)
 (* AMB-58 (b) also a point that was served before the clock was set back.  *)
 \* @type: $tod => $moment;
 NextSkipped(t) ==
     IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
     ELSE [NextMoment(t) EXCEPT !.min = Earlier(@, PointFrom(t, clock.min + 1))]
 
-(* The active interrupts with points between the old and the new time.  A   *)
+(* The active interrupts with points between the old and the new time.  A  *)
 (* point that equals the new time is reached, not skipped [AMB-37].        *)
 \* @type: $moment => Set(Int);
 SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
@@ -83,9 +83,9 @@ WithCatchUps(q, runs) ==
             + Cardinality({ s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
         : r \in runs }
 
-(* [CLK-03] One run for each OB, for its first skipped point [CLK-07]; after *)
-(* HOLD it may be open or not come [AMB-55].  No OB 80 reports the OBs that *)
-(* are `absent'.                                                           *)
+(* [CLK-03] One run for each OB, for its first skipped point [CLK-07];     *)
+(* after HOLD it may be open or not come [AMB-55].  No OB 80 reports the   *)
+(* OBs that are `absent'.                                                  *)
 \* @type: (Int, Set(Int), Set(Int)) => Set($request);
 CatchUps(fault, obs, absent) ==
     LET held == fault = SkippedInHold
@@ -114,7 +114,7 @@ TimeOfSkip(skipped, now) ==
     ELSE LET points == { NextSkipped(tod[o]) : o \in skipped }
          IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
 
-(* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are   *)
+(* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are *)
 (* late, then one catch-up each.  An OB already waiting or running may get *)
 (* its own catch-up or not [AMB-52].  A blocked one may be reported or not *)
 (* [AMB-50], a missing one is [AMB-51].                                    *)

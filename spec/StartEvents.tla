@@ -22,8 +22,8 @@ RequestsBecome(q) ==
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* ... to a time error [TINT-14] [DINT-10], after which requests are `kept', *)
-(* among them the run that follows it, if there is one ...                 *)
+(* ... to a time error [TINT-14] [DINT-10], after which requests are       *)
+(* `kept', among them the run that follows it, if there is one ...         *)
 \* @type: ($request, Int, Set($request)) => Bool;
 Overlap(new, fault, kept) ==
     TimeErrorOccurs(kept, requests,
@@ -42,7 +42,7 @@ ErrorLost(error) == UNCHANGED outcomeVars /\ entered' = EntriesOf(error)
 -----------------------------------------------------------------------------
 (* Start events of an OB that waits or runs already *)
 
-(* [AMB-18] [AMB-77] There may be a time error: "still running", or buffer   *)
+(* [AMB-18] [AMB-77] There may be a time error: "still running", or buffer *)
 (* overflow ...                                                            *)
 \* @type: $request => Set($request);
 ErrorsOf(again) ==
@@ -56,8 +56,8 @@ LeftOpen(again) ==
       \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
             ELSE ErrorsOf(again))
 
-(* Only open requests of the OB wait.  After another start event the OB      *)
-(* waits for sure: by the first open one, or by the new one if the open     *)
+(* Only open requests of the OB wait.  After another start event the OB    *)
+(* waits for sure: by the first open one, or by the new one if the open    *)
 (* ones had no effect.                                                     *)
 \* @type: (Set($request), $request) => Set($request);
 Confirmed(q, new) ==
@@ -82,7 +82,7 @@ AgainWhileOpen(new) ==
     /\ UNCHANGED stopCause
     /\ entered' = OpenEntries(ErrorsOf(new))
 
-(* [AMB-18] The OB waits already.  The size of the buffer is not known, so  *)
+(* [AMB-18] The OB waits already.  The size of the buffer is not known, so *)
 (* under (b) the run is kept or the buffer overflows [OBS-08].             *)
 \* @type: $request => Bool;
 AgainWhilePending(new) ==
@@ -95,7 +95,7 @@ AgainWhilePending(new) ==
 \* @type: $request => $request;
 LateRun(new) == [new EXCEPT !.follows = StillRunning]
 
-(* An OB that runs has at most one run for later: the run that waits, or a   *)
+(* An OB that runs has at most one run for later: the run that waits, or a *)
 (* new one.  An open run becomes certain, or the new one stands for it, if *)
 (* it had no effect.                                                       *)
 \* @type: $request => Set(Set($request));
@@ -134,7 +134,7 @@ ExternalWhileRunning(new) ==
 -----------------------------------------------------------------------------
 (* Buffer overflow and asynchronous errors *)
 
-(* [OBS-08] [AMB-18] The buffer of a class may be full where something of    *)
+(* [OBS-08] [AMB-18] The buffer of a class may be full where something of  *)
 (* the class waits or runs.                                                *)
 \* @type: $request => Bool;
 MayOverflow(new) ==
@@ -148,7 +148,7 @@ Overflows(new) ==
     /\ TimeErrorOccurs(requests, requests,
                        TimeError(BufferOverflow, {}, new.ob, new.word))
 
-(* [OBS-07] [OBS-11] An error whose OB is not OB 80: its OB runs, or the     *)
+(* [OBS-07] [OBS-11] An error whose OB is not OB 80: its OB runs, or the   *)
 (* buffer of its class overflows.                                          *)
 \* @type: $request => Bool;
 ErrorOccurs(new) ==

@@ -16,14 +16,14 @@ Dispatched == Did("start") /\ step'.ob \notin StartupObs \cup {CycleOb}
 \* @type: Seq($frame) => $frame;
 Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
-(* [OBS-10] A request stays as it was when its start event occurred; only    *)
+(* [OBS-10] A request stays as it was when its start event occurred; only  *)
 (* its place changes, and an open one may become certain.                  *)
 \* @type: $request => $request;
 Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
 Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
 
-(* p is the first minute that is not before moment t; Never if there is none *)
-(* up to 2089.                                                             *)
+(* p is the first minute that is not before moment t; Never if there is    *)
+(* none up to 2089.                                                        *)
 \* @type: (Int, $moment) => Bool;
 IsFirstMinute(p, t) == IF Before(At(LastMinute), t) THEN p = Never
                        ELSE ~Before(At(p), t) /\ Before(At(p - 1), t)

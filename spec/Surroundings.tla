@@ -40,7 +40,7 @@ IrtModes == 0..255
 RetVals == Words
 StatusWords == {-1} \cup Words
 
-(* Moments to which time may pass, at which it begins, and to which the     *)
+(* Moments to which time may pass, at which it begins, and to which the    *)
 (* clock may be set.                                                       *)
 \* @type: Set($moment);
 Moments == [min : 0..LastMinute, ms : 0..59999]

@@ -155,7 +155,7 @@ Call == \/ CallSetTint \/ CallCanTint \/ CallActTint \/ CallQryTint
         \/ CallDisIrt \/ CallEnIrt \/ CallDisAirt \/ CallEnAirt
 
 -----------------------------------------------------------------------------
-(* The CPU goes on: OB 1 and the startup OB start when nothing else does,   *)
+(* The CPU goes on: OB 1 and the startup OB start when nothing else does,  *)
 (* and any OB may end.                                                     *)
 
 CycleBegins == Settled /\ CycleStarts /\ Seen("start", CycleOb, 1)

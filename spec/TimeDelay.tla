@@ -7,8 +7,8 @@
 (***************************************************************************)
 EXTENDS Calls, Delays
 
-(* [AMB-70] (b) In its last millisecond a job counts as elapsed: calls come *)
-(* after that.                                                             *)
+(* [AMB-70] (b) In its last millisecond a job counts as elapsed: calls     *)
+(* come after that.                                                        *)
 \* @type: Int => Bool;
 Ended(o) == CallsComeAfterTheEnd /\ o \in DintObs
               => ~(dint[o].started /\ dint[o].left \in 0..1)
@@ -67,7 +67,7 @@ SrtDint(o, dtime, sign, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 33 *)
 
-(* [DINT-14] [DINT-15] A job that is over can be cancelled while its OB      *)
+(* [DINT-14] [DINT-15] A job that is over can be cancelled while its OB    *)
 (* waits, or is no longer started [AMB-11].                                *)
 \* @type: (Int, $cpu) => Set(Int);
 CanDintAnswersOf(o, c) ==

@@ -87,7 +87,7 @@ SetAnew(t, sdt, period) ==
                                                    ELSE 0,
                       !.period = period ]
 
-(* [TINT-30] [TINT-05] [TINT-38] A call that is refused changes nothing      *)
+(* [TINT-30] [TINT-05] [TINT-38] A call that is refused changes nothing    *)
 (* [AMB-20].                                                               *)
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
@@ -148,7 +148,7 @@ ActAnswers(o) ==
            [] OTHER             -> Answers(o, {}) \cup {PastStart}
     ELSE Answers(o, ActErrors(o))
 
-(* [TINT-10] [TINT-24] On an active interrupt no effect [TINT-63], or the   *)
+(* [TINT-10] [TINT-24] On an active interrupt no effect [TINT-63], or the  *)
 (* next point is computed anew [AMB-10].                                   *)
 \* @type: Int => $tod;
 ActiveSetting(o) ==
@@ -188,7 +188,7 @@ ActTint(o, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
-(* [TINT-74] Bit 2 of an interrupt without a further point [AMB-68], of a    *)
+(* [TINT-74] Bit 2 of an interrupt without a further point [AMB-68], of a  *)
 (* once that waits [AMB-34], and of any other.                             *)
 \* @type: Int => Set(Int);
 ActiveBit(o) ==

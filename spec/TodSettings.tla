@@ -38,7 +38,7 @@ SeriesOf(period) ==
     ELSE IF period = Hourly /\ Period0401IsDaily THEN Daily
     ELSE period
 
-(* The first point of the series at or after minute m.  It may be one       *)
+(* The first point of the series at or after minute m.  It may be one      *)
 (* period after the start [AMB-36]; the start of an end-of-month interrupt *)
 (* may be a point as well [AMB-39].                                        *)
 \* @type: ($tod, Int) => Int;

@@ -67,7 +67,7 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               requests, stack, delay, stopCause, up, waiting, first, overruns,
               arrivals, changes, reports>>
 
-(* ... between two lines.  Where loading is not recorded, OBs are loaded    *)
+(* ... between two lines.  Where loading is not recorded, OBs are loaded   *)
 (* and deleted unseen when something depends on it: then it does not       *)
 (* matter which were loaded before.                                        *)
 DistinctAfterLine ==

@@ -23,7 +23,7 @@ Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
 -----------------------------------------------------------------------------
 (* What an event leaves for later lines *)
 
-(* [OBS-26] OB 1 starts or ends, a restart begins, the cycle time is        *)
+(* [OBS-26] OB 1 starts or ends, a restart begins, the cycle time is       *)
 (* exceeded.                                                               *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
@@ -74,8 +74,8 @@ RewaitMissing(r) ==
 -----------------------------------------------------------------------------
 (* The order of classes *)
 
-(* [AIRT-08] [OBS-03] [AMB-69] A start event that is older than the latency *)
-(* goes before one of a lower class.                                       *)
+(* [AIRT-08] [OBS-03] [AMB-69] A start event that is older than the        *)
+(* latency goes before one of a lower class.                               *)
 \* @type: $request => Bool;
 HighestFirst(r) ==
     \A q \in requests :
