@@ -27,6 +27,9 @@ from s7check.engine.command import EngineError
 
 DIFFERENT = 1
 
+WANTED = ROOT / "docs" / "rules" / "since"
+"""Expected differences by revision: the first letters of its hash, ``.json``."""
+
 
 @click.command(name="since", short_help="Same verdicts and pins as at an earlier revision?")
 @click.option("--logs", type=click.IntRange(0), default=200, show_default=True, help="How many random logs.")
@@ -34,7 +37,7 @@ DIFFERENT = 1
 @click.option(
     "--expected",
     type=click.Path(path_type=Path, dir_okay=False, exists=True),
-    help="Differences that are wanted: a JSON list of {id, reason}; an id may be a glob.",
+    help="Differences that are wanted: a JSON list of {id, reason}; an id may be a glob. Default: docs/rules/since.",
 )
 @json_option
 @click.argument("revision", metavar="REV")
@@ -47,8 +50,9 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
     """
     usage = (RevisionError, pins.PinsError, ReasonsError, OSError)
     with session(Processes(), usage, (BuildError, SoftPlcError, EngineError)) as console:
-        excuses = read(expected, Excuse) if expected else []
         commit = find(ROOT, revision)
+        expected = expected or _wanted(commit)
+        excuses = read(expected, Excuse) if expected else []
         click.echo(f"building {commit[:12]}")
         before, now = checkout(ROOT, commit), Checkout(ROOT)
         comparisons = [_shipped(before, now, click.echo)]
@@ -60,6 +64,11 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
         report.show(console, explained)
         write_json(json_path, report.as_json(explained))
     sys.exit(0 if explained.ok else DIFFERENT)
+
+
+def _wanted(commit: str) -> Path | None:
+    """The project's own file of expected differences to this commit, if there is one."""
+    return next((path for path in sorted(WANTED.glob("*.json")) if commit.startswith(path.stem)), None)
 
 
 def _shipped(before: Checkout, now: Checkout, tell: Callable[[str], None]) -> compare.Comparison:
