@@ -25,6 +25,9 @@ MANIFEST = Path("models/proofs.json")
 BOXED = re.compile(r"^(\w+) ==\s*\[\]\[", re.MULTILINE)
 STATED = re.compile(r"^(\w+Inv) ==", re.MULTILINE)
 
+FOLLOWS = "invariants"
+"""The query about the properties of states."""
+
 TOGETHER = "Together"
 """The disjunction of the actions of a query."""
 
@@ -39,7 +42,7 @@ class ManifestError(ValueError):
 
 
 class NotProved(msgspec.Struct, forbid_unknown_fields=True):
-    """A formula that is not claimed of an action, and what was tried."""
+    """A formula that is not claimed of an action, or property of states that is not claimed at all; what was tried."""
 
     action: str
     formula: str
@@ -155,6 +158,8 @@ def load(root: Path) -> Proofs:
         raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
     named = [(cell.action, cell.formula) for cell in file.not_proved]
     for action, formula in [*named, *((mutant.action, mutant.formula) for mutant in file.mutants)]:
+        if action == FOLLOWS and any(formula in names for names in states.values()):
+            continue
         if action not in actions:
             raise ManifestError(f"{path}: {action} is no action of System")
         if formula not in formulas:
@@ -189,14 +194,15 @@ def _queries(
     file: ProofsFile, actions: tuple[str, ...], steps: dict[str, tuple[str, ...]], states: dict[str, tuple[str, ...]]
 ) -> list[Query]:
     base = file.induction
+    left = {(cell.action, cell.formula) for cell in file.not_proved}
     anywhere = Query(
-        name="invariants",
+        name=FOLLOWS,
         kind="follows",
         module=base.module,
         init=base.any,
         next=actions[0],
         length=0,
-        formulas=tuple(name for names in states.values() for name in names),
+        formulas=tuple(name for names in states.values() for name in names if (FOLLOWS, name) not in left),
         timeout=base.timeout,
         constants=base.constants,
         instead=tuple((name, tuple(others)) for name, others in base.instead.items()),
@@ -205,7 +211,6 @@ def _queries(
         replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants)),
         anywhere,
     ]
-    left = {(cell.action, cell.formula) for cell in file.not_proved}
     whole = (*base.invariants, *(name for names in steps.values() for name in names))
     joined = {action for some in base.together.values() for action in some}
     groups = {**{action: [action] for action in actions if action not in joined}, **base.together}

@@ -7,7 +7,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from evidence.proofs.queries import Proofs, Query
+from evidence.proofs.queries import FOLLOWS, Proofs, Query
 from evidence.proofs.runner import Result, ok
 
 Answers = list[tuple[Query, Result]]
@@ -67,10 +67,12 @@ def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
         for module, names in modules.items():
             for name in names:
                 needed = {name} if kind == "steps" else set(base.invariants)
-                whole = kind == "steps" or {"first", "invariants"} <= holds.keys()
+                whole = kind == "steps" or "first" in holds and FOLLOWS in holds and name in holds[FOLLOWS].formulas
                 of = {action for formulas, actions in proved if whole and needed <= formulas for action in actions}
                 not_claimed = [action for action in proofs.actions if (action, name) in left]
+                not_claimed += ["any state"] if (FOLLOWS, name) in left else []
                 unknown = [action for action in proofs.actions if action not in of and action not in not_claimed]
+                unknown = [] if (FOLLOWS, name) in left else unknown
                 row = {"formula": name, "module": module, "of": kind, "proved": len(of), "actions": len(proofs.actions)}
                 rows.append(row | {"not claimed": not_claimed, "unknown": unknown})
     return rows
