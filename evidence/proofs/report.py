@@ -67,7 +67,7 @@ def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
         for module, names in modules.items():
             for name in names:
                 needed = {name} if kind == "steps" else set(base.invariants)
-                whole = kind == "steps" or "first" in holds and FOLLOWS in holds and name in holds[FOLLOWS].formulas
+                whole = kind == "steps" or ("first" in holds and FOLLOWS in holds and name in holds[FOLLOWS].formulas)
                 of = {action for formulas, actions in proved if whole and needed <= formulas for action in actions}
                 not_claimed = [action for action in proofs.actions if (action, name) in left]
                 not_claimed += ["any state"] if (FOLLOWS, name) in left else []
