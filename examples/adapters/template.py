@@ -1,7 +1,4 @@
-"""A template of an adapter for `s7check kit run`: copy it, and put your CPU in the place of `ToyCpu`.
-
-Standard input has a program a line, standard output gets the log of each and {"event": "done"}. The time is virtual.
-"""
+"""A template of an adapter for `s7check kit run`: copy it, and put your CPU in the place of `ToyCpu`."""
 
 import json
 import sys
@@ -17,10 +14,8 @@ class Adapter:
 
     def __init__(self, program):
         self.program = program
-        self.now = 0
+        self.now, self.started, self.stack = 0, {}, []
         self.clock = datetime.fromisoformat(program["header"]["clock"])
-        self.started = {}
-        self.stack = []
         self.cpu = ToyCpu(program["header"], self)
 
     def log(self, event, **fields):
@@ -48,18 +43,17 @@ class Adapter:
         if not steps or "end" in steps[0]:
             self.stack.pop()
             self.cpu.ended(ob)
-        elif "wait" in steps[0] and steps[0]["wait"] > 0:
+        elif steps[0].get("wait", 0) > 0:
             return False
         else:
-            step = dict(steps.pop(0))
-            if "call" in step:
-                self.cpu.call(step.pop("call"), step)
-            elif step.get("event") == "clock":
-                self.set_clock(step)
+            step = steps.pop(0)
+            self.cpu.call(step.pop("call"), step) if "call" in step else self.set_clock(step)
         return True
 
     def set_clock(self, event):
-        """Sets the clock to a date, or moves it."""
+        """Sets the clock to a date, or moves it; another event or a wait of 0 does nothing."""
+        if event.get("event") != "clock":
+            return
         before = self.clock + timedelta(milliseconds=self.now)
         to = datetime.fromisoformat(event["to"]) if "to" in event else before + timedelta(milliseconds=event["by"])
         self.log("clock", to=to.isoformat(timespec="milliseconds"))
@@ -68,13 +62,13 @@ class Adapter:
 
     def run(self):
         """Runs the program to its end."""
-        outside = sorted(self.program.get("outside", []), key=lambda event: event["after"])
+        outside = list(self.program["outside"])
         if any("every" in event for event in outside):
             raise UnsupportedError("no events that come again")
         while self.now < self.program["duration"]:
             while outside and outside[0]["after"] <= self.now:
-                event = outside.pop(0)
-                self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
+                self.set_clock(outside[0]) if outside[0]["event"] == "clock" else self.cpu.outside(outside[0])
+                outside.pop(0)
             self.cpu.poll()
             if self.cpu.dispatch() or self.step():
                 continue
@@ -88,20 +82,17 @@ class Adapter:
             self.now += passed
 
 
-for text in sys.stdin:
-    program = json.loads(text)
-    try:
-        adapter = Adapter(program)
-        print(
-            json.dumps(
-                {
-                    "format": "s7-interrupt-log/1",
-                    "latency_ms": 0,
-                    **{name: value for name, value in program["header"].items() if name in HEADER},
-                }
-            )
-        )
-        adapter.run()
-        print(json.dumps({"event": "done"}), flush=True)
-    except UnsupportedError as error:
-        print(json.dumps({"event": "skip", "reason": str(error)}), flush=True)
+def main(adapter):
+    """Runs the programs on standard input, each with an `adapter` of its own."""
+    for program in map(json.loads, sys.stdin):
+        own = {name: value for name, value in program["header"].items() if name in HEADER}
+        print(json.dumps({"format": "s7-interrupt-log/1", "latency_ms": 0, **own}))
+        try:
+            adapter(program).run()
+            print(json.dumps({"event": "done"}), flush=True)
+        except UnsupportedError as error:
+            print(json.dumps({"event": "skip", "reason": str(error)}), flush=True)
+
+
+if __name__ == "__main__":
+    main(Adapter)

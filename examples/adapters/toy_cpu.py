@@ -135,6 +135,7 @@ class ToyCpu:
         result = sfc(**operands)
         ret, *status = result if isinstance(result, tuple) else (result,)
         self.adapter.log(name, **operands, ret=f"16#{ret:04X}", **({"status": f"16#{status[0]:04X}"} if status else {}))
+        return ret, *status
 
     def dis_airt(self):
         """SFC 41."""

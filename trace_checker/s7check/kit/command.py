@@ -6,14 +6,16 @@ import os
 from pathlib import Path
 
 import click
+import msgspec
 
 from s7check.kit import formats
 from s7check.kit.adapter import AdapterError
 from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
 from s7check.kit.layout import to_text
+from s7check.kit.matrix import to_matrix
 from s7check.kit.offer import Offer, read_offer
 from s7check.kit.program import Program
-from s7check.kit.results import Result
+from s7check.kit.results import Kept, Result
 from s7check.kit.running import Runner
 from s7check.letters import set_option
 from s7check.log.errors import UnusableLogError
@@ -194,6 +196,29 @@ def run_command(
     except OSError as error:
         raise click.FileError(str(error.filename), hint=error.strerror or str(error)) from error
     return _exit_code(results)
+
+
+@kit_command.command("matrix", short_help="Put the results of several implementations side by side.")
+@click.option("--output", type=click.Path(dir_okay=False, path_type=Path), help="Write to FILE.", metavar="FILE")
+@click.argument("runs", nargs=-1, required=True, metavar="NAME=FILE...")
+def matrix_command(output: Path | None, runs: tuple[str, ...]) -> int:
+    """Write a page in Markdown with a row for each requirement and a column for each implementation NAME.
+
+    FILE is the .json of its `s7check kit run --output`.
+    """
+    read = {}
+    for run in runs:
+        name, _, file = run.partition("=")
+        try:
+            read[name] = msgspec.json.decode(Path(file).read_bytes(), type=Kept).requirements
+        except (OSError, msgspec.MsgspecError) as error:
+            raise click.ClickException(f"{run}: expected NAME=FILE, a result of `s7check kit run`; {error}") from error
+    page = to_matrix(read)
+    if output is None:
+        echo(page.rstrip("\n"))
+    else:
+        write_whole(output, page.encode())
+    return 0
 
 
 def _exit_code(results: list[Result]) -> int:

@@ -10,7 +10,7 @@ from xml.etree import ElementTree as Xml
 import click
 import msgspec
 
-from s7check.kit.results import STATES, Outcome, Result, outcomes
+from s7check.kit.results import STATES, Kept, Outcome, Result, outcomes
 from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
 
@@ -63,8 +63,7 @@ def _outcome(one: Outcome) -> str:
 
 def to_json(results: Sequence[Result]) -> bytes:
     """One object: the programs and the requirements."""
-    content = {"programs": list(results), "requirements": outcomes(results)}
-    return msgspec.json.format(msgspec.json.encode(content), indent=1) + b"\n"
+    return msgspec.json.format(msgspec.json.encode(Kept(list(results), outcomes(results))), indent=1) + b"\n"
 
 
 def to_junit(results: Sequence[Result]) -> bytes:

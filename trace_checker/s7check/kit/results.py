@@ -46,6 +46,13 @@ class Outcome(msgspec.Struct, frozen=True):
     reasons: tuple[str, ...] = ()
 
 
+class Kept(msgspec.Struct, frozen=True):
+    """The content of a result as JSON."""
+
+    programs: list[Result]
+    requirements: list[Outcome]
+
+
 def outcomes(results: Iterable[Result]) -> list[Outcome]:
     """Every requirement with its state, in the order of the documents.
 

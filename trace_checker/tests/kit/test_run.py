@@ -150,3 +150,17 @@ def test_show_and_list(folder: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert json.loads(capsys.readouterr().out) == PROGRAM
     assert main(["kit", "list", "--requirement", "AIRT-03", "--programs", str(file)]) == 0
     assert capsys.readouterr().out.startswith("AIRT-nested  AIRT-03  Delays nest")
+
+
+def test_matrix(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two results side by side; a file that is none."""
+    run(folder, ["right"])
+    (folder / "out.json").rename(folder / "first.json")
+    run(folder, ["wrong"])
+    capsys.readouterr()
+    assert main(["kit", "matrix", f"A={folder / 'first.json'}", f"B={folder / 'out.json'}"]) == 0
+    page = capsys.readouterr().out
+    assert "| [AIRT-06](../rules/requirements.md#AIRT-06) | passed | **failed** |" in page
+    assert "## Failed on B" in page
+    assert main(["kit", "matrix", "A=nowhere.json"]) == 2
+    assert "expected NAME=FILE" in capsys.readouterr().err

@@ -1,0 +1,221 @@
+"""Runs the kit's programs as AWL in awlsim, a simulator of S7 in Python that others have written.
+
+awlsim has no interrupts. The bodies of OBs are translated to AWL and run in awlsim's CPU; SFC 32 to 34, 41 and 42 and
+the start of OBs come from outside: from `toy_cpu.py`, by entries in awlsim's table of system functions. An OB is
+interrupted between two instructions that call an SFC or work. Needs `pip install -r requirements-awlsim.txt`.
+"""
+
+import logging
+import sys
+
+import awlsim.core.main  # before its other modules, which import each other
+from awlsim.awlcompiler import AwlParser
+from awlsim.common.sources import AwlSource
+from awlsim.common.util import Logging
+from awlsim.core.blockinterface import BlockInterfaceField
+from awlsim.core.datatypes import wordToSignedPyInt
+from awlsim.core.memory import AwlMemoryObject_asScalar, make_AwlMemoryObject_fromScalar
+from awlsim.core.systemblocks.systemblocks import SFC
+from awlsim.core.systemblocks.tables import SFC_table
+from template import Adapter, main
+from toy_cpu import UnsupportedError
+
+IN, OUT = BlockInterfaceField.FTYPE_IN, BlockInterfaceField.FTYPE_OUT
+OB_NR = (("OB_NR", "INT"),)
+SFCS = {
+    "SRT_DINT": (32, (*OB_NR, ("DTIME", "TIME"), ("SIGN", "WORD")), ()),
+    "CAN_DINT": (33, OB_NR, ()),
+    "QRY_DINT": (34, OB_NR, (("STATUS", "WORD"),)),
+    "DIS_AIRT": (41, (), ()),
+    "EN_AIRT": (42, (), ()),
+}
+OPERANDS = {"OB_NR": "ob", "DTIME": "dtime", "SIGN": "sign"}
+BUSY, RUN = 201, 202
+"""SFCs of this adapter: the OB is at work for DTIME ms; which run of the OB this is."""
+
+
+class StoppedError(Exception):
+    """The CPU goes to STOP, or the program ends, while an OB runs."""
+
+
+class AwlAdapter(Adapter):
+    """The bodies as AWL, an OB at a time on awlsim's CPU."""
+
+    current = None
+
+    def __init__(self, program):
+        AwlAdapter.current = self
+        self.begun = []
+        self.outside = list(program["outside"])
+        if any("every" in event for event in self.outside):
+            raise UnsupportedError("no events that come again")
+        if any("event" in step for body in program["bodies"] for step in body["steps"]):
+            raise UnsupportedError("no SFC 0 and SFC 51 in AWL")
+        self.awl = compiled(program)
+        super().__init__(program)
+
+    def start(self, ob):
+        """Called by the CPU when an OB starts; it runs as soon as the CPU has said all."""
+        self.started[ob] = self.started.get(ob, 0) + 1
+        self.begun.append(ob)
+
+    def stop(self):
+        """Called by the CPU in STOP."""
+        self.begun.clear()
+        self.stopped = True
+
+    def run(self):
+        """Runs the program to its end."""
+        while self.now < self.program["duration"]:
+            self.stopped = False
+            try:
+                self.happen()
+            except StoppedError:
+                continue
+            self.pass_time()
+
+    def happen(self):
+        """All that is due: events from outside, then OBs, one in the other."""
+        while True:
+            if self.outside and self.outside[0]["after"] <= self.now:
+                event = self.outside.pop(0)
+                self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
+            elif self.begun:
+                self.execute(self.begun.pop())
+                continue
+            else:
+                self.cpu.poll()
+                if not self.begun and not self.cpu.dispatch():
+                    return
+            if self.stopped and self.inside:
+                raise StoppedError
+
+    inside = 0
+
+    def execute(self, ob):
+        """Runs an OB in awlsim, and goes on with the OB that it has interrupted."""
+        cpu = self.awl.getCPU()
+        kept = {name: getattr(cpu, name) for name in ("callStackTop", "callStackDepth", "activeLStack")}
+        self.inside += 1
+        try:
+            cpu._S7CPU__runOB(cpu.getOB(ob))
+        finally:
+            self.inside -= 1
+            for name, value in kept.items():
+                setattr(cpu, name, value)
+        self.cpu.ended(ob)
+
+    def pass_time(self, most=sys.maxsize):
+        """Lets time pass until something happens; how much has passed."""
+        moments = [self.program["duration"], self.cpu.next_moment(), *(event["after"] for event in self.outside[:1])]
+        passed = min(most, max(1, min(moments) - self.now))
+        self.now += passed
+        return passed
+
+    def busy(self, ms):
+        """The running OB is at work."""
+        self.happen()
+        while ms > 0:
+            ms -= self.pass_time(ms)
+            if self.now >= self.program["duration"]:
+                raise StoppedError
+            self.happen()
+        return ()
+
+
+def number(block, name):
+    """An operand as a number with its sign."""
+    value = AwlMemoryObject_asScalar(block.fetchInterfaceFieldByName(name))
+    if name == "DTIME":
+        return value - (1 << 32) if value >= 1 << 31 else value
+    return wordToSignedPyInt(value) if name == "OB_NR" else value
+
+
+def system_function(name, sfc, inputs, outputs, behaviour):
+    """A class for awlsim's table; `behaviour` gets the operands and returns values of the outputs."""
+
+    def run(self):
+        values = behaviour({field: number(self, field) for field, _ in inputs})
+        for field, value in zip((field for field, _ in outputs), values, strict=False):
+            self.storeInterfaceFieldByName(field, make_AwlMemoryObject_fromScalar(value & 0xFFFF, 16))
+        self.cpu.statusWord.BIE = 1
+
+    fields = {
+        kind: tuple(BlockInterfaceField(name=field, dataType=kind_of) for field, kind_of in of)
+        for kind, of in ((IN, inputs), (OUT, outputs))
+        if of
+    }
+    return type(f"SFC{sfc}", (SFC,), {"name": (sfc, name, name), "interfaceFields": fields, "run": run})
+
+
+def called(name):
+    """The behaviour of a system function that the toy CPU has."""
+
+    def behaviour(values):
+        adapter = AwlAdapter.current
+        adapter.happen()
+        return adapter.cpu.call(name, {OPERANDS[field]: value for field, value in values.items()})
+
+    return behaviour
+
+
+def install():
+    """Puts the system functions into awlsim's table."""
+    for name, (sfc, inputs, outputs) in SFCS.items():
+        SFC_table[sfc] = system_function(name, sfc, inputs, (("RET_VAL", "INT"), *outputs), called(name))
+    busy = (("DTIME", "TIME"),)
+    SFC_table[BUSY] = system_function("BUSY", BUSY, busy, (), lambda values: AwlAdapter.current.busy(values["DTIME"]))
+    of_ob = lambda values: (AwlAdapter.current.started[values["OB_NR"]],)  # noqa: E731
+    SFC_table[RUN] = system_function("RUN", RUN, OB_NR, (("RET_VAL", "INT"),), of_ob)
+
+
+def statement(step):
+    """A step as a statement in AWL."""
+    if "call" not in step:
+        return f"    CALL SFC {BUSY} ( DTIME := L#{step.get('wait', 0)} )"
+    if step["call"] not in SFCS:
+        raise UnsupportedError(f"no {step['call']}")
+    sfc, inputs, outputs = SFCS[step["call"]]
+    given = {"OB_NR": "{}", "DTIME": "L#{}", "SIGN": "W#16#{:04X}"}
+    operands = [f"{field} := {given[field].format(step[OPERANDS[field]])}" for field, _ in inputs]
+    results = [f"{field} := MW {10 + 2 * place}" for place, (field, _) in enumerate((("RET_VAL", ""), *outputs))]
+    return f"    CALL SFC {sfc} ( {', '.join([*operands, *results])} )"
+
+
+def source(program):
+    """The program as AWL: an FC for each body, OBs that choose by their run."""
+    blocks, choices = [], {}
+    for place, body in enumerate(program["bodies"], 1):
+        steps = "\n".join(statement(step) for step in body["steps"] if "end" not in step)
+        blocks.append(f"FUNCTION FC {place} : VOID\nBEGIN\n{steps}\nEND_FUNCTION\n")
+        choices.setdefault(body["ob"], []).append((body.get("run", 0), place))
+    for ob in sorted({1, 100, 102, *program["header"]["obs"], *choices}):
+        lines = [f"    CALL SFC {RUN} ( OB_NR := {ob}, RET_VAL := MW 0 )"]
+        for run, place in sorted(choices.get(ob, []), reverse=True):
+            if run:
+                skip = f"N{place:03}"
+                lines += ["    L MW 0", f"    L {run}", "    <>I", f"    SPB {skip}", f"    CALL FC {place}", "    BEA"]
+                lines.append(f"{skip}: NOP 0")
+            else:
+                lines.append(f"    CALL FC {place}")
+        blocks.append(f"ORGANIZATION_BLOCK OB {ob}\nBEGIN\n" + "\n".join(lines) + "\nEND_ORGANIZATION_BLOCK\n")
+    return "\n".join(blocks)
+
+
+def compiled(program):
+    """Awlsim with the program in it."""
+    parser = AwlParser()
+    parser.parseSource(AwlSource(name="kit", filepath=None, sourceBytes=source(program).encode("latin-1")))
+    awl = awlsim.core.main.AwlSim()
+    awl.load(parser.getParseTree())
+    awl.build()
+    awl.getCPU().setRunTimeLimit(-1.0)
+    awl.getCPU().setCycleTimeLimit(1e9)
+    return awl
+
+
+if __name__ == "__main__":
+    logging.disable()
+    Logging.setLoglevel(Logging.LOG_NONE)
+    install()
+    main(AwlAdapter)
