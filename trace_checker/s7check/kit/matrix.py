@@ -18,7 +18,7 @@ def to_matrix(runs: Mapping[str, Sequence[Outcome]]) -> str:
     lines = [
         "# Implementations and requirements",
         "",
-        "Made by `s7check kit matrix` from runs of the [conformance kit](kit.md). Empty: no program is about it.",
+        "Made by `s7check kit matrix` from runs of the [conformance kit](kit.md). Empty: not reached.",
         "",
         f"| requirement | {' | '.join(runs)} |",
         f"|---{'|---' * len(runs)}|",

@@ -21,7 +21,8 @@ class Result(msgspec.Struct, frozen=True):
     """The outcome of a program: ``reason`` of a failure or a skip, ``deciding`` the requirements for which its log was
     rejected, ``report`` the text of the verdict, ``seconds`` that the run took, ``events`` of its log.
 
-    ``about`` are the requirements of the program, ``digest`` says which program it was.
+    ``about`` are the requirements of the program, ``decided`` those that decided something in its accepted log;
+    ``digest`` says which program it was.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Result(msgspec.Struct, frozen=True):
     about: tuple[str, ...]
     reason: str = ""
     deciding: tuple[str, ...] = ()
+    decided: tuple[str, ...] = ()
     report: str = ""
     seconds: float = 0.0
     events: int = 0
@@ -56,6 +58,9 @@ class Kept(msgspec.Struct, frozen=True):
 def outcomes(results: Iterable[Result]) -> list[Outcome]:
     """Every requirement with its state, in the order of the documents.
 
+    A requirement is passed if it decided something in an accepted log, as `s7check coverage` measures it, whatever the
+    program says it is about.
+
     A requirement is failed if the specification rejected a log for it, or if a program about it crashed or hung; a
     program whose log was rejected for another requirement says nothing about it.
     """
@@ -65,7 +70,7 @@ def outcomes(results: Iterable[Result]) -> list[Outcome]:
     reasons: dict[str, Counter[str]] = {}
     for result in results:
         if result.status == "passed":
-            for name in result.about:
+            for name in result.decided:
                 passed.setdefault(name, []).append(result.name)
         elif result.status == "failed":
             for name in result.deciding or result.about:
@@ -115,6 +120,7 @@ def result_of(report: Report, name: str, digest: str, about: Sequence[str], seco
         tuple(about),
         reason,
         tuple(report.requirements),
+        tuple(report.decided) if status == "passed" else (),
         "" if status == "passed" else str(report),
         seconds,
         report.events,

@@ -8,6 +8,7 @@ from xml.etree import ElementTree as Xml
 import pytest
 
 from s7check.cli import main
+from s7check.kit.results import Result, outcomes
 from tests.kit.programs import PROGRAM
 
 ADAPTER = Path(__file__).with_name("adapter.py")
@@ -152,6 +153,18 @@ def test_show_and_list(folder: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert capsys.readouterr().out.startswith("AIRT-nested  AIRT-03  Delays nest")
 
 
+def test_outcomes() -> None:
+    """A requirement is passed where it was measured, whatever the program is about; a failure goes before it."""
+    results = [
+        Result("a", "", "passed", ("AIRT-03",), decided=("AIRT-07",)),
+        Result("b", "", "failed", ("AIRT-01", "AIRT-07"), deciding=("AIRT-08",)),
+        Result("c", "", "failed", ("AIRT-02",), reason="crash"),
+        Result("d", "", "skipped", ("AIRT-04",), reason="no OB 20"),
+    ]
+    states = {one.requirement: one.state for one in outcomes(results) if one.state != "not reached"}
+    assert states == {"AIRT-07": "passed", "AIRT-08": "failed", "AIRT-02": "failed", "AIRT-04": "skipped"}
+
+
 def test_matrix(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Two results side by side; a file that is none."""
     run(folder, ["right"])
@@ -160,7 +173,7 @@ def test_matrix(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     assert main(["kit", "matrix", f"A={folder / 'first.json'}", f"B={folder / 'out.json'}"]) == 0
     page = capsys.readouterr().out
-    assert "| [AIRT-06](../rules/requirements.md#AIRT-06) | passed | **failed** |" in page
+    assert "| [AIRT-06](../rules/requirements.md#AIRT-06) |  | **failed** |" in page
     assert "## Failed on B" in page
     assert main(["kit", "matrix", "A=nowhere.json"]) == 2
     assert "expected NAME=FILE" in capsys.readouterr().err
