@@ -98,10 +98,10 @@ wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Pytho
 lint: setup  ## ruff and mypy
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/mypy bench/run.py
+	$(BIN)/mypy bench/run.py bench/compare.py
 
-bench: setup  ## speed of the trace checker beside TLC on the same logs; keeps the result for docs/project/results.md
-	$(BIN)/s7check results bench
+bench: setup  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
+	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7check results bench)
 
 RUNS ?= --write
 results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
