@@ -17,6 +17,7 @@ from s7check.kit.offer import Offer, read_offer
 from s7check.kit.program import Program
 from s7check.kit.results import Kept, Result
 from s7check.kit.running import Runner
+from s7check.kit.scl import NotForCpuError, to_scl
 from s7check.letters import set_option
 from s7check.log.errors import UnusableLogError
 from s7check.log.header import PROFILES
@@ -79,11 +80,22 @@ def list_command(only: tuple[str, ...], requirements: tuple[str, ...], files: tu
 
 @kit_command.command("show", short_help="Show a program.")
 @click.argument("name")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["json", "scl"]),
+    default="json",
+    show_default=True,
+    help="json, laid out; scl, source for STEP 7, which no CPU has run yet.",
+)
 @_FILES
-def show_command(name: str, files: tuple[Path, ...]) -> int:
-    """Show the program NAME, laid out as JSON."""
+def show_command(name: str, form: str, files: tuple[Path, ...]) -> int:
+    """Show the program NAME."""
     for program in _chosen(files, (name,), ()):
-        echo(to_text(program.raw).rstrip("\n"))
+        try:
+            echo((to_scl(program) if form == "scl" else to_text(program.raw)).rstrip("\n"))
+        except NotForCpuError as error:
+            raise click.ClickException(f"{program.name} has {error}") from error
     return 0
 
 
