@@ -173,7 +173,7 @@ def test_matrix(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     assert main(["kit", "matrix", f"A={folder / 'first.json'}", f"B={folder / 'out.json'}"]) == 0
     page = capsys.readouterr().out
-    assert "| [AIRT-06](../rules/requirements.md#AIRT-06) |  | **failed** |" in page
+    assert "| [AIRT-06](../rules/requirements.md#AIRT-06) | passed | **failed** |" in page
     assert "## Failed on B" in page
     assert main(["kit", "matrix", "A=nowhere.json"]) == 2
     assert "expected NAME=FILE" in capsys.readouterr().err
