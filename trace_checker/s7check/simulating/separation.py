@@ -10,7 +10,6 @@ from s7check.asking.session import Session
 from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.kit.program import Program
-from s7check.log.events import OPERANDS
 from s7check.log.values import instant, iso
 from s7check.simulating.simulation import LATENCY, Simulation
 
@@ -65,6 +64,8 @@ def separation(
         if refusal is not None:
             grounds = _grounds(engine, log[: number - 1], line)
             other.close()
+            if grounds is None:
+                return None
             return Separation(program, allowed, refused, log[:number], number, grounds, refusal)
     other.close()
     return None
@@ -74,14 +75,14 @@ def _own(header: dict[str, Any]) -> dict[str, Any]:
     return {name: header[name] for name in ("format", "latency_ms")}
 
 
-def _grounds(engine: Engine, before: list[dict[str, Any]], line: dict[str, Any]) -> list[str]:
-    """By which requirements the line is possible behind the others."""
+def _grounds(engine: Engine, before: list[dict[str, Any]], line: dict[str, Any]) -> list[str] | None:
+    """By which requirements the line is possible behind the others; None if it is not."""
     session = Session(engine, before[0])
     for each in before[1:]:
         session.feed(each)
     possible = session.possible([line], line["at"])
     session.close()
-    return sorted({name for one in possible.lines for name in one.requirements})
+    return sorted({name for one in possible.lines for name in one.requirements}) if possible.lines else None
 
 
 def size(program: Program) -> tuple[int, int, int]:
@@ -90,8 +91,3 @@ def size(program: Program) -> tuple[int, int, int]:
     acts = len(program.outside) + sum("call" in step or "event" in step for step in steps)
     settings = len(program.header.get("step7", {}).get("tod", {})) + len(program.header.get("priority", {}))
     return (acts + settings, len(steps) + len(program.outside), len(program.header["obs"]))
-
-
-def calls(program: Program) -> list[str]:
-    """The SFCs of a program."""
-    return [step["call"] for body in program.bodies for step in body.steps if step.get("call") in OPERANDS]
