@@ -23,6 +23,7 @@ COMMANDS = {
     "next": "s7check.asking.next_command:next_command",
     "explore": "s7check.exploring.command:explore_command",
     "coverage": "s7check.coverage.command:coverage_command",
+    "reduce": "s7check.reducing.command:reduce_command",
     "import": "s7check.importing.command:import_command",
     "kit": "s7check.kit.command:kit_command",
 }

@@ -1,0 +1,114 @@
+"""Logs in pieces, and the question whether such a log is rejected as the one that is reduced."""
+
+import time
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import msgspec
+
+from s7check.engine.answer import Answer
+from s7check.engine.client import Engine
+from s7check.engine.process import EngineTooSlowError
+from s7check.log.elapsed import Clocks
+from s7check.log.errors import UnusableLogError
+from s7check.log.events import read_event
+from s7check.log.header import read_header
+
+Fields = Mapping[str, Any]
+
+_LONGEST = 600.0
+"""Seconds for the log itself."""
+
+_LEAST, _MOST = 1.0, 3.0
+"""Seconds for a candidate: twice those of the log itself, within these limits."""
+
+
+class OutOfTimeError(Exception):
+    """There is no time left for another candidate."""
+
+
+class Event:
+    """A line of a log: its fields, and as the engine takes it but for its times. Raises UnusableLogError."""
+
+    def __init__(self, fields: Fields) -> None:
+        self.fields = fields
+        self.event = read_event(dict(fields))
+
+    def with_fields(self, changes: Fields, without: Sequence[str] = ()) -> "Event":
+        """The same line with other fields."""
+        return Event({name: value for name, value in {**self.fields, **changes}.items() if name not in without})
+
+
+class Judge:
+    """Judges candidates in one engine until ``until`` of ``time.monotonic``.
+
+    A candidate fits if it is readable, and rejected at its last line, too late or not as the first one, by rules among
+    which is the first requirement that decided there.
+    """
+
+    def __init__(self, engine: Engine, header: Fields, events: Sequence[Event], until: float) -> None:
+        """Raises EngineError, and ValueError if the log is not rejected."""
+        self._engine = engine
+        self._until = until
+        self._patience = _LONGEST
+        begun = time.monotonic()
+        answer = self.answer(header, events)
+        self._patience = min(max(_LEAST, 2 * (time.monotonic() - begun)), _MOST)
+        if answer is None or answer.verdict != "rejected":
+            raise ValueError("the log is not rejected")
+        self.first = answer
+
+    def fits(self, header: Fields, events: Sequence[Event]) -> bool:
+        """Whether the log is rejected alike. Raises EngineError, and OutOfTimeError."""
+        if time.monotonic() > self._until:
+            raise OutOfTimeError
+        answer = self.answer(header, events)
+        return (
+            answer is not None
+            and answer.verdict == "rejected"
+            and answer.line == len(events) + 1
+            and answer.late == self.first.late
+            and set(self.first.requirements[:1]) <= set(answer.requirements)
+        )
+
+    def explained(self, header: Fields, events: Sequence[Event]) -> list[Event]:
+        """The log without the lines before the last one that are rejected. Raises EngineError, and OutOfTimeError."""
+        kept = list(events)
+        while len(kept) > 1:
+            if time.monotonic() > self._until:
+                raise OutOfTimeError
+            answer = self.answer(header, kept)
+            if answer is None or answer.line is None or answer.line > len(kept):
+                break
+            del kept[answer.line - 2]
+        return kept
+
+    def answer(self, header: Fields, events: Sequence[Event]) -> Answer | None:
+        """The engine's answer; none if the log cannot be read. Raises EngineError."""
+        try:
+            normalised = read_header(dict(header))
+            stamped = list(_stamped(normalised, events))
+        except UnusableLogError:
+            return None
+        try:
+            self._engine.begin(normalised, until=time.monotonic() + self._patience)
+            self._engine.send(stamped)
+            return self._engine.finish()
+        except EngineTooSlowError:
+            # Without the lines in between time may elapse for years; the next candidate gets a new engine.
+            return None
+
+
+def _stamped(header: dict[str, Any], events: Iterable[Event]) -> Iterable[dict[str, Any]]:
+    clocks = Clocks(header["clock"], "clock" in header["records"])
+    for number, one in enumerate(events, 2):
+        event = dict(one.event)
+        clocks.stamp(event)
+        event["line"] = number
+        yield event
+
+
+def as_text(header: Fields, events: Iterable[Event]) -> bytes:
+    """The log as a file has it."""
+    encoder = msgspec.json.Encoder()
+    return b"".join(encoder.encode(fields) + b"\n" for fields in [header, *(one.fields for one in events)])

@@ -1,0 +1,97 @@
+"""``s7check reduce``."""
+
+import time
+from pathlib import Path
+
+import click
+
+from s7check.completion import complete_files
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.check import check_log
+from s7check.judging.verdict import EXIT_CODES, Report
+from s7check.log.encoding import as_utf8
+from s7check.log.errors import UnusableLogError
+from s7check.log.jsonline import decode_object
+from s7check.log.lines import split_lines
+from s7check.log.source import open_log
+from s7check.output import echo, write_whole
+from s7check.reducing.candidate import Event, Fields, Judge, as_text
+from s7check.reducing.reduction import Reduction
+from s7check.report.lines import message, place
+
+_NOT_REJECTED = 1
+_BUDGET = 30.0
+
+_HELP = """Write the smallest log that is rejected for the same reason as LOG.
+
+Lines are left out, then fields of the header, OBs and fields of events, and times are made round, as long as the log is
+rejected at its last line by the requirement that is named first for LOG.
+
+Exit codes: 0 the log is written, 1 LOG is accepted, 2 LOG or an option cannot be used, or the log cannot be written, 3
+no verdict.
+"""
+
+
+@click.command("reduce", help=_HELP, short_help="The smallest log that is rejected alike.")
+@click.option(
+    "-o",
+    "--output",
+    "file",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Write the log to FILE, whole or not at all, and not to standard output.",
+    metavar="FILE",
+)
+@click.option(
+    "--budget",
+    type=click.FloatRange(min=0),
+    default=_BUDGET,
+    show_default=True,
+    help="Seconds to try; then the smallest log so far is written.",
+    metavar="SECONDS",
+)
+@click.argument("log", metavar="LOG", shell_complete=complete_files)
+def reduce_command(file: Path | None, budget: float, log: str) -> int:
+    """Reduce and write."""
+    until = time.monotonic() + budget
+    with Engine() as engine:
+        report = check_log(log, engine, lambda _, __: None)
+        if report.verdict != "rejected":
+            click.echo(f"{place(report)}: {report.verdict}: {message(report)}", err=True)
+            return _NOT_REJECTED if report.verdict == "accepted" else EXIT_CODES[report.verdict]
+        try:
+            header, events = _pieces(log, report)
+            reduction = Reduction(Judge(engine, header, events, until), header, events)
+            reduction.run()
+        except EngineError as error:
+            click.echo(f"Error: {error}", err=True)
+            return EXIT_CODES["no verdict"]
+    text = as_text(reduction.header, reduction.events)
+    if file is None:
+        echo(text)
+    else:
+        try:
+            write_whole(file, text)
+        except OSError as error:
+            raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+    more = "" if reduction.done else "; not everything was tried (see --budget)"
+    lines = len(reduction.events) + 1
+    click.echo(f"{place(report)}: {lines} of {report.line} lines, {', '.join(report.requirements)}{more}", err=True)
+    return 0
+
+
+def _pieces(log: str, report: Report) -> tuple[Fields, list[Event]]:
+    """The header and the events up to the rejected line."""
+    fields: list[Fields] = []
+    if log == "-":
+        fields = [decode_object(text) for text in report.lines if text.strip()]
+    else:
+        with open_log(log) as source:
+            for lines in split_lines(as_utf8(source.chunks())):
+                for number, text in enumerate(lines.texts, lines.first):
+                    if text.strip() and number <= (report.line or 0):
+                        fields.append(decode_object(text))
+    if not fields:
+        raise UnusableLogError("a stream of at most 16 MiB", "a longer one")
+    header, *events = fields
+    return header, [Event(each) for each in events]

@@ -1,0 +1,122 @@
+"""Fewer lines, a shorter header, rounder values, as long as the log is rejected for the same reason."""
+
+from collections.abc import Iterator, Sequence
+from datetime import datetime
+from typing import Any
+
+from s7check.log.errors import UnusableLogError
+from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
+
+_NEEDED = ("format", "cpu", "obs", "clock", "mode")
+"""Fields that each header keeps; ``mode`` may be left out, but nobody knows its default by heart."""
+
+
+class Reduction:
+    """The smallest log so far: ``header``, ``events``, and whether there was time to try everything (``done``)."""
+
+    def __init__(self, judge: Judge, header: Fields, events: Sequence[Event]) -> None:
+        self._judge = judge
+        self.header = header
+        self.events = list(events)
+        self.done = False
+
+    def run(self) -> None:
+        """Reduces the log. Raises EngineError."""
+        try:
+            self._take_the_end()
+            self._remove_lines()
+            self._trim_header()
+            self._round()
+            self._remove_lines()
+            self._trim_header()
+            self.done = True
+        except OutOfTimeError:
+            pass
+
+    def _accept(self, header: Fields, events: Sequence[Event]) -> bool:
+        if not self._judge.fits(header, events):
+            return False
+        self.header, self.events = header, list(events)
+        return True
+
+    def _take_the_end(self) -> None:
+        """The shortest end of the log that fits, twice as long each time: it begins at the time of its first line.
+
+        Lines in it that only the lines before could explain are left out.
+        """
+        length = 8
+        while length < len(self.events):
+            rest = self.events[-length:]
+            for mode in dict.fromkeys((self.header.get("mode", "STOP"), "RUN")):
+                header = {**self.header, "clock": rest[0].fields["at"], "mode": mode}
+                if self._accept(header, self._judge.explained(header, rest)):
+                    return
+            length *= 2
+
+    def _remove_lines(self) -> None:
+        """Delta debugging: ever smaller pieces are left out, never the last line."""
+        size = len(self.events) // 2
+        while size >= 1:
+            removed = False
+            at = 0
+            while at < len(self.events) - 1:
+                end = min(at + size, len(self.events) - 1)
+                if self._accept(self.header, [*self.events[:at], *self.events[end:]]):
+                    removed = True
+                else:
+                    at = end
+            size = 1 if size == 1 and removed else size // 2
+
+    def _trim_header(self) -> None:
+        for name in [name for name in self.header if name not in _NEEDED]:
+            self._accept({key: value for key, value in self.header.items() if key != name}, self.events)
+        for ob in list(self.header["obs"]):
+            self._accept({**self.header, "obs": [one for one in self.header["obs"] if one != ob]}, self.events)
+        for clock in _rounder(str(self.events[0].fields["at"])):
+            if self._accept({**self.header, "clock": clock}, self.events):
+                break
+
+    def _round(self) -> None:
+        for place in range(len(self.events)):
+            self._drop_fields(place)
+            for changes in self._simpler(place):
+                if self._try(place, changes):
+                    break
+            dtime = self.events[place].fields.get("dtime")
+            if isinstance(dtime, int):
+                for unit in (60_000, 1_000):
+                    if dtime % unit and dtime > unit and self._try(place, {"dtime": dtime // unit * unit}):
+                        break
+
+    def _drop_fields(self, place: int) -> None:
+        """Leaves out the fields, and those of ``info``, that the line does not need."""
+        for name in list(self.events[place].fields):
+            if name not in ("event", "at"):
+                self._try(place, {}, without=(name,))
+        info = self.events[place].fields.get("info")
+        for name in list(info) if isinstance(info, dict) else []:
+            now = self.events[place].fields["info"]
+            self._try(place, {"info": {key: value for key, value in now.items() if key != name}})
+
+    def _simpler(self, place: int) -> Iterator[dict[str, Any]]:
+        """Other times for a line: that of the line before, or a rounder one."""
+        at = str(self.events[place].fields["at"])
+        before = str(self.events[place - 1].fields["at"] if place else self.header["clock"])
+        yield from ({"at": other} for other in (before, *_rounder(at)) if other != at)
+
+    def _try(self, place: int, changes: Fields, without: Sequence[str] = ()) -> bool:
+        try:
+            changed = self.events[place].with_fields(changes, without)
+        except UnusableLogError:
+            return False
+        return self._accept(self.header, [*self.events[:place], changed, *self.events[place + 1 :]])
+
+
+def _rounder(at: str) -> Iterator[str]:
+    """The whole minute before a time, and the whole second."""
+    try:
+        time = datetime.fromisoformat(at.removeprefix("DT#"))
+    except ValueError:  # the form that has a hyphen between date and time
+        return
+    whole = time.replace(microsecond=0)
+    yield from (one.isoformat(timespec="seconds") for one in (whole.replace(second=0), whole))
