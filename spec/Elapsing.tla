@@ -34,16 +34,30 @@ FindMissing ==
 -----------------------------------------------------------------------------
 (* Points without effect *)
 
-(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the *)
-(* point after them: lost without an entry, or in STARTUP one more for a   *)
-(* run that waits already.  There may be millions before the next line.    *)
+(* [AMB-18] Another start event of an OB that waits adds nothing to its     *)
+(* endless requests.                                                       *)
+\* @type: Int => Bool;
+Repeats(o) ==
+    LET has(ob, cause, fault) == \E r \in requests : /\ r.ob = ob /\ r.cause = cause
+                                                     /\ r.fault = fault /\ Endless(r)
+    IN  /\ terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
+        /\ PendingIn(requests, o) /\ ~OnStack(o) /\ ~Idle(o)
+        /\ has(o, 0, 0)
+        /\ TimeErrorOb \in loaded =>
+             has(TimeErrorOb, o, StillRunning) /\ has(TimeErrorOb, o, BufferOverflow)
+
+(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the   *)
+(* point after them: lost without an entry, in STARTUP one more for a run  *)
+(* that waits already, or one more of many.  There may be millions before  *)
+(* the next line.                                                          *)
 PassedOver ==
     IF ~Watching THEN {}
     ELSE { o \in DOMAIN tod :
              /\ tod[o].active /\ tod[o].period # Once
              /\ clock.min > tod[o].repeatTo
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
-                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers }
+                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers
+                \/ Repeats(o) /\ ~Remembers }
 
 (* The setting when all its points before moment m are over.               *)
 \* @type: ($tod, $moment) => $tod;

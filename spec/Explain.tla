@@ -10,7 +10,7 @@
 (* Left out: the conjunct of an action that is false; the engine finds it  *)
 (* in the action itself.                                                   *)
 (***************************************************************************)
-EXTENDS Grounds, Offers
+EXTENDS Grounds, Offers, Widening
 
 (* What may be observed: an event with its OB, and one field of it. *)
 \* @type: (Str, Int, Str, Int) => $allowed;

@@ -15,6 +15,17 @@ CycleEvents == CASE first = "warm" -> {1}
                  [] first = "none" -> {3}
                  [] OTHER          -> 1..4
 
+(* The OB starts by one of many open requests; there may be more.          *)
+\* @type: $request => Bool;
+StartsAgain(r) ==
+    IF LastCall(r) THEN Start(r)
+    ELSE /\ MayStart(r) /\ r.ob \in loaded
+         /\ stack' = Append(stack, Frame(r.ob, r.class))
+         /\ requests' = (requests \ {r}) \cup {[r EXCEPT !.open = TRUE]}
+         /\ NothingEntered
+         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, delay,
+                        stopCause>>
+
 \* @type: $event => Bool;
 IsStart(e) ==
     CASE e.ob = CycleOb ->
@@ -35,18 +46,33 @@ IsStart(e) ==
            /\ StartupStarts(e.ob)
       [] OTHER ->
            \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e) } :
-             HighestFirst(r) /\ Start(r)
+             HighestFirst(r) /\ IF Endless(r) THEN StartsAgain(r) ELSE Start(r)
 
 (* A line that sets the clock to its own reading changes nothing.          *)
 \* @type: $event => Bool;
 IsClock(e) ==
     IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered ELSE ClockSet(e.to)
 
+(* It is not sure whether the OB waits already: whatever may follow if it   *)
+(* does, or if it does not.                                                *)
+\* @type: Int => Bool;
+AgainOrNot(o) ==
+    LET new == ExternalRequest(o, 0)
+    IN  /\ \/ AnyEffect(new)
+           \/ (TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb)) /\ Overflows(new)
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack, delay>>
+
+\* @type: Int => Bool;
+NotSureToWait(o) ==
+    /\ o \in terms.unsure /\ OpenIn(requests, o) /\ ~PendingIn(requests, o)
+    /\ mode = "RUN" /\ o \notin AsyncErrorObs /\ ~Idle(o) /\ ~OnStack(o)
+
 (* An error whose cause the rules make has its cause in the log.           *)
 \* @type: $event => Bool;
 IsInterrupt(e) ==
     /\ e.flt_id \in FaultsOfRules => Partial
-    /\ Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
+    /\ IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
+       ELSE Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
 
 (* The rule that names this cause stops the CPU.  [OBS-26] The cycle time  *)
 (* may be exceeded twice in a cycle where OB 80 is loaded.                 *)

@@ -17,7 +17,7 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
-                loose |-> FALSE]
+                loose |-> FALSE, endless |-> {}, unsure |-> {}]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
     /\ arrivals = [r \in {} |-> At(0)]
@@ -84,7 +84,7 @@ Begin(h) ==
     /\ NothingEntered
     /\ terms'  = [latency |-> h.latency, records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
-                  loose |-> LooseBy(h)]
+                  loose |-> LooseBy(h), endless |-> {}, unsure |-> {}]
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
     /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"

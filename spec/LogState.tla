@@ -11,7 +11,9 @@ VARIABLES
     (* latency: an OB starts at most so many ms after it may.  cycle: the   *)
     (* log has every start and end of OB 1.  records: the kinds of event    *)
     (* that the log has completely.  loose: the log does not tell when an   *)
-    (* OB has to start (LooseLogs).                                         *)
+    (* OB has to start (LooseLogs).  After Widening: endless, open requests *)
+    (* that stand for any number; unsure, OBs of which some explanations    *)
+    (* had a request and others none.                                       *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)

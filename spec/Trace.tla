@@ -65,7 +65,7 @@ HidesBefore(e) == \/ stack = <<>>
 (* Two explanations of a log differ if these values differ.                *)
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               requests, stack, delay, stopCause, up, waiting, first, overruns,
-              arrivals, changes, reports>>
+              arrivals, changes, reports, terms.endless, terms.unsure>>
 
 (* ... between two lines.  Where loading is not recorded, OBs are loaded   *)
 (* and deleted unseen when something depends on it: then it does not       *)
@@ -73,5 +73,6 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
 DistinctAfterLine ==
     <<cpu.readings, IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
       mode, startup, clock, tod, dint, irt, requests, stack, delay, stopCause,
-      up, waiting, first, overruns, arrivals, changes, reports>>
+      up, waiting, first, overruns, arrivals, changes, reports, terms.endless,
+      terms.unsure>>
 =============================================================================

@@ -20,6 +20,10 @@ WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
 
+(* An open request that stands for any number (Widening).                  *)
+\* @type: $request => Bool;
+Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
+
 -----------------------------------------------------------------------------
 (* What an event leaves for later lines *)
 

@@ -123,7 +123,8 @@ class Answer(msgspec.Struct, frozen=True):
     Of a rejected one: what was ``expected`` in the place of the line, or before it where the line comes
     too ``late``; the ``requirements`` that decide; how many ``states`` explained the lines before, the
     ``situations`` that come nearest to the line, and the ``candidates``. From the line ``loose`` on there were too
-    many explanations, and only what is certain was followed. ``steps`` are there if the log was
+    many explanations, and only what is certain was followed; from the line ``wide`` on waiting start events were
+    not told apart. ``steps`` are there if the log was
     begun with ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its
     successors so many times.
 
@@ -140,6 +141,7 @@ class Answer(msgspec.Struct, frozen=True):
     requirements: list[str] = []
     message: str = ""
     loose: int | None = None
+    wide: int | None = None
     states: int = 0
     situations: list[Situation] = []
     candidates: list[Candidate] = []

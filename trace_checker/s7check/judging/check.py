@@ -209,9 +209,11 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
 
 
 def _loosened(answer: Answer | None) -> str:
-    if answer is None or answer.loose is None:
+    if answer is None or (answer.loose is None and answer.wide is None):
         return ""
-    return f"; too many explanations: from line {answer.loose} on only what is certain is checked"
+    if answer.loose is not None:
+        return f"; too many explanations: from line {answer.loose} on only what is certain is checked"
+    return f"; too many explanations: from line {answer.wide} on start events that wait are not all told apart"
 
 
 def _telling(candidates: list[Candidate]) -> list[Candidate]:

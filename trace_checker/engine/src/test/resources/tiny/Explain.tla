@@ -42,6 +42,12 @@ Observe(e) ==
 (* There is nothing uncertain to give up. *)
 Loosen == FALSE /\ UNCHANGED <<count, time>>
 
+(* Nor anything that many states share. *)
+Crowd == FALSE /\ UNCHANGED <<count, time>>
+MeetingPlace == <<count, time>>
+Waits == count
+Meet(all) == FALSE /\ UNCHANGED <<count, time>>
+
 Expected(e) == {[event |-> "read", value |-> count]}
 Deciding(e, past) == {"TINY-01"} \cup {"TINY-" \o p.event : p \in {past[i] : i \in DOMAIN past}}
 Distance(e) == IF count < e.value THEN e.value - count ELSE count - e.value

@@ -18,6 +18,7 @@ import tla.spec.Guards;
 import tla.spec.Specification;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
+import tlc2.value.impl.SetEnumValue;
 import tlc2.value.impl.Value;
 
 /**
@@ -46,6 +47,10 @@ final class Contract {
     SILENT("Silent", 1),
     OBSERVE("Observe", 1),
     LOOSEN("Loosen", 0),
+    CROWD("Crowd", 0),
+    MEETING_PLACE("MeetingPlace", 0),
+    WAITS("Waits", 0),
+    MEET("Meet", 1),
     DISTINCT("Distinct", 0),
     DISTINCT_AFTER_LINE("DistinctAfterLine", 0),
     DISTANCE("Distance", 1),
@@ -264,6 +269,25 @@ final class Contract {
   /** The state with what is certain of it alone; none where everything has to be followed. */
   List<State> loosen(State state) {
     return successors(Operator.LOOSEN, state);
+  }
+
+  /** The state with less in it, which allows at least as much; none if there is nothing to gain. */
+  List<State> crowd(State state) {
+    return successors(Operator.CROWD, state);
+  }
+
+  /** A number that is the same for states that can {@link #meet}. */
+  long meetingPlace(State state) {
+    return spec.key(Operator.MEETING_PLACE.tla, state);
+  }
+
+  /** One state that allows at least what each of these allows; none where that cannot be said. */
+  List<State> meet(List<State> states) {
+    var waits = new Value[states.size()];
+    for (int i = 0; i < waits.length; i++) {
+      waits[i] = value(Operator.WAITS, states.get(i));
+    }
+    return successors(Operator.MEET, states.get(0), new SetEnumValue(waits, false));
   }
 
   /** A number that is the same for states that explain the rest of every log alike. */

@@ -78,6 +78,7 @@ public final class Engine {
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
   private int follow;
   private JsonElement loose;
+  private JsonElement wide;
   private JsonLines lines;
   private Examples examples;
   private Clocks clocks;
@@ -278,6 +279,7 @@ public final class Engine {
     events = 0;
     unreadable = false;
     loose = null;
+    wide = null;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
     explanation = new Explanation(spec, Json.of(json.get("header").toString()));
@@ -322,6 +324,9 @@ public final class Engine {
     if (loose == null && explanation.loosened()) {
       loose = line.get();
     }
+    if (wide == null && explanation.widened()) {
+      wide = line.get();
+    }
     if (refusal == null) {
       events++;
       if (follow > 0) {
@@ -340,6 +345,9 @@ public final class Engine {
     answer.addProperty("events", events);
     if (loose != null) {
       answer.add("loose", loose);
+    }
+    if (wide != null) {
+      answer.add("wide", wide);
     }
     if (explanation != null) {
       answer.addProperty("largest", explanation.largest());

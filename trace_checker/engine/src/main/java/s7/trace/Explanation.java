@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -36,6 +37,12 @@ final class Explanation {
 
   /** The most states that are followed where the specification can keep what is certain instead. */
   private static final int LOOSE_STATES = 1_000;
+
+  /** From so many states on, those meet that can. */
+  private static final int MANY_STATES = 128;
+
+  /** Each so many lines, and steps of time, a state is asked if there is too much in it. */
+  private static final int NOW_AND_THEN = 16;
 
   /** The most steps of several states from one line to the next. */
   private static final int MOST_STEPS = 1_000_000;
@@ -75,6 +82,9 @@ final class Explanation {
   private List<State> states;
   private int most = LOOSE_STATES;
   private boolean loosened;
+  private boolean widened;
+  private int fewest = MANY_STATES;
+  private int lines;
   private int largest;
   private long steps;
 
@@ -195,6 +205,11 @@ final class Explanation {
     return loosened;
   }
 
+  /** Whether states were made fewer or smaller that allow at least as much. */
+  boolean widened() {
+    return widened;
+  }
+
   /** The most states that explained the log at a time, those on the way to a line included. */
   int largest() {
     return largest;
@@ -261,12 +276,40 @@ final class Explanation {
   private Refusal explained(List<State> after, RecordValue event) {
     limit(after.size());
     states = distinct(after, spec::keyAfterLine);
+    if (++lines % NOW_AND_THEN == 0) {
+      states = distinct(states.stream().map(this::smaller).toList());
+    }
+    if (states.size() > fewest) {
+      meet();
+    }
     past.add(event);
     Object ob = spec.startedOb(event);
     if (ob != null && startedObs.add(ob)) {
       classes.add(spec.runningClass(states.get(0)));
     }
     return null;
+  }
+
+  private State smaller(State state) {
+    List<State> small = spec.crowd(state);
+    widened |= !small.isEmpty();
+    return small.isEmpty() ? state : small.get(0);
+  }
+
+  private void meet() {
+    Map<Long, List<State>> places = new LinkedHashMap<>();
+    for (State state : states) {
+      places.computeIfAbsent(spec.meetingPlace(state), place -> new ArrayList<>()).add(state);
+    }
+    List<State> met = new ArrayList<>();
+    for (List<State> group : places.values()) {
+      List<State> one = group.size() > 1 ? spec.meet(group) : List.of();
+      widened |= !one.isEmpty();
+      met.addAll(one.isEmpty() ? group : one);
+    }
+    states = distinct(met);
+    // Those that cannot meet are not asked again at once.
+    fewest = Math.max(MANY_STATES, 2 * states.size());
   }
 
   /** The states after time has elapsed to the event; states that cannot get there go to {@code stuck}. */
@@ -294,7 +337,7 @@ final class Explanation {
       boolean alone = open.isEmpty() && next.size() == 1 && arrived.isEmpty();
       for (State each : next) {
         if (alone ? !circle.closes(each) : seen.add(spec.key(each))) {
-          open.add(each);
+          open.add(steps % NOW_AND_THEN == 0 ? smaller(each) : each);
         }
       }
       limit(open.size());

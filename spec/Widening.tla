@@ -1,0 +1,166 @@
+------------------------------ MODULE Widening ------------------------------
+(***************************************************************************)
+(* Explanations that the engine makes fewer, or smaller, where there are   *)
+(* many.  What comes out allows at least what went in: nothing that they   *)
+(* explain is rejected.  The report says from which line on.               *)
+(*                                                                         *)
+(* Crowd: many open requests of one OB that differ in their moment alone   *)
+(* become one, which may start its OB any number of times, with any time   *)
+(* in its start information.                                               *)
+(* Meet: explanations become one that differ in waiting start events from  *)
+(* outside alone.  A start event that some of them have, but not all, or   *)
+(* not for sure, is open afterwards.                                       *)
+(*                                                                         *)
+(* Source: docs/checking/log-format.md, fine points 9 and 11.              *)
+(* Left out: logs that do not tell when an OB has to start (Loosen).       *)
+(***************************************************************************)
+EXTENDS PartialLogs
+
+-----------------------------------------------------------------------------
+(* Many open requests of one OB *)
+
+(* So many that are alike are kept apart.                                  *)
+Few == 8
+
+\* @type: $request => $request;
+Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
+
+\* @type: $request => Bool;
+MayRepeat(r) == /\ r.open /\ r.ob \in loaded
+                /\ {r.fault, r.follows} \cap Skips = {}
+
+(* The requests of this kind, if they are many and none that is certain    *)
+(* stands behind the first.                                                *)
+\* @type: $request => Set($request);
+CrowdOf(kind) ==
+    LET alike == { r \in requests : MayRepeat(r) /\ Kind(r) = kind }
+    IN  IF /\ Cardinality(alike) > Few
+           /\ ~\E r \in alike, s \in requests :
+                 s.class = r.class /\ s.rank > r.rank /\ ~s.open
+        THEN alike ELSE {}
+
+\* @type: Set($request) => $request;
+FirstOf(crowd) == CHOOSE r \in crowd : \A s \in crowd : r.rank <= s.rank
+\* @type: Set($request) => $request;
+OneFor(crowd) == [FirstOf(crowd) EXCEPT !.since = NoMoment]
+
+Crowded == Cardinality(requests) > Few
+
+Crowd ==
+    LET crowds == { CrowdOf(k) : k \in { Kind(r) : r \in requests } } \ {{}}
+        ones   == { OneFor(c) : c \in crowds }
+    IN  /\ Crowded /\ crowds # {}
+        /\ requests' = Close((requests \ UNION crowds) \cup ones)
+        /\ terms' = [terms EXCEPT !.endless = { r \in @ : r \in DOMAIN arrivals }
+                                                \cup { AsItCame(r) : r \in ones }]
+        /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
+                           IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
+        /\ NothingEntered
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
+                       delay, stopCause, up, waiting, first, overruns, changes,
+                       pace, reports>>
+
+-----------------------------------------------------------------------------
+(* Explanations that differ in what waits *)
+
+(* A start event from outside that nothing but its own start depends on.   *)
+\* @type: $request => Bool;
+Outside(r) == /\ r.ob \in ExternalObs \ {ProgramErrorOb}
+              /\ r.late = {} /\ r.follows = 0
+
+Others == { r \in requests : ~Outside(r) }
+
+(* Two explanations can meet if these values are the same.                 *)
+MeetingPlace ==
+    << cpu.readings, loaded, mode, startup, clock, tod, dint, irt, stack, delay,
+       stopCause, up, first, overruns, changes, terms, pace,
+       { << [r EXCEPT !.rank = 0],
+            Cardinality({ s \in Others : AsItCame(s) = AsItCame(r) }) >>
+         : r \in Others },
+       DOMAIN waiting \cap
+         (UNION { {r.class, r.class + 100} : r \in Others } \cup {StopDuty}) >>
+
+(* In what they differ. *)
+Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
+          reports |-> reports]
+
+(* A request of an explanation, apart from its place, among those alike.   *)
+\* @type: (Set($request), $request) => { of: $request, nth: Int };
+Tag(q, r) ==
+    [ of  |-> AsItCame(r),
+      nth |-> Cardinality({ s \in q : /\ AsItCame(s) = AsItCame(r)
+                                     /\ s.rank <= r.rank }) ]
+
+\* @type: Set($request) => Set({ tag: { of: $request, nth: Int }, r: $request });
+Tagged(q) == { [tag |-> Tag(q, r), r |-> r] : r \in q }
+
+(* From the tags below each tag to those below these.                      *)
+Farther(below) == [ g \in DOMAIN below |-> UNION { below[h] : h \in below[g] } ]
+
+(* The places that no queue of these contradicts: one stands before another *)
+(* where it does so in some of them, and in none behind it.                *)
+Places(queues) ==
+    LET known == UNION { UNION { { <<t.tag, u.tag>> :
+                             t \in { v \in q : /\ v.r.class = u.r.class
+                                              /\ v.r.rank <= u.r.rank } }
+                           : u \in q } : q \in queues }
+        tags  == { p[1] : p \in known }
+        once  == [ g \in tags |-> { p[1] : p \in { k \in known : k[2] = g } } ]
+        all   == Farther(Farther(Farther(Farther(Farther(once)))))
+    IN  [ g \in tags |-> Cardinality(all[g]) ]
+
+(* Whether those that are alike have places of their own; else one request  *)
+(* stands for all.                                                         *)
+Apart(g, places) ==
+    { h \in DOMAIN places : h.of = g.of /\ places[h] = places[g] } = {g}
+
+(* The classes in which some explanations have an OB that may start, and   *)
+(* others do not.                                                          *)
+Unequal(all) ==
+    { c \in UNION { DOMAIN w.waiting : w \in all } :
+        \E w \in all : c \notin DOMAIN w.waiting }
+
+(* How long class or key c has waited in an explanation.                   *)
+WaitedIn(w, c) ==
+    LET known == { k \in {c, c - 100} : k \in DOMAIN w.waiting }
+        times == { w.waiting[k] : k \in known }
+    IN  IF times = {} THEN 0 ELSE CHOOSE m \in times : \A n \in times : m <= n
+
+ReportsOf(all) ==
+    LET sure == { r \in UNION { w.reports : w \in all } :
+                    \A w \in all : r \in w.reports }
+        some == UNION { w.reports : w \in all } \ sure
+    IN  IF DiagRecorded
+        THEN sure \cup { [r EXCEPT !.entry.open = TRUE] : r \in some }
+        ELSE { r \in sure \cup some :
+                 ~\E s \in some : s.entry = r.entry /\ s.times > r.times }
+
+(* The explanations with these `Waits' become one.                         *)
+Meet(all) ==
+    LET queues  == { Tagged(w.requests) : w \in all }
+        places  == Places(queues)
+        certain(g) ==
+          /\ g.of.class \notin Unequal(all)
+          /\ \A q \in queues : \E t \in q : t.tag = g /\ ~t.r.open
+        latest(r) ==
+          LET know == { w \in all : r \in DOMAIN w.arrivals }
+              came == { w.arrivals[r] : w \in know }
+          IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
+    IN  /\ SecondRequestIsOpen
+        /\ requests' = Close({ [g.of EXCEPT !.rank = places[g], !.open = ~certain(g)]
+                               : g \in DOMAIN places })
+        /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |-> latest(r) ]
+        /\ NothingEntered
+        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
+                       delay, stopCause, up, first, overruns, changes, pace>>
+        /\ waiting' = [ c \in Awaited' |->
+                          LET times == { WaitedIn(w, c) : w \in all }
+                          IN  CHOOSE m \in times : \A n \in times : m <= n ]
+        /\ reports' = ReportsOf(all)
+        /\ terms' = [ terms EXCEPT
+                         !.unsure = @ \cup
+                           { r.ob : r \in { q \in requests' : q.open } },
+                         !.endless = @ \cup
+                           { g.of : g \in { h \in DOMAIN places :
+                                             ~Apart(h, places) } } ]
+=============================================================================
