@@ -47,6 +47,9 @@ NowNeeded ==
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 
+(* ... and the startup OB that is still to start. *)
+StartupDue == IF startup \in {"warm", "cold"} THEN {StartupOb(startup)} ELSE {}
+
 \* @type: Set(Int) => Bool;
 UnseenLoad(obs) ==
     \E o \in obs :
@@ -128,7 +131,7 @@ Silent(e) ==
     /\ ~terms.loose
     /\ \/ HiddenBefore(e)
        \/ /\ \/ Unseen("ob") /\ UnseenOb
-             \/ Unseen("load") /\ UnseenLoad(DependsOn(e))
+             \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupDue)
              \/ Unseen("interrupt") /\ UnseenEvents(e)
           /\ Rewait
           /\ UNCHANGED <<lineVars, up>>
