@@ -38,7 +38,9 @@ def build(change: dict[str, str]) -> None:
     unit = source.with_suffix(".o")
     subprocess.run([compiler, "-std=c11", "-O2", "-w", f"-I{PLC / 's7cpu'}", "-include", PLC / "faults/substitute.h",
                     f"-DIN_{source.stem}", "-c", "-o", unit, source], check=True)  # fmt: skip
-    objects = [o for o in (PLC / "build" / "obj").rglob("*.o") if o.parts[-2:] != ("s7cpu", unit.name)]
+    folders = ("s7cpu", "plc", "scenario", "random", "faults")
+    sources = [c.relative_to(PLC) for name in folders for c in (PLC / name).glob("*.c")]
+    objects = [PLC / "build" / "obj" / c.with_suffix(".o") for c in sources if c.parts != ("s7cpu", source.name)]
     subprocess.run([compiler, "-o", BUILD / change["name"], unit, *objects], check=True)
 
 

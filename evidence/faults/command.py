@@ -1,0 +1,143 @@
+"""``s7check faults``: the kit against the deliberate faults of the soft PLC, those that it knows and those held out.
+
+Exit codes: 0 each fault is found, 1 some are not, or a program fails without a fault; 2 wrong arguments or files, 3 a
+tool is missing or failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from evidence.common.checkout import SOFT_PLC, SOFT_PLC_PROGRAM
+from evidence.common.console import plain
+from evidence.common.options import json_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from s7check.api import check
+from s7check.engine.command import EngineError
+from s7check.kit.adapter import Adapter, AdapterError, Ran
+from s7check.kit.collection import programs_of
+from s7check.kit.program import Program
+
+HELD_OUT = SOFT_PLC / "held_out"
+NOT_FOUND = 1
+_SECONDS = 20.0
+"""For one program; the soft PLC takes some milliseconds."""
+_KIT = ("--kit", "--diag")
+_NAME = re.compile(r"^  (\S+)", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A fault, the command that has it, and whether it is held out from the kit."""
+
+    name: str
+    command: tuple[str, ...]
+    held_out: bool
+
+
+@dataclass(frozen=True)
+class Found:
+    """How a fault shows: in the first ``program`` whose log is rejected, by ``requirements`` or by a ``failure``.
+
+    ``differ`` programs have another log than without the fault; ``judged`` of them were looked at.
+    """
+
+    fault: Fault
+    differ: int
+    judged: int
+    program: str = ""
+    requirements: tuple[str, ...] = ()
+    failure: str = ""
+
+
+@click.command(name="faults", short_help="Does the kit find the faults of the soft PLC?")
+@json_option
+@click.argument("names", nargs=-1, metavar="[FAULT]...")
+def faults_command(json_path: Path | None, names: tuple[str, ...]) -> int:
+    """Run the kit on the soft PLC with each of its faults, or the named ones.
+
+    Logs that are those of the faultless soft PLC tell nothing; of the others the first rejected one counts.
+    """
+    with session(Processes(), (ValueError, OSError), (AdapterError, EngineError, _BuildError)) as console:
+        chosen = _chosen(names)
+        programs = programs_of()
+        right = {program.name: ran for program, ran in _run((str(SOFT_PLC_PROGRAM), *_KIT), programs)}
+        found = []
+        for fault in chosen:
+            found.append(_look(fault, programs, right))
+            plain(console, _line(found[-1]))
+        missed = [one for one in found if not one.program]
+        held_out = [one for one in found if one.fault.held_out]
+        plain(
+            console,
+            f"{len(found) - len(missed)} of {len(found)} faults found; of {len(held_out)} held out "
+            f"{sum(bool(one.program) for one in held_out)}",
+        )
+        write_json(json_path, {"faults": [_object(one) for one in found]})
+    return NOT_FOUND if missed else 0
+
+
+class _BuildError(RuntimeError):
+    """The held-out faults cannot be built."""
+
+
+def _chosen(names: Sequence[str]) -> list[Fault]:
+    """Raises ValueError for a name that is none."""
+    listed = subprocess.run([SOFT_PLC_PROGRAM, "--fault", "help"], capture_output=True, text=True, check=False)
+    faults = {
+        name: Fault(name, (str(SOFT_PLC_PROGRAM), "--fault", name, *_KIT), held_out=False)
+        for name in _NAME.findall(listed.stdout)
+    }
+    build = subprocess.run([sys.executable, HELD_OUT / "build.py"], capture_output=True, text=True, check=False)
+    if build.returncode:
+        raise _BuildError(build.stderr.strip())
+    for change in json.loads((HELD_OUT / "changes.json").read_text(encoding="utf-8")):
+        program = SOFT_PLC / "build" / "held_out" / change["name"]
+        faults[change["name"]] = Fault(change["name"], (str(program), *_KIT), held_out=True)
+    if unknown := [name for name in names if name not in faults]:
+        raise ValueError(f"no such fault: {', '.join(unknown)}")
+    return [faults[name] for name in names] if names else list(faults.values())
+
+
+def _run(command: Sequence[str], programs: Sequence[Program]) -> Iterator[tuple[Program, Ran]]:
+    with Adapter(command, _SECONDS) as adapter:
+        for program in programs:
+            yield program, adapter.run(program)
+
+
+def _look(fault: Fault, programs: Sequence[Program], right: dict[str, Ran]) -> Found:
+    differing = [(program, ran) for program, ran in _run(fault.command, programs) if ran != right[program.name]]
+    for judged, (program, ran) in enumerate(sorted(differing, key=lambda pair: len(pair[1].log)), 1):
+        if ran.failed:
+            return Found(fault, len(differing), judged, program.name, failure=ran.failed)
+        report = check(ran.log, name=program.name)
+        if report.verdict == "rejected":
+            return Found(fault, len(differing), judged, program.name, tuple(report.requirements))
+    return Found(fault, len(differing), len(differing))
+
+
+def _line(one: Found) -> str:
+    if not one.program:
+        return f"{one.fault.name}: NOT FOUND ({one.differ} programs differ)"
+    return f"{one.fault.name}: {one.program}, {', '.join(one.requirements) or one.failure}"
+
+
+def _object(one: Found) -> dict[str, object]:
+    return {
+        "fault": one.fault.name,
+        "held_out": one.fault.held_out,
+        "differ": one.differ,
+        "judged": one.judged,
+        "program": one.program,
+        "requirements": list(one.requirements),
+        "failure": one.failure,
+    }
