@@ -91,21 +91,24 @@ class _BuildError(RuntimeError):
 
 
 def _chosen(names: Sequence[str]) -> list[Fault]:
-    """Raises ValueError for a name that is none."""
+    """The faults, of which those held out are built. Raises ValueError for a name that is none."""
     listed = subprocess.run([SOFT_PLC_PROGRAM, "--fault", "help"], capture_output=True, text=True, check=False)
     faults = {
         name: Fault(name, (str(SOFT_PLC_PROGRAM), "--fault", name, *_KIT), held_out=False)
         for name in _NAME.findall(listed.stdout)
     }
-    build = subprocess.run([sys.executable, HELD_OUT / "build.py"], capture_output=True, text=True, check=False)
-    if build.returncode:
-        raise _BuildError(build.stderr.strip())
     for change in json.loads((HELD_OUT / "changes.json").read_text(encoding="utf-8")):
         program = SOFT_PLC / "build" / "held_out" / change["name"]
         faults[change["name"]] = Fault(change["name"], (str(program), *_KIT), held_out=True)
     if unknown := [name for name in names if name not in faults]:
         raise ValueError(f"no such fault: {', '.join(unknown)}")
-    return [faults[name] for name in names] if names else list(faults.values())
+    chosen = [faults[name] for name in names] if names else list(faults.values())
+    if held_out := [fault.name for fault in chosen if fault.held_out]:
+        command = [sys.executable, str(HELD_OUT / "build.py"), *held_out]
+        build = subprocess.run(command, capture_output=True, text=True, check=False)
+        if build.returncode:
+            raise _BuildError(build.stderr.strip())
+    return chosen
 
 
 def _run(command: Sequence[str], programs: Sequence[Program]) -> Iterator[tuple[Program, Ran]]:
