@@ -13,12 +13,14 @@ EXTENDS StartEvents
 \* @type: $request => Bool;
 OutsideRun(new) ==
     IF OutsideRunEventsAreLost THEN Nothing
-    ELSE IF PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
-    THEN AnyEffect(new)
-    ELSE /\ requests' =
-              Enter(requests, [new EXCEPT !.open = OutsideRunEventsAreOpen])
-         /\ UNCHANGED stopCause
-         /\ entered' = IF new.fault = 0 THEN {} ELSE OpenEntries({new})
+    ELSE LET again == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
+             kept  == IF again THEN LeftOpen(new)
+                      ELSE {[new EXCEPT !.open = OutsideRunEventsAreOpen]}
+             shown == (IF new.fault = 0 THEN {} ELSE {new})
+                        \cup (IF again THEN ErrorsOf(new) ELSE {})
+         IN  /\ requests' = EnterAll(requests, kept)
+             /\ UNCHANGED stopCause
+             /\ entered' = OpenEntries(shown)
 
 \* @type: Int => Bool;
 KeptFromRunning(o) ==
