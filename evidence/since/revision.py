@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -57,7 +58,9 @@ def checkout(root: Path, commit: str) -> Checkout:
         run = _git(root, "worktree", "add", "--detach", str(folder), commit)
         if run.returncode:
             raise BuildError(f"git worktree add {folder}: {run.stderr.strip()}")
-    run = subprocess.run([_tool("make"), "setup"], cwd=folder, capture_output=True, text=True, check=False)
+    # A make that runs this command would give its jobs to the other checkout's.
+    alone = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+    run = subprocess.run([_tool("make"), "setup"], cwd=folder, capture_output=True, text=True, check=False, env=alone)
     if run.returncode:
         raise BuildError(f"make setup in {folder} ended with exit code {run.returncode}: {run.stderr.strip()[-1000:]}")
     return Checkout(folder)
