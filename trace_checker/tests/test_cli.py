@@ -25,7 +25,7 @@ from s7check.report.clauses import clause
 from s7check.report.expected import format_allowed
 from tests.fake_engine import CANDIDATE
 from tests.logs import HEADER, event, log_text
-from tests.processes import heed_ctrl_c
+from tests.processes import children, heed_ctrl_c
 
 pytestmark = pytest.mark.usefixtures("_fake_engine")
 
@@ -438,9 +438,8 @@ def test_standard_input_closed() -> None:
 
 def wait_for_child(process: subprocess.Popen[bytes], seconds: float = 60) -> None:
     """Wait until the process has started one, which takes its time where others keep the cores busy."""
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     end = time.monotonic() + seconds
-    while not children.read_text() and time.monotonic() < end:
+    while not children(process.pid) and time.monotonic() < end:
         time.sleep(0.05)
 
 

@@ -17,6 +17,7 @@ from s7check.judging import check
 from s7check.log.lines import Lines
 from tests import fuzz
 from tests.logs import event, log_text
+from tests.processes import children
 from tests.test_cli import ENVIRONMENT, RUNNER
 
 MEMORY = 300 * 1024 * 1024
@@ -116,11 +117,6 @@ def test_out_of_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: 
     assert line.endswith(
         ": no verdict: the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance"
     )
-
-
-def children(pid: int) -> list[int]:
-    """The processes that the threads of a process have started."""
-    return [int(child) for task in Path(f"/proc/{pid}/task").glob("*/children") for child in task.read_text().split()]
 
 
 def test_killed_engine(tmp_path: Path) -> None:
