@@ -30,6 +30,20 @@ def _give_up() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def deliver(data: bytes, file: Path | None) -> None:
+    """Writes a document that ends with a line end to ``file``, whole or not at all, or to standard output.
+
+    Raises click.ClickException if it cannot be written.
+    """
+    if file is None:
+        echo(data.rstrip(b"\n").decode())
+        return
+    try:
+        write_whole(file, data)
+    except OSError as error:
+        raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+
+
 def write_whole(path: Path, data: bytes) -> None:
     """Writes ``data`` to ``path``; a file that is there stays as it was if that fails.
 

@@ -14,7 +14,7 @@ from s7check.judging.verdict import EXIT_CODES
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program
 from s7check.names import logs_of
-from s7check.output import echo, write_whole
+from s7check.output import deliver
 from s7check.report.progress import ProgressBar
 
 _HELP = """Tell which rules logs exercise, and which they do not.
@@ -70,13 +70,7 @@ def coverage_command(
         written = report.to_text(total, guards).encode() + b"\n"
     else:
         written = report.to_json(total) if output == "json" else report.to_html(total)
-    if file is None:
-        echo(written.rstrip(b"\n").decode())
-    else:
-        try:
-            write_whole(file, written)
-        except OSError as error:
-            raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+    deliver(written, file)
     return max(EXIT_CODES[verdict] for verdict in total.coverage.verdicts)
 
 

@@ -10,7 +10,7 @@ import msgspec
 
 from s7check.judging.verdict import EXIT_CODES, Verdict
 from s7check.log.errors import printable
-from s7check.output import echo, write_whole
+from s7check.output import deliver
 
 _HELP = """Merge reports of `s7check trace --format json` into one, with sums.
 
@@ -49,13 +49,7 @@ def merge_command(file: Path | None, reports: tuple[Any, ...]) -> int:
                 judged.append(_read(line, f"{click.format_filename(report.name)}:{number}"))
                 texts.append(line.strip())
     merged = msgspec.json.encode({"sums": sums(judged), "reports": [msgspec.Raw(text) for text in texts]}) + b"\n"
-    if file is None:
-        echo(merged.rstrip(b"\n").decode())
-    else:
-        try:
-            write_whole(file, merged)
-        except OSError as error:
-            raise click.FileError(str(file), hint=error.strerror or str(error)) from error
+    deliver(merged, file)
     return max((EXIT_CODES[one.verdict] for one in judged), default=0)
 
 
