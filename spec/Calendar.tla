@@ -147,11 +147,19 @@ PointInMonth(i, d, t) ==
     IN  IF y > LastYear \/ k > DaysInMonth(y, m) THEN Never
         ELSE DayNumber(y, m, k) * MinutesADay + t
 
-(* [AMB-38] Yearly on February 29th: leap years only. *)
+(* The point of year y; Never where the year has no such day.              *)
 \* @type: (Int, Int, Int, Int) => Int;
 PointInYear(y, m, d, t) ==
     IF y > LastYear \/ d > DaysInMonth(y, m) THEN Never
     ELSE DayNumber(y, m, d) * MinutesADay + t
+
+(* [AMB-38] (c) Here day 29 of a common February is March 1, day -29 is    *)
+(* February 28.                                                            *)
+\* @type: (Int, Int, Int, Int) => Int;
+PointInAnyYear(y, m, d, t) ==
+    IF y > LastYear THEN Never
+    ELSE DayNumber(y, m, IF d > 0 THEN d ELSE Earlier(-d, DaysInMonth(y, m)))
+           * MinutesADay + t
 
 \* @type: (Int, Int) => Int;
 NotBefore(p, m) == IF p >= m THEN p ELSE Never
@@ -170,7 +178,8 @@ FirstMonthly(d, t, m) ==
     IN  Earlier(NotBefore(PointInMonth(i, d, t), m),
           Earlier(PointInMonth(i + 1, d, t), PointInMonth(i + 2, d, t)))
 
-(* In 1990..2089 every fourth year is a leap year: five candidates. *)
+(* [AMB-38] February 29th: leap years only.  In 1990..2089 every fourth    *)
+(* year is a leap year: five candidates.                                   *)
 \* @type: (Int, Int, Int, Int) => Int;
 FirstYearly(mo, d, t, m) ==
     LET y == YearOf(m \div MinutesADay)
@@ -179,6 +188,12 @@ FirstYearly(mo, d, t, m) ==
             Earlier(PointInYear(y + 2, mo, d, t),
               Earlier(PointInYear(y + 3, mo, d, t),
                       PointInYear(y + 4, mo, d, t)))))
+
+\* @type: (Int, Int, Int, Int) => Int;
+FirstInAnyYear(mo, d, t, m) ==
+    LET y == YearOf(m \div MinutesADay)
+    IN  Earlier(NotBefore(PointInAnyYear(y, mo, d, t), m),
+                PointInAnyYear(y + 1, mo, d, t))
 
 (* [TINT-32] [TINT-33] [TINT-19] The first start point at or after minute  *)
 (* m of an interrupt with this start and PERIOD; Never if there is none.   *)
@@ -197,6 +212,10 @@ FirstPoint(start, period, m) ==
                [] period = Monthly    -> FirstMonthly(DayOf(day), time, from)
                [] period = Yearly     ->
                     FirstYearly(MonthOf(day), DayOf(day), time, from)
+               [] period = YearlyOrDayBefore ->
+                    FirstInAnyYear(MonthOf(day), -DayOf(day), time, from)
+               [] period = YearlyOrDayAfter ->
+                    FirstInAnyYear(MonthOf(day), DayOf(day), time, from)
                [] period = EndOfMonth -> FirstMonthly(-31, time, from)
                [] period = MonthlyOrLast -> FirstMonthly(-DayOf(day), time, from)
                [] OTHER               -> Never

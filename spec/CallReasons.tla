@@ -36,14 +36,14 @@ SetRequirements(e, ret) ==
                               [] e.period = Yearly     -> {"TINT-32", "TINT-39"}
                               [] OTHER                 -> {"TINT-39", "TINT-35"}
       [] ret = BadPeriod -> {"TINT-33"}
-      [] ret = PastStart -> {"TINT-36"} \cup When(e.period # Once, {"TINT-37"})
+      [] ret = PastStart -> {"TINT-36"} \cup When(~HasOnePoint(e.period), {"TINT-37"})
       [] OTHER           -> {"TINT-22"}
 
 \* @type: ($event, Int) => Set(Str);
 ActRequirements(e, ret) ==
     LET on == e.ob \in TodObs /\ tod[e.ob].active
     IN  CASE ret = OK -> {"TINT-60"} \cup When(on, {"TINT-63"})
-          [] ret = PastStart -> IF e.ob \in TodObs /\ tod[e.ob].period # Once
+          [] ret = PastStart -> IF e.ob \in TodObs /\ ~HasOnePoint(tod[e.ob].period)
                                 THEN {"TINT-62"} ELSE {"TINT-61"}
           [] ret = NotSet -> {"TINT-61", "TINT-64"}
           [] ret = BadOb  -> {"TINT-61"}
@@ -97,7 +97,7 @@ WrongAnswer(e) ==
 ActiveRequirements(o, past) ==
     LET last  == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
         reset == LastOf(past, {"restart"})
-    IN  IF tod[o].active /\ tod[o].period # Once /\ tod[o].next = Never
+    IN  IF tod[o].active /\ ~HasOnePoint(tod[o].period) /\ tod[o].next = Never
         THEN {}  \* a series without a further point
         ELSE IF reset > last THEN {"OBS-50", "TINT-38"}
         ELSE IF last = 0 THEN {"TINT-06"}

@@ -76,7 +76,7 @@ TodAfterClock(to, c, held) ==
     [ o \in DOMAIN tod |->
         IF mode = "STOP" THEN Repeating(tod[o], to)
         ELSE IF o \in held THEN tod[o]
-        ELSE IF o \in CalledBySetBack(to) /\ tod[o].period = Once
+        ELSE IF o \in CalledBySetBack(to) /\ HasOnePoint(tod[o].period)
         THEN CalledOnce(SettingAt(o, to))
         ELSE Rearmed(o, to, c) ]
 

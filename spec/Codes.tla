@@ -45,6 +45,10 @@ EndOfMonth == \h2001
 MonthlyOrLast == -1
 (* [AMB-62] (b) Nor this: set, without a point. *)
 NoPeriod == -2
+(* [AMB-38] (c) Nor these: yearly, in common years on February 28 or on    *)
+(* March 1 for February 29.                                                *)
+YearlyOrDayBefore == -3
+YearlyOrDayAfter  == -4
 
 PeriodCodes ==
     {Once, Minutely, Hourly, Daily, Monthly, Yearly, EndOfMonth} \cup Weekly

@@ -31,16 +31,16 @@ FourLetters ==
 \* @type: Set(Str);
 ThreeLetters ==
     { "AMB-01", "AMB-03", "AMB-04", "AMB-05", "AMB-06",
-      "AMB-14", "AMB-15", "AMB-19", "AMB-28", "AMB-34", "AMB-39", "AMB-45",
-      "AMB-47", "AMB-48", "AMB-49", "AMB-50", "AMB-52", "AMB-53",
+      "AMB-14", "AMB-15", "AMB-19", "AMB-28", "AMB-34", "AMB-38", "AMB-39",
+      "AMB-45", "AMB-47", "AMB-48", "AMB-49", "AMB-50", "AMB-52", "AMB-53",
       "AMB-54", "AMB-55", "AMB-57", "AMB-60", "AMB-61",
       "AMB-67", "AMB-68", "AMB-70", "AMB-79" }
 \* @type: Set(Str);
 TwoLetters ==
     { "AMB-02", "AMB-07", "AMB-08", "AMB-09", "AMB-10", "AMB-12",
       "AMB-16", "AMB-17", "AMB-20", "AMB-21", "AMB-22", "AMB-23",
-      "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-33", "AMB-35",
-      "AMB-36", "AMB-37", "AMB-38", "AMB-40", "AMB-41", "AMB-42",
+      "AMB-25", "AMB-27", "AMB-29", "AMB-31", "AMB-32", "AMB-33",
+      "AMB-35", "AMB-36", "AMB-37", "AMB-40", "AMB-41", "AMB-42",
       "AMB-43", "AMB-44", "AMB-46", "AMB-51", "AMB-58", "AMB-59",
       "AMB-62", "AMB-63", "AMB-65", "AMB-66", "AMB-69", "AMB-72", "AMB-73",
       "AMB-74", "AMB-75", "AMB-76" }
@@ -84,6 +84,12 @@ PartBy(letter, whole) == CASE letter = "a" -> {{}}
 ReadAs(a, letter, c) ==
     [ c EXCEPT !.readings = [ x \in DOMAIN c.readings \cup {a} |->
                                 IF x = a THEN letter ELSE c.readings[x] ] ]
+
+(* The CPUs that c may turn out to be, if its letter is the open one. *)
+\* @type: ($cpu, Str, Str, Set(Str)) => Set($cpu);
+Turned(c, a, open, letters) ==
+    IF ReadingOf(c, a) # open THEN {c}
+    ELSE { ReadAs(a, letter, c) : letter \in letters }
 
 -----------------------------------------------------------------------------
 (* Profiles: an edition as printed, where the defaults would reject it.    *)

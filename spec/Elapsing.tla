@@ -53,7 +53,7 @@ Repeats(o) ==
 PassedOver ==
     IF ~Watching THEN {}
     ELSE { o \in DOMAIN tod :
-             /\ tod[o].active /\ tod[o].period # Once
+             /\ tod[o].active /\ ~HasOnePoint(tod[o].period)
              /\ clock.min > tod[o].repeatTo
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
                 \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers

@@ -53,7 +53,7 @@ LateTod(r, past) ==
             \cup When(act > 0 /\ past[act].ret = -1, {"TINT-60"})
             \cup HeldBack(r, past)
     IN  special \cup Step7Requirements(o, past)
-          \cup (IF r.word = Once THEN {"TINT-23"} ELSE {"TINT-09"})
+          \cup (IF HasOnePoint(r.word) THEN {"TINT-23"} ELSE {"TINT-09"})
           \cup When(special = {},
                     {"TINT-23"} \cup SeriesRequirements(o, r.word, past))
 

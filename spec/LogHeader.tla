@@ -50,7 +50,8 @@ TodAtBegin(h, o, called) ==
     LET t == Configured(CpuOf(h).step7[o])
         n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
     IN  IF ~t.active THEN t
-        ELSE IF h.mode = "RUN" /\ t.period = Once /\ n = Never THEN UsedUp(t)
+        ELSE IF h.mode = "RUN" /\ HasOnePoint(t.period) /\ n = Never
+        THEN UsedUp(t)
         ELSE [t EXCEPT !.next = n]
 
 (* Where calls, changes of the mode or of the clock may be unseen, or both *)
@@ -65,7 +66,7 @@ LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
 (* the primes.                                                             *)
 \* @type: $header => Bool;
 Begin(h) ==
-    /\ cpu'    = CpuOf(h)
+    /\ cpu'    \in CpusByLeapDay(CpuOf(h))
     /\ loaded' = h.obs
     /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}

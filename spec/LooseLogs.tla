@@ -42,13 +42,13 @@ MayBeSet(o) == tod[o].set \/ SetByStep7(o)
 (* A once may be over, and an unseen restart takes every setting away.     *)
 \* @type: Int => Bool;
 MayBeUnset(o) ==
-    ~tod[o].set \/ tod[o].period = Once \/ CanTintNeedsActive \/ ~ModeKnown
+    ~tod[o].set \/ HasOnePoint(tod[o].period) \/ CanTintNeedsActive \/ ~ModeKnown
 
 \* @type: Int => Bool;
 MayBeActive(o) == tod[o].active \/ (SetByStep7(o) /\ cpu.step7[o].active)
 \* @type: Int => Bool;
 MayBeInactive(o) ==
-    \/ ~tod[o].active \/ tod[o].period = Once \/ ~ModeKnown
+    \/ ~tod[o].active \/ HasOnePoint(tod[o].period) \/ ~ModeKnown
     \/ PointFrom(tod[o], clock.min + 1) = Never
 
 \* @type: Int => Bool;
@@ -95,7 +95,7 @@ LooseAnswers(e) ==
                any(If(unseen \/ MayBeSet(e.ob), {})
                      \cup If(unseen \/ MayBeUnset(e.ob), {NotSet})
                      \cup If(\/ unseen \/ SetByStep7(e.ob)
-                             \/ tod[e.ob].set /\ tod[e.ob].period = Once,
+                             \/ tod[e.ob].set /\ HasOnePoint(tod[e.ob].period),
                              {PastStart}))
           [] e.event = "CAN_DINT" /\ dints ->
                any(If(unseen \/ dint[e.ob].started \/ Marked(e.ob), {})

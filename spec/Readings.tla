@@ -12,12 +12,6 @@
 (***************************************************************************)
 EXTENDS Editions
 
-(* The CPUs that c may turn out to be, if its letter is the open one. *)
-\* @type: ($cpu, Str, Str, Set(Str)) => Set($cpu);
-Turned(c, a, open, letters) ==
-    IF ReadingOf(c, a) # open THEN {c}
-    ELSE { ReadAs(a, letter, c) : letter \in letters }
-
 (* [AMB-01] Of the PERIODs 1201 and 1202 one is weekly, or both are. *)
 OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
 OnlyPeriod1202IsWeekly == Reading("AMB-01") = "b"
@@ -102,6 +96,8 @@ MissingObIsEitherFault == Reading("AMB-28") = "c"
 PointsComeByNumber == Reading("AMB-29") = "b"
 (* [AMB-31] DTIME in the start information is the time that has elapsed. *)
 DtimeIsElapsedTime == Reading("AMB-31") = "a"
+(* [AMB-32] PERIOD 2001 is executed once, at the first end of a month. *)
+EndOfMonthIsOnce == Reading("AMB-32") = "b"
 (* [AMB-33] OB 85 blocked stops the CPU. *)
 BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
 
@@ -115,8 +111,12 @@ StartupDefersOneRun == Reading("AMB-35") = "a"
 SeriesBeginsAPeriodLater == Reading("AMB-36") = "b"
 (* [AMB-37] A point that equals the clock is past. *)
 EqualIsPast == Reading("AMB-37") = "b"
-(* [AMB-38] Yearly on February 29 is refused. *)
-YearlyNotOnLeapDay == Reading("AMB-38") = "b"
+(* [AMB-38] Yearly on February 29 is refused; or falls on a day beside it.  *)
+YearlyNotOnLeapDay     == Reading("AMB-38") = "b"
+YearlyFallsOnDayBefore == Reading("AMB-38") = "before"
+YearlyFallsOnDayAfter  == Reading("AMB-38") = "after"
+\* @type: $cpu => Set($cpu);
+CpusByLeapDay(c) == Turned(c, "AMB-38", "c", {"before", "after"})
 (* [AMB-39] An end-of-month interrupt whose start is on another day.       *)
 EndOfMonthRunsAtStart == Reading("AMB-39") = "b"
 EndOfMonthTakesNoOtherDay == Reading("AMB-39") = "c"

@@ -24,7 +24,7 @@ Drop(r) ==
 (* [AMB-59] [CLK-12]; an interrupt that was set anew is not.               *)
 \* @type: $request => Bool;
 LastCall(r) ==
-    /\ r.ob \in TodObs /\ tod[r.ob].active /\ tod[r.ob].period = Once
+    /\ r.ob \in TodObs /\ tod[r.ob].active /\ HasOnePoint(tod[r.ob].period)
     /\ tod[r.ob].next = Never \/ r.since = FirstMoment(tod[r.ob])
 
 \* @type: Int => (Int -> $tod);

@@ -70,7 +70,7 @@ UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
 (* clock, set back, does not arm it again.                                 *)
 \* @type: Int => Bool;
 CallUsesUp(o) ==
-    /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
+    /\ tod[o].active /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
     /\ tod[o].called \/ PendingIn(requests, o)
 
 -----------------------------------------------------------------------------

@@ -15,7 +15,7 @@ LostForGood(o) ==
 (* A once may be used up when its point is reached [AMB-71]. *)
 \* @type: (Int, $tod) => $tod;
 AfterPoint(o, t) ==
-    IF t.period = Once /\ (LostForGood(o) \/ OnceUsedUpAtItsPoint)
+    IF HasOnePoint(t.period) /\ (LostForGood(o) \/ OnceUsedUpAtItsPoint)
     THEN UsedUp(t) ELSE t
 
 (* The OB is called for its point, unless it is blocked. *)

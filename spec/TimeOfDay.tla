@@ -28,7 +28,7 @@ SettingStays == UNCHANGED <<tod, requests>>
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
-    /\ tod[o].period = Once /\ tod[o].next = Never
+    /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
     /\ ~PendingIn(requests, o) /\ ~tod[o].called
     /\ LostEventEndsItsSource
 
@@ -53,13 +53,21 @@ ValidSdt(sdt, period) ==
 \* @type: $date => $moment;
 ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 
-(* [TINT-36] [TINT-37] [AMB-02] Seconds are dropped first [AMB-14]. *)
+(* The start, of which seconds are dropped first [AMB-14]; of an end of    *)
+(* month that is executed once its point [AMB-32].                         *)
+\* @type: ($date, Int) => $moment;
+StartMoment(sdt, period) ==
+    IF period = EndOfMonth /\ EndOfMonthIsOnce
+    THEN FirstMoment([NoSetting EXCEPT !.start  = MinuteOf(sdt),
+                                       !.period = period])
+    ELSE IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt)) ELSE ExactMoment(sdt)
+
+(* [TINT-36] [TINT-37] [AMB-02] *)
 \* @type: ($date, Int) => Bool;
 StartIsPast(sdt, period) ==
-    /\ period = Once \/ EveryPastStartIsRefused
+    /\ HasOnePoint(period) \/ EveryPastStartIsRefused
     /\ ValidMinute(sdt)
-    /\ IsPast(IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt))
-                                        ELSE ExactMoment(sdt), clock)
+    /\ IsPast(StartMoment(sdt, period), clock)
 
 (* [TINT-35] *)
 \* @type: (Int, $date, Int) => Set(Int);
@@ -133,7 +141,7 @@ ActErrors(o) ==
     IF o \notin TodObs THEN {BadOb}
     ELSE IF ~tod[o].set THEN {NotSet}
     ELSE IF /\ ~tod[o].active
-            /\ tod[o].period = Once
+            /\ HasOnePoint(tod[o].period)
             /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
@@ -194,7 +202,7 @@ ActTint(o, ret) ==
 ActiveBit(o) ==
     IF ~tod[o].active THEN {0}
     ELSE IF tod[o].next # Never THEN {4}
-    ELSE IF tod[o].period # Once
+    ELSE IF ~HasOnePoint(tod[o].period)
     THEN CASE EndedSeriesIsActive   -> {4}
            [] EndedSeriesIsInactive -> {0}
            [] OTHER                 -> {0, 4}

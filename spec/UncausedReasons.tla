@@ -57,7 +57,7 @@ NoTodRequest(o, past) ==
              IN  IF special # {} THEN special
                  ELSE SeriesRequirements(o, tod[o].period, past)
                         \cup Step7Requirements(o, past)
-                        \cup When(tod[o].period # Once, {"TINT-10"})
+                        \cup When(~HasOnePoint(tod[o].period), {"TINT-10"})
 
 -----------------------------------------------------------------------------
 (* Time-delay interrupts *)
