@@ -158,8 +158,8 @@ PointInYear(y, m, d, t) ==
 \* @type: (Int, Int, Int, Int) => Int;
 PointInAnyYear(y, m, d, t) ==
     IF y > LastYear THEN Never
-    ELSE DayNumber(y, m, IF d > 0 THEN d ELSE Earlier(-d, DaysInMonth(y, m)))
-           * MinutesADay + t
+    ELSE LET k == IF d < 0 THEN Earlier(-d, DaysInMonth(y, m)) ELSE d
+         IN  DayNumber(y, m, k) * MinutesADay + t
 
 \* @type: (Int, Int) => Int;
 NotBefore(p, m) == IF p >= m THEN p ELSE Never
