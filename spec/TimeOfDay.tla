@@ -58,8 +58,8 @@ ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 \* @type: ($date, Int) => $moment;
 StartMoment(sdt, period) ==
     IF period = EndOfMonth /\ EndOfMonthIsOnce
-    THEN FirstMoment([NoSetting EXCEPT !.start  = MinuteOf(sdt),
-                                       !.period = period])
+    THEN FirstMoment([NoSetting EXCEPT !.period = period,
+                                       !.start  = MinuteOf(sdt)])
     ELSE IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt)) ELSE ExactMoment(sdt)
 
 (* [TINT-36] [TINT-37] [AMB-02] *)
