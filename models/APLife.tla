@@ -25,8 +25,8 @@ AnyState ==
 
 AnyInit == AnyState /\ Invariant
 
-(* Next of LifeCycle; where that leaves a variable open, it may have any     *)
-(* value of its type.                                                        *)
+(* Next of LifeCycle; where that leaves a variable open, it may have any   *)
+(* value of its type.                                                      *)
 APNext ==
     \/ Set \/ Cancel \/ Activate \/ Lost \/ End \/ Fade
     \/ Stop \/ Restart

@@ -34,8 +34,8 @@ AnyState ==
 
 AnyInit == AnyState /\ Invariant
 
-(* Next of CounterLock, which leaves open what arrives and what may come:    *)
-(* any number, and any classes.                                              *)
+(* Next of CounterLock, which leaves open what arrives and what may come:  *)
+(* any number, and any classes.                                            *)
 AnyPerhaps == perhaps' \in SUBSET Classes
 AnyWaiting == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
 

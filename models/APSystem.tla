@@ -5,7 +5,7 @@
 (* The world: two time-of-day OBs, a time-delay OB, a hardware OB, OB 80,  *)
 (* OB 85 and the startup OBs, each loaded or missing; the three families;  *)
 (* classes of OB 10, 11 and 40 as by default or, but on S7-300, set to any *)
-(* that OBS-05 allows.  The clock, the delay count, settings, jobs, what    *)
+(* that OBS-05 allows.  The clock, the delay count, settings, jobs, what   *)
 (* requests say and the operands of calls are any integers.                *)
 (* Before the step at most three start events wait, three OBs run, and a   *)
 (* time-of-day OB remembers two runs of points of each kind.               *)
@@ -47,7 +47,7 @@ APAmbiguities == {"AMB-11", "AMB-56", "AMB-57"}
 -----------------------------------------------------------------------------
 (* The calendar *)
 
-(* In place of FirstPoint: any point that the lemma allows.  Where the one  *)
+(* In place of FirstPoint: any point that the lemma allows.  Where the one *)
 (* drawn is not allowed, another that is.                                  *)
 \* @type: (Int, Int, Int) => Int;
 AnyFirstPoint(start, period, m) ==

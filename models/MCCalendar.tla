@@ -43,14 +43,16 @@ DaysInv ==
 
 (* The day after the last of a month does not exist. *)
 NoSuchDateInv ==
-    /\ ValidMinute([date EXCEPT !.day = @ + 1]) <=> date.day < LastDay(date.year, date.month)
+    /\ ValidMinute([date EXCEPT !.day = @ + 1])
+         <=> date.day < LastDay(date.year, date.month)
     /\ ~ValidMinute([date EXCEPT !.hour = 24])
     /\ ~ValidMinute([date EXCEPT !.minute = 60])
     /\ OddSeconds([date EXCEPT !.second = 60])
     /\ ~ValidMinute([date EXCEPT !.month = 13])
     /\ ~ValidMinute([date EXCEPT !.day = 0])
     /\ date.month = 1 /\ date.day = 1 =>
-         ~ValidMinute([date EXCEPT !.year = IF date.year = 1990 THEN 1989 ELSE 2090])
+         ~ValidMinute([ date EXCEPT
+                          !.year = IF date.year = 1990 THEN 1989 ELSE 2090 ])
 
 (* Starts: day number, date, minute of the day. *)
 Starts == { <<0, Midnight(1990, 1, 1), 0>>,
@@ -67,7 +69,8 @@ IsPointDay(s, period) ==
              [] period = Daily  -> TRUE
              [] period \in {\h1201, \h1202} -> (day - s[1]) % 7 = 0
              [] period = Monthly -> date.day = first.day
-             [] period = Yearly  -> date.day = first.day /\ date.month = first.month
+             [] period = Yearly  ->
+                  date.day = first.day /\ date.month = first.month
              [] OTHER -> date.day = LastDay(date.year, date.month)
 
 StartsInv == \A s \in Starts :

@@ -3,7 +3,7 @@
 (* FirstPoint of Calendar is as CalendarLemma says, for each day from      *)
 (* 1990-01-01 to 2089-12-31 on which minute m lies.                        *)
 (*                                                                         *)
-(* Minutes and starts by classes.  Of the two times of day FirstPoint asks  *)
+(* Minutes and starts by classes.  Of the two times of day FirstPoint asks *)
 (* if that of m is past that of the start: one minute m is not, the other  *)
 (* is.  Monthly: a start on each day of a month.  End of month asks for no *)
 (* day.  Yearly: the first and the last days of a year and of February.    *)
@@ -22,7 +22,7 @@ StartDays == { n \in { 0, day - 8, day - 7, day - 1, day, day + 1,
                        DaysInAll - 1 } : 0 <= n /\ n < DaysInAll }
 (* ... the days of the month: January 1990 has them all ... *)
 MonthDays == 0..30
-(* ... and of a year: 1 January, 28 and 29 February, 1 March, 31 December,  *)
+(* ... and of a year: 1 January, 28 and 29 February, 1 March, 31 December, *)
 (* of the leap year 1992.                                                  *)
 YearDays == { DayNumber(1992, 1, 1), DayNumber(1992, 2, 28),
               DayNumber(1992, 2, 29), DayNumber(1992, 3, 1),

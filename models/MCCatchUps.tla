@@ -1,6 +1,6 @@
 ------------------------------ MODULE MCCatchUps ------------------------------
 (***************************************************************************)
-(* Two time-of-day OBs whose points a clock set forward, or HOLD, skips: OB *)
+(* A clock set forward, or HOLD, skips points of two time-of-day OBs: OB   *)
 (* 80 reports both, and their catch-ups come in any order [AMB-54].        *)
 (***************************************************************************)
 EXTENDS MCBase

@@ -1,7 +1,8 @@
 ------------------------------- MODULE MCClock --------------------------------
 (***************************************************************************)
 (* The clock set forward and back, exactly onto points, over the points of *)
-(* two interrupts, with OB 80 and without, while OBs wait and run (section 6). *)
+(* two interrupts, with OB 80 and without, while OBs wait and run (section *)
+(* 6).                                                                     *)
 (***************************************************************************)
 EXTENDS MCBase
 

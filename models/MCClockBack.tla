@@ -30,7 +30,8 @@ HistoryNext ==
 HistorySpec == HistoryInit /\ [][HistoryNext]_<<vars, served>>
 
 NoRepeatProp ==
-    [][ step'.event \in {"reached", "clock"} => New \cap served = {} ]_<<vars, served>>
+    [][ step'.event \in {"reached", "clock"}
+          => New \cap served = {} ]_<<vars, served>>
 
 HistoryView == <<cpuVars, served>>
 

@@ -10,7 +10,8 @@ EXTENDS Conservation
 Most == 2
 
 WithAnother(s) ==
-    s \cup { [f EXCEPT ![o] = OneMore(f[o], g)] : f \in s, o \in Obs, g \in Fates }
+    s \cup { [f EXCEPT ![o] = OneMore(f[o], g)]
+             : f \in s, o \in Obs, g \in Fates }
 Nobody == [o \in Obs |-> [f \in Fates |-> 0]]
 AllFates == WithAnother(WithAnother({Nobody}))
 
@@ -45,6 +46,6 @@ LostProp ==
     [][ \A o \in Obs :
           Changes(o, "lost") > 0 => occurred'[o] > occurred[o] ]_tokenVars
 
-(* At most two start events of an OB at a time, and none disappears.         *)
+(* At most two start events of an OB at a time, and none disappears.       *)
 OccurProp == [][ \A o \in Obs : occurred'[o] - occurred[o] \in 0..2 ]_tokenVars
 =============================================================================

@@ -3,10 +3,10 @@
 (* A world in which TLC looks for the shortest behaviour with an edge      *)
 (* case: the invariant Untold says that the case does not come.            *)
 (*                                                                         *)
-(* gallery/cases.json has the cases.  Each gives the constants below: what *)
-(* program and world may do (MayHappen), how often (Budget), and two           *)
+(* gallery/cases.json has the cases. Each gives the constants below: what  *)
+(* program and world may do (MayHappen), how often (Budget), and two       *)
 (* predicates: first Middle must hold in some state, then, in a later one, *)
-(* Goal.  What the CPU does by itself, and time, are free.                 *)
+(* Goal. What the CPU does by itself, and time, are free.                  *)
 (*                                                                         *)
 (* Left out: what a case does not need; it says so by its constants.       *)
 (***************************************************************************)
@@ -53,7 +53,8 @@ GalleryInterrupts == {<<40, 0>>}
 GalleryRestarts == {"warm"}
 GalleryChangingObs == {}
 GalleryHold == TRUE
-GalleryRetVals == 0..4 \cup {BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed}
+GalleryRetVals ==
+    0..4 \cup {BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed}
 GalleryReadings == {[a \in {} |-> ""]}
 
 (* A time-of-day interrupt that STEP 7 has set and activated. *)

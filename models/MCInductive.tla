@@ -59,7 +59,8 @@ Settings ==
       \cup { [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,
                                !.start = Six + 1, !.period = period,
                                !.next = next ]
-             : period \in {Once, Minutely}, next \in {Never} \cup (Six..Six + 2) }
+             : period \in {Once, Minutely},
+               next \in {Never} \cup (Six..Six + 2) }
 
 \* @type: (Int, Int, Int, Bool) => $request;
 Waits(o, class, rank, open) ==

@@ -10,7 +10,7 @@ Most == 2
 Settings == {"unset", "set", "active", "called"}
 Pasts == {"none", "served", "cancelled", "lost", "cleared"}
 
-(* LifeCycle leaves open some of what follows: every next state is tried.    *)
+(* LifeCycle leaves open some of what follows: every next state is tried.  *)
 AnyNext == /\ on' \in BOOLEAN
            /\ setting' \in Settings
            /\ once' \in BOOLEAN
@@ -43,7 +43,7 @@ OnceStep ==
     /\ setting = "called" /\ past' = "served" /\ running /\ ~running'
          => setting' = "unset"
 
-(* What waits stays, until it starts, is cancelled or set anew, or STOP.     *)
+(* What waits stays, until it starts, is cancelled or set anew, or STOP.   *)
 StaysStep ==
     waiting' < waiting =>
       Starts \/ ~on' \/ setting' \in {"unset", "set"}

@@ -11,7 +11,7 @@ Most    == 2
 Programs == { <<>> } \cup { <<c>> : c \in Classes }
               \cup { <<c, d>> : c, d \in Classes }
 
-(* CounterLock leaves open what else arrives: every next state is tried.     *)
+(* CounterLock leaves open what else arrives: every next state is tried.   *)
 AnyNext == /\ on' \in BOOLEAN
            /\ count' \in 0..Deepest
            /\ running' \in Programs
@@ -21,10 +21,10 @@ AnyNext == /\ on' \in BOOLEAN
 
 AloneSpec == Init /\ [][AnyNext]_lockVars
 
-(* The count is of the program that runs, and of no other [AIRT-04].         *)
+(* The count is of the program that runs, and of no other [AIRT-04].       *)
 CountInv == count > 0 => on /\ running # <<>>
 
-(* What runs was not interrupted by its own class [OBS-01].                  *)
+(* What runs was not interrupted by its own class [OBS-01].                *)
 NestedInv ==
     \A i, j \in DOMAIN running : i < j => running[i] < running[j]
 
@@ -51,7 +51,7 @@ AtOnceStep ==
     on /\ count = 0 /\ Held # {} =>
       Starts \/ ~on' \/ UNCHANGED <<on, count, running, waiting>>
 
-(* One call counts one [AIRT-03]; the end of the program counts all back.    *)
+(* One call counts one [AIRT-03]; the end of the program counts all back.  *)
 CountedStep ==
     count' # count =>
       \/ count' \in {count - 1, count + 1} /\ running' = running

@@ -1,7 +1,7 @@
 ------------------------------ MODULE MCMissing -------------------------------
 (***************************************************************************)
-(* OBs that are not loaded: what is called in their place, and when the CPU *)
-(* stops (section 5.2).                                                    *)
+(* OBs that are not loaded: the OB that is called in their place, and the  *)
+(* STOP (section 5.2).                                                     *)
 (***************************************************************************)
 EXTENDS MCBase
 

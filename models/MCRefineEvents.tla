@@ -80,7 +80,8 @@ EventsNext ==
     /\ served'    = Plus(served, [o \in MCObs |->
                       IF Did("end") /\ step'.ob = o THEN 1 ELSE 0])
     /\ lost'      = Plus(lost, [o \in MCObs |->
-                      IF Blocked(o) /\ ~Did("restart") THEN Occurring(o) ELSE 0])
+                      IF Blocked(o) /\ ~Did("restart") THEN Occurring(o)
+                                                       ELSE 0])
     /\ withdrawn' = Plus(withdrawn, [o \in MCObs |-> Withdrawing(o)])
     /\ cleared'   = Plus(cleared, [o \in MCObs |->
                       IF step'.event \in {"stop", "switch"}

@@ -1,7 +1,7 @@
 ------------------------------ MODULE MCRestart -------------------------------
 (***************************************************************************)
-(* STOP, warm and cold restart with every kind of STEP 7 parameters, STARTUP *)
-(* with calls, points and errors in it (sections 5.4, 5.5).                *)
+(* STOP, warm and cold restart with every kind of STEP 7 parameters,       *)
+(* STARTUP with calls, points and errors (sections 5.4, 5.5).              *)
 (***************************************************************************)
 EXTENDS MCBase
 

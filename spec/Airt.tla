@@ -17,7 +17,8 @@ DisAirt(ret) ==
     /\ ret = delay + 1
     /\ delay' = delay + 1
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars, stack>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                   stack>>
 
 (* [AIRT-03] [AIRT-07] *)
 \* @type: Int => Bool;
@@ -26,5 +27,6 @@ EnAirt(ret) ==
     /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
     /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars, stack>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                   stack>>
 =============================================================================

@@ -1,7 +1,7 @@
 ---------------------------- MODULE BlockReasons ----------------------------
 (***************************************************************************)
-(* Reasons for a rejection that SFC 39 and SFC 40 give: an OB is blocked,  *)
-(* or a start event was lost.                                              *)
+(* Reasons by SFC 39 and SFC 40: an OB is blocked, or a start event was    *)
+(* lost.                                                                   *)
 (*                                                                         *)
 (* Source: requirements, section 3.                                        *)
 (* Left out: wrong answers of the two calls (CallReasons).                 *)
@@ -26,7 +26,7 @@ OfMode(e) ==
            [] Level(e.mode) = 1 -> {"IRT-07"}
            [] OTHER             -> {"IRT-08"}
 
-(* Whether the OB is blocked follows from these requirements.              *)
+(* The requirements that decide whether the OB is blocked. *)
 \* @type: (Seq($event), Int) => Set(Str);
 BlockRequirements(past, o) ==
     LET lines == IrtLines(past, o)
@@ -35,19 +35,21 @@ BlockRequirements(past, o) ==
     IN  IF lines = {} THEN {"IRT-01"}
         ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
         ELSE OfMode(past[last])
-               \cup When(LastOf(past, {"end", "hold"}) > last, {"IRT-02", "IRT-03"})
-               \cup When(Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
-                         {"IRT-20"})
+               \cup When(LastOf(past, {"end", "hold"}) > last,
+                         {"IRT-02", "IRT-03"})
+               \cup When(
+                      Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
+                      {"IRT-20"})
                \cup When(Cardinality(dis) > 1 /\ last \notin dis, {"IRT-16"})
 
-(* The OB is blocked and starts all the same. *)
+(* The OB starts although it is blocked. *)
 \* @type: (Seq($event), Int) => Set(Str);
 ThoughBlocked(past, o) ==
     IF DisIrtStopsCatchUp /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
     ELSE {"IRT-01", "IRT-04"} \cup BlockRequirements(past, o)
            \cup When(o = TimeErrorOb, {"OBS-33"})
 
-(* What came while the OB was blocked is lost, and nothing else has come.  *)
+(* Start events came only while the OB was blocked; they are lost. *)
 \* @type: (Seq($event), Int) => Bool;
 LostMeanwhile(past, o) ==
     LET last == LastIn(IrtLines(past, o))
@@ -55,7 +57,7 @@ LostMeanwhile(past, o) ==
         /\ last > LastStart(past, o)
         /\ last > LastWith(past, {"interrupt", "SRT_DINT", "ACT_TINT"}, o)
 
-(* A start event of an OB that is not blocked has had no effect.           *)
+(* The OB is not blocked, and its start event has had no effect. *)
 \* @type: (Seq($event), Int) => Set(Str);
 ThoughNotBlocked(past, o) ==
     LET lines == IrtLines(past, o)

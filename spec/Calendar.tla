@@ -8,10 +8,10 @@
 (* lie on minutes [TINT-11].  A moment is a minute and the milliseconds in *)
 (* it, since TLC's integers have 32 bits.                                  *)
 (*                                                                         *)
-(* Everything is closed-form.  models/MCCalendar walks through every day   *)
-(* of the range and compares it with a clock that only knows how to add a  *)
-(* day.  Left out: time zones and daylight saving, which the CPU does not  *)
-(* know [CLK-16].                                                          *)
+(* Everything is closed-form. models/MCCalendar compares every day of the  *)
+(* range with a clock that can only add a day.                             *)
+(* Left out: time zones and daylight saving, which the CPU does not know   *)
+(* [CLK-16].                                                               *)
 (***************************************************************************)
 EXTENDS Integers, Typedefs, Codes
 
@@ -217,6 +217,7 @@ FirstPoint(start, period, m) ==
                [] period = YearlyOrDayAfter ->
                     FirstInAnyYear(MonthOf(day), DayOf(day), time, from)
                [] period = EndOfMonth -> FirstMonthly(-31, time, from)
-               [] period = MonthlyOrLast -> FirstMonthly(-DayOf(day), time, from)
+               [] period = MonthlyOrLast ->
+                    FirstMonthly(-DayOf(day), time, from)
                [] OTHER               -> Never
 =============================================================================

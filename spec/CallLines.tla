@@ -4,12 +4,13 @@
 (* the action that a line stands for.                                      *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events of kind `call'.             *)
-(* Left out: what the calls change, which is said with each SFC.           *)
+(* Left out: the effects of calls (Airt, Irt, TimeOfDay, TimeDelay).       *)
 (***************************************************************************)
 EXTENDS Airt, Irt, TimeOfDay, TimeDelay, LogEvents
 
-CallEvents == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT", "SRT_DINT",
-               "CAN_DINT", "QRY_DINT", "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
+CallEvents == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT",
+               "SRT_DINT", "CAN_DINT", "QRY_DINT",
+               "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
 
 (* The values that RET_VAL may have.                                       *)
 \* @type: $event => Set(Int);

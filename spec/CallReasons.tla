@@ -31,20 +31,23 @@ BeforeItsEnd(e) ==
 SetRequirements(e, ret) ==
     CASE ret = OK        -> {"TINT-30"}
       [] ret = BadOb     -> {"TINT-35"}
-      [] ret = BadSdt    -> CASE e.period = Monthly /\ e.sdt.day > 28 -> {"TINT-18"}
-                              [] e.period = EndOfMonth -> {"TINT-19", "TINT-39"}
-                              [] e.period = Yearly     -> {"TINT-32", "TINT-39"}
-                              [] OTHER                 -> {"TINT-39", "TINT-35"}
+      [] ret = BadSdt    ->
+           CASE e.period = Monthly /\ e.sdt.day > 28 -> {"TINT-18"}
+             [] e.period = EndOfMonth -> {"TINT-19", "TINT-39"}
+             [] e.period = Yearly     -> {"TINT-32", "TINT-39"}
+             [] OTHER                 -> {"TINT-39", "TINT-35"}
       [] ret = BadPeriod -> {"TINT-33"}
-      [] ret = PastStart -> {"TINT-36"} \cup When(~HasOnePoint(e.period), {"TINT-37"})
+      [] ret = PastStart ->
+           {"TINT-36"} \cup When(~HasOnePoint(e.period), {"TINT-37"})
       [] OTHER           -> {"TINT-22"}
 
 \* @type: ($event, Int) => Set(Str);
 ActRequirements(e, ret) ==
     LET on == e.ob \in TodObs /\ tod[e.ob].active
     IN  CASE ret = OK -> {"TINT-60"} \cup When(on, {"TINT-63"})
-          [] ret = PastStart -> IF e.ob \in TodObs /\ ~HasOnePoint(tod[e.ob].period)
-                                THEN {"TINT-62"} ELSE {"TINT-61"}
+          [] ret = PastStart ->
+               IF e.ob \in TodObs /\ ~HasOnePoint(tod[e.ob].period)
+               THEN {"TINT-62"} ELSE {"TINT-61"}
           [] ret = NotSet -> {"TINT-61", "TINT-64"}
           [] ret = BadOb  -> {"TINT-61"}
           [] OTHER -> {"TINT-22"}
@@ -92,10 +95,11 @@ WrongAnswer(e) ==
 -----------------------------------------------------------------------------
 (* STATUS *)
 
-(* A time-of-day interrupt is active or not by these requirements.         *)
+(* The requirements that decide whether a time-of-day interrupt is active. *)
 \* @type: (Int, Seq($event)) => Set(Str);
 ActiveRequirements(o, past) ==
-    LET last  == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
+    LET last  == LastWith(past,
+                          {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
         reset == LastOf(past, {"restart"})
     IN  IF tod[o].active /\ ~HasOnePoint(tod[o].period) /\ tod[o].next = Never
         THEN {}  \* a series without a further point
@@ -110,13 +114,14 @@ ActiveRequirements(o, past) ==
                            THEN {"IRT-04", "IRT-18", "TINT-08"}
                            ELSE {"TINT-60"}
 
-(* A delay is started or not by these requirements.                        *)
+(* The requirements that decide whether a delay is started. *)
 \* @type: (Int, Seq($event)) => Set(Str);
 StartedRequirements(o, past) ==
     LET last  == LastWith(past, {"SRT_DINT", "CAN_DINT", "start"}, o)
     IN  IF LastOf(past, {"restart"}) > last THEN {"DINT-13", "OBS-52"}
         ELSE IF Blocked(o) THEN {"IRT-04", "DINT-20"}
-        ELSE IF last > 0 /\ past[last].event = "CAN_DINT" THEN {"DINT-14"} ELSE {}
+        ELSE IF last > 0 /\ past[last].event = "CAN_DINT" THEN {"DINT-14"}
+        ELSE {}
 
 (* The requirements of each wrong bit.                                     *)
 \* @type: ($event, Int, Seq($event)) => Set(Str);
@@ -126,11 +131,12 @@ WrongBits(e, right, past) ==
         valid == e.ob \in TodObs \cup DintObs
     IN  IF ~valid THEN {}
         ELSE When(tods /\ wrong(1), {"TINT-72"})
-               \cup When(wrong(2), {"IRT-17"} \cup
-                    When(IrtLines(past, e.ob) # {}, BlockRequirements(past, e.ob)))
+               \cup When(wrong(2),
+                         {"IRT-17"} \cup When(IrtLines(past, e.ob) # {},
+                                            BlockRequirements(past, e.ob)))
                \cup When(tods /\ wrong(2), {"TINT-73"})
-               \cup When(tods /\ wrong(4), {"TINT-74"}
-                                             \cup ActiveRequirements(e.ob, past))
+               \cup When(tods /\ wrong(4),
+                         {"TINT-74"} \cup ActiveRequirements(e.ob, past))
                \cup When(tods /\ wrong(8), {"TINT-75"})
                \cup When(tods /\ wrong(16), {"TINT-76"})
                \cup When(tods /\ wrong(32), {"TINT-77"})
@@ -139,12 +145,13 @@ WrongBits(e, right, past) ==
                \cup When(~tods, {"DINT-16"})
                \cup When(~tods /\ wrong(4), StartedRequirements(e.ob, past))
 
-(* Of the right values the one with the fewest wrong bits counts.          *)
+(* The right value with the fewest wrong bits counts. *)
 \* @type: ($event, Seq($event)) => Set(Str);
 WrongStatus(e, past) ==
     LET sets == { WrongBits(e, s, past) : s \in RightStatuses(e) }
     IN  IF sets = {} THEN {"TINT-71"}
-        ELSE CHOOSE s \in sets : \A t \in sets : Cardinality(s) <= Cardinality(t)
+        ELSE CHOOSE s \in sets :
+               \A t \in sets : Cardinality(s) <= Cardinality(t)
 
 -----------------------------------------------------------------------------
 

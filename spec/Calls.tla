@@ -1,7 +1,7 @@
 ------------------------------- MODULE Calls --------------------------------
 (***************************************************************************)
 (* The common part of all calls of system functions: the caller, the       *)
-(* possible answers, and the STATUS of SFC 31 and SFC 34 (sections 1.5, 2, *)
+(* possible answers, the STATUS of SFC 31 and SFC 34 (sections 1.5, 2,     *)
 (* 7.4).                                                                   *)
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
@@ -12,8 +12,8 @@ EXTENDS Cpu
 (* [OBS-45].                                                               *)
 Called == stack # <<>> /\ mode # "HOLD"
 
-(* [AMB-63] Of several errors in one call any may be answered; under (a)   *)
-(* the first in the order of the operands, which is that of the codes.     *)
+(* [AMB-63] Any of several errors in a call may be answered; under (a) the *)
+(* first in the order of the operands, which is the order of the codes.    *)
 \* @type: Set(Int) => Set(Int);
 Usual(errors) ==
     IF errors = {} THEN {OK}
@@ -30,9 +30,9 @@ Answers(o, errors) ==
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
 (* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible    *)
-(* values of that bit, 0 or 4.  Bit 0 of a deselected OB in RUN is not     *)
-(* judged by default [AMB-03]; there is no test function [AMB-04].  The    *)
-(* clock is base time, bit 6.  SFC 41 does not show [AIRT-13].             *)
+(* values of that bit, 0 or 4. By default bit 0 of a deselected OB in RUN  *)
+(* is not judged [AMB-03]. No test function is active [AMB-04]. The clock  *)
+(* is base time, bit 6. A delay by SFC 41 does not show [AIRT-13].         *)
 \* @type: (Int, Set(Int)) => Set(Int);
 StatusWithBit2(o, bit2) ==
     LET bit0 == IF mode = "STARTUP" THEN {1}

@@ -7,8 +7,8 @@
 (***************************************************************************)
 EXTENDS Delays, Skips
 
-(* No start point is left behind: a point that equals the clock must have  *)
-(* been dealt with, and the clock stops at the next point.                 *)
+(* Time does not pass a start point: it stops at the next point, and a     *)
+(* point that equals the clock must have been handled.                     *)
 \* @type: $moment => Bool;
 PassesNoPoint(t) ==
     Watching => \A o \in DOMAIN tod :
@@ -32,13 +32,13 @@ TimePasses(t, d) ==
 \* @type: $moment => Bool;
 IsBack(to) == Before(to, clock)
 
-(* [AMB-59] A request stays when the clock is set back. *)
+(* [AMB-59] The requests that stay when the clock is set. *)
 \* @type: $moment => Set($request);
 RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
                         ELSE Close(requests \ WithdrawnBy(to))
 
-(* [AMB-40] (b) An S7-300 that is set back calls every active OB, but not  *)
-(* that of a once whose call runs [CLK-12].                                *)
+(* [AMB-40] (b) An S7-300 whose clock is set back calls every active OB,   *)
+(* except that of a once whose call runs [CLK-12].                         *)
 \* @type: $moment => Set(Int);
 CalledBySetBack(to) ==
     IF /\ IsBack(to) /\ Watching
@@ -64,13 +64,13 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
        /\ Defer(skipped)
 
-(* [AMB-71] A once is used up by the call, too. *)
+(* [AMB-71] That call uses a once up, too. *)
 \* @type: $tod => $tod;
 CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
                                          ELSE [t EXCEPT !.next = Never]
 
-(* The settings after the clock was set; those of OBs whose skip is `held' *)
-(* stay until the release.                                                 *)
+(* The settings after the clock was set. If a skip is `held', the setting  *)
+(* of its OB stays until the release.                                      *)
 \* @type: ($moment, $cpu, Set(Int)) => (Int -> $tod);
 TodAfterClock(to, c, held) ==
     [ o \in DOMAIN tod |->

@@ -10,7 +10,7 @@
 (*   withdrawn  by a call that cancels the interrupt [TINT-50], or by the  *)
 (*              call of the OB of a once interrupt [TINT-08]               *)
 (*   cleared    by STOP [OBS-41]                                           *)
-(*   merged     with one that waited, was open or ran                      *)
+(*   merged     with a start event that waited, was open or ran            *)
 (*                                                                         *)
 (* An abstract specification: models/MCRefineEvents shows that System      *)
 (* implements it.  `fates' is a multiset for each OB: how many start       *)
@@ -72,7 +72,8 @@ WithOneMore(b) ==
 (* By the start of the OB of a once interrupt the others are withdrawn. *)
 \* @type: (Str -> Int) => Set(Str -> Int);
 WithStart(b) ==
-    { Moved(b, f, "running", 1) : f \in { g \in {"waiting", "open"} : b[g] > 0 } }
+    { Moved(b, f, "running", 1)
+      : f \in { g \in {"waiting", "open"} : b[g] > 0 } }
 \* @type: (Str -> Int) => Set(Str -> Int);
 WithLastStart(b) ==
     { Moved(Moved(c, "waiting", "withdrawn", c["waiting"]),

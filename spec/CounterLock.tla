@@ -1,8 +1,8 @@
 ----------------------------- MODULE CounterLock ----------------------------
 (***************************************************************************)
-(* SFC 41 and 42 as a lock that is counted (section 4): the program that   *)
-(* runs takes it and gives it back; while it is held nothing starts and    *)
-(* nothing that waits is lost; when the count is 0, or the program has     *)
+(* SFC 41 and 42 as a lock that is counted (section 4): the running        *)
+(* program takes it and gives it back; while it is held nothing starts and *)
+(* no waiting start event is lost; when the count is 0, or the program has *)
 (* ended, a program of a higher class starts before anything else.         *)
 (*                                                                         *)
 (* An abstract specification: models/MCRefineLock shows that System        *)

@@ -1,6 +1,6 @@
 --------------------------------- MODULE Cpu --------------------------------
 (***************************************************************************)
-(* The words to speak of a CPU: OBs, priority classes, the blocks of SFC   *)
+(* Terms for the parts of a CPU: OBs, priority classes, the blocks of SFC  *)
 (* 39, the stack of running OBs.                                           *)
 (*                                                                         *)
 (* Sources: requirements, section 5.1, table 7.1.                          *)
@@ -49,8 +49,8 @@ DefaultClass(o) ==
 ClassOf(o) == IF o \in DOMAIN cpu.priority THEN cpu.priority[o]
                                            ELSE DefaultClass(o)
 
-(* [OBS-43] [OBS-31] [AMB-13] The class in which the start event of an     *)
-(* asynchronous error is handled.                                          *)
+(* [OBS-43] [OBS-31] [AMB-13] The class of the start event of an           *)
+(* asynchronous error.                                                     *)
 \* @type: (Int, Int) => Int;
 ErrorClass(o, fault) ==
     IF o = TimeErrorOb
@@ -74,8 +74,8 @@ ClassNumber(o) == IF o \in 55..57 THEN 50 ELSE (o \div 10) * 10
 (* [IRT-11] The OBs that can be blocked; models use fewer. *)
 Blockable == (10..17) \cup (20..23) \cup ExternalObs
 
-(* [AMB-21] (b) Marks in irt for a whole class and for everything, apart   *)
-(* from the OBs.                                                           *)
+(* [AMB-21] (b) Beside OBs, irt has marks: one for each class, one for     *)
+(* everything.                                                             *)
 \* @type: Int => Int;
 ClassMark(number) == 1000 + number
 AllMark == 2000
@@ -91,11 +91,11 @@ MarkedIn(marks, o) ==
 \* @type: Int => Bool;
 Blocked(o) == MarkedIn(irt.blocked, o)
 
-(* [IRT-09] Nor are they entered in the diagnostic buffer. *)
+(* [IRT-09] Nor do they get entries in the diagnostic buffer. *)
 \* @type: Int => Bool;
 Silenced(o) == MarkedIn(irt.silent, o)
 
-(* Start events of the OB come to nothing. *)
+(* Start events of the OB have no effect. *)
 \* @type: Int => Bool;
 Idle(o) == Deselected(o) \/ Blocked(o)
 
@@ -115,7 +115,7 @@ OnStack(o) == \E i \in DOMAIN stack : stack[i].ob = o
 \* @type: (Int, Int) => $frame;
 Frame(o, class) == [ob |-> o, class |-> class]
 
-(* The clock is watched for start points, and delays run, [OBS-41]         *)
-(* [OBS-44]; neither in HOLD [OBS-45] [DINT-19].                           *)
+(* In these modes start points are reached and delays run [OBS-41]         *)
+(* [OBS-44]; not in HOLD [OBS-45] [DINT-19].                               *)
 Watching == mode \in {"RUN", "STARTUP"}
 =============================================================================

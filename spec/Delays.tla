@@ -10,17 +10,20 @@ EXTENDS StartEvents
 NoJob  == [started |-> FALSE, left |-> 0, dtime |-> 0, sign |-> 0]
 NoJobs == [o \in DintObs |-> NoJob]
 
-(* [AMB-12] (b) Elapsed and lost, and yet still started. *)
+(* [AMB-12] (b) The delay is over and its start event lost; the job is     *)
+(* still started.                                                          *)
 Gone == -1
 
 (* The jobs that time brings nearer to their end. *)
-Jobs == IF Watching THEN { o \in DintObs : dint[o].started /\ dint[o].left >= 0 }
-                    ELSE {}
+Jobs == IF Watching
+        THEN { o \in DintObs : dint[o].started /\ dint[o].left >= 0 }
+        ELSE {}
 
-(* No delay is left behind; a delay that is over must have been dealt      *)
-(* with.                                                                   *)
+(* Time does not pass the end of a delay; a delay that is over must have   *)
+(* been handled.                                                           *)
 \* @type: Int => Bool;
-PassesNoDelay(d) == d = 0 \/ \A o \in Jobs : dint[o].left > 0 /\ d <= dint[o].left
+PassesNoDelay(d) ==
+    d = 0 \/ \A o \in Jobs : dint[o].left > 0 /\ d <= dint[o].left
 
 (* The jobs when d ms have elapsed. *)
 \* @type: Int => (Int -> $job);
@@ -29,14 +32,15 @@ JobsAfter(d) == IF d = 0 \/ Jobs = {} THEN dint
                          IF o \in Jobs THEN [dint[o] EXCEPT !.left = @ - d]
                                        ELSE dint[o] ]
 
-(* A job is over with its delay, unless it is lost and stays [AMB-12].       *)
+(* A job ends with its delay, unless its start event is lost and it stays  *)
+(* [AMB-12].                                                               *)
 \* @type: (Int, $job) => $job;
 AfterItsEnd(o, job) ==
     IF Blocked(o) /\ ~LostEventEndsItsSource
     THEN [job EXCEPT !.left = Gone] ELSE NoJob
 
-(* [DINT-06] Up to 1 ms before its end a delay may be over [DINT-10]       *)
-(* [DINT-11] [DINT-20].                                                    *)
+(* [DINT-06] A delay may be over up to 1 ms early [DINT-10] [DINT-11]      *)
+(* [DINT-20].                                                              *)
 \* @type: Int => Bool;
 DelayElapses(o) ==
     /\ o \in Jobs

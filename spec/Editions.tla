@@ -1,9 +1,9 @@
 ------------------------------ MODULE Editions ------------------------------
 (***************************************************************************)
-(* The letters of the ambiguities in docs/rules/readings.md: the letter    *)
-(* where neither a log's header nor a model names one, the letters that a  *)
-(* header may name, the profiles, which bundle the letters of one edition  *)
-(* of the manual, and the letter of the CPU at hand.                       *)
+(* The letters of the ambiguities in docs/rules/readings.md: the default   *)
+(* letters, which hold where neither a header nor a model names another;   *)
+(* the letters that a header may name; the profiles, each with the letters *)
+(* of one edition of the manual; the letter of the CPU at hand.            *)
 (*                                                                         *)
 (* Module Readings gives each letter its meaning.                          *)
 (* Left out: letters that no formula tells apart; docs/rules/readings.md   *)
@@ -11,7 +11,7 @@
 (***************************************************************************)
 EXTENDS State
 
-(* The ambiguities whose default is not (a). *)
+(* The ambiguities with a default other than (a). *)
 \* @type: Set(Str);
 ReadByB ==
     { "AMB-02", "AMB-27", "AMB-31", "AMB-44", "AMB-63" }
@@ -24,7 +24,7 @@ ReadByC ==
 \* @type: Set(Str);
 ReadByD == { "AMB-11", "AMB-13", "AMB-18", "AMB-71", "AMB-77" }
 
-(* How many letters of each some formula tells apart. *)
+(* The number of letters that formulas tell apart. *)
 \* @type: Set(Str);
 FourLetters ==
     { "AMB-11", "AMB-13", "AMB-18", "AMB-56", "AMB-71", "AMB-77" }
@@ -92,9 +92,9 @@ Turned(c, a, open, letters) ==
     ELSE { ReadAs(a, letter, c) : letter \in letters }
 
 -----------------------------------------------------------------------------
-(* Profiles: an edition as printed, where the defaults would reject it.    *)
-(* "delay": of AMB-06, (b) for time-delay interrupts alone, as the edition *)
-(* of 2010 has it.                                                         *)
+(* Profiles: the letters of an edition as printed, where the defaults      *)
+(* would reject it. AMB-06 has the letter "delay" for the edition of 2010: *)
+(* (b) for time-delay interrupts alone.                                    *)
 
 ProfileNames == {"1997", "2006", "2010"}
 

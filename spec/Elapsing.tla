@@ -18,8 +18,8 @@ PointsNow ==
     IF ~Watching \/ (clock.ms # 0 /\ ~SecondsAreKept) THEN {}
     ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
 
-(* Delays that are over now, and delays that may be over before line e.    *)
-(* Under AMB-70 (a) calls in the last millisecond still see the job.       *)
+(* Delays that are over now; delays that may be over before line e. Under  *)
+(* AMB-70 (a) calls in the last millisecond still see the job.             *)
 OverNow == { o \in Jobs : dint[o].left = 0 }
 \* @type: $event => Set(Int);
 OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
@@ -34,22 +34,24 @@ FindMissing ==
 -----------------------------------------------------------------------------
 (* Points without effect *)
 
-(* [AMB-18] Another start event of an OB that waits adds nothing to its     *)
+(* [AMB-18] Another start event of a waiting OB adds nothing to its        *)
 (* endless requests.                                                       *)
 \* @type: Int => Bool;
 Repeats(o) ==
-    LET has(ob, cause, fault) == \E r \in requests : /\ r.ob = ob /\ r.cause = cause
-                                                     /\ r.fault = fault /\ Endless(r)
+    LET has(ob, cause, fault) ==
+          \E r \in requests : /\ r.ob = ob /\ r.cause = cause
+                              /\ r.fault = fault /\ Endless(r)
     IN  /\ terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
         /\ PendingIn(requests, o) /\ ~OnStack(o) /\ ~Idle(o)
         /\ has(o, 0, 0)
         /\ TimeErrorOb \in loaded =>
-             has(TimeErrorOb, o, StillRunning) /\ has(TimeErrorOb, o, BufferOverflow)
+             /\ has(TimeErrorOb, o, StillRunning)
+             /\ has(TimeErrorOb, o, BufferOverflow)
 
-(* [IRT-04] [AMB-35] The OBs whose next points bring about nothing but the   *)
-(* point after them: lost without an entry, in STARTUP one more for a run  *)
-(* that waits already, or one more of many.  There may be millions before  *)
-(* the next line.                                                          *)
+(* [IRT-04] [AMB-35] The OBs whose next points have no effect: the start   *)
+(* event is lost without an entry, deferred in STARTUP to a run that waits *)
+(* already, or added to endless requests. There may be millions of them    *)
+(* before the next line.                                                   *)
 PassedOver ==
     IF ~Watching THEN {}
     ELSE { o \in DOMAIN tod :
@@ -69,15 +71,16 @@ PassedUntil(t, m) ==
 \* @type: $moment => Bool;
 PassesNoOther(t) ==
     \A o \in DOMAIN tod \ PassedOver :
-      tod[o].active => ~Before(NextMoment(tod[o]), t) /\ clock # NextMoment(tod[o])
+      tod[o].active => /\ ~Before(NextMoment(tod[o]), t)
+                       /\ clock # NextMoment(tod[o])
 
-(* As TimePasses, over points without effect.                              *)
+(* Time passes, as in TimePasses, and points without effect pass with it. *)
 \* @type: ($moment, Int) => Bool;
 PassesOver(t, d) ==
     /\ Before(clock, t) /\ PassesNoOther(t) /\ PassesNoDelay(d)
     /\ clock' = t
-    /\ tod' = [ o \in DOMAIN tod |-> IF o \in PassedOver THEN PassedUntil(tod[o], t)
-                                                         ELSE tod[o] ]
+    /\ tod' = [ o \in DOMAIN tod |->
+                  IF o \in PassedOver THEN PassedUntil(tod[o], t) ELSE tod[o] ]
     /\ dint' = JobsAfter(d)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, irt, outcomeVars, runVars>>
@@ -97,8 +100,8 @@ NextDelayOver ==
     IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
 
 (* The moment on the clock of `up' when the CPU clock is at b, on the way  *)
-(* to line e.  The clocks differ a little: counted from now or back from   *)
-(* the line, whichever is later.                                           *)
+(* to line e. The clocks differ a little: the later of two moments, one    *)
+(* counted from now, the other back from the line.                         *)
 \* @type: ($moment, $event) => $moment;
 UpAt(b, e) ==
     LET forward  == Shifted(up, clock, b)
@@ -120,11 +123,12 @@ ElapseTo(until, to) ==
         /\ UNCHANGED eventVars
         /\ up' = until
         /\ IF to # clock
-           THEN IF PassedOver = {} THEN TimePasses(to, d) ELSE PassesOver(to, d)
+           THEN IF PassedOver = {} THEN TimePasses(to, d)
+                ELSE PassesOver(to, d)
            ELSE /\ dint' = JobsAfter(d)
                 /\ NothingEntered
-                /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, irt,
-                               requests, stack, delay, stopCause>>
+                /\ UNCHANGED <<deviceVars, modeVars, clock, tod, irt,
+                               outcomeVars, runVars>>
 
 (* Time elapses towards line e, but not beyond the next start point or the *)
 (* next end of a delay.                                                    *)

@@ -5,8 +5,8 @@
 (* 7.5).                                                                   *)
 (*                                                                         *)
 (* The operators set requests', stopCause' and entered'.                   *)
-(* Left out: entries for other events than those of table 7.5 that belong  *)
-(* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
+(* Left out: entries of other events. Table 7.5 has those of OB 80, OB 85, *)
+(* STOP by rule and SFC 39.                                                *)
 (***************************************************************************)
 EXTENDS Requests
 
@@ -17,7 +17,8 @@ EXTENDS Requests
 Entry(id) == [id |-> id, of |-> NoRequest, open |-> FALSE]
 
 \* @type: $request => $entry;
-EntryOf(error) == [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE]
+EntryOf(error) ==
+    [id |-> ErrorEntry + error.fault, of |-> error, open |-> FALSE]
 
 (* [AMB-41] (b) Under MODE 8x every blocked event shows as 5380. *)
 \* @type: Int => Set($entry);
@@ -36,14 +37,14 @@ OpenEntries(errors) ==
 -----------------------------------------------------------------------------
 (* STOP by rule *)
 
-(* The first cause counts. *)
+(* The first cause of a STOP counts. *)
 \* @type: Int => Int;
 StopFor(cause) == IF stopCause = NoCause THEN cause ELSE stopCause
 
 \* @type: Int => Set($entry);
 EntriesOfStop(cause) == IF stopCause = NoCause THEN {Entry(cause)} ELSE {}
 
-(* The error is entered; with it the CPU may have to stop. *)
+(* The error is entered. The CPU may have to stop. *)
 \* @type: ($request, Bool, Int) => Bool;
 ErrorShows(error, stops, cause) ==
     /\ stopCause' = IF stops THEN StopFor(cause) ELSE stopCause
@@ -66,9 +67,9 @@ TimeErrorStops(error) ==
     /\ IF Blocked(TimeErrorOb) THEN BlockedErrorStopsTheCpu
                                ELSE ~ErrorsNeverStop(error.cause)
 
-(* The requests after a time error: those `kept', with the runs that       *)
-(* follow it, or those `lost', without them.  A blocked OB 80 may take     *)
-(* these runs along [AMB-48].                                              *)
+(* The requests after a time error: `kept' with the runs that follow it,   *)
+(* `lost' without these runs. If OB 80 is blocked, the runs may be lost,   *)
+(* too [AMB-48].                                                           *)
 \* @type: (Set($request), Set($request), $request) => Set(Set($request));
 RequestsAfterTimeError(kept, lost, error) ==
     IF Blocked(TimeErrorOb)
@@ -87,10 +88,11 @@ TimeErrorOccurs(kept, lost, error) ==
 -----------------------------------------------------------------------------
 (* Missing OBs *)
 
-(* [AMB-28] The error that OB 85 reports: the OB of the request r is missing. *)
+(* [AMB-28] The error that OB 85 reports: the OB of request r is missing.  *)
 \* @type: $request => $request;
 ProgramError(r) ==
-    [ ExternalRequest(ProgramErrorOb, IF MissingObIsFaultA1 THEN \hA1 ELSE \hA2)
+    [ ExternalRequest(ProgramErrorOb,
+                      IF MissingObIsFaultA1 THEN \hA1 ELSE \hA2)
       EXCEPT !.cause = r.ob, !.word = r.word, !.during = Running.ob ]
 
 (* [AMB-33] [AMB-23] *)
@@ -98,7 +100,7 @@ BlockedOb85Stops ==
     \/ BlockedOb85StopsTheCpu
     \/ BlockedErrorStopsTheCpu /\ ProgramErrorOb \notin loaded
 
-(* [AMB-45] One OB 85 for all missing OBs, or one for each.                 *)
+(* [AMB-45] One OB 85 for all missing OBs, or one for each.                *)
 \* @type: (Set($request), $request) => Bool;
 ProgramErrorWaits(rest, error) ==
     LET joins == OnStack(ProgramErrorOb) \/ PendingIn(rest, ProgramErrorOb)
@@ -110,8 +112,8 @@ ProgramErrorWaits(rest, error) ==
               /\ requests' = rest
               /\ entered'  = OpenEntries({error})
 
-(* [TINT-16] [DINT-09] [OBS-20] The OB of the request r is missing; the    *)
-(* others are `rest'.  OB 85 waits; blocked, it is lost [AMB-33].          *)
+(* [TINT-16] [DINT-09] [OBS-20] The OB of request r is missing. OB 85      *)
+(* waits beside `rest', the other requests; blocked, it is lost [AMB-33].  *)
 \* @type: (Set($request), $request) => Bool;
 ProgramErrorOccurs(rest, r) ==
     IF Blocked(ProgramErrorOb)

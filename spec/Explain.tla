@@ -5,14 +5,14 @@
 (* Module Reasons has the requirements that decide.                        *)
 (*                                                                         *)
 (* The engine evaluates these operators in the states before the line.     *)
-(* They repeat the guards of the actions, and no action uses them.         *)
+(* They repeat the guards of the actions; no action uses them.             *)
 (* Source: docs/checking/reports.md, `expected' and `state' of a verdict.  *)
 (* Left out: the conjunct of an action that is false; the engine finds it  *)
 (* in the action itself.                                                   *)
 (***************************************************************************)
 EXTENDS Grounds, Offers, Widening
 
-(* What may be observed: an event with its OB, and one field of it. *)
+(* An event that may be observed, with its OB and one of its fields. *)
 \* @type: (Str, Int, Str, Int) => $allowed;
 Allowed(event, ob, field, value) ==
     [event |-> event, ob |-> ob, field |-> field, value |-> value]
@@ -28,7 +28,7 @@ NotCovered(h) ==
 \* @type: Str => <<Str, Str>>;
 DefaultOf(a) == <<a, Defaults[a]>>
 
-(* The RET_VALs of each call, but for SFC 41, which answers a count.       *)
+(* The RET_VALs of each call, except SFC 41, which answers a count. *)
 AnswersOfCalls ==
     { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
       <<"CAN_TINT", {OK, BadOb, NotSet}>>,
@@ -41,8 +41,8 @@ AnswersOfCalls ==
       <<"EN_IRT", {OK, BadOb, BadMode}>>,
       <<"EN_AIRT", {OK, NotDelayed}>> }
 
-(* What a header may ask for: CPUs, profiles, and the letters of each      *)
-(* ambiguity.  What a call may be given and answer.                        *)
+(* The choices of a header: CPUs, profiles, and the letters of each        *)
+(* ambiguity; the PERIODs and the answers of calls.                        *)
 Alternatives ==
     [ families |-> {"S7-300", "S7-400", "CPU 318"},
       profiles |-> ProfileNames,
@@ -52,7 +52,7 @@ Alternatives ==
       answers  |-> AnswersOfCalls ]
 
 -----------------------------------------------------------------------------
-(* What may be observed in this state *)
+(* Events that may be observed in this state *)
 
 Startable ==
     { r \in requests : MayStart(r) /\ r.ob \in loaded /\ HighestFirst(r) }
@@ -74,9 +74,10 @@ Possible ==
       \cup (IF mode = "STOP" THEN {Allowed("restart", 0, "", 0)}
             ELSE {Stopping})
       \cup (IF mode = "HOLD" THEN {Allowed("release", 0, "", 0)} ELSE {})
-      \cup (IF stopCause = NoCause /\ ENABLED Run THEN {Allowed("run", 0, "", 0)} ELSE {})
+      \cup (IF stopCause = NoCause /\ ENABLED Run
+            THEN {Allowed("run", 0, "", 0)} ELSE {})
 
-(* What the CPU might say in the place of each field that is wrong.        *)
+(* The right value of each wrong field. *)
 \* @type: $event => Set($allowed);
 ExpectedState(e) ==
     LET truth(field, given, value) ==
@@ -102,7 +103,7 @@ Expected(e) ==
                 \cup (IF stopCause = NoCause THEN {} ELSE {Stopping})
     ELSE Possible
 
-(* What had to come before this line. *)
+(* The events that had to come before this line. *)
 \* @type: $event => Set($allowed);
 TooLate(e) ==
     { StartOf(r) : r \in { q \in Late(e) : q.ob \in loaded } }
@@ -129,7 +130,7 @@ WaitingAs(r) ==
 \* @type: Int => <<Int, Int>>;
 WaitedFor(c) == <<c, waiting[c]>>
 
-(* What is set, armed, started, blocked, pending; what runs.               *)
+(* Modes, clock, running and waiting OBs, blocks, settings and jobs. *)
 Situation ==
     [ mode     |-> mode,
       clock    |-> clock,
@@ -142,11 +143,14 @@ Situation ==
       latency  |-> terms.latency,
       waited   |-> { WaitedFor(c) : c \in DOMAIN waiting },
       pending  |-> { WaitingAs(r) : r \in requests },
-      tod      |-> { [ ob |-> o, active |-> tod[o].active, period |-> tod[o].period,
-                       start |-> FirstMoment(tod[o]), next |-> NextMoment(tod[o]),
-                       armed |-> tod[o].active /\ tod[o].next # Never ]
+      tod      |-> { [ ob |-> o,
+                       active |-> tod[o].active,
+                       period |-> tod[o].period,
+                       start  |-> FirstMoment(tod[o]),
+                       next   |-> NextMoment(tod[o]),
+                       armed  |-> tod[o].active /\ tod[o].next # Never ]
                      : o \in { p \in DOMAIN tod : tod[p].set } },
-      dint     |-> { [ ob |-> o, left |-> dint[o].left, dtime |-> dint[o].dtime,
-                       sign |-> dint[o].sign ]
+      dint     |-> { [ ob |-> o, left |-> dint[o].left,
+                       dtime |-> dint[o].dtime, sign |-> dint[o].sign ]
                      : o \in { p \in DOMAIN dint : dint[p].started } } ]
 =============================================================================

@@ -1,8 +1,8 @@
 ------------------------------ MODULE Grounds -------------------------------
 (***************************************************************************)
-(* The requirements by which a line is possible: those that someone who    *)
-(* asks why would be shown.  They follow from the state just before the    *)
-(* line, from the line e, and from the lines before it, `past'.            *)
+(* The requirements by which a line is possible: the answer to the         *)
+(* question why it is. They follow from the state just before the line,    *)
+(* from the line e, and from the lines before it, `past'.                  *)
 (*                                                                         *)
 (* No action uses this module.                                             *)
 (* Source: the requirement IDs.                                            *)

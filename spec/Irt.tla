@@ -1,9 +1,9 @@
 --------------------------------- MODULE Irt --------------------------------
 (***************************************************************************)
 (* SFC 39 DIS_IRT and SFC 40 EN_IRT: new interrupts and asynchronous       *)
-(* errors are lost, without the reaction to a missing OB, until they are   *)
-(* enabled again or the CPU is restarted (section 3).  StartEvents has the *)
-(* events that are lost, Cpu the OBs that are blocked.                     *)
+(* errors are lost, without the reaction to a missing OB, until a call     *)
+(* enables them or the CPU is restarted (section 3). StartEvents has the   *)
+(* lost events, Cpu the blocked OBs.                                       *)
 (*                                                                         *)
 (* Left out: synchronous errors, which are not affected [IRT-05] [IRT-23]. *)
 (***************************************************************************)
@@ -17,7 +17,7 @@ Lacking ==
 ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
 ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 
-(* Numbers that some OB of these CPUs has. *)
+(* The numbers of all OBs of these CPUs. *)
 ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
                     \cup (61..65) \cup (100..102) \cup ExternalObs
 
@@ -39,15 +39,15 @@ NumberFits(m, o) ==
       [] Level(m) = 1 -> o \in ClassNumbersOfIrt
       [] OTHER        -> o \in ObNumbersOfIrt
 
-(* [IRT-12] [AMB-63] Beside a bad MODE, 8090 applies only to a number that *)
-(* no OB has.                                                              *)
+(* [IRT-12] [AMB-63] With a bad MODE, 8090 is answered only for a number   *)
+(* that no OB has.                                                         *)
 \* @type: (Int, Int, Set(Int)) => Set(Int);
 IrtErrors(m, o, modes) ==
     IF m \notin modes
     THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
     ELSE IF NumberFits(m, o) THEN {} ELSE {BadOb}
 
-(* [AMB-21] One flag for each OB; under (b) one for each of three levels.   *)
+(* [AMB-21] One flag for each OB; under (b) one for each of three levels.  *)
 \* @type: (Int, Int) => Set(Int);
 Meant(m, o) ==
     IF Level(m) = 2 THEN {o}
@@ -59,14 +59,15 @@ Meant(m, o) ==
 \* @type: (Set(Int), Bool) => $irt;
 BlockedWith(marks, silent) ==
     [ blocked |-> irt.blocked \cup marks,
-      silent  |-> IF silent THEN irt.silent \cup marks ELSE irt.silent \ marks ]
+      silent  |-> IF silent THEN irt.silent \cup marks
+                            ELSE irt.silent \ marks ]
 
 \* @type: Set(Int) => $irt;
 BlockedWithout(marks) ==
     [blocked |-> irt.blocked \ marks, silent |-> irt.silent \ marks]
 
-(* [AMB-72] A request that waits already still runs, or the call drops it; *)
-(* in OB 80 it may keep a catch-up from coming [CLK-04] [AMB-15].          *)
+(* [AMB-72] A waiting request still runs, or the call drops it; called in  *)
+(* OB 80, it may cancel a catch-up [CLK-04] [AMB-15].                      *)
 \* @type: ($request, Set(Int)) => Bool;
 Dropped(r, marks) ==
     /\ MarkedIn(marks, r.ob)
@@ -81,7 +82,8 @@ RequestsAfterDisIrt(marks) ==
 (* [IRT-09] [AMB-41] *)
 \* @type: Int => Set($entry);
 EntriesOfDisIrt(m) ==
-    IF WithoutEntries(m) /\ DisIrtIsEntered THEN {Entry(EntriesDisabled)} ELSE {}
+    IF WithoutEntries(m) /\ DisIrtIsEntered
+    THEN {Entry(EntriesDisabled)} ELSE {}
 
 (* [IRT-01] [IRT-06] .. [IRT-09] *)
 \* @type: (Int, Int, Int) => Bool;
@@ -108,5 +110,6 @@ EnIrt(m, o, ret) ==
     /\ ret \in Usual(IrtErrors(m, o, EnModes))
     /\ irt' = IF ret = OK THEN IrtAfterEnIrt(m, o) ELSE irt
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, outcomeVars, runVars>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, outcomeVars,
+                   runVars>>
 =============================================================================

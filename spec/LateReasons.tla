@@ -1,7 +1,7 @@
 ----------------------------- MODULE LateReasons ----------------------------
 (***************************************************************************)
-(* Reasons why a line comes too late: something had to come before it.     *)
-(* They are asked for in the states in which time could not go on.         *)
+(* Reasons why a line comes too late: something had to come before it. The *)
+(* engine asks for them in the states in which time could not go on.       *)
 (*                                                                         *)
 (* Source: requirements, sections 1 to 6;                                  *)
 (* docs/checking/log-format.md, fine point 1.                              *)
@@ -11,7 +11,7 @@ EXTENDS TimeReasons
 
 Due == { r \in requests : MayStart(r) /\ ~r.open }
 
-(* The due requests that the line shows to be late.                        *)
+(* The due requests that are late by this line. *)
 \* @type: $event => Set($request);
 Late(e) ==
     { r \in Due : /\ WaitsAs(r) \in DOMAIN waiting
@@ -23,7 +23,7 @@ ReportsLate(e) == EntriesLate(Span(up, e.up))
 -----------------------------------------------------------------------------
 (* Late OBs *)
 
-(* The OB was held back until now, or should not have been.                *)
+(* The OB was held back until now, or was held back wrongly. *)
 \* @type: ($request, Seq($event)) => Set(Str);
 HeldBack(r, past) ==
     LET last  == LastStart(past, r.ob)
@@ -47,7 +47,8 @@ LateTod(r, past) ==
           SinceRun(past, o, last)
             \cup When(ClockWasSet(past, last) < 0, SinceClock(past, last))
             \cup When(cpu.step7[o].execution = "once" /\ last = 0, {"OBS-56"})
-            \cup When(Blocked(o) \/ LastIn(IrtLines(past, o)) > last, {"IRT-18"})
+            \cup When(Blocked(o) \/ LastIn(IrtLines(past, o)) > last,
+                      {"IRT-18"})
             \cup When(~TodCallsWithdrawRuns, {"TINT-50"})
             \cup When(~SecondRequestIsOpen, {"OBS-07"})
             \cup When(act > 0 /\ past[act].ret = -1, {"TINT-60"})
@@ -59,10 +60,12 @@ LateTod(r, past) ==
 
 \* @type: ($request, Seq($event)) => Set(Str);
 LateDint(r, past) ==
-    {"DINT-06"} \cup (SinceRun(past, r.ob, LastStart(past, r.ob)) \ {"DINT-19"})
+    {"DINT-06"} \cup (SinceRun(past, r.ob, LastStart(past, r.ob))
+                       \ {"DINT-19"})
                 \cup OfDelay(r.ob, past)
                 \cup When(dint[r.ob].started
-                            \/ LastWith(past, {"CAN_DINT"}, r.ob) > 0, {"DINT-15"})
+                            \/ LastWith(past, {"CAN_DINT"}, r.ob) > 0,
+                          {"DINT-15"})
                 \cup When(dint[r.ob].started, {"DINT-08"})
                 \cup When(OfDelay(r.ob, past) = {}, {"DINT-03"})
 
@@ -76,9 +79,11 @@ LateRequirement(r, past) ==
       [] r.follows = SkippedInHold   -> {"CLK-03", "OBS-46"}
       [] r.follows = SkippedByClock  -> {"CLK-03"}
       [] r.follows = StillRunning    ->
-           When(r.ob \in TodObs, {"TINT-14"}) \cup When(r.ob \in DintObs, {"DINT-10"})
+           When(r.ob \in TodObs, {"TINT-14"})
+             \cup When(r.ob \in DintObs, {"DINT-10"})
              \cup When(LastIn(IrtLines(past, TimeErrorOb)) > 0, {"OBS-33"})
-      [] r.ob \in DintObs            -> LateDint(r, past) \cup HeldBack(r, past)
+      [] r.ob \in DintObs            ->
+           LateDint(r, past) \cup HeldBack(r, past)
       [] r.ob \in TodObs             -> LateTod(r, past)
       [] r.fault = SkippedByClock    -> {"CLK-02"} \cup HeldBack(r, past)
       [] r.fault = SkippedInHold     -> {"OBS-46"}
@@ -93,7 +98,7 @@ LateRequirement(r, past) ==
              \cup (IF HeldBack(r, past) = {} THEN {"OBS-01", "OBS-03"}
                    ELSE HeldBack(r, past))
 
-(* Of a STOP that is due. *)
+(* The requirements of a STOP that is due. *)
 StopRequirements ==
     CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
       [] stopCause = NoProgramErrorOb -> {"OBS-21"}
@@ -109,8 +114,9 @@ EntryRequirements(entry, past) ==
       [] entry.id = NoTimeErrorOb    -> {"OBS-22"}
       [] entry.id = NoProgramErrorOb -> {"OBS-21"}
       [] entry.of.ob = TimeErrorOb   ->
-           {"OBS-30"} \cup When(Blocked(TimeErrorOb),
-                                {"OBS-33"} \cup BlockRequirements(past, TimeErrorOb))
+           {"OBS-30"}
+             \cup When(Blocked(TimeErrorOb),
+                       {"OBS-33"} \cup BlockRequirements(past, TimeErrorOb))
       [] OTHER                       -> {"OBS-20"}
 
 -----------------------------------------------------------------------------

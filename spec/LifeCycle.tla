@@ -77,15 +77,15 @@ Due == /\ on /\ setting = "active" /\ ~blocked
           \/ waiting' = waiting /\ (waiting > 0 \/ running)
        /\ UNCHANGED <<on, setting, once, blocked, running, past>>
 
-(* [IRT-01] [IRT-04] [IRT-18] A once interrupt is used up by it, unless    *)
-(* one of its start events waits still.                                    *)
+(* [IRT-01] [IRT-04] [IRT-18] A lost start event uses a once up, unless an *)
+(* earlier one still waits.                                                *)
 Lost == /\ on /\ setting = "active" /\ blocked
         /\ IF once /\ waiting = 0 THEN setting' = "unset" /\ once' = FALSE
                                   ELSE UNCHANGED <<setting, once>>
         /\ past' = "lost"
         /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
 
-(* [TINT-23] [TINT-08] The OB is called for what waits; a once interrupt   *)
+(* [TINT-23] [TINT-08] The OB is called for a waiting start event. A once  *)
 (* is no longer set then, or when its OB ends [AMB-71].                    *)
 Start == /\ on /\ ~running /\ running' = TRUE
          /\ setting = "active"
@@ -111,7 +111,8 @@ Fade == /\ on /\ perhaps /\ perhaps' = FALSE
 
 (* [IRT-01] [IRT-13] [IRT-16] A start event that waits already stays. *)
 BlockOrFree == /\ on /\ blocked' # blocked
-               /\ UNCHANGED <<on, setting, once, waiting, perhaps, running, past>>
+               /\ UNCHANGED <<on, setting, once, waiting, perhaps, running,
+                              past>>
 
 (* [OBS-41] *)
 Stop == /\ on /\ on' = FALSE

@@ -9,13 +9,13 @@
 EXTENDS Modes, OutsideEvents, CallLines, Elapsing
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
-(* following ones.  In a log that begins in RUN it may be any of them.     *)
+(* following ones. If a log begins in RUN, its first OB 1 may have any.    *)
 CycleEvents == CASE first = "warm" -> {1}
                  [] first = "cold" -> {4}
                  [] first = "none" -> {3}
                  [] OTHER          -> 1..4
 
-(* The OB starts by one of many open requests; there may be more.          *)
+(* The OB starts by one of many open requests; others may remain. *)
 \* @type: $request => Bool;
 StartsAgain(r) ==
     IF LastCall(r) THEN Start(r)
@@ -23,7 +23,7 @@ StartsAgain(r) ==
          /\ stack' = Append(stack, Frame(r.ob, r.class))
          /\ requests' = (requests \ {r}) \cup {[r EXCEPT !.open = TRUE]}
          /\ NothingEntered
-         /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, delay,
+         /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, delay,
                         stopCause>>
 
 \* @type: $event => Bool;
@@ -36,8 +36,8 @@ IsStart(e) ==
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
                  /\ delay' = 0
                  /\ NothingEntered
-                 /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint,
-                                irt, requests, stack, stopCause>>
+                 /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars,
+                                outcomeVars, stack>>
       [] e.ob \in StartupObs ->
            /\ Fits(e.info.priority, 27)
            /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
@@ -51,31 +51,34 @@ IsStart(e) ==
 (* A line that sets the clock to its own reading changes nothing.          *)
 \* @type: $event => Bool;
 IsClock(e) ==
-    IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered ELSE ClockSet(e.to)
+    IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered
+    ELSE ClockSet(e.to)
 
-(* It is not sure whether the OB waits already: whatever may follow if it   *)
-(* does, or if it does not.                                                *)
+(* Nobody knows whether the OB waits already. All outcomes are possible:   *)
+(* those of a waiting OB and those of an idle one.                         *)
 \* @type: Int => Bool;
 AgainOrNot(o) ==
     LET new == ExternalRequest(o, 0)
     IN  /\ \/ AnyEffect(new)
-           \/ (TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb)) /\ Overflows(new)
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack, delay>>
+           \/ /\ TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb)
+              /\ Overflows(new)
+        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, runVars>>
 
 \* @type: Int => Bool;
 NotSureToWait(o) ==
     /\ o \in terms.unsure /\ OpenIn(requests, o) /\ ~PendingIn(requests, o)
     /\ mode = "RUN" /\ o \notin AsyncErrorObs /\ ~Idle(o) /\ ~OnStack(o)
 
-(* An error whose cause the rules make has its cause in the log.           *)
+(* A fault that only the rules cause does not come from outside, unless    *)
+(* the log may miss its cause.                                             *)
 \* @type: $event => Bool;
 IsInterrupt(e) ==
     /\ e.flt_id \in FaultsOfRules => Partial
     /\ IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
        ELSE Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
 
-(* The rule that names this cause stops the CPU.  [OBS-26] The cycle time  *)
-(* may be exceeded twice in a cycle where OB 80 is loaded.                 *)
+(* The CPU has to stop for this cause. [OBS-26] The cycle time may be      *)
+(* exceeded twice in a cycle if OB 80 is loaded.                           *)
 \* @type: Int => Bool;
 CauseHolds(cause) ==
     \/ stopCause = cause /\ (Undelayed \/ ~StopAwaitsTheDelay)
@@ -98,7 +101,8 @@ FitsTruth(given, value) == given \in {-1, IF value THEN 1 ELSE 0}
 \* @type: $event => Bool;
 FitsActive(e) ==
     CASE e.active = -1     -> TRUE
-      [] e.ob \in TodObs  -> e.active \in { (s \div 4) % 2 : s \in Statuses(e.ob) }
+      [] e.ob \in TodObs  ->
+           e.active \in { (s \div 4) % 2 : s \in Statuses(e.ob) }
       [] e.ob \in DintObs ->
            /\ Ended(e.ob)
            /\ e.active \in { (s \div 4) % 2 : s \in DintStatuses(e.ob) }
@@ -111,7 +115,7 @@ FitsLeft(e) ==
     ELSE \/ ~dint[e.ob].started \/ dint[e.ob].left < 0
          \/ e.left \in {dint[e.ob].left, dint[e.ob].left - 1}
 
-(* [OBS-60] [IRT-20] What the CPU says of an OB.                           *)
+(* [OBS-60] [IRT-20] The state of an OB, as the CPU reports it. *)
 \* @type: $event => Bool;
 FitsState(e) ==
     /\ FitsTruth(e.loaded, e.ob \in loaded)
@@ -127,15 +131,15 @@ IsState(e) == FitsState(e) /\ UNCHANGED cpuVars /\ NothingEntered
 -----------------------------------------------------------------------------
 (* The clock and the counter of elapsed time *)
 
-(* Two oscillators differ by 1 % and a second at the most, and by one step *)
-(* of the clock where it is written in seconds or minutes.                 *)
+(* Two oscillators differ by at most 1 % and a second; a clock that is     *)
+(* written in seconds or minutes by one step more.                         *)
 \* @type: (Int, Int, Int) => Bool;
 Agree(a, b, step) ==
     /\ a - b <= a \div 100 + 1000 + step
     /\ b - a <= b \div 100 + 1000 + step
 
-(* [CLK-01] Nothing but a `clock' event makes the clock jump.  Beyond 11   *)
-(* days minutes are compared: TLC's integers have 32 bits.                 *)
+(* [CLK-01] Only a `clock' event makes the clock jump. Beyond 11 days      *)
+(* minutes are compared: TLC's integers have 32 bits.                      *)
 \* @type: $event => Bool;
 KeepsPace(e) ==
     \/ e.counter = NoMoment \/ pace.up = NoMoment \/ Unseen("clock")
@@ -157,7 +161,7 @@ NextPace(e) ==
 
 -----------------------------------------------------------------------------
 
-(* [AMB-69] (b) A call or the start of OB 1 while another OB may start.       *)
+(* [AMB-69] (b) A call or the start of OB 1 while another OB may start.    *)
 \* @type: $event => Bool;
 StandsBefore(e) ==
     /\ NothingStandsBefore
@@ -175,7 +179,8 @@ Shows(e) ==
          [] e.event = "load"       -> LoadedAre(loaded \cup {e.ob})
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> Restart(e.type)
-         [] e.event = "run"        -> Run /\ stopCause = NoCause  \* [OBS-22] [OBS-25]
+         \* [OBS-22] [OBS-25]
+         [] e.event = "run"        -> Run /\ stopCause = NoCause
          [] e.event = "hold"       -> Hold
          [] e.event = "release"    -> Release
          [] e.event = "stop"       -> IsStop(e)

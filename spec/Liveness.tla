@@ -3,10 +3,10 @@
 (* Events that must happen in the end, and the fairness that they need.    *)
 (*                                                                         *)
 (* Fairness is weak throughout: an action that stays possible happens.     *)
-(* Nothing is assumed of the surroundings: no interrupt, no call, no STOP, *)
-(* restart or setting of the clock has to come.  They must not come        *)
-(* without end either, since a CPU that is flooded with interrupts of high *)
-(* classes serves no low one; models allow a finite number of them         *)
+(* Nothing is assumed of the surroundings: no interrupt, call, STOP,       *)
+(* restart or setting of the clock has to come. Interrupts must not come   *)
+(* without end either: a CPU that is flooded with interrupts of high       *)
+(* classes serves no low class. Models allow a finite number               *)
 (* (models/MCLive).                                                        *)
 (* Left out: HOLD, which only the operator ends; open requests, whose      *)
 (* effect the sources leave open.                                          *)
@@ -49,8 +49,8 @@ ServedLive == \A o \in WatchedObs : PendingIn(requests, o)
 \* @type: Int => Bool;
 Free(o) == mode = "RUN" /\ delay = 0 /\ Running.class < ClassOf(o)
 
-(* The same where nothing is assumed but that the CPU dispatches: if the   *)
-(* class of the OB is free again and again.                                *)
+(* Only dispatch is assumed: the OB starts if its class is free again and  *)
+(* again.                                                                  *)
 ServedWhenFreeLive ==
     \A o \in WatchedObs : []<>Free(o) => ( PendingIn(requests, o)
                                              ~> ~PendingIn(requests, o) )
@@ -59,8 +59,8 @@ ServedWhenFreeLive ==
 (* that it held back is released.                                          *)
 ReleasedLive == delay > 0 ~> delay = 0 /\ ~Pressing
 
-(* The CPU always comes back to its cycle with nothing left to do: it      *)
-(* never goes round for ever between OB 80 and an interrupt.               *)
+(* The CPU always comes back to its cycle with no request left: it never   *)
+(* goes round for ever between OB 80 and an interrupt.                     *)
 BackToCycleLive == []<>(Running.class <= 1 /\ requests = {})
 
 (* [TINT-09] The point that is watched for comes, or the interrupt is      *)

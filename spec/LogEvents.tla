@@ -35,8 +35,8 @@ NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
              active |-> -1, blocked |-> -1, loaded |-> -1,
              entries_off |-> -1, left |-> -1 ]
 
-(* The values that a field may have: the one that is given, or any that    *)
-(* is possible.                                                            *)
+(* The values that a field may have: the given value, or all that are      *)
+(* possible.                                                               *)
 \* @type: (Int, Set(Int)) => Set(Int);
 Given(value, possible) == IF value = -1 THEN possible ELSE {value}
 

@@ -22,7 +22,7 @@ Init ==
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
     /\ arrivals = [r \in {} |-> At(0)]
 
-(* A letter of the header goes before that of its profile.                 *)
+(* A letter of the header overrides the letter of its profile. *)
 \* @type: $header => Set(<<Str, Str>>);
 ReadingsOf(h) ==
     h.readings \cup { p \in Profile(h.profile) :
@@ -43,7 +43,7 @@ CpuOf(h) ==
                                   deselected |-> s.deselected ]
                        ELSE NoParameters ] ]
 
-(* In RUN a once that STEP 7 set in the past has been called already.  A   *)
+(* A once that STEP 7 set in the past has already been called in RUN. A    *)
 (* point that equals the clock may have been reached or not.               *)
 \* @type: ($header, Int, Int) => $tod;
 TodAtBegin(h, o, called) ==
@@ -54,16 +54,16 @@ TodAtBegin(h, o, called) ==
         THEN UsedUp(t)
         ELSE [t EXCEPT !.next = n]
 
-(* Where calls, changes of the mode or of the clock may be unseen, or both *)
-(* OBs and start events, nothing tells when an OB has to start.            *)
+(* Nothing tells when an OB has to start if calls, changes of the mode or  *)
+(* changes of the clock may be unseen; nor if both OBs and start events    *)
+(* may be unseen.                                                          *)
 \* @type: $header => Bool;
 LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
               \/ {"ob", "interrupt"} \cap h.records = {}
 
-(* In STOP nothing is set before the restart.  In STARTUP and RUN the CPU  *)
-(* has just been restarted; the type of the restart is not known.  The     *)
-(* letters of this header decide how STEP 7's parameters are read: hence   *)
-(* the primes.                                                             *)
+(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU   *)
+(* has just been restarted; the type of the restart is not known. The      *)
+(* primes: this header decides how STEP 7's parameters are read.           *)
 \* @type: $header => Bool;
 Begin(h) ==
     /\ cpu'    \in CpusByLeapDay(CpuOf(h))

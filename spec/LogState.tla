@@ -1,6 +1,6 @@
 ------------------------------ MODULE LogState ------------------------------
 (***************************************************************************)
-(* What the explanation of a log keeps beside the state of the CPU.        *)
+(* The state of an explanation, beside the state of the CPU.               *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, header and fine points 1, 2 and 9. *)
 (* Left out: nothing.                                                      *)
@@ -8,19 +8,19 @@
 EXTENDS Cpu, LogEvents
 
 VARIABLES
-    (* latency: an OB starts at most so many ms after it may.  cycle: the   *)
-    (* log has every start and end of OB 1.  records: the kinds of event    *)
-    (* that the log has completely.  loose: the log does not tell when an   *)
-    (* OB has to start (LooseLogs).  After Widening: endless, open requests *)
-    (* that stand for any number; unsure, OBs of which some explanations    *)
-    (* had a request and others none.                                       *)
+    (* latency: an OB starts at most so many ms after it may. cycle: the    *)
+    (* log has every start and end of OB 1. records: the kinds of event     *)
+    (* that the log has completely. loose: the log does not tell when an OB *)
+    (* has to start (LooseLogs). After Widening: endless, open requests     *)
+    (* that stand for any number; unsure, OBs for which some explanations   *)
+    (* had a request and others had none.                                   *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)
     \* @type: $moment;
     up,
-    (* The ms that an OB which may start has waited, for each priority      *)
-    (* class; the ms that a STOP has been due, for StopDuty.                *)
+    (* For each priority class: the ms that an OB has waited that may       *)
+    (* start. For StopDuty: the ms that a STOP has been due.                *)
     \* @type: Int -> Int;
     waiting,
     (* "warm" or "cold": the first OB 1 after this restart is still to      *)
@@ -30,25 +30,26 @@ VARIABLES
     (* How often the cycle time was exceeded in this cycle, twice at most.  *)
     \* @type: Int;
     overruns,
-    (* When each request that waits came, on the clock of `up'.             *)
+    (* The moment at which each waiting request came, on the clock of `up'. *)
     \* @type: $request -> $moment;
     arrivals,
-    (* Where the clock was set within the last `latency' ms: its reading    *)
+    (* The settings of the clock within the last `latency' ms: its reading  *)
     (* before, and the moment on the clock of `up'.                         *)
     \* @type: Set($change);
     changes,
-    (* Both clocks at the last line that has `up'; a CPU clock that is set  *)
-    (* takes this reading along.                                            *)
+    (* Both clocks at the last line that has `up'. Setting the CPU clock    *)
+    (* moves this reading, too.                                             *)
     \* @type: $reading;
     pace,
-    (* Entries of the diagnostic buffer that the log has not shown yet: how *)
-    (* often each, and, if the log has such lines, the ms since its cause.  *)
+    (* The entries of the diagnostic buffer that the log has not shown yet: *)
+    (* the number of each, and, if the log has such lines, the ms since its *)
+    (* cause.                                                               *)
     \* @type: Set($report);
     reports
 
 (* Only lines change these variables, ...                                  *)
 lineVars == <<terms, pace>>
-(* ... and only events these: they stay as they are while time elapses.    *)
+(* ... and only events change these: they stay while time elapses. *)
 eventVars == <<first, overruns, arrivals, changes>>
 
 NoReading == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]

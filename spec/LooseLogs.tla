@@ -1,15 +1,15 @@
 ------------------------------ MODULE LooseLogs -----------------------------
 (***************************************************************************)
-(* Logs that do not tell when an OB has to start, since calls, changes of  *)
-(* the mode or of the clock, or both OBs and start events may be missing;  *)
-(* and logs with too many explanations (Loosen).                           *)
+(* Logs that do not tell when an OB has to start, because they may miss    *)
+(* calls, changes of the mode or of the clock, or both OBs and start       *)
+(* events; and logs with too many explanations (Loosen).                   *)
 (*                                                                         *)
-(* Judged is what holds whatever happened unseen: answers that no setting  *)
-(* allows, OBs that nothing can have started, classes, modes, missing OBs, *)
-(* start information.  No start event is timed and nothing is due, so that *)
-(* one state explains such a log.  It keeps what may be: `requests' holds  *)
-(* a mark for each OB that may have been requested, tod and dint the       *)
-(* settings by the calls that the log shows, irt and delay as well.        *)
+(* Judged are facts that hold whatever happened unseen: answers that no    *)
+(* setting allows, OBs that nothing can have started, classes, modes,      *)
+(* missing OBs, start information. No start event is timed and nothing is  *)
+(* due, so one state explains such a log. It holds possibilities:          *)
+(* `requests' has a mark for each OB that may have been requested; tod,    *)
+(* dint, irt and delay are the settings by the calls in the log.           *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
 (* Left out: the order of requests; info.time.                             *)
@@ -17,7 +17,7 @@
 EXTENDS Trace
 
 -----------------------------------------------------------------------------
-(* What may be *)
+(* Possibilities *)
 
 ModeKnown  == ~Unseen("mode")
 StackKnown == ModeKnown /\ ~Unseen("ob")
@@ -39,10 +39,11 @@ SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o]).set
 
 \* @type: Int => Bool;
 MayBeSet(o) == tod[o].set \/ SetByStep7(o)
-(* A once may be over, and an unseen restart takes every setting away.     *)
+(* A once may be over. An unseen restart takes every setting away. *)
 \* @type: Int => Bool;
 MayBeUnset(o) ==
-    ~tod[o].set \/ HasOnePoint(tod[o].period) \/ CanTintNeedsActive \/ ~ModeKnown
+    \/ ~tod[o].set \/ HasOnePoint(tod[o].period)
+    \/ CanTintNeedsActive \/ ~ModeKnown
 
 \* @type: Int => Bool;
 MayBeActive(o) == tod[o].active \/ (SetByStep7(o) /\ cpu.step7[o].active)
@@ -54,12 +55,14 @@ MayBeInactive(o) ==
 \* @type: Int => Bool;
 MayBeOver(o) == ~dint[o].started \/ dint[o].left <= 1 \/ ~ModeKnown
 
-(* [AIRT-04] The OB that delayed may have ended unseen.                    *)
-Delays == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1) THEN {}
-                        ELSE {0})
+(* [AIRT-04] The OB that delays may have ended unseen. *)
+Delays == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
+                        THEN {} ELSE {0})
 
 (* [OBS-25] STARTUP may be over.                                           *)
-MayRun == Unseen("load") \/ stopCause = NoCause \/ (~ModeKnown /\ RestartStop = NoCause)
+MayRun == \/ Unseen("load")
+          \/ stopCause = NoCause
+          \/ ~ModeKnown /\ RestartStop = NoCause
 
 (* Start events of the OB may have come.                                   *)
 \* @type: Int => Bool;
@@ -81,7 +84,7 @@ MissingMayBeRequested ==
 \* @type: (Bool, Set(Int)) => Set(Set(Int));
 If(condition, errors) == IF condition THEN {errors} ELSE {}
 
-(* The answers that some unseen course of events allows.                   *)
+(* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
     LET unseen == Unseen("call")
@@ -120,14 +123,15 @@ LooseBit2(o) ==
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
-    LET sure == (IF Blocked(o) THEN 2 ELSE 0) + (IF o \in loaded THEN 16 ELSE 0)
+    LET sure == (IF Blocked(o) THEN 2 ELSE 0)
+                  + (IF o \in loaded THEN 16 ELSE 0)
         bit4 == (IF MayBeLoaded(o) THEN {16} ELSE {})
                   \cup (IF MayBeMissing(o) THEN {0} ELSE {})
     IN  { (IF ModeKnown THEN s ELSE s - (s % 2) + bit0) - sure + bit1 + b
           : s \in StatusWithBit2(o, LooseBit2(o)), bit0 \in {0, 1},
             bit1 \in LooseBit1(o), b \in bit4 }
 
-(* The answer tells what is set afterwards.                                *)
+(* The settings that follow from the answer. *)
 \* @type: ($event, Int) => (Int -> $tod);
 TodAfterAnswer(e, ret) ==
     CASE \/ e.event = "CAN_TINT" /\ ret = OK
@@ -140,7 +144,8 @@ TodAfterAnswer(e, ret) ==
 (* Calls whose answer depends on what was set before.                      *)
 \* @type: $event => Bool;
 IsLooseAnswer(e) ==
-    /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1} ELSE LooseAnswers(e) :
+    /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1}
+                  ELSE LooseAnswers(e) :
          /\ e.ret \in {-1, ret}
          /\ tod'   = TodAfterAnswer(e, ret)
          /\ dint'  = IF e.event = "CAN_DINT" /\ ret = OK
@@ -153,40 +158,42 @@ IsLooseAnswer(e) ==
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, irt, requests, stack, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, irt, outcomeVars, stack>>
 
 \* @type: $event => Bool;
 LooseCall(e) ==
     /\ Called
-    /\ IF e.event \in {"SET_TINT", "SRT_DINT", "DIS_IRT", "EN_IRT"} THEN IsCall(e)
-       ELSE IsLooseAnswer(e)
+    /\ IF e.event \in {"SET_TINT", "SRT_DINT", "DIS_IRT", "EN_IRT"}
+       THEN IsCall(e) ELSE IsLooseAnswer(e)
 
 -----------------------------------------------------------------------------
 (* Starts *)
 
-(* The fault that a start of OB 80 or OB 85 tells, or the unknown one.     *)
+(* The fault in the start information of OB 80 or OB 85, or UnknownFault. *)
 \* @type: $event => Int;
 ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
 
-(* What is not known of it fits every line.                                *)
+(* The request of an unseen start event. Its unknown fields fit every      *)
+(* line.                                                                   *)
 \* @type: (Int, Int, Int) => $request;
 UnseenRequest(o, fault, class) ==
     [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
                        !.dtime = -1, !.during = -1, !.since = NoMoment ]
 
-(* An error may have been in STARTUP.                                      *)
+(* An error may have come in STARTUP. *)
 \* @type: (Int, Int) => Set(Int);
 ClassesOf(o, fault) ==
     IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
 
-(* The causes that OB 80 or OB 85 may have; 0 stands for those that are    *)
-(* not interrupts of calls.                                                *)
+(* The OBs that may have caused OB 80 or OB 85. 0 stands for all causes    *)
+(* but time-of-day and time-delay interrupts.                              *)
 \* @type: (Int, Int) => Set(Int);
 MayCause(o, fault) ==
     LET told(f) == fault \in {UnknownFault} \cup f
         outside == \/ Unseen("interrupt")
                    \/ \E r \in requests : r.ob = o /\ told({r.fault})
-        skipped == Unseen("clock") /\ told(IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+        skipped == /\ Unseen("clock")
+                   /\ told(IF ModeKnown THEN {SkippedByClock} ELSE Skips)
         others  == /\ told({StillRunning, BufferOverflow})
                    /\ \E r \in requests : r.ob \in ExternalObs
     IN  IF o = TimeErrorOb
@@ -194,7 +201,8 @@ MayCause(o, fault) ==
                \cup (IF \/ outside \/ others
                         \/ skipped /\ Timed \cap TodObs # {}
                      THEN {0} ELSE {})
-        ELSE (IF told(ObNotLoaded) THEN { c \in Timed : MayBeMissing(c) } ELSE {})
+        ELSE (IF told(ObNotLoaded) THEN { c \in Timed : MayBeMissing(c) }
+                                   ELSE {})
                \cup (IF outside \/ (told(ObNotLoaded) /\ MissingMayBeRequested)
                      THEN {0} ELSE {})
 
@@ -218,6 +226,7 @@ LooseInterruptStarts(e) ==
       /\ StackKnown /\ ~Unseen("call") => 0 \in Delays
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
       /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes
-      /\ stack' = IF Unseen("ob") THEN stack ELSE Append(stack, Frame(e.ob, r.class))
+      /\ stack' = IF Unseen("ob") THEN stack
+                  ELSE Append(stack, Frame(e.ob, r.class))
       /\ delay' = 0
 =============================================================================

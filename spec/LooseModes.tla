@@ -1,19 +1,19 @@
 ----------------------------- MODULE LooseModes -----------------------------
 (***************************************************************************)
-(* The other lines of a log that does not tell when an OB has to start     *)
-(* (LooseLogs), and time that elapses in it.                               *)
+(* Logs that do not tell when an OB has to start (LooseLogs): their other  *)
+(* lines, and time that elapses.                                           *)
 (*                                                                         *)
-(* Where changes of the mode may be unseen, `mode' is RUN throughout and   *)
-(* forbids nothing.                                                        *)
+(* If changes of the mode may be unseen, `mode' is always RUN and forbids  *)
+(* nothing.                                                                *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
-(* Left out: entries of the diagnostic buffer but that of DIS_IRT.         *)
+(* Left out: entries of the diagnostic buffer, except that of DIS_IRT.     *)
 (***************************************************************************)
 EXTENDS LooseLogs
 
 -----------------------------------------------------------------------------
 (* OBs start and end *)
 
-(* OB 1 and the startup OB are the first of the stack.                     *)
+(* OB 1 and the startup OB stand first in the stack. *)
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
@@ -29,21 +29,20 @@ LooseStart(e) ==
     /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
        ELSE LooseInterruptStarts(e)
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                   stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
 
 \* @type: $event => Bool;
 LooseEnd(e) ==
     /\ ModeKnown => mode \notin {"STOP", "HOLD"}
     /\ \/ Unseen("ob") /\ UNCHANGED stack
-       \/ Running.ob = e.ob /\ Len(stack) > 1 /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+       \/ /\ Running.ob = e.ob /\ Len(stack) > 1
+          /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
        \/ /\ e.ob \in {CycleOb} \cup StartupObs
           /\ ModeKnown => Len(stack) = 1
           /\ stack' = <<stack[1]>>
     /\ delay' = 0
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                   stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
 
 -----------------------------------------------------------------------------
 (* Modes *)
@@ -60,7 +59,7 @@ LooseRestart(e) ==
     /\ stopCause' = RestartStop
     /\ stack' = <<Frame(StartupOb(e.type), 27)>>
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, clock>>
+    /\ UNCHANGED <<deviceVars, clock>>
 
 \* @type: $event => Bool;
 LooseRun(e) ==
@@ -68,7 +67,7 @@ LooseRun(e) ==
     /\ MayRun
     /\ mode' = "RUN" /\ startup' = "none" /\ stack' = <<Frame(CycleOb, 1)>>
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, clock, tod, dint, irt, requests, delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, delay>>
 
 \* @type: $event => Bool;
 LooseStop(e) ==
@@ -77,7 +76,7 @@ LooseStop(e) ==
             /\ stack' = IF ModeKnown THEN <<>> ELSE <<Frame(CycleOb, 1)>>
     /\ requests' = {} /\ dint' = NoJobs /\ delay' = 0 /\ stopCause' = NoCause
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, irt>>
+    /\ UNCHANGED <<deviceVars, startup, clock, tod, irt>>
 
 \* @type: Str => Bool;
 LooseHold(to) ==
@@ -87,7 +86,8 @@ LooseHold(to) ==
                    THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
                    ELSE requests
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, startup, clock, tod, dint, irt, stack, delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, stopCause,
+                   runVars>>
 
 -----------------------------------------------------------------------------
 (* The clock, start events, entries, the state of an OB *)
@@ -108,8 +108,8 @@ PassesPoint(t) ==
               s.active /\ ~Before(t, [ min |-> PointFrom(s, clock.min),
                                       ms |-> s.offset ])
 
-(* Points that pass, to the moment t, may be skipped by such a change of   *)
-(* the clock, or in an unseen HOLD.                                        *)
+(* The marks of OB 80 where the CPU may skip points up to moment t with    *)
+(* these faults: by a setting of the clock, or in an unseen HOLD.          *)
 \* @type: ($moment, Set(Int)) => Set($request);
 SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
                         THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
@@ -120,16 +120,19 @@ SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
 \* @type: $event => Bool;
 LooseClock(e) ==
     /\ clock' = e.to
-    /\ requests' = requests \cup SkipMarks(e.to, {SkippedByClock} \cup SkipsInHold)
+    /\ requests' = requests
+                     \cup SkipMarks(e.to, {SkippedByClock} \cup SkipsInHold)
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, tod, dint, irt, stack, delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, settingVars, stopCause, runVars>>
 
 \* @type: $event => Bool;
 LooseEvent(e) ==
-    /\ requests' = IF mode = "STOP" THEN requests
-                   ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
+    /\ requests' =
+         IF mode = "STOP" THEN requests
+         ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack, delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                   runVars>>
 
 (* An unseen event may have caused this entry.                             *)
 \* @type: $event => Bool;
@@ -149,7 +152,8 @@ LooseState(e) ==
         /\ known => /\ e.blocked \in {-1} \cup bit1
                     /\ e.entries_off = 1 => Silenced(e.ob)
                     /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
-                    /\ e.ob \in TodObs \cup DintObs => e.active \in {-1} \cup bit2
+                    /\ e.ob \in TodObs \cup DintObs =>
+                         e.active \in {-1} \cup bit2
                     /\ ModeKnown => FitsLeft(e)
         /\ NothingEntered
         /\ UNCHANGED cpuVars
@@ -185,13 +189,15 @@ LooseShows(e) ==
 \* @type: $event => Bool;
 ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
 
-(* A delay is over at the earliest when so many ms have elapsed; unseen, a *)
-(* HOLD may have made it last longer.                                      *)
+(* A delay ends at the earliest when so many ms have elapsed. An unseen    *)
+(* HOLD may have made it longer.                                           *)
 \* @type: (Int, Bool) => (Int -> $job);
 LooseJobs(d, known) ==
     [ o \in DintObs |->
-        IF ~dint[o].started \/ mode = "HOLD" \/ dint[o].left = Gone THEN dint[o]
-        ELSE [dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d ELSE Gone] ]
+        IF ~dint[o].started \/ mode = "HOLD" \/ dint[o].left = Gone
+        THEN dint[o]
+        ELSE [ dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d
+                                                             ELSE Gone ] ]
 
 \* @type: $event => Bool;
 LooseElapse(e) ==
@@ -202,31 +208,34 @@ LooseElapse(e) ==
         /\ up' = e.up
         /\ dint' = LooseJobs(d, known)
         /\ requests' = requests
-             \cup { Mark(o, 0) : o \in { j \in DintObs : /\ dint'[j].started
-                                                       /\ dint'[j].left = Gone } }
+             \cup { Mark(o, 0) : o \in { j \in DintObs :
+                                   dint'[j].started /\ dint'[j].left = Gone } }
              \cup SkipMarks(e.at, SkipsInHold)
         /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
         /\ NothingEntered
-        /\ UNCHANGED <<cpu, loaded, mode, startup, tod, irt, stack, delay, stopCause,
+        /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,
                        lineVars, waiting, eventVars>>
 
 -----------------------------------------------------------------------------
 (* Too many explanations *)
 
-(* From here on only what is certain is kept.  Calls and start events      *)
-(* before this line count as unseen, and an OB that runs may have ended.   *)
+(* From this line on only certain facts count. Earlier calls and start     *)
+(* events count as unseen, and a running OB may have ended.                *)
 Loosen ==
     /\ Partial /\ ~terms.loose
-    /\ terms' = [terms EXCEPT !.loose = TRUE, !.records = @ \ {"call", "interrupt"}]
-    /\ tod' = [o \in TodObs |-> NoSetting] /\ dint' = NoJobs /\ irt' = NoneBlocked
+    /\ terms' = [ terms EXCEPT !.loose = TRUE,
+                                !.records = @ \ {"call", "interrupt"} ]
+    /\ tod' = [o \in TodObs |-> NoSetting]
+    /\ dint' = NoJobs /\ irt' = NoneBlocked
     /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0
     /\ waiting' = [c \in {} |-> 0] /\ reports' = {}
     /\ first' = "unknown" /\ overruns' = 0 /\ changes' = {}
     /\ arrivals' = [r \in {} |-> up]
     /\ stack' = IF mode = "STOP" THEN <<>>
                 ELSE IF Unseen("ob") \/ stack = <<>>
-                THEN <<IF mode = "STARTUP" THEN Frame(100, 27) ELSE Frame(CycleOb, 1)>>
+                THEN << IF mode = "STARTUP" THEN Frame(100, 27)
+                        ELSE Frame(CycleOb, 1) >>
                 ELSE stack
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, up, pace>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
 =============================================================================

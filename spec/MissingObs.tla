@@ -1,7 +1,7 @@
 ----------------------------- MODULE MissingObs -----------------------------
 (***************************************************************************)
-(* OBs that are missing when they would start, and blocks that are loaded  *)
-(* and deleted while the CPU is at work (section 5.2).                     *)
+(* OBs that are missing when they would start; blocks that are loaded and  *)
+(* deleted while the CPU is at work (section 5.2).                         *)
 (*                                                                         *)
 (* Left out: the errors themselves (Errors).                               *)
 (***************************************************************************)
@@ -20,7 +20,7 @@ NoticedBefore(o) == \/ o \in TodObs /\ MissingNoticedAtActivation
                     \/ o \in DintObs /\ MissingNoticedAtSrtDint
 
 (* [TINT-16] [DINT-09] [OBS-20] The OB is missing when it would start: OB  *)
-(* 85, or OB 80 [AMB-06] (c).  If it was noticed before, perhaps nothing.  *)
+(* 85, or OB 80 [AMB-06] (c); perhaps nothing if it was noticed before.    *)
 \* @type: $request => Bool;
 ObMissing(r) ==
     \/ IF MissingIsTimeError /\ r.ob \in TodObs \cup DintObs
@@ -62,8 +62,8 @@ Missing(r) ==
 -----------------------------------------------------------------------------
 (* Blocks *)
 
-(* An OB that is deleted takes the requests for it along, or is missing    *)
-(* when it would start [AMB-66].                                           *)
+(* A deleted OB takes its requests along, or is missing when it would      *)
+(* start [AMB-66].                                                         *)
 \* @type: Set(Int) => Set($request);
 RequestsAfterDeletion(gone) ==
     IF gone # {} /\ DeletedObTakesRequests

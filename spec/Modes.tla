@@ -1,6 +1,6 @@
 -------------------------------- MODULE Modes -------------------------------
 (***************************************************************************)
-(* STOP, warm and cold restart, STARTUP, RUN and HOLD (sections 5.4 and   *)
+(* STOP, warm and cold restart, STARTUP, RUN and HOLD (sections 5.4 and    *)
 (* 5.5).                                                                   *)
 (*                                                                         *)
 (* Left out: hot restart (AMB-26); memory reset [OBS-58] and power off     *)
@@ -14,25 +14,28 @@ PeriodOf(execution) ==
     CASE execution = "minute"  -> Minutely
       [] execution = "hourly"  -> Hourly
       [] execution = "daily"   -> Daily
-      [] execution = "weekly"  -> IF OnlyPeriod1202IsWeekly THEN \h1202 ELSE \h1201
+      [] execution = "weekly"  ->
+           IF OnlyPeriod1202IsWeekly THEN \h1202 ELSE \h1201
       [] execution = "monthly" -> Monthly
       [] execution = "yearly"  -> Yearly
       [] execution = "end_of_month" -> EndOfMonth
       [] OTHER                 -> Once
 
-(* [TINT-06] [TINT-07] The setting by STEP 7; none for "none", or a date   *)
-(* that no point belongs to [AMB-62].  The point is armed later.           *)
+(* [TINT-06] [TINT-07] The setting by STEP 7. Execution "none" is no       *)
+(* setting, or a date without points [AMB-62]. The next point comes later. *)
 \* @type: $step7 => $tod;
 Configured(s) ==
     IF s.execution = "none"
     THEN IF NoneHasItsDate /\ s.start > 0
-         THEN [NoSetting EXCEPT !.set = TRUE, !.period = NoPeriod] ELSE NoSetting
+         THEN [NoSetting EXCEPT !.set = TRUE, !.period = NoPeriod]
+         ELSE NoSetting
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
                             !.start  = s.start,
                             !.period = PeriodOf(s.execution) ]
 
-(* [OBS-56] Set and activated as once by STEP 7, its start in the past. *)
+(* [OBS-56] STEP 7 has set and activated a once with its start in the      *)
+(* past.                                                                   *)
 \* @type: Int => Bool;
 PastOnce(o) ==
     LET s == cpu.step7[o]
@@ -98,7 +101,8 @@ Hold ==
     /\ mode = "RUN"
     /\ mode' = "HOLD"
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars, runVars>>
+    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars,
+                   runVars>>
 
 (* HOLD ends: points may have passed meanwhile. *)
 RearmPassed ==
@@ -116,12 +120,12 @@ Release ==
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
         /\ RearmPassed
-        /\ IF skipped = {} THEN Nothing ELSE Skip(SkippedInHold, clock, skipped)
+        /\ IF skipped = {} THEN Nothing
+           ELSE Skip(SkippedInHold, clock, skipped)
         /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
-(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.  The    *)
-(* settings made by SFCs are of no use any more: a restart follows         *)
-(* [DINT-13].                                                              *)
+(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.         *)
+(* Settings made by SFCs lose their effect: a restart follows [DINT-13].   *)
 Stop ==
     /\ mode # "STOP"
     /\ mode'      = "STOP"

@@ -1,12 +1,12 @@
 ------------------------------- MODULE Offers -------------------------------
 (***************************************************************************)
-(* Lines that come into question after a log: the events, with operands    *)
-(* and values.  The engine tries each by the same operators that judge a   *)
-(* log, so a line that is offered here need not be possible.               *)
+(* Candidates for the next line of a log: events with operands and values. *)
+(* The engine tries each by the operators that judge a log, so an offered  *)
+(* line need not be possible.                                              *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events.                            *)
-(* Left out: lines of kind `state', which are never owed; operands of      *)
-(* calls and clocks other than some that stand for all.                    *)
+(* Left out: lines of kind `state', which never have to come; all operands *)
+(* of calls and clocks but some that stand for the others.                 *)
 (***************************************************************************)
 EXTENDS CallReasons
 
@@ -17,7 +17,7 @@ Line(name) == [NoEvent EXCEPT !.event = name]
 LineOf(name, o) == [NoEvent EXCEPT !.event = name, !.ob = o]
 
 -----------------------------------------------------------------------------
-(* Operands that stand for all *)
+(* Operands that stand for the others *)
 
 (* The least of these OBs, if there is one.                                *)
 \* @type: Set(Int) => Set(Int);
@@ -27,7 +27,7 @@ OneOf(obs) == IF obs = {} THEN {} ELSE {Least(obs)}
 StrangeOb == 9
 StrangePeriod == \h0002
 
-(* The loaded OBs, one that is missing, one that is none of these.         *)
+(* The loaded OBs, a missing OB, and a number that no interrupt has. *)
 \* @type: Set(Int) => Set(Int);
 ObOperands(obs) ==
     (obs \cap loaded) \cup OneOf(obs \ loaded) \cup {StrangeOb}
@@ -39,7 +39,7 @@ DateAt(minute) ==
     IN  [ year |-> YearOf(day), month |-> MonthOf(day), day |-> DayOf(day),
           hour |-> rest \div 60, minute |-> rest % 60, second |-> 0, ms |-> 0 ]
 
-(* The next minute, the last one, the end of the year, no date.            *)
+(* The next minute, the minute before, the end of the year, no date. *)
 NextMinute  == Earlier(clock.min + 1, LastMinute)
 SdtOperands ==
     LET next == DateAt(NextMinute)
@@ -90,7 +90,7 @@ ObsWithFault  == {TimeErrorOb, ProgramErrorOb}
 OutsideFaults == {<<TimeErrorOb, CycleTimeExceeded>>, <<TimeErrorOb, \h0B>>,
                   <<ProgramErrorOb, \hA3>>}
 
-(* What does not depend on the state just before the line.                 *)
+(* Lines that do not depend on the state just before them. *)
 Offers ==
     { LineOf("start", o) : o \in loaded \cup {CycleOb} }
       \cup { LineOf("end", o) : o \in { stack[i].ob : i \in DOMAIN stack }
@@ -148,14 +148,14 @@ EndOfTime ==
 \* @type: Int => { at: $moment, up: $moment };
 Later(d) == [at |-> After(clock, d), up |-> After(up, d)]
 
-(* The last moment at which nothing that has to come is late; asked for    *)
-(* where time cannot go on.                                                *)
+(* The last moment at which nothing is late that has to come; for states   *)
+(* in which time cannot go on.                                             *)
 LastInTime ==
     LET ages == { waiting[c] : c \in { k \in DOMAIN waiting : k < 100 } }
                   \cup { r.age : r \in EntriesLate(terms.latency) }
                   \cup {0}
     IN  Later(terms.latency - (CHOOSE a \in ages : \A b \in ages : b <= a))
 
-(* A moment at which everything that waits now is late.                    *)
+(* A moment at which all that waits now is late. *)
 TooLateNow == Later(terms.latency + 1)
 =============================================================================

@@ -8,8 +8,8 @@
 (***************************************************************************)
 EXTENDS StartEvents
 
-(* [AMB-67] In HOLD, and but for errors in STARTUP, an event waits for     *)
-(* RUN, is lost, or either.                                                *)
+(* [AMB-67] In HOLD, and in STARTUP unless it is an error, an event waits  *)
+(* for RUN, is lost, or either.                                            *)
 \* @type: $request => Bool;
 OutsideRun(new) ==
     IF OutsideRunEventsAreLost THEN Nothing

@@ -3,12 +3,12 @@
 (* Logs that leave kinds of event out (`records' of the header): an event  *)
 (* of such a kind may happen unseen at any point.                          *)
 (*                                                                         *)
-(* Unseen OBs are the actions of the specification, tried at every point.  *)
-(* Unseen loading is tried where something depends on it.  Unseen start    *)
-(* events cannot be enumerated: an OB starts as if one had come.           *)
-(* Logs that do not tell when an OB has to start are judged by LooseModes. *)
+(* Unseen starts and ends of OBs are actions, tried at every point. Unseen *)
+(* loading is tried where something depends on it. Unseen start events     *)
+(* cannot be enumerated: an OB starts as if its start event had come.      *)
+(* LooseModes judges logs that do not tell when an OB has to start.        *)
 (*                                                                         *)
-(* The trace checker's engine evaluates Elapse, Silent and Observe, of     *)
+(* The trace checker's engine evaluates Elapse, Silent and Observe, for    *)
 (* complete logs as well.                                                  *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
 (* Left out: nothing.                                                      *)
@@ -41,7 +41,7 @@ DependsOn(e) ==
       [] e.event = "run"    -> StartupObs
       [] OTHER              -> {}
 
-(* ... and the OBs on which it depends what happens now.                   *)
+(* ... and the OBs on which events of this moment depend. *)
 NowNeeded ==
     LET due == { r \in requests : MayStart(r) \/ MissingNoticedWhenDue }
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
@@ -58,29 +58,35 @@ UnseenLoad(obs) ==
 -----------------------------------------------------------------------------
 (* Start events that no line shows *)
 
-(* Start events that came unseen before SFC 39 blocks their OBs still wait. *)
+(* Start events may have come unseen before SFC 39 blocks their OBs: these *)
+(* OBs still wait.                                                         *)
 \* @type: $event => Bool;
 UnseenEvents(e) ==
-    LET errors == {TimeErrorOb, ProgramErrorOb}
+    LET fault(o) == IF o \in {TimeErrorOb, ProgramErrorOb} THEN UnknownFault
+                    ELSE 0
+        class(o) == IF o \in AsyncErrorObs THEN ErrorClass(o, 0)
+                    ELSE ClassOf(o)
         waits  == { o \in ExternalObs :
-                      /\ MayBeLoaded(o) /\ o \in Meant(e.mode, e.ob) /\ ~Idle(o)
+                      /\ MayBeLoaded(o) /\ ~Idle(o)
+                      /\ o \in Meant(e.mode, e.ob)
                       /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o) }
     IN  /\ e.event = "DIS_IRT" /\ waits # {}
         /\ requests' = EnterAll(requests,
-                         { [ UnseenRequest(o, IF o \in errors THEN UnknownFault ELSE 0,
-                                           IF o \in AsyncErrorObs THEN ErrorClass(o, 0)
-                                           ELSE ClassOf(o))
+                         { [ UnseenRequest(o, fault(o), class(o))
                              EXCEPT !.open = TRUE ] : o \in waits })
         /\ NothingEntered
-        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause, runVars>>
+        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                       runVars>>
 
 (* The requests by which the OB of a start line may start.  Their unknown  *)
 (* fields fit every line.                                                  *)
 \* @type: $event => Set($request);
 MayHaveOccurred(e) ==
-    LET fault == IF e.ob \in {TimeErrorOb, ProgramErrorOb} THEN ToldFault(e) ELSE 0
+    LET fault == IF e.ob \in {TimeErrorOb, ProgramErrorOb} THEN ToldFault(e)
+                 ELSE 0
     IN  IF e.ob \notin ExternalObs \/ fault \in Skips THEN {}
-        ELSE { UnseenRequest(e.ob, fault, class) : class \in ClassesOf(e.ob, fault) }
+        ELSE { UnseenRequest(e.ob, fault, class)
+               : class \in ClassesOf(e.ob, fault) }
 
 \* @type: $event => Bool;
 StartsUnseen(e) ==
@@ -90,8 +96,8 @@ StartsUnseen(e) ==
       /\ Idle(r.ob) => OpenIn(requests, r.ob)  \* one of several that waited
       /\ stack' = Append(stack, Frame(r.ob, r.class))
       /\ NothingEntered
-      /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, requests,
-                     delay, stopCause>>
+      /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                     delay>>
 
 (* An unseen event may have caused this entry.                             *)
 \* @type: $event => Bool;

@@ -1,10 +1,10 @@
 ------------------------------ MODULE PastLines -----------------------------
 (***************************************************************************)
-(* The lines before a rejected line, as `past': the latest lines, and of   *)
-(* the older ones the last of each event, OB and MODE.                     *)
+(* The lines before a rejected line, `past': the latest lines, and the     *)
+(* last older line of each event, OB and MODE.                             *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md.                                    *)
-(* Left out: which requirements follow (BlockReasons and the others).      *)
+(* Left out: the requirements that follow (BlockReasons and the others).   *)
 (***************************************************************************)
 EXTENDS PartialLogs
 
@@ -13,8 +13,8 @@ LastIn(positions) ==
     IF positions = {} THEN 0
     ELSE CHOOSE i \in positions : \A k \in positions : k <= i
 
-(* The last line with one of these events, and the last of them for an OB; *)
-(* 0 if there is none.                                                     *)
+(* The last line with one of these events, for any OB and for one OB; 0 if *)
+(* there is none.                                                          *)
 \* @type: (Seq($event), Set(Str)) => Int;
 LastOf(past, names) == LastIn({ i \in DOMAIN past : past[i].event \in names })
 \* @type: (Seq($event), Set(Str), Int) => Int;
@@ -43,11 +43,10 @@ Worked(e) == e.ret \in {OK, -1}
 \* @type: (Bool, Set(Str)) => Set(Str);
 When(condition, ids) == IF condition THEN ids ELSE {}
 
-(* Which way the clock was last set after position i: 1 forward, -1 back;  *)
-(* 0 if it was not set.                                                    *)
+(* The direction in which the clock was last set after position i: 1       *)
+(* forward, -1 back; 0 if it was not set.                                  *)
 \* @type: (Seq($event), Int) => Int;
 ClockWasSet(past, i) ==
     LET k == LastOf(past, {"clock"})
     IN  IF k <= i THEN 0 ELSE IF Before(past[k].to, past[k].at) THEN -1 ELSE 1
-
 =============================================================================

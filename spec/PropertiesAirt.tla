@@ -18,12 +18,13 @@ AirtEndProp ==
 AirtHoldsProp == [][Dispatched => delay = 0]_vars
 
 (* [AIRT-02] A delay loses nothing: requests leave only by a start, a      *)
-(* missing OB, a withdrawal, or the end of all.                            *)
+(* missing OB, a withdrawal, or a STOP.                                    *)
 AirtKeepsProp ==
     [][ \/ Did("end") /\ step'.ob # ProgramErrorOb
-        \/ step'.event \in {"DIS_AIRT", "EN_AIRT", "DIS_IRT", "EN_IRT", "QRY_TINT",
-                         "QRY_DINT", "ACT_TINT", "time", "reached", "elapsed",
-                         "interrupt", "clock", "hold", "release", "load", "run"}
+        \/ step'.event \in {"DIS_AIRT", "EN_AIRT", "DIS_IRT", "EN_IRT",
+                            "QRY_TINT", "QRY_DINT", "ACT_TINT", "time",
+                            "reached", "elapsed", "interrupt", "clock",
+                            "hold", "release", "load", "run"}
           => \A r \in requests : ~r.open =>
                \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
 

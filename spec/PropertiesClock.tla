@@ -1,15 +1,14 @@
 -------------------------- MODULE PropertiesClock ---------------------------
 (***************************************************************************)
-(* Properties of time that passes and of a clock that is set (section 6),  *)
-(* said of steps.                                                          *)
+(* Properties of steps: time passes, and the clock is set (section 6).     *)
 (*                                                                         *)
 (* Left out: that no point is served twice on an S7-400, which needs a     *)
 (* history and is in models/MCClockBack.                                   *)
 (***************************************************************************)
 EXTENDS Steps
 
-(* The clock runs forward, and is set by nothing but a clock event, as all *)
-(* requirements of section 6 take for granted.                             *)
+(* The clock runs forward, and only a clock event sets it, as all          *)
+(* requirements of section 6 assume.                                       *)
 ForwardProp ==
     [][ clock' # clock => \/ Did("clock")
                           \/ Did("time") /\ Before(clock, clock') ]_vars
@@ -39,8 +38,8 @@ NewOf(o) == { r \in requests' \ requests :
                 r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }
 
 (* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first       *)
-(* skipped point, after the OB 80; an OB that waits or runs may do         *)
-(* without.  Without OB 80 none does [CLK-05].                             *)
+(* skipped point, after the OB 80; an OB that waits or runs may get no     *)
+(* run. Without OB 80 none gets a run [CLK-05].                            *)
 CatchUpProp ==
     [][ Did("clock") /\ mode = "RUN" /\ irt.blocked = {} =>
           \A o \in TodObs :
@@ -55,9 +54,9 @@ CatchUpProp ==
                 /\ \A r \in new : /\ r.since = At(tod[o].next)
                                   /\ r.follows = 5 ]_vars
 
-(* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a clock that is set, fault *)
-(* 06 by HOLD, and names the OBs that are late; a late start is neither.   *)
-(* From outside, either may come and names no OB.                          *)
+(* [CLK-18] [OBS-32] [OBS-46] Fault 05 comes by a setting of the clock,    *)
+(* fault 06 by HOLD; both name the late OBs. A late start is no such       *)
+(* fault. A fault from outside names no OB.                                *)
 SkipFaultProp ==
     [][ \A r \in Fresh : r.ob = TimeErrorOb /\ r.fault \in {5, 6} =>
           IF r.late = {} THEN Did("interrupt")
@@ -90,7 +89,7 @@ HoldSkipProp ==
                  r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
           ELSE stopCause' # NoCause ]_vars
 
-(* Setting the clock changes no setting, but of a blocked once that is     *)
+(* Setting the clock changes no setting, except of a blocked once that is  *)
 (* skipped [AMB-12], and no OB starts or ends by it.                       *)
 ClockOnlyProp ==
     [][ Did("clock") => /\ clock' # clock

@@ -65,8 +65,8 @@ QryDintProp ==
                    /\ bit(16) <=> o \in loaded
               /\ step'.value # 0 => step'.value = \h8090 ]_vars
 
-(* An error and a query change nothing; a call moves no request but one of *)
-(* its OB that waits [DINT-15].                                            *)
+(* An error and a query change nothing; a call moves no request except     *)
+(* those of its own OB [DINT-15].                                          *)
 DintCallProp ==
     [][ step'.event \in DintCalls =>
           /\ UNCHANGED <<stack, mode, clock, delay, stopCause>>
@@ -76,9 +76,8 @@ DintCallProp ==
           /\ { q.ob : q \in requests } \ {step'.ob}
                \subseteq { q.ob : q \in requests' } ]_vars
 
-(* [DINT-14] [DINT-15] [AMB-11] Where the OB waits, a CAN_DINT that works  *)
-(* takes the run away, one that does not leaves it; and a CPU that has     *)
-(* done the one does not do the other.                                     *)
+(* [DINT-14] [DINT-15] [AMB-11] While the OB waits, CAN_DINT withdraws the *)
+(* run and works, or leaves the run and fails. A CPU keeps to one way.     *)
 CanWaitingProp ==
     [][ /\ Did("CAN_DINT")
         /\ PendingIn(requests, step'.ob) /\ ~dint[step'.ob].started
@@ -87,8 +86,9 @@ CanWaitingProp ==
            /\ cpu'.readings["AMB-11"]
                 = (IF step'.value = 0 THEN "b" ELSE "c") ]_vars
 
-(* [DINT-03] [DINT-06] [DINT-20] A delay that has elapsed is over, at most 1 *)
-(* ms early, and leads to its OB, with DTIME and SIGN, unless it is blocked. *)
+(* [DINT-03] [DINT-06] [DINT-20] A delay ends when it has elapsed, at most *)
+(* 1 ms early, and leads to its OB, with DTIME and SIGN, unless it is      *)
+(* blocked.                                                                *)
 ElapsedProp ==
     [][ Did("elapsed") =>
           LET o == step'.ob
@@ -102,8 +102,8 @@ ElapsedProp ==
                  => \E r \in new : /\ r.word = dint[o].sign
                                   /\ r.dtime = dint[o].dtime ]_vars
 
-(* [DINT-10] [AMB-47] While its OB runs: a time error, and at most one run *)
-(* more.                                                                   *)
+(* [DINT-10] [AMB-47] The delay ends while its OB runs: a time error, and  *)
+(* at most one more run.                                                   *)
 DintOverlapProp ==
     [][ /\ Did("elapsed") /\ OnStack(step'.ob)
         /\ ~Blocked(step'.ob) /\ ~Blocked(80) /\ stopCause = NoCause
@@ -131,8 +131,8 @@ DintTimeProp ==
                dint'[o].left = IF mode = "HOLD" THEN dint[o].left
                                ELSE dint[o].left - Span(clock, clock') ]_vars
 
-(* [DINT-07] [DINT-08] A job changes by its calls, by time, by its end,    *)
-(* and ends with the RUN.                                                  *)
+(* [DINT-07] [DINT-08] A job changes only by its calls, by time, by its    *)
+(* end, and by the end of RUN.                                             *)
 JobStaysProp ==
     [][ \A o \in DintObs : dint'[o] # dint[o] =>
           \/ /\ step'.event \in {"SRT_DINT", "CAN_DINT", "elapsed"}

@@ -18,7 +18,7 @@ ObsOfClass(n) ==
 AllOfClasses ==
     UNION { ObsOfClass(n) : n \in {10, 20, 30, 40, 50, 60, 70, 80} }
 
-(* The OBs that a call names, for which the model cares. *)
+(* The OBs that a call names, as far as the model has them. *)
 \* @type: (Int, Int) => Set(Int);
 NamedBy(m, o) ==
     Blockable \cap CASE m \in {0, 128} -> AllOfClasses
@@ -59,7 +59,8 @@ SilentProp ==
           \A o \in NamedBy(step'.operand, step'.ob) :
             o \in irt'.silent <=> Did("DIS_IRT") /\ step'.operand >= 128 ]_vars
 
-(* [IRT-02] [IRT-03] [OBS-53] Blocked it stays, until EN_IRT or a restart. *)
+(* [IRT-02] [IRT-03] [OBS-53] An OB stays blocked until EN_IRT or a        *)
+(* restart.                                                                *)
 IrtStaysProp ==
     [][ /\ irt' # irt => step'.event \in IrtCalls \cup {"restart"}
         /\ Did("restart") => irt'.blocked = {} /\ irt'.silent = {} ]_vars
@@ -79,8 +80,8 @@ LostProp ==
         => UNCHANGED <<requests, stopCause>> ]_vars
 
 (* [IRT-01] [AMB-23] An error whose OB is blocked does not stop the CPU,   *)
-(* but one that came before it was blocked, when its OB turns out to be    *)
-(* missing [AMB-72].                                                       *)
+(* unless it came before the block and its OB turns out to be missing      *)
+(* [AMB-72].                                                               *)
 NoStopProp ==
     [][ \A o \in {80, 85} :
           /\ stopCause' # stopCause /\ o \in irt.blocked
@@ -94,8 +95,8 @@ NothingNewProp ==
             Cardinality({ r \in requests' : r.ob = o })
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
-(* [IRT-18] [AMB-12] A point that is lost is used up, and so is a once     *)
-(* that does not wait for an earlier run, for sure or by what is open.     *)
+(* [IRT-18] [AMB-12] A lost point is used up; so is a once, unless a       *)
+(* certain or open request of its OB waits.                                *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
           /\ tod[step'.ob].period = Once /\ tod'[step'.ob].active
@@ -130,6 +131,6 @@ StopEntryProp ==
 (* [IRT-09] [OBS-30] An entry has a cause in this step. *)
 EntrySourceProp ==
     [][ entered' # {} =>
-          step'.event \in {"reached", "elapsed", "interrupt", "clock", "release",
-                          "missing", "restart", "DIS_IRT"} ]_vars
+          step'.event \in {"reached", "elapsed", "interrupt", "clock",
+                          "release", "missing", "restart", "DIS_IRT"} ]_vars
 =============================================================================

@@ -6,8 +6,8 @@
 (***************************************************************************)
 EXTENDS Steps
 
-(* [TINT-16] [OBS-20] [OBS-21] [OBS-23] A missing OB leads to OB 85, or to  *)
-(* STOP; the source goes on [AMB-46].  Blocked, OB 85 is lost [IRT-01].     *)
+(* [TINT-16] [OBS-20] [OBS-21] [OBS-23] A missing OB leads to OB 85, or to *)
+(* STOP; its interrupt goes on [AMB-46]. A blocked OB 85 is lost [IRT-01]. *)
 MissingProp ==
     [][ Did("missing") =>
           /\ step'.ob \notin loaded
@@ -19,11 +19,12 @@ MissingProp ==
                   /\ step'.ob = 81 => UNCHANGED stopCause
           /\ \A o \in TodObs :
                tod[o].period # Once =>
-                 tod'[o] = IF MissingObEndsItsSource /\ o = step'.ob
-                           THEN [tod[o] EXCEPT !.active = FALSE, !.next = Never]
-                           ELSE tod[o] ]_vars
+                 tod'[o] =
+                   IF MissingObEndsItsSource /\ o = step'.ob
+                   THEN [tod[o] EXCEPT !.active = FALSE, !.next = Never]
+                   ELSE tod[o] ]_vars
 
-(* [OBS-21] [OBS-22] [OBS-23] [OBS-25] The CPU must stop only for a rule:   *)
+(* [OBS-21] [OBS-22] [OBS-23] [OBS-25] The CPU has to stop only by a rule: *)
 (* a time error without OB 80, a program error without OB 85, another      *)
 (* asynchronous error without its OB, a deselected OB at STARTUP.          *)
 StopCauseProp ==
@@ -39,7 +40,7 @@ StopAtOnceProp ==
     [][ stopCause # NoCause /\ delay = 0
           => step'.event \in {"stop", "switch"} ]_vars
 
-(* [OBS-40] STOP is left by a restart alone; STARTUP for RUN when the       *)
+(* [OBS-40] Only a restart leaves STOP. STARTUP leads to RUN when the      *)
 (* startup OB has been processed and no STOP is due.                       *)
 ModeProp ==
     [][ /\ mode = "STOP" => mode' = "STOP" \/ Did("restart")
@@ -56,8 +57,8 @@ ModeProp ==
              /\ mode # "STOP" /\ mode' = "STOP"
              /\ UNCHANGED <<loaded, clock>> ]_vars
 
-(* [OBS-45] In HOLD nothing runs, ends or is called; it is left for RUN or  *)
-(* STOP.                                                                   *)
+(* [OBS-45] In HOLD nothing runs, ends or is called; only RUN or STOP      *)
+(* follows.                                                                *)
 HoldProp ==
     [][ mode = "HOLD" =>
           /\ step'.event \in {"release", "switch", "stop", "time", "clock",
@@ -72,13 +73,14 @@ StartupProp ==
 
 (* [TINT-25] Execution of STEP 7 and PERIOD of SFC 28 are one parameter. *)
 PeriodTable ==
-    { <<"once", 0>>, <<"minute", \h0201>>, <<"hourly", \h0401>>, <<"daily", \h1001>>,
-      <<"weekly", \h1201>>, <<"monthly", \h1401>>, <<"yearly", \h1801>>,
+    { <<"once", 0>>, <<"minute", \h0201>>, <<"hourly", \h0401>>,
+      <<"daily", \h1001>>, <<"weekly", \h1201>>,
+      <<"monthly", \h1401>>, <<"yearly", \h1801>>,
       <<"end_of_month", \h2001>> }
 
-(* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55] After a *)
-(* restart only the settings of STEP 7 hold, before the startup OB begins, *)
-(* and only a once of the past waits [OBS-56].                             *)
+(* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55]       *)
+(* Before the startup OB begins, only the settings of STEP 7 hold, and     *)
+(* only a once of the past waits [OBS-56].                                 *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>
@@ -95,8 +97,8 @@ RestartProp ==
           /\ stopCause' = \h454A <=>
                \E o \in loaded \cap TodObs : cpu.step7[o].deselected ]_vars
 
-(* The CPU itself does not change, but that it shows how it reads what no   *)
-(* source decides; and OBs come and go by load and delete.                 *)
+(* The CPU does not change, except that it may show its reading of an open *)
+(* question. OBs come and go only by load and delete.                      *)
 CpuProp ==
     [][ /\ cpu'.family = cpu.family /\ cpu'.priority = cpu.priority
         /\ cpu'.step7 = cpu.step7

@@ -6,7 +6,8 @@
 (***************************************************************************)
 EXTENDS Steps
 
-(* [OBS-01] Every running OB is of a higher class than the one it interrupted. *)
+(* [OBS-01] Every running OB has a higher class than the OB that it        *)
+(* interrupted.                                                            *)
 StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
 
 (* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware *)
@@ -30,9 +31,9 @@ PriorityOrderInv ==
     /\ DefaultClass(100) < DefaultClass(72)
     /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
 
-(* [OBS-04] [OBS-31] [OBS-43] The classes of running OBs: two real numbers *)
-(* of table 7.1 for each family, the changes by STARTUP, and [OBS-05] by   *)
-(* settings.                                                               *)
+(* [OBS-04] [OBS-31] [OBS-43] The classes of running OBs: two numbers of   *)
+(* table 7.1 for each family, the changes by STARTUP, and by settings      *)
+(* [OBS-05].                                                               *)
 ClassInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
@@ -70,22 +71,25 @@ ContentProp ==
                          "EN_AIRT", "SET_TINT", "CAN_TINT", "ACT_TINT", "run"}
           => Fresh = {} ]_vars
 
-(* [OBS-10] [TINT-25] [DINT-03] What a start event says of its interrupt:  *)
-(* PERIOD or SIGN, also where an OB 80 or OB 85 reports it; of an error    *)
+(* [OBS-10] [TINT-25] [DINT-03] The data of a start event: PERIOD or SIGN  *)
+(* of its interrupt, also where an OB 80 or OB 85 reports it; at an error  *)
 (* the OB that was active.                                                 *)
 WordProp ==
     [][ \A r \in Fresh :
           /\ r.ob \in TodObs =>
                r.word = (IF Did("restart") THEN Once ELSE tod[r.ob].period)
           /\ r.ob \in DintObs => r.word = dint[r.ob].sign
-          /\ r.ob = TimeErrorOb /\ r.cause \in TodObs => r.word = tod[r.cause].period
-          /\ r.ob = TimeErrorOb /\ r.cause \in DintObs => r.word = dint[r.cause].sign
+          /\ r.ob = TimeErrorOb /\ r.cause \in TodObs =>
+               r.word = tod[r.cause].period
+          /\ r.ob = TimeErrorOb /\ r.cause \in DintObs =>
+               r.word = dint[r.cause].sign
           /\ r.ob = ProgramErrorOb /\ r.cause # 0 =>
                \E q \in requests : q.ob = r.cause /\ q.word = r.word
-          /\ r.cause # 0 => r.during = Top(stack).ob /\ r.cause = step'.ob ]_vars
+          /\ r.cause # 0 => /\ r.during = Top(stack).ob
+                            /\ r.cause = step'.ob ]_vars
 
-(* [OBS-08] A buffer overflows only where something of the class waits or  *)
-(* runs already.                                                           *)
+(* [OBS-08] A buffer overflows only if an OB of the class waits or runs    *)
+(* already.                                                                *)
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
@@ -100,15 +104,16 @@ OverflowProp ==
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
 
 (* [OBS-02] The OBs of one class start in the order of their start events. *)
-(* Not of a clock that is set back, or set in STARTUP [AMB-53]; and runs   *)
+(* Exceptions: a clock that is set back, or set in STARTUP [AMB-53]; runs  *)
 (* that catch up together come in any order [AMB-54].                      *)
 FifoProp ==
     [][ Dispatched /\ step'.ob \in TodObs =>
           \E r \in requests :
             /\ r.ob = step'.ob
-            /\ \A q \in requests : q.class = r.class /\ q.ob \in TodObs /\ ~q.open
-                                     => \/ ~Before(q.since, r.since)
-                                        \/ {q.follows, r.follows} \subseteq {5, 6} ]_vars
+            /\ \A q \in requests :
+                 q.class = r.class /\ q.ob \in TodObs /\ ~q.open =>
+                   \/ ~Before(q.since, r.since)
+                   \/ {q.follows, r.follows} \subseteq {5, 6} ]_vars
 
 (* [OBS-02] [TINT-12] [OBS-11] The same by the queue, for start events     *)
 (* that have no time.                                                      *)
@@ -154,8 +159,8 @@ AtOnceProp ==
           => step'.event \in {"start", "missing", "dropped", "stop",
                              "switch"} ]_vars
 
-(* [OBS-03] An end takes the topmost OB off the stack; all else stays, also *)
-(* what the OB has set anew for itself [TINT-65].                          *)
+(* [OBS-03] An end takes the top OB off the stack. All else stays, also a  *)
+(* setting that the OB has made for itself [TINT-65].                      *)
 EndProp ==
     [][ Did("end") => /\ stack # <<>>
                       /\ step'.ob = Top(stack).ob

@@ -1,8 +1,8 @@
 -------------------------- MODULE PropertiesSeries --------------------------
 (***************************************************************************)
-(* The series of start points of a time-of-day interrupt, said by the      *)
-(* calendar: which minutes are points, and that an active interrupt waits  *)
-(* for the first of them that is ahead (section 1.1).                      *)
+(* The series of start points of a time-of-day interrupt, by the calendar: *)
+(* which minutes are points; an active interrupt waits for the first point *)
+(* that is ahead (section 1.1).                                            *)
 (*                                                                         *)
 (* Left out: that the closed formulas of Calendar are right for every day, *)
 (* which models/MCCalendar checks.                                         *)
@@ -11,7 +11,7 @@ EXTENDS Steps
 
 Minutes(days) == days * 1440
 
-(* [TINT-32] [TINT-33] [TINT-34] [TINT-19] Minute m is a point of the series. *)
+(* [TINT-32] [TINT-33] [TINT-34] [TINT-19] Minute m is a point.            *)
 \* @type: ($tod, Int) => Bool;
 OnSeries(t, m) ==
     LET since == m - t.start
@@ -75,5 +75,6 @@ NextPointInv ==
               IF t.period = Once THEN t.next \in {t.start, Never}
               ELSE IF clock.min <= t.repeatTo
               THEN t.next = Never \/ OnSeries(t, t.next)
-              ELSE IsFirst(t, t.next, Ahead) \/ IsFirst(t, t.next, clock.min + 1)
+              ELSE \/ IsFirst(t, t.next, Ahead)
+                   \/ IsFirst(t, t.next, clock.min + 1)
 =============================================================================

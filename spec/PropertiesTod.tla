@@ -11,13 +11,14 @@ TodCalls == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT"}
 
 (* The running OB calls. *)
 CallerProp ==
-    [][ step'.event \in TodCalls \cup {"SRT_DINT", "CAN_DINT", "QRY_DINT",
-                                     "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
+    [][ step'.event \in TodCalls
+                          \cup {"SRT_DINT", "CAN_DINT", "QRY_DINT",
+                                "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
           => stack # <<>> ]_vars
 
 (* [TINT-05] [TINT-50] Only a set interrupt is active, and only an active  *)
-(* interrupt is watched or waits; it may wait still when its missing OB    *)
-(* has made it inactive [AMB-46].                                          *)
+(* interrupt has a next point or waits; an interrupt that its missing OB   *)
+(* made inactive may still wait [AMB-46].                                  *)
 SettingInv ==
     \A o \in TodObs :
       /\ tod[o].active => tod[o].set
@@ -34,7 +35,7 @@ DueInv ==
     mode \in {"RUN", "STARTUP"} =>
       \A o \in TodObs : tod[o].active => ~Before(At(tod[o].next), clock)
 
-(* [AMB-19] Of the points that fall due while their OB runs one is kept. *)
+(* [AMB-19] Of the points that come while their OB runs one is kept. *)
 OverlapInv ==
     \A o \in TodObs :
       Cardinality({ r \in requests :
@@ -56,9 +57,9 @@ Fit(d, period) ==
     /\ d.day \in 1..(IF period = Monthly THEN 28 ELSE LastDay(d.year, d.month))
     /\ d.hour \in 0..23 /\ d.minute \in 0..59
 
-(* [TINT-35] [TINT-36] [TINT-37] [TINT-33] The answers of SET_TINT: a code   *)
-(* only where it applies, and 0000 only where none does. models/MCTod says  *)
-(* the same of its operands by a table.                                    *)
+(* [TINT-35] [TINT-36] [TINT-37] [TINT-33] The answers of SET_TINT: a code *)
+(* only where it applies, and 0000 only where none does. models/MCTod      *)
+(* checks its operands by a table.                                         *)
 SetAnswerProp ==
     [][ Did("SET_TINT") =>
           LET o == step'.ob
@@ -85,8 +86,8 @@ SetProp ==
           /\ tod'[step'.ob].offset = 0 /\ tod'[step'.ob].next = Never
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
-(* A once whose only point is past and no run of which is sure to come;    *)
-(* the sources leave open if it is still set [AMB-48] [AMB-55].            *)
+(* A once whose only point is past and none of whose runs is certain to    *)
+(* come. The sources leave open whether it is still set [AMB-48] [AMB-55]. *)
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
            /\ ~PendingIn(requests, o) /\ ~OnStack(o)
 
@@ -102,9 +103,8 @@ CanProp ==
                                     /\ tod[o].set /\ ~tod'[o].set
                                     /\ ~PendingIn(requests', o) ]_vars
 
-(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT.  That the OB is       *)
-(* missing is noticed later [TINT-17]: nothing waits and nothing stops by  *)
-(* the call.                                                               *)
+(* [TINT-60] [TINT-61] [TINT-62] [TINT-63] ACT_TINT. A missing OB is       *)
+(* noticed later [TINT-17]: the call requests nothing and stops nothing.   *)
 ActProp ==
     [][ Did("ACT_TINT") =>
           LET o == step'.ob
@@ -168,8 +168,8 @@ PointProp ==
                   /\ \A r \in Fresh : r.ob = o => r.since = clock
              \/ step'.event \in {"clock", "restart", "release"} ]_vars
 
-(* [TINT-14] [OBS-30] A point that falls due while its OB runs: OB 80 with *)
-(* fault 02, and the run follows; or STOP.                                 *)
+(* [TINT-14] [OBS-30] A point comes while its OB runs: OB 80 with fault    *)
+(* 02, and the run follows; or STOP.                                       *)
 OverlapProp ==
     [][ /\ Did("reached") /\ mode = "RUN" /\ OnStack(step'.ob)
         /\ stopCause = NoCause /\ ~Blocked(step'.ob) /\ ~Blocked(80)
@@ -202,8 +202,9 @@ OnceProp ==
           /\ tod'[o].called => tod'[o].set /\ tod'[o].next = Never
           /\ Did("end") /\ step'.ob = o => ~tod'[o].called ]_vars
 
-(* [CLK-12] [AMB-71] [AMB-46] Set back, the clock does not arm a once      *)
-(* again whose call waits or runs; nor does its missing OB leave it set.   *)
+(* [CLK-12] [AMB-71] [AMB-46] Setting the clock back does not arm a once   *)
+(* again whose call waits or runs. A once with a missing OB is no longer   *)
+(* set.                                                                    *)
 OnceOverProp ==
     [][ \A o \in TodObs :
           /\ /\ Did("clock") /\ tod[o].active /\ tod[o].period = Once

@@ -12,7 +12,7 @@
 (***************************************************************************)
 EXTENDS Editions
 
-(* [AMB-01] Of the PERIODs 1201 and 1202 one is weekly, or both are. *)
+(* [AMB-01] One of the PERIODs 1201 and 1202 is weekly, or both are. *)
 OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
 OnlyPeriod1202IsWeekly == Reading("AMB-01") = "b"
 BothPeriodsAreWeekly   == Reading("AMB-01") = "c"
@@ -42,8 +42,8 @@ CanTintNeedsActive == Reading("AMB-09") = "b"
 (* [AMB-10] ACT_TINT on an active interrupt computes its next point anew. *)
 ActTintComputesAnew == Reading("AMB-10") = "b"
 
-(* [AMB-11] A call that cancels an interrupt withdraws a run that waits.   *)
-(* Of a delay that may be open: a CPU shows one way and keeps to it.       *)
+(* [AMB-11] A call that cancels an interrupt withdraws its waiting run.    *)
+(* For a delay this may be open: a CPU shows one way and keeps to it.      *)
 TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
 \* @type: $cpu => Bool;
 DintCallsWithdrawRuns(c) == ReadingOf(c, "AMB-11") = "b"
@@ -65,13 +65,13 @@ SkipGivesNewTime == Reading("AMB-16") = "a"
 (* [AMB-17] An S7-300 does not serve a point again either. *)
 S7300RemembersServed == Reading("AMB-17") = "b"
 
-(* [AMB-18] A start event of an OB that waits already; or any of these.    *)
+(* [AMB-18] An OB that waits already gets another start event. *)
 SecondRequestIsTimeError == Reading("AMB-18") = "a"
 SecondRequestIsBuffered  == Reading("AMB-18") = "b"
 SecondRequestIsMerged    == Reading("AMB-18") = "c"
 BuffersMayOverflow       == Reading("AMB-18") \in {"b", "d"}
 SecondRequestIsOpen      == Reading("AMB-18") = "d"
-(* [AMB-19] Of several points during one run of the OB.                    *)
+(* [AMB-19] Several points come during one run of the OB. *)
 EveryPointRunsLater      == Reading("AMB-19") = "b"
 OnlyFirstPointIsReported == Reading("AMB-19") = "c"
 
@@ -105,19 +105,19 @@ BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
 WaitingOnceIsActive   == Reading("AMB-34") = "a"
 WaitingOnceIsInactive == Reading("AMB-34") = "b"
 
-(* [AMB-35] The points that pass in STARTUP bring one run for each OB. *)
+(* [AMB-35] The points that pass in STARTUP lead to one run for each OB. *)
 StartupDefersOneRun == Reading("AMB-35") = "a"
 (* [AMB-36] A periodic interrupt first runs one period after its start. *)
 SeriesBeginsAPeriodLater == Reading("AMB-36") = "b"
 (* [AMB-37] A point that equals the clock is past. *)
 EqualIsPast == Reading("AMB-37") = "b"
-(* [AMB-38] Yearly on February 29 is refused; or falls on a day beside it.  *)
+(* [AMB-38] Yearly on February 29 is refused; or falls on a day beside it. *)
 YearlyNotOnLeapDay     == Reading("AMB-38") = "b"
 YearlyFallsOnDayBefore == Reading("AMB-38") = "before"
 YearlyFallsOnDayAfter  == Reading("AMB-38") = "after"
 \* @type: $cpu => Set($cpu);
 CpusByLeapDay(c) == Turned(c, "AMB-38", "c", {"before", "after"})
-(* [AMB-39] An end-of-month interrupt whose start is on another day.       *)
+(* [AMB-39] An end-of-month interrupt that starts on another day. *)
 EndOfMonthRunsAtStart == Reading("AMB-39") = "b"
 EndOfMonthTakesNoOtherDay == Reading("AMB-39") = "c"
 (* [AMB-40] A clock that is set back calls every active OB of an S7-300. *)
@@ -171,14 +171,14 @@ CatchUpsComeByNumber == Reading("AMB-54") = "b"
 NoCatchUpAfterHold     == Reading("AMB-55") = "b"
 CatchUpAfterHoldIsOpen == Reading("AMB-55") = "c"
 
-(* [AMB-56] In the time that the clock repeats, points that were not       *)
-(* served are over, all of them; or those up to the last call of the OB.   *)
+(* [AMB-56] In repeated time unserved points are over: all of them; or     *)
+(* those up to the last call of the OB.                                    *)
 \* @type: $cpu => Bool;
 UnservedAreOver(c) == ReadingOf(c, "AMB-56") = "b"
 \* @type: $cpu => Bool;
 UnservedAreOverToLastCall(c) == ReadingOf(c, "AMB-56") = "d"
 
-(* [AMB-57] A new setting forgets the points that earlier ones served. *)
+(* [AMB-57] A new setting forgets the points that earlier settings served. *)
 \* @type: $cpu => Bool;
 NewSettingForgets(c) == ReadingOf(c, "AMB-57") = "a"
 
@@ -209,7 +209,7 @@ S7300RestartsCold == Reading("AMB-65") = "a"
 (* [AMB-66] An OB that is deleted takes the requests for it along. *)
 DeletedObTakesRequests == Reading("AMB-66") = "b"
 
-(* [AMB-67] Start events from outside in STARTUP or HOLD are lost; or may be. *)
+(* [AMB-67] Outside events in STARTUP or HOLD are lost; or may be.         *)
 OutsideRunEventsAreLost == Reading("AMB-67") = "b"
 OutsideRunEventsAreOpen == Reading("AMB-67") = "c"
 
@@ -239,7 +239,7 @@ ErrorObsAreNotReported == Reading("AMB-75") = "a"
 (* [AMB-76] EN_IRT takes the MODEs 80 to 82. *)
 EnIrtTakesMode8x == Reading("AMB-76") = "b"
 
-(* [AMB-77] An event from outside while its OB runs; or any of these.      *)
+(* [AMB-77] An event from outside comes while its OB runs. *)
 ExternalAgainIsTimeError == Reading("AMB-77") = "a"
 ExternalAgainIsBuffered  == Reading("AMB-77") = "b"
 ExternalAgainIsLost      == Reading("AMB-77") = "c"

@@ -1,10 +1,10 @@
 ------------------------------- MODULE Reasons ------------------------------
 (***************************************************************************)
-(* The requirements that decide about a rejected line, and that someone    *)
-(* who knows the log would cite.  They follow from the state before the    *)
-(* line, from the line e, and from the lines before it, `past'.            *)
+(* The requirements that someone who knows the log would cite for a        *)
+(* rejected line. They follow from the state before the line, from the     *)
+(* line e, and from the lines before it, `past'.                           *)
 (*                                                                         *)
-(* No action uses these modules.                                           *)
+(* No action uses this module.                                             *)
 (* Source: the requirement IDs.                                            *)
 (* Left out: the lines that are allowed instead (Explain).                 *)
 (***************************************************************************)
@@ -19,12 +19,14 @@ OfEntry(e, past) ==
           [] e.id = NoTimeErrorOb       -> {"OBS-22"}
           [] e.id = NoProgramErrorOb    -> {"OBS-21"}
           [] e.id = DeselectedLoaded    -> {"OBS-25"}
-          [] fault \in ObNotLoaded      -> {"OBS-20"} \cup When(quiet, {"IRT-09"})
+          [] fault \in ObNotLoaded      ->
+               {"OBS-20"} \cup When(quiet, {"IRT-09"})
           [] fault = SkippedByClock     ->
                {"OBS-30", "CLK-02"} \cup When(quiet, {"IRT-09"})
           [] fault = SkippedInHold      -> {"OBS-30", "OBS-46"}
           [] fault = BufferOverflow     -> {"OBS-30", "OBS-08"}
-          [] OTHER                      -> {"OBS-30"} \cup When(quiet, {"IRT-09"})
+          [] OTHER                      ->
+               {"OBS-30"} \cup When(quiet, {"IRT-09"})
 
 (* The fields that are wrong.                                              *)
 \* @type: $event => Set(Str);
@@ -50,17 +52,20 @@ Deciding(e, past) ==
                                 ELSE IF mode = "STOP" THEN {"OBS-41"}
                                 ELSE IF Running.ob = CycleOb \/ stack = <<>>
                                 THEN {"OBS-01", "OBS-03"} ELSE {"OBS-03"}
-      [] e.event = "restart" -> {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
+      [] e.event = "restart" ->
+           {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
       [] e.event = "run"     -> IF stopCause # NoCause THEN StopRequirements
                                 ELSE IF mode = "STARTUP" THEN {"OBS-42"}
                                 ELSE {"OBS-40"}
-      [] e.event = "stop"    -> IF mode = "STOP" THEN {"OBS-40"}
-                                ELSE {"OBS-21", "OBS-22"}
-                                       \cup When(e.cause = DeselectedLoaded, {"OBS-25"})
-                                       \cup When(e.cause = NoTimeErrorOb, {"OBS-26"})
+      [] e.event = "stop"    ->
+           IF mode = "STOP" THEN {"OBS-40"}
+           ELSE {"OBS-21", "OBS-22"}
+                  \cup When(e.cause = DeselectedLoaded, {"OBS-25"})
+                  \cup When(e.cause = NoTimeErrorOb, {"OBS-26"})
       [] OTHER               -> {"OBS-40"}
 
-(* The states that come nearest to the line count: the least number.       *)
+(* How far this state is from one that allows the line. The reasons of the *)
+(* nearest states count.                                                   *)
 \* @type: $event => Int;
 Distance(e) ==
     CASE e.event \in CallEvents ->

@@ -1,23 +1,23 @@
 --------------------------- MODULE ReportedEntries --------------------------
 (***************************************************************************)
-(* Entries of the diagnostic buffer in a log: each entry that a line shows *)
-(* has a cause, and each cause leads to an entry within the latency if the *)
-(* log has such lines.                                                     *)
+(* Entries of the diagnostic buffer in a log: each entry in a line has a   *)
+(* cause. If the log has such lines, each cause leads to an entry within   *)
+(* the latency.                                                            *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine point 9; requirements, table  *)
 (* 7.5.                                                                    *)
-(* Left out: entries for other events than those of table 7.5 that belong  *)
-(* to OB 80, OB 85, STOP by rule and SFC 39.                               *)
+(* Left out: entries of other events. Table 7.5 has those of OB 80, OB 85, *)
+(* STOP by rule and SFC 39.                                                *)
 (***************************************************************************)
 EXTENDS StartInfo, LogState
 
-(* Entries that have to come, if the log has entries at all.               *)
+(* Entries that have to come, if the log has entries. *)
 DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
                      \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
 (* Entries that need a cause: these, and 454A.                             *)
 JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
 
-(* The number 0 or 16#FF stands for no OB.                                 *)
+(* OB number 0 or 16#FF stands for no OB. *)
 \* @type: ($entry, $event) => Bool;
 FitsEntry(entry, e) ==
     /\ \/ e.id = entry.id
@@ -28,26 +28,26 @@ FitsEntry(entry, e) ==
           /\ Fits(e.priority, entry.of.class)
           /\ FitsError(entry.of, e.info)
 
-(* An unseen event may have caused this entry.  DIS_IRT alone causes that  *)
-(* of disabled entries.                                                    *)
+(* An unseen event may have caused this entry. Only DIS_IRT causes the     *)
+(* entry of disabled entries.                                              *)
 \* @type: Int => Bool;
-CauseUnseen(id) == ~((IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"})
-                       \subseteq terms.records)
+CauseUnseen(id) ==
+    LET kinds == IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"}
+    IN  ~(kinds \subseteq terms.records)
 
 -----------------------------------------------------------------------------
 (* Entries that the log has not shown yet *)
 
-(* An entry as a line can tell it.  Where the log has no such lines, no    *)
-(* line has to tell the OB that was active, nor whether the entry was      *)
-(* certain.                                                                *)
+(* The fields of an entry that a line can show. If the log has no such     *)
+(* lines, the active OB and the certainty of the entry do not matter.      *)
 \* @type: $entry => $entry;
 AsReported(entry) ==
-    LET told == [entry EXCEPT !.of.since = At(0), !.of.rank = 0, !.of.open = FALSE]
+    LET told == [ entry EXCEPT !.of.since = At(0), !.of.rank = 0,
+                               !.of.open = FALSE ]
     IN  IF DiagRecorded THEN told
         ELSE [told EXCEPT !.open = FALSE, !.of.during = -1]
 
-(* Where the log has no such lines, three entries that are alike count as  *)
-(* any number.                                                             *)
+(* If the log has no such lines, three equal entries stand for any number. *)
 Many == 3
 
 \* @type: Int => Int;
@@ -55,21 +55,23 @@ OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
 \* @type: Int => Int;
 OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
 
-(* The entries of this step are still to be shown; their cause was `age'   *)
-(* ms ago.  An entry that an unseen event may have caused is not kept.     *)
+(* The entries of this step have to be shown; their cause was `age' ms     *)
+(* ago. Entries that an unseen event may have caused are not kept.         *)
 \* @type: Int => Bool;
 Report(age) ==
-    LET new == { AsReported(n) : n \in { m \in entered' : /\ m.id \in JudgedEntries
-                                                           /\ ~CauseUnseen(m.id) } }
+    LET shown == { m \in entered' : /\ m.id \in JudgedEntries
+                                     /\ ~CauseUnseen(m.id) }
+        new == { AsReported(n) : n \in shown }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in reports : r.entry = n /\ r.age = a }
-        times(n) == IF same(n) = {} THEN 1 ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
+        times(n) == IF same(n) = {} THEN 1
+                    ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
     IN  reports' = IF new = {} THEN reports
                    ELSE (reports \ UNION { same(n) : n \in new })
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
                                  : n \in new }
 
-(* d ms from now an entry would be too late.                               *)
+(* The entries that would be too late in d ms. *)
 \* @type: Int => Set($report);
 EntriesLate(d) ==
     IF reports = {} \/ ~DiagRecorded THEN {}
@@ -77,7 +79,8 @@ EntriesLate(d) ==
                            /\ r.entry.id \in DemandedEntries
                            /\ r.age + d > terms.latency }
 
-(* The entries grow older.  One that need not come is forgotten.           *)
+(* The entries grow older. An entry that need not come is forgotten after  *)
+(* the latency.                                                            *)
 \* @type: Int => Set($report);
 ReportsAfter(d) ==
     IF reports = {} \/ ~DiagRecorded THEN reports
@@ -86,7 +89,7 @@ ReportsAfter(d) ==
 
 -----------------------------------------------------------------------------
 
-(* A line shows an entry: it has a cause that no line has shown yet.       *)
+(* A line shows an entry that no line has shown yet. *)
 \* @type: $event => Bool;
 IsEntry(e) ==
     LET fits == { r \in reports : FitsEntry(r.entry, e) }

@@ -1,9 +1,9 @@
 ------------------------------ MODULE Requests ------------------------------
 (***************************************************************************)
-(* Start events on their way from occurring to the start of their OB       *)
-(* [OBS-07], and the only rule that says which of them may start.          *)
+(* Requests: start events that have occurred and whose OB has not started  *)
+(* [OBS-07]. MayStart is the only rule that says which may start.          *)
 (*                                                                         *)
-(* A request holds what the OB's start information will say [OBS-10]:      *)
+(* A request holds the data of the OB's start information [OBS-10]:        *)
 (*   ob, class   which OB, in which priority class                         *)
 (*   rank        its place in the queue of its class [OBS-02]; points that *)
 (*               fell due at the same moment share a place [AMB-29]        *)
@@ -17,14 +17,14 @@
 (*   late        OB 80: the OBs that it reports [CLK-06]                   *)
 (*   cause       OB 80 and OB 85: the OB that was requested, else 0        *)
 (*   during      OB 80 and OB 85: the OB that was active at the error      *)
-(*   follows     fault id of the OB 80 that reports this run and that comes *)
-(*               first [TINT-15] [CLK-03], else 0                          *)
-(*   open        where the sources leave open whether the start event has  *)
-(*               this effect: the OB may start by it, or nothing happens   *)
+(*   follows     fault id of the OB 80 that reports this run and runs      *)
+(*               before it [TINT-15] [CLK-03], else 0                      *)
+(*   open        the sources leave open whether the start event has this   *)
+(*               effect: the OB may start by it, or nothing happens        *)
 (*                                                                         *)
-(* Module StartEvents has the effects of a start event when it occurs.     *)
-(* Left out: the size of the buffers, which differs between CPUs [OBS-09]; *)
-(* where a buffer may be full, both outcomes are allowed [AMB-18].         *)
+(* Module StartEvents has the effects of a start event.                    *)
+(* Left out: the size of the buffers, which differs between CPUs [OBS-09]. *)
+(* If a buffer may be full, both outcomes are allowed [AMB-18].            *)
 (***************************************************************************)
 EXTENDS FiniteSets, Cpu
 
@@ -45,8 +45,8 @@ PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 \* @type: (Set($request), Int) => Bool;
 OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
-(* Start events of points that are reached together, and the time errors   *)
-(* of such points, come in any order [AMB-29].                             *)
+(* Points that are reached together lead to start events, and to time      *)
+(* errors, in any order [AMB-29].                                          *)
 \* @type: ($request, $request) => Bool;
 OfOnePoint(r, s) ==
     /\ r.since = s.since /\ r.follows = s.follows /\ r.fault = s.fault
@@ -62,7 +62,8 @@ PlaceIn(q, new) ==
         last  == Cardinality({ r.rank : r \in class })
         same  == { r \in class : /\ r.rank = last
                                  /\ OfOnePoint(r, new) }
-    IN  IF same = {} \/ [new EXCEPT !.rank = last] \in q THEN last + 1 ELSE last
+    IN  IF same = {} \/ [new EXCEPT !.rank = last] \in q
+        THEN last + 1 ELSE last
 
 (* Start events that occur together share a place. *)
 \* @type: (Set($request), Set($request)) => Set($request);
@@ -74,12 +75,13 @@ Enter(q, new) == EnterAll(q, {new})
 (* Places are counted from 1 without gaps. *)
 \* @type: Set($request) => Set($request);
 Close(q) ==
-    { [r EXCEPT !.rank = Cardinality(
-          { s.rank : s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } })]
+    { [ r EXCEPT !.rank = Cardinality(
+          { s.rank :
+            s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } }) ]
       : r \in q }
 
-(* The request r, next in its queue, leaves.  An open request that was     *)
-(* passed over has had no effect, unless only the mode had kept it back.   *)
+(* Request r leaves its queue. The open requests before it had no effect:  *)
+(* they go as well, unless the mode alone held them back.                  *)
 \* @type: (Set($request), $request) => Set($request);
 Remove(q, r) ==
     LET \* @type: $request => Bool;
@@ -109,8 +111,8 @@ TodRequest(o, since, follows) ==
     [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = since,
                        !.word = tod[o].period, !.follows = follows ]
 
-(* [DINT-03] DTIME and SIGN come again in the start information; under     *)
-(* AMB-31 (a) the delay that has elapsed.                                  *)
+(* [DINT-03] The start information repeats DTIME and SIGN; under AMB-31    *)
+(* (a) it has the delay that has elapsed.                                  *)
 \* @type: Int => $request;
 DintRequest(o) ==
     [ NoRequest EXCEPT
@@ -126,11 +128,12 @@ IsCatchUp(r) == r.follows \in Skips
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==
     [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.since = clock,
-                       !.during = IF fault = CycleTimeExceeded THEN Running.ob ELSE 0,
+                       !.during = IF fault = CycleTimeExceeded
+                                  THEN Running.ob ELSE 0,
                        !.class = IF o \in AsyncErrorObs
                                  THEN ErrorClass(o, fault) ELSE ClassOf(o) ]
 
-(* A time error; `cause' is the OB that was requested [AMB-27]. *)
+(* A time error. `cause' is the requested OB [AMB-27]. *)
 \* @type: (Int, Set(Int), Int, Int) => $request;
 TimeError(fault, obs, cause, word) ==
     [ ExternalRequest(TimeErrorOb, fault) EXCEPT
@@ -150,18 +153,21 @@ ErrorObsAs85 ==
     IF ErrorObsAreNotReported THEN {} ELSE {70, 72, 84, 87}
 ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
 
-(* [AIRT-01] [AIRT-09] Whatever may interrupt the running OB is delayed. *)
+(* [AIRT-01] [AIRT-09] No delay is on. A delay holds back every OB that    *)
+(* could interrupt the running OB.                                         *)
 Undelayed == delay = 0
 
-(* [AMB-49] (a) But not an error whose missing OB stops the CPU. *)
+(* [AMB-49] (a) A delay does not hold back an error whose missing OB stops *)
+(* the CPU.                                                                *)
 \* @type: $request => Bool;
 StopsUndelayed(r) ==
     /\ r.ob \notin loaded
     /\ r.ob \in ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
     /\ StopIsNotDelayed
 
-(* [OBS-02] [TINT-12] A request held back by the mode does not block those *)
-(* behind it.  Within a place the numbers may decide [AMB-29].             *)
+(* [OBS-02] [TINT-12] No request before it holds it back. A request that   *)
+(* the mode holds back does not count. Within a place the numbers of the   *)
+(* OBs may decide [AMB-29].                                                *)
 \* @type: $request => Bool;
 InTurn(r) ==
     { q \in requests :
@@ -172,7 +178,8 @@ InTurn(r) ==
 (* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
 \* @type: $request => Bool;
 Reported(r) ==
-    r.follows # 0 => \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
+    r.follows # 0 =>
+      \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
 
 (* [AMB-44] (b) A missing OB is noticed when it would start. *)
 \* @type: $request => Bool;

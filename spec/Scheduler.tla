@@ -7,21 +7,22 @@
 (***************************************************************************)
 EXTENDS ServedPoints
 
-(* An open request has no effect: seen when its OB could start. *)
+(* An open request turns out to have no effect when its OB could start. *)
 \* @type: $request => Bool;
 Drop(r) ==
     /\ MayStart(r)
     /\ r.open
     /\ requests' = Close(requests \ {r})
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause, runVars>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                   runVars>>
 
 -----------------------------------------------------------------------------
 (* Once interrupts *)
 
-(* [TINT-08] A once interrupt is cancelled by the call of its OB, also     *)
-(* where the clock was set back meanwhile and its point is ahead again     *)
-(* [AMB-59] [CLK-12]; an interrupt that was set anew is not.               *)
+(* [TINT-08] The call of its OB cancels a once, even if the clock was set  *)
+(* back meanwhile and its point is ahead again [AMB-59] [CLK-12]. An       *)
+(* interrupt that was set anew stays.                                      *)
 \* @type: $request => Bool;
 LastCall(r) ==
     /\ r.ob \in TodObs /\ tod[r.ob].active /\ HasOnePoint(tod[r.ob].period)
@@ -43,7 +44,7 @@ TodsAfterStart(r) ==
 \* @type: Int => (Int -> $tod);
 TodAfterEnd(o) == IF o \in TodObs /\ tod[o].called THEN TodUsedUp(o) ELSE tod
 
-(* Other requests of an interrupt that is cancelled are withdrawn [AMB-11]. *)
+(* A cancelled interrupt loses its other requests, too [AMB-11].           *)
 \* @type: $request => Set($request);
 RequestsAfterCall(r) ==
     IF LastCall(r) THEN Withdraw(Remove(requests, r), r.ob)
@@ -52,7 +53,7 @@ RequestsAfterCall(r) ==
 -----------------------------------------------------------------------------
 (* Start and end *)
 
-(* [OBS-01] [OBS-02] [OBS-03] For a request r that waits. *)
+(* [OBS-01] [OBS-02] [OBS-03] The OB of request r starts. *)
 \* @type: $request => Bool;
 Start(r) ==
     /\ MayStart(r)
@@ -63,7 +64,7 @@ Start(r) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, delay>>
 
-(* [AMB-45] An OB 85 may have been for all OBs that are missing when it ends. *)
+(* [AMB-45] When OB 85 ends, it may have reported all missing OBs.         *)
 Excused ==
     LET missing == { r \in requests : r.ob \notin loaded \cup AsyncErrorObs }
     IN  CASE OneOb85ForAll  -> Close(requests \ missing)
@@ -93,7 +94,8 @@ CycleStarts ==
     /\ stack = <<>>
     /\ stack' = <<Frame(CycleOb, 1)>>
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars, delay>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                   delay>>
 
 (* [OBS-42] [OBS-55] *)
 \* @type: Int => Bool;

@@ -1,9 +1,10 @@
 ----------------------------- MODULE ServedPoints ---------------------------
 (***************************************************************************)
-(* The points for which an OB was called, and the next point to watch for, *)
-(* for a clock that is set back: an S7-400 does not serve a point again    *)
-(* [CLK-09], an S7-300 does [CLK-10].  Points are kept as runs: from one   *)
-(* point to another without an unserved point of the series between.       *)
+(* The points that an OB has served, and the next point that it will       *)
+(* serve. They matter when the clock is set back: an S7-400 does not serve *)
+(* a point again [CLK-09], an S7-300 does [CLK-10]. Points are kept as     *)
+(* runs: from one point to another without an unserved point of the series *)
+(* between.                                                                *)
 (*                                                                         *)
 (* Left out: runs of earlier settings beyond the latest LongestMemory.     *)
 (***************************************************************************)
@@ -11,21 +12,23 @@ EXTENDS Requests, TodSettings
 
 LongestMemory == 8
 
-(* [CLK-10] [CLK-11] On an S7-300 points are served again after the clock  *)
-(* was set back; other CPUs remember which were served [AMB-17].           *)
+(* [CLK-10] [CLK-11] An S7-300 serves points again after the clock was set *)
+(* back; other CPUs remember the points that were served [AMB-17].         *)
 Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
 
 (* [CLK-09] The OB is called for point p, which joins the runs of points   *)
-(* beside it.  A point that is lost [IRT-18], or skipped without a run of  *)
-(* its own, is over and yet was not served.                                *)
+(* beside it. A lost point [IRT-18] is over but not served; so is a        *)
+(* skipped point without a run of its own.                                 *)
 \* @type: ($tod, Int) => $tod;
 Served(t, p) ==
     LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
-        after  == { i \in t.served : p < i.from /\ i.from <= PointFrom(t, p + 1) }
+        after  == { i \in t.served :
+                      p < i.from /\ i.from <= PointFrom(t, p + 1) }
         begin  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
         end    == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
         run    == [from |-> begin, to |-> end]
-    IN  IF Remembers THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
+    IN  IF Remembers
+        THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
         ELSE t
 
 (* [AMB-59] (b) The run for point p is withdrawn: the point was not served. *)
@@ -39,19 +42,20 @@ NotServed(t, p) ==
 -----------------------------------------------------------------------------
 (* A new setting *)
 
-(* [AMB-57] The points that a setting and those before it have served,     *)
-(* each run with the series that it belongs to.                            *)
+(* [AMB-57] The points that this setting and earlier ones have served,     *)
+(* each run with its series.                                               *)
 \* @type: $tod => Set($memory);
 Memory(t) ==
     LET runs == t.earlier \cup
                   { [ from |-> i.from, to |-> i.to,
-                      start |-> t.start, period |-> t.period ] : i \in t.served }
+                      start |-> t.start, period |-> t.period ]
+                    : i \in t.served }
     IN  IF NewSettingForgets(cpu) THEN {}
         ELSE { i \in runs :
                  Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
 
-(* [AMB-57] A setting made in a time that the clock repeats was not active *)
-(* when the clock was set back: of its points none is over for AMB-56.     *)
+(* [AMB-57] A setting made in repeated time was not active when the clock  *)
+(* was set back. So AMB-56 does not make its points over.                  *)
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
     LET repeats == clock.min <= old.repeatTo
@@ -66,15 +70,15 @@ Unset(t) == WithMemory(NoSetting, t)
 UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
              ELSE [t EXCEPT !.active = FALSE, !.next = Never, !.called = FALSE]
 
-(* [CLK-12] [AMB-71] The call of a once that waits or runs uses it up: the *)
-(* clock, set back, does not arm it again.                                 *)
+(* [CLK-12] [AMB-71] A once whose call waits or runs is used up by it:     *)
+(* setting the clock back does not arm it again.                           *)
 \* @type: Int => Bool;
 CallUsesUp(o) ==
     /\ tod[o].active /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
     /\ tod[o].called \/ PendingIn(requests, o)
 
 -----------------------------------------------------------------------------
-(* The next point, of a CPU c that reads AMB-56 and AMB-57 its way *)
+(* The next point, for a CPU c with its readings of AMB-56 and AMB-57 *)
 
 (* [AMB-57] The memory of earlier settings, if it counts. *)
 \* @type: ($tod, $cpu) => Set($memory);
@@ -91,10 +95,11 @@ WasServed(t, p, c) ==
 
 (* The last point of each run. *)
 \* @type: ($tod, $cpu) => Set(Int);
-LastCalls(t, c) == { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
+LastCalls(t, c) ==
+    { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
 
-(* [AMB-56] Up to this minute points that were not served are over, too,   *)
-(* if the interrupt was active when the clock was set back.                *)
+(* [AMB-56] Unserved points up to this minute are over, too, if the        *)
+(* interrupt was active when the clock was set back.                       *)
 \* @type: ($tod, $cpu) => Int;
 OverUntil(t, c) ==
     LET calls == LastCalls(t, c)
@@ -104,31 +109,34 @@ OverUntil(t, c) ==
         THEN IF last < t.overTo THEN last ELSE t.overTo
         ELSE -1
 
-(* The first point from p on that was not served: p, one of the next two,  *)
-(* which may lie between points of another series, or one behind a run.    *)
+(* The first unserved point from p on: p, one of the two points after it,  *)
+(* which may lie between points of another series, or the point behind a   *)
+(* run.                                                                    *)
 \* @type: ($tod, Int, $cpu) => Int;
 FirstUnserved(t, p, c) ==
     LET second == PointFrom(t, p + 1)
-        points == {p, second, PointFrom(t, second + 1)} \cup
-                    { PointFrom(t, q + 1) : q \in { r \in LastCalls(t, c) : r >= p } }
+        ends   == { q \in LastCalls(t, c) : q >= p }
+        points == {p, second, PointFrom(t, second + 1)}
+                    \cup { PointFrom(t, q + 1) : q \in ends }
         free   == { q \in points : ~WasServed(t, q, c) }
     IN  CHOOSE q \in free : \A r \in free : q <= r
 
-(* The first point at or after moment m that is served.  In a time that    *)
-(* the clock repeats, points that were served are not served again         *)
-(* [CLK-09]; the others may be over [AMB-56].                              *)
+(* The first point at or after moment m that the OB will serve. In         *)
+(* repeated time served points are not served again [CLK-09]; unserved     *)
+(* points may be over [AMB-56].                                            *)
 \* @type: ($tod, $moment, $cpu) => Int;
 NextPoint(t, m, c) ==
     LET p    == PointFrom(t, FirstMinute(t, m))
         over == OverUntil(t, c)
     IN  IF p > t.repeatTo THEN p
-        ELSE FirstUnserved(t, IF p > over THEN p ELSE PointFrom(t, over + 1), c)
+        ELSE FirstUnserved(t, IF p > over THEN p
+                              ELSE PointFrom(t, over + 1), c)
 
 \* @type: ($tod, $moment, $cpu) => $tod;
 Armed(t, m, c) == [t EXCEPT !.next = NextPoint(t, m, c)]
 
-(* [AMB-56] [AMB-57] Settings are armed at moment m: where the reading     *)
-(* makes a difference, the CPU shows how it reads.                         *)
+(* [AMB-56] [AMB-57] Settings are armed at moment m. If the readings lead  *)
+(* to different points, the CPU shows its reading.                         *)
 \* @type: (Set($tod), $moment) => Set($cpu);
 CpusThatShow(settings, m) ==
     IF \E t \in settings :

@@ -1,14 +1,14 @@
 -------------------------------- MODULE Skips -------------------------------
 (***************************************************************************)
 (* Start points that the clock skips, set forward or in HOLD: the OB 80    *)
-(* that reports them and the runs that catch up (section 6).               *)
+(* that reports them and the catch-ups (section 6).                        *)
 (*                                                                         *)
 (* Left out: the setting of the clock itself (Clock).                      *)
 (***************************************************************************)
 EXTENDS StartPoints
 
-(* The next point that can be skipped: the one that is watched for; under  *)
-(* AMB-58 (b) also a point that was served before the clock was set back.  *)
+(* The next point that can be skipped: the next point, or under AMB-58 (b) *)
+(* also a point that was served before the clock was set back.             *)
 \* @type: $tod => $moment;
 NextSkipped(t) ==
     IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
@@ -24,7 +24,7 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
 -----------------------------------------------------------------------------
 (* The settings after a skip *)
 
-(* The last minute whose point, if it has one, is no longer ahead [AMB-14]. *)
+(* The last minute that has passed with its point, if it has one [AMB-14]. *)
 \* @type: $tod => Int;
 PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
                  THEN clock.min - 1 ELSE clock.min
@@ -33,8 +33,9 @@ PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
 \* @type: ($tod, $moment) => $tod;
 Repeating(t, to) ==
     IF ~(Remembers /\ Before(to, clock)) THEN t
-    ELSE [ t EXCEPT !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @,
-                    !.overTo   = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
+    ELSE [ t EXCEPT
+             !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @,
+             !.overTo   = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
 
 (* [AMB-59] (b) The runs that a clock set back withdraws. *)
 \* @type: $moment => Set($request);
@@ -50,9 +51,11 @@ SettingAt(o, to) ==
         ELSE NotServed(t, CHOOSE p \in points : \A q \in points : p <= q)
 
 \* @type: $moment => Set($tod);
-ActiveAt(to) == { SettingAt(o, to) : o \in { p \in DOMAIN tod : tod[p].active } }
+ActiveAt(to) ==
+    { SettingAt(o, to) : o \in { p \in DOMAIN tod : tod[p].active } }
 
-(* [CLK-12] A once that its call uses up, which stays [AMB-59]. *)
+(* [CLK-12] A once is used up by its call, and the call is not withdrawn   *)
+(* [AMB-59].                                                               *)
 \* @type: (Int, $moment) => Bool;
 StaysUsed(o, to) ==
     CallUsesUp(o) /\ { r \in WithdrawnBy(to) : r.ob = o } = {}
@@ -79,13 +82,13 @@ Precedes(r, s) == CASE CatchUpsComeByPoint  -> Before(r.since, s.since)
 \* @type: (Set($request), Set($request)) => Set($request);
 WithCatchUps(q, runs) ==
     q \cup
-      { [ r EXCEPT !.rank = PlaceIn(q, r)
-            + Cardinality({ s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
+      { [ r EXCEPT !.rank = PlaceIn(q, r) + Cardinality(
+            { s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
         : r \in runs }
 
 (* [CLK-03] One run for each OB, for its first skipped point [CLK-07];     *)
-(* after HOLD it may be open or not come [AMB-55].  No OB 80 reports the   *)
-(* OBs that are `absent'.                                                  *)
+(* after HOLD it may be open or missing [AMB-55]. No OB 80 reports the     *)
+(* `absent' OBs.                                                           *)
 \* @type: (Int, Set(Int), Set(Int)) => Set($request);
 CatchUps(fault, obs, absent) ==
     LET held == fault = SkippedInHold
@@ -94,7 +97,7 @@ CatchUps(fault, obs, absent) ==
                             IF o \in absent THEN 0 ELSE fault)
                  EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
 
-(* An OB without a catch-up of its own: its open request becomes certain. *)
+(* An OB has no catch-up of its own: its open request becomes certain. *)
 \* @type: Set(Int) => Set($request);
 MadeCertain(merged) ==
     { IF /\ r.ob \in merged /\ ~PendingIn(requests, r.ob)

@@ -22,8 +22,8 @@ RequestsBecome(q) ==
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* ... to a time error [TINT-14] [DINT-10], after which requests are       *)
-(* `kept', among them the run that follows it, if there is one ...         *)
+(* ... to a time error [TINT-14] [DINT-10]; `kept' are the requests after  *)
+(* it, with the run that follows it, if there is one ...                   *)
 \* @type: ($request, Int, Set($request)) => Bool;
 Overlap(new, fault, kept) ==
     TimeErrorOccurs(kept, requests,
@@ -56,9 +56,9 @@ LeftOpen(again) ==
       \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
             ELSE ErrorsOf(again))
 
-(* Only open requests of the OB wait.  After another start event the OB    *)
-(* waits for sure: by the first open one, or by the new one if the open    *)
-(* ones had no effect.                                                     *)
+(* The OB has only open requests, and another start event comes. Now the   *)
+(* OB waits for sure: its first open request becomes certain, or, if the   *)
+(* open requests had no effect, the new request is.                        *)
 \* @type: (Set($request), $request) => Set($request);
 Confirmed(q, new) ==
     { IF /\ r.ob = new.ob /\ r.open
@@ -82,8 +82,8 @@ AgainWhileOpen(new) ==
     /\ UNCHANGED stopCause
     /\ entered' = OpenEntries(ErrorsOf(new))
 
-(* [AMB-18] The OB waits already.  The size of the buffer is not known, so *)
-(* under (b) the run is kept or the buffer overflows [OBS-08].             *)
+(* [AMB-18] The OB waits already. The size of the buffer is not known:     *)
+(* under (b) the run is kept, or the buffer overflows [OBS-08].            *)
 \* @type: $request => Bool;
 AgainWhilePending(new) ==
     CASE SecondRequestIsTimeError -> Overlap(new, StillRunning, requests)
@@ -95,9 +95,8 @@ AgainWhilePending(new) ==
 \* @type: $request => $request;
 LateRun(new) == [new EXCEPT !.follows = StillRunning]
 
-(* An OB that runs has at most one run for later: the run that waits, or a *)
-(* new one.  An open run becomes certain, or the new one stands for it, if *)
-(* it had no effect.                                                       *)
+(* A running OB has at most one later run: the waiting run, or a new one.  *)
+(* An open waiting run becomes certain, or the new run replaces it.        *)
 \* @type: $request => Set(Set($request));
 WithOneLateRun(new) ==
     IF PendingIn(requests, new.ob) THEN {requests}
@@ -134,8 +133,8 @@ ExternalWhileRunning(new) ==
 -----------------------------------------------------------------------------
 (* Buffer overflow and asynchronous errors *)
 
-(* [OBS-08] [AMB-18] The buffer of a class may be full where something of  *)
-(* the class waits or runs.                                                *)
+(* [OBS-08] [AMB-18] The buffer of a class may be full if an OB of the     *)
+(* class waits or runs.                                                    *)
 \* @type: $request => Bool;
 MayOverflow(new) ==
     /\ \/ \E r \in requests : r.class = new.class

@@ -5,15 +5,15 @@
 (*                                                                         *)
 (* Source: requirements, table 7.2 (start information), table 7.5 (event   *)
 (* ids).                                                                   *)
-(* Left out: the bytes that table 7.2 leaves open are not judged.          *)
+(* Left out: the bytes that table 7.2 leaves open.                         *)
 (***************************************************************************)
 EXTENDS Calendar, Requests, LogState
 
 -----------------------------------------------------------------------------
 (* Events of an OB *)
 
-(* Table 7.5.  Parameters decide which of the four lines leads to which of *)
-(* OB 40 to 47.                                                            *)
+(* Table 7.5. Parameters decide which of the four hardware events leads to *)
+(* which of OB 40 to 47.                                                   *)
 \* @type: Int => Set(Int);
 EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 20..23 -> {\h1121 + o - 20}
@@ -21,11 +21,12 @@ EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 40..47 -> \h1141..\h1144
                  [] OTHER        -> {}
 EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
-(* OBs that calls start.  An error that such an event causes is the CPU's  *)
-(* own, not one from outside.                                              *)
+(* Events of the OBs that calls start. The CPU itself makes the errors of  *)
+(* these events: such an error does not come from outside.                 *)
 EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 
-(* The table names no event for the other OBs: they have none of these.    *)
+(* The table names no event for the other OBs: none of these events is     *)
+(* theirs.                                                                 *)
 \* @type: (Int, Int) => Bool;
 FitsEvent(given, o) ==
     given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
@@ -53,12 +54,12 @@ FitsPeriod(given, period) ==
     \/ Fits(given, period)
     \/ BothPeriodsAreWeekly /\ given \in Weekly /\ period \in Weekly
 
-(* The line e, whose `at' may be written in seconds or minutes, stands for *)
-(* a moment up to this one.                                                *)
+(* The latest moment for which line e may stand: its `at' may be written   *)
+(* in seconds or minutes.                                                  *)
 \* @type: $event => $moment;
 Latest(e) == After(clock, e.step - 1)
 
-(* So many ms after `time' the clock shows `to', at the most.              *)
+(* The clock shows `to' at most so many ms after `time'. *)
 \* @type: ($moment, $moment, Int) => Bool;
 Within(time, to, ms) == Before(time, to) => Span(time, to) <= ms
 
@@ -70,12 +71,13 @@ JustBefore(time, e) ==
     \/ \E c \in changes :
          LET ago == Span(c.up, up)
          IN  /\ ago <= terms.latency
-             /\ ~Before(c.from, time) /\ Within(time, c.from, terms.latency - ago)
+             /\ ~Before(c.from, time)
+             /\ Within(time, c.from, terms.latency - ago)
 
-(* [CLK-07] [AMB-16] A catch-up shows the first point that was skipped, an *)
-(* OB 80 for skipped points the new time.  Another start shows the moment  *)
-(* of its start event or a later one [OBS-10]; the clock, set back, may be *)
-(* before that moment.  Of an unseen start event no moment is known.       *)
+(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80    *)
+(* for skipped points the new time. Another start shows the moment of its  *)
+(* start event or a later one [OBS-10]. A clock that was set back may be   *)
+(* before that moment. The moment of an unseen start event is not known.   *)
 \* @type: ($request, $event) => Bool;
 FitsTime(r, e) ==
     LET time  == e.info.time
@@ -115,13 +117,13 @@ FitsCause(r, i) ==
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
 
-(* [CLK-06] One OB at least is late, also where it is not known which.     *)
+(* [CLK-06] At least one OB is late, even if the log does not tell which. *)
 \* @type: ($request, Int) => Bool;
 FitsMask(r, given) ==
     r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
                                         ELSE given \in {-1} \cup (1..255)
 
-(* What the start information and the entry of an error both say.          *)
+(* The fields that the start information and the entry of an error share. *)
 \* @type: ($request, $info) => Bool;
 FitsError(r, i) ==
     /\ Fits(i.priority, r.class)

@@ -6,7 +6,8 @@
 (***************************************************************************)
 EXTENDS StartEvents, ServedPoints
 
-(* [AMB-12] A start event is lost, and no earlier one of its OB waits. *)
+(* [AMB-12] A start event is lost, and no earlier start event of its OB    *)
+(* waits.                                                                  *)
 \* @type: Int => Bool;
 LostForGood(o) ==
     /\ Blocked(o) /\ LostEventEndsItsSource
@@ -35,12 +36,14 @@ PassesItsPoint(o) ==
 \* @type: Int => Bool;
 RunIsDeferred(o) == mode = "STARTUP" /\ PendingIn(requests, o) /\ ~Idle(o)
 
-(* [TINT-09] [TINT-14] No point is watched for unless it is active. *)
+(* [TINT-09] [TINT-14] The clock reaches the next point of an active       *)
+(* interrupt.                                                              *)
 \* @type: Int => Bool;
 PointReached(o) ==
     /\ Watching
     /\ clock = NextMoment(tod[o])
-    /\ PointsComeByNumber => \A q \in TodObs : q < o => clock # NextMoment(tod[q])
+    /\ PointsComeByNumber =>
+         \A q \in TodObs : q < o => clock # NextMoment(tod[q])
     /\ PassesItsPoint(o)
     /\ IF ~RunIsDeferred(o) THEN Occurs(TodRequest(o, clock, 0))
        ELSE IF StartupDefersOneRun THEN Nothing

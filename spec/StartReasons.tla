@@ -1,6 +1,6 @@
 ---------------------------- MODULE StartReasons ----------------------------
 (***************************************************************************)
-(* Reasons why a start is rejected though its start event is there.        *)
+(* Reasons why a start is rejected although its start event has come.      *)
 (*                                                                         *)
 (* Source: requirements, sections 4 and 5, table 7.2.                      *)
 (* Left out: a start without a start event (UncausedReasons).              *)
@@ -8,16 +8,19 @@
 EXTENDS UncausedReasons
 
 -----------------------------------------------------------------------------
-(* Start information that the request does not fit *)
+(* Start information that does not fit the request *)
 
 \* @type: ($request, $event) => Set(Str);
 InterruptInfo(r, e) ==
     LET i == e.info
     IN  When(~Fits(i.priority, r.class),
              IF r.ob = TimeErrorOb THEN {"OBS-31"}
-             ELSE {"OBS-04"} \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
-                    \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP", {"OBS-43"}))
-          \cup When(r.ob \notin AsyncErrorObs /\ ~FitsNumber(i.strt_info, r.ob),
+             ELSE {"OBS-04"}
+                    \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
+                    \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP",
+                              {"OBS-43"}))
+          \cup When(/\ r.ob \notin AsyncErrorObs
+                    /\ ~FitsNumber(i.strt_info, r.ob),
                     {"OBS-10"} \cup When(r.ob \in TodObs, {"TINT-23"})
                       \cup When(r.ob \in DintObs, {"DINT-03"})
                       \cup When(r.ob \in ExternalObs, {"OBS-04"}))
@@ -101,8 +104,8 @@ Depth(r, fault) ==
     ELSE IF ~HighestFirst(r) THEN 7
     ELSE IF ~FitsFault(r.fault, fault) THEN 8 ELSE 9
 
-(* The requests by which the OB of the line might start; one may have come *)
-(* unseen.                                                                 *)
+(* The requests by which the OB of the line might start; a request may     *)
+(* have come unseen.                                                       *)
 \* @type: $event => Set($request);
 Candidates(e) ==
     IF terms.loose THEN LooseRequests(e)
@@ -113,7 +116,8 @@ Candidates(e) ==
 OfStart(e, past) ==
     LET all  == Candidates(e)
         fault == e.info.flt_id
-        best == { r \in all : \A q \in all : Depth(q, fault) <= Depth(r, fault) }
+        best == { r \in all :
+                    \A q \in all : Depth(q, fault) <= Depth(r, fault) }
     IN  IF all = {} \/ mode = "STOP" THEN WithoutRequest(e, past)
         ELSE UNION { StartRequirements(r, e, past) : r \in best }
                \cup When(e.info.dtime \notin {-1} \cup DelayTimes, {"DINT-04"})

@@ -1,6 +1,6 @@
 -------------------------------- MODULE State -------------------------------
 (***************************************************************************)
-(* The state of an S7-300/400 CPU as far as its interrupts depend on it.   *)
+(* The state of an S7-300/400 CPU, with all that its interrupts depend on. *)
 (*                                                                         *)
 (* Left out: the step that was taken last (System); the explanation of a   *)
 (* log (LogState).                                                         *)
@@ -9,12 +9,11 @@
 EXTENDS Typedefs
 
 VARIABLES
-    (* The CPU at hand.  family: "S7-300", "S7-400" or "CPU 318"; priority: *)
+    (* The CPU at hand. family: "S7-300", "S7-400" or "CPU 318"; priority:  *)
     (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
-    (* parameters of the time-of-day interrupts; readings: the letters of   *)
-    (* the ambiguities that are not read by their default.  It never        *)
-    (* changes, with one exception: where the default is "either", the CPU  *)
-    (* may show its letter later.                                           *)
+    (* parameters of the time-of-day interrupts; readings: the letters that *)
+    (* differ from the default. It never changes, with one exception: where *)
+    (* the default is "either", the CPU may show its letter later.          *)
     \* @type: $cpu;
     cpu,
     (* The OBs that are loaded. *)
@@ -23,20 +22,19 @@ VARIABLES
     (* [OBS-40] "STOP", "STARTUP", "RUN" or "HOLD". *)
     \* @type: Str;
     mode,
-    (* The startup OB of this STARTUP: "warm" or "cold" where it is still   *)
-    (* to come, "begun", or "none" outside STARTUP.                         *)
+    (* The startup OB of this STARTUP: "warm" or "cold" before it starts,   *)
+    (* "begun" after that, or "none" outside STARTUP.                       *)
     \* @type: Str;
     startup,
     (* The CPU clock. *)
     \* @type: $moment;
     clock,
-    (* The time-of-day interrupts.  next: the minute of the point that is   *)
-    (* watched for (Never: none), offset: its ms, 0 but under AMB-14 (c).   *)
-    (* On S7-400 and CPU 318 [CLK-09]: served, the points for which the OB  *)
-    (* was called, as runs of minutes without a point between that was not  *)
-    (* served; repeatTo, the last minute that the clock had reached before  *)
-    (* it was set back, -1 if it was not; overTo, the same since this       *)
-    (* setting was made.                                                    *)
+    (* The time-of-day interrupts. next: the minute of the next point       *)
+    (* (Never: none), offset: its ms, 0 but under AMB-14 (c). On S7-400 and *)
+    (* CPU 318 [CLK-09]: served, the points for which the OB was called, as *)
+    (* runs of minutes without an unserved point between; repeatTo, the     *)
+    (* last minute that the clock had reached before it was set back, -1 if *)
+    (* it was not; overTo, the same since this setting was made.            *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
@@ -61,8 +59,8 @@ VARIABLES
     (* if there is none.                                                    *)
     \* @type: Int;
     stopCause,
-    (* The entries of the last step in the diagnostic buffer: no rule      *)
-    (* depends on them. open: the sources leave open if it is entered.     *)
+    (* The entries of the last step in the diagnostic buffer: no rule       *)
+    (* depends on them. open: the sources leave open whether it is entered. *)
     \* @type: Set($entry);
     entered
 
@@ -80,7 +78,7 @@ outcomeVars == <<requests, stopCause>>
 \* @type: <<Seq($frame), Int>>;
 runVars     == <<stack, delay>>
 
-(* All of the CPU; only an observer sees the entries of a step. *)
+(* The whole CPU without `entered', which only an observer sees. *)
 cpuVars == <<deviceVars, modeVars, clock, settingVars, outcomeVars, runVars>>
 
 NothingEntered == entered' = {}

@@ -1,9 +1,9 @@
 ------------------------------- MODULE Steps --------------------------------
 (***************************************************************************)
-(* The words of the properties: a step as an observer sees it, the         *)
-(* requests that are new, the first minute from a moment on.               *)
+(* Terms of the properties: a step as an observer sees it, new requests,   *)
+(* the first minute from a moment on.                                      *)
 (*                                                                         *)
-(* Left out: the words of the actions.                                     *)
+(* Left out: the terms of the actions.                                     *)
 (***************************************************************************)
 EXTENDS System
 

@@ -1,10 +1,10 @@
 ---------------------------- MODULE Surroundings ----------------------------
 (***************************************************************************)
 (* The surroundings of a CPU: the CPUs and loaded OBs to begin with, the   *)
-(* operands that a program may pass, the events of the world.  Models      *)
+(* operands that a program may pass, the events of the world. Models       *)
 (* replace these sets by small ones.                                       *)
 (*                                                                         *)
-(* Left out: when a program calls and an event comes (System).             *)
+(* Left out: the moments of calls and events (System).                     *)
 (***************************************************************************)
 EXTENDS Calendar, Cpu
 
@@ -36,12 +36,12 @@ Dtimes == -60000..600000
 Signs == Words
 IrtModes == 0..255
 
-(* Possible answers, for an observer who does not know the rules. *)
+(* Possible answers; an observer does not know the rules. *)
 RetVals == Words
 StatusWords == {-1} \cup Words
 
-(* Moments to which time may pass, at which it begins, and to which the    *)
-(* clock may be set.                                                       *)
+(* The moments to which time may pass; those at which it begins; those to  *)
+(* which the clock may be set.                                             *)
 \* @type: Set($moment);
 Moments == [min : 0..LastMinute, ms : 0..59999]
 \* @type: Set($moment);
@@ -51,7 +51,8 @@ ClockTargets == Moments
 
 (* Start events from outside, with the fault id of OB 80 and 85. *)
 \* @type: Set(<<Int, Int>>);
-Interrupts == (ExternalObs \X {0}) \cup ({TimeErrorOb, ProgramErrorOb} \X (0..255))
+Interrupts == (ExternalObs \X {0})
+                \cup ({TimeErrorOb, ProgramErrorOb} \X (0..255))
 
 RestartTypes == {"warm", "cold"}
 

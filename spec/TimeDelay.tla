@@ -7,23 +7,25 @@
 (***************************************************************************)
 EXTENDS Calls, Delays
 
-(* [AMB-70] (b) In its last millisecond a job counts as elapsed: calls     *)
-(* come after that.                                                        *)
+(* [AMB-70] (b) No call comes in the last millisecond of a job: the job    *)
+(* ends first.                                                             *)
 \* @type: Int => Bool;
 Ended(o) == CallsComeAfterTheEnd /\ o \in DintObs
               => ~(dint[o].started /\ dint[o].left \in 0..1)
 
+(* [DINT-05] [DINT-14] [DINT-16] *)
 \* @type: Int => Set(Int);
 DintErrors(o) == IF o \notin DintObs THEN {BadOb} ELSE {}
 
-(* [DINT-15] The delay is over and its OB waits, surely or perhaps. *)
+(* [DINT-15] The delay is over and its OB waits, certainly or perhaps. *)
 \* @type: Int => Bool;
 Elapsed(o) == PendingIn(requests, o) \/ OpenIn(requests, o)
 
-(* [AMB-11] The run that waits is withdrawn or stays; a call shows which. *)
+(* [AMB-11] The waiting run is withdrawn or stays; a call shows which. *)
 \* @type: Int => Set($cpu);
 CpusThatShowRun(o) == IF Elapsed(o) THEN CpusByDintCalls ELSE {cpu}
 
+(* [AMB-11] *)
 \* @type: (Int, $cpu) => Set($request);
 DintWithdrawn(o, c) == IF DintCallsWithdrawRuns(c) THEN Withdraw(requests, o)
                                                    ELSE requests
@@ -43,7 +45,8 @@ SrtErrors(o, dtime) ==
 \* @type: ($job, Int, Int) => $job;
 StartedWith(job, dtime, sign) ==
     [ started |-> TRUE, left |-> dtime, dtime |-> dtime,
-      sign |-> IF job.started /\ RestartedJobKeepsSign THEN job.sign ELSE sign ]
+      sign |-> IF job.started /\ RestartedJobKeepsSign
+               THEN job.sign ELSE sign ]
 
 (* [DINT-03] [DINT-08] A missing OB is noticed later, or at once [AMB-06]. *)
 \* @type: (Int, Int, Int) => Bool;
@@ -61,14 +64,15 @@ StartsJob(o, dtime, sign) ==
 SrtDint(o, dtime, sign, ret) ==
     /\ Called /\ Ended(o)
     /\ ret \in Answers(o, SrtErrors(o, dtime))
-    /\ IF ret = OK THEN StartsJob(o, dtime, sign) ELSE UNCHANGED <<cpu, dint>> /\ Nothing
+    /\ IF ret = OK THEN StartsJob(o, dtime, sign)
+       ELSE UNCHANGED <<cpu, dint>> /\ Nothing
     /\ UNCHANGED <<loaded, modeVars, clock, tod, irt, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 33 *)
 
-(* [DINT-14] [DINT-15] A job that is over can be cancelled while its OB    *)
-(* waits, or is no longer started [AMB-11].                                *)
+(* [DINT-14] [DINT-15] While its OB waits, a job that is over can be       *)
+(* cancelled, or is no longer started [AMB-11].                            *)
 \* @type: (Int, $cpu) => Set(Int);
 CanDintAnswersOf(o, c) ==
     LET withdraws == DintCallsWithdrawRuns(c)
@@ -79,7 +83,8 @@ CanDintAnswersOf(o, c) ==
                      ELSE Answers(o, {NotStarted}))
 
 \* @type: Int => Set(Int);
-CanDintAnswers(o) == UNION { CanDintAnswersOf(o, c) : c \in CpusThatShowRun(o) }
+CanDintAnswers(o) ==
+    UNION { CanDintAnswersOf(o, c) : c \in CpusThatShowRun(o) }
 
 (* [DINT-14] *)
 \* @type: (Int, Int) => Bool;

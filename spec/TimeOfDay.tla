@@ -8,23 +8,26 @@
 (***************************************************************************)
 EXTENDS Calls, StartEvents, ServedPoints
 
+(* [TINT-35] [TINT-51] [TINT-61] [TINT-70] *)
 \* @type: Int => Set(Int);
 ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 
-(* [AMB-11] A start event that waits is withdrawn with its setting. *)
+(* [AMB-11] A waiting start event is withdrawn with its setting. *)
 \* @type: Int => Set($request);
 Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
                                         ELSE requests
 
+(* [TINT-30] [TINT-50] A call sets the interrupt anew or unsets it ...     *)
 \* @type: (Int, $tod) => Bool;
 SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
                         /\ requests' = Withdrawn(o)
 
+(* ... or, refused, changes nothing [AMB-20]. *)
 SettingStays == UNCHANGED <<tod, requests>>
 
-(* An active once whose point has passed, without a run that is sure to    *)
-(* come: there is no catch-up, or it is open [AMB-48] [AMB-55].  No source *)
-(* says if the interrupt is still active.                                  *)
+(* An active once whose point has passed, and no run is certain to come:   *)
+(* there is no catch-up, or it is open [AMB-48] [AMB-55]. No source says   *)
+(* whether the interrupt is still active.                                  *)
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
@@ -50,6 +53,7 @@ ValidSdt(sdt, period) ==
     /\ period = EndOfMonth /\ EndOfMonthTakesNoOtherDay =>
          sdt.day = DaysInMonth(sdt.year, sdt.month)
 
+(* SDT with its seconds [AMB-14]. *)
 \* @type: $date => $moment;
 ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 
@@ -77,7 +81,8 @@ SetErrors(o, sdt, period) ==
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
       \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
 
-(* [AMB-79] Seconds that no date has are dropped like any, or are wrong. *)
+(* [AMB-79] Seconds that no date has are dropped like any, or are an       *)
+(* error.                                                                  *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetAnswers(o, sdt, period) ==
     LET errors == SetErrors(o, sdt, period)
@@ -95,8 +100,8 @@ SetAnew(t, sdt, period) ==
                                                    ELSE 0,
                       !.period = period ]
 
-(* [TINT-30] [TINT-05] [TINT-38] A call that is refused changes nothing    *)
-(* [AMB-20].                                                               *)
+(* [TINT-30] [TINT-05] [TINT-38] A refused call changes nothing, or it     *)
+(* cancels the old setting [AMB-20].                                       *)
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
     /\ Called
@@ -118,6 +123,7 @@ CanErrors(o) ==
     ELSE IF ~tod[o].set \/ (CanTintNeedsActive /\ ~tod[o].active) THEN {NotSet}
     ELSE {}
 
+(* Whether a once that is over is still set is open [AMB-48] [AMB-55]. *)
 \* @type: Int => Set(Int);
 CanAnswers(o) ==
     Answers(o, CanErrors(o))
@@ -145,19 +151,28 @@ ActErrors(o) ==
             /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
-(* An active once whose call waits or runs: open [AMB-60]. *)
+(* A once that is over may still be active [AMB-48] [AMB-55]. *)
+\* @type: Int => Set(Int);
+ActAnswersWhenSpent(o) ==
+    Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
+
+(* [AMB-60] The call of an active once waits or runs. *)
+\* @type: Int => Set(Int);
+ActAnswersWhenCalled(o) ==
+    CASE CalledOnceIsAhead -> Answers(o, {})
+      [] CalledOnceIsPast  -> Answers(o, {PastStart})
+      [] OTHER             -> Answers(o, {}) \cup {PastStart}
+
+(* [TINT-61] *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    IF Spent(o)
-    THEN Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
-    ELSE IF o \in TodObs /\ CallUsesUp(o)
-    THEN CASE CalledOnceIsAhead -> Answers(o, {})
-           [] CalledOnceIsPast  -> Answers(o, {PastStart})
-           [] OTHER             -> Answers(o, {}) \cup {PastStart}
+    IF Spent(o) THEN ActAnswersWhenSpent(o)
+    ELSE IF o \in TodObs /\ CallUsesUp(o) THEN ActAnswersWhenCalled(o)
     ELSE Answers(o, ActErrors(o))
 
-(* [TINT-10] [TINT-24] On an active interrupt no effect [TINT-63], or the  *)
-(* next point is computed anew [AMB-10].                                   *)
+(* [TINT-10] [TINT-24] An inactive interrupt gets its next point. An       *)
+(* active one stays [TINT-63], or its next point is computed anew          *)
+(* [AMB-10].                                                               *)
 \* @type: Int => $tod;
 ActiveSetting(o) ==
     IF tod[o].active THEN tod[o]
@@ -168,7 +183,7 @@ AfterActivation(o, c) ==
     IF tod[o].active /\ (CallUsesUp(o) \/ ~ActTintComputesAnew) THEN tod[o]
     ELSE Armed(ActiveSetting(o), clock, c)
 
-(* [AMB-15] (b) In OB 80 it keeps a catch-up from coming [CLK-04]. *)
+(* [AMB-15] (b) Called in OB 80, it cancels a catch-up [CLK-04]. *)
 \* @type: Int => Set($request);
 RequestsAfterAct(o) ==
     IF ActTintStopsCatchUp /\ InTimeErrorOb
@@ -196,20 +211,27 @@ ActTint(o, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 31 *)
 
-(* [TINT-74] Bit 2 of an interrupt without a further point [AMB-68], of a  *)
-(* once that waits [AMB-34], and of any other.                             *)
+(* [AMB-68] Bit 2 of a series without a further point. *)
+BitOfEndedSeries == CASE EndedSeriesIsActive   -> {4}
+                      [] EndedSeriesIsInactive -> {0}
+                      [] OTHER                 -> {0, 4}
+
+(* [AMB-34] Bit 2 of an active once whose point has passed; it may wait. *)
+\* @type: Int => Set(Int);
+BitOfPassedOnce(o) ==
+    IF Spent(o) THEN {0, 4}
+    ELSE IF ~PendingIn(requests, o) \/ WaitingOnceIsActive THEN {4}
+    ELSE IF WaitingOnceIsInactive THEN {0} ELSE {0, 4}
+
+(* [TINT-74] Bit 2. *)
 \* @type: Int => Set(Int);
 ActiveBit(o) ==
     IF ~tod[o].active THEN {0}
     ELSE IF tod[o].next # Never THEN {4}
-    ELSE IF ~HasOnePoint(tod[o].period)
-    THEN CASE EndedSeriesIsActive   -> {4}
-           [] EndedSeriesIsInactive -> {0}
-           [] OTHER                 -> {0, 4}
-    ELSE IF Spent(o) THEN {0, 4}
-    ELSE IF ~PendingIn(requests, o) \/ WaitingOnceIsActive THEN {4}
-    ELSE IF WaitingOnceIsInactive THEN {0} ELSE {0, 4}
+    ELSE IF ~HasOnePoint(tod[o].period) THEN BitOfEndedSeries
+    ELSE BitOfPassedOnce(o)
 
+(* [TINT-71] *)
 \* @type: Int => Set(Int);
 Statuses(o) == StatusWithBit2(o, ActiveBit(o))
 

@@ -1,15 +1,15 @@
 ----------------------------- MODULE TimeReasons ----------------------------
 (***************************************************************************)
-(* Reasons that lie in time: the series of a time-of-day interrupt, the    *)
-(* delay of a job, a clock that was set, a HOLD, a STARTUP that is over.   *)
+(* Reasons of time: the series of a time-of-day interrupt, the delay of a  *)
+(* job, a clock that was set, a HOLD, a STARTUP that is over.              *)
 (*                                                                         *)
 (* Source: requirements, sections 1, 2, 5.4 and 6.                         *)
-(* Left out: which start these reasons decide about (UncausedReasons,      *)
+(* Left out: the starts that these reasons concern (UncausedReasons,       *)
 (* LateReasons).                                                           *)
 (***************************************************************************)
 EXTENDS BlockReasons
 
-(* STEP 7's part in an interrupt.                                          *)
+(* The requirements of STEP 7's setting of an interrupt. *)
 \* @type: (Int, Seq($event)) => Set(Str);
 Step7Requirements(o, past) ==
     LET call == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT"}, o)
@@ -32,14 +32,15 @@ SeriesRequirements(o, period, past) ==
                     /\ past[set].sdt.second # 0 \/ past[set].sdt.ms # 0,
                     {"TINT-11"})
 
-(* When the delay of a job is over. *)
+(* The rules that say when the delay of a job is over. *)
 \* @type: (Int, Seq($event)) => Set(Str);
 OfDelay(o, past) ==
     LET srt == LastWith(past, {"SRT_DINT"}, o)
     IN  When(LastOf(past, {"clock"}) > srt \/ Unseen("clock"), {"DINT-18"})
           \cup When(LastOf(past, {"hold"}) > srt, {"DINT-19"})
           \cup When(TimesSince(past, {"SRT_DINT"}, o, LastStart(past, o)) > 1,
-                    {"DINT-07"} \cup When(DintCallsWithdrawRuns(cpu), {"DINT-15"}))
+                    {"DINT-07"}
+                      \cup When(DintCallsWithdrawRuns(cpu), {"DINT-15"}))
 
 -----------------------------------------------------------------------------
 (* Since a line *)

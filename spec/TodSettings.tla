@@ -12,7 +12,7 @@ NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
                period |-> Once, next |-> Never, served |-> {}, earlier |-> {},
                repeatTo |-> -1, overTo |-> -1, called |-> FALSE ]
 
-(* The point that is watched for. *)
+(* The next point. *)
 \* @type: $tod => $moment;
 NextMoment(t) == [min |-> t.next, ms |-> t.offset]
 

@@ -1,44 +1,44 @@
 -------------------------------- MODULE Trace -------------------------------
 (***************************************************************************)
-(* The specification as the explanation of a log, one line at a time:      *)
-(* Begin takes the header.  Before each further line time elapses to it    *)
-(* (Towards), then hidden steps may happen (HiddenBefore), then the line   *)
-(* is observed (Shows).                                                    *)
+(* The specification explains a log one line at a time: Begin takes the    *)
+(* header. Before each further line time elapses to it (Towards), then     *)
+(* hidden steps may happen (HiddenBefore), then the line is observed       *)
+(* (Shows).                                                                *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md with its fine points; AMB-69.       *)
-(* Left out: kinds of event that the log does not have completely, which   *)
-(* module PartialLogs adds.                                                *)
+(* Left out: kinds of event that the log does not have completely          *)
+(* (PartialLogs).                                                          *)
 (***************************************************************************)
 EXTENDS LogHeader, Lines
 
 -----------------------------------------------------------------------------
 (* Points and delays of the moment of a line *)
 
-(* The start event of OB o makes it wait, and changes nothing else.        *)
+(* The start event of OB o only makes it wait. *)
 \* @type: Int => Bool;
 OnlyWaits(o) == /\ o \in loaded /\ ~Idle(o) /\ ~OnStack(o)
                 /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
 
-(* It matters for line e whether OB o waits, or for the queue that the     *)
-(* line leaves.                                                            *)
+(* Line e depends on whether OB o waits, or changes its queue. *)
 \* @type: ($event, Int) => Bool;
 Touches(e, o) ==
     CASE e.event \in {"DIS_IRT", "EN_IRT"} -> MarkedIn(Meant(e.mode, e.ob), o)
       [] e.event = "interrupt"            -> ClassOf(e.ob) = ClassOf(o)
-      [] e.event \in CallEvents \cup {"start", "end", "load", "delete", "state"} ->
-           e.ob = o
+      [] e.event \in CallEvents \cup {"start", "end", "load", "delete",
+                                      "state"} -> e.ob = o
       [] OTHER                            -> e.event # "diag"
 
-(* A start event of this moment may come before or after line e.  Where    *)
-(* that makes no difference it comes after: to wait later allows no less.  *)
+(* A start event of this moment may come before or after line e. If both   *)
+(* have the same effect, it comes after: a later request allows as much.   *)
 \* @type: ($event, Int) => Bool;
-ComesBefore(e, o) == Partial \/ PointsComeByNumber \/ ~OnlyWaits(o) \/ Touches(e, o)
+ComesBefore(e, o) ==
+    Partial \/ PointsComeByNumber \/ ~OnlyWaits(o) \/ Touches(e, o)
 
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
-(* The boundaries of the cycle and of the startup OB.  The end of a cycle  *)
-(* matters only where it ends a delay.                                     *)
+(* The boundaries of the cycle and of the startup OB. The end of a cycle   *)
+(* matters only if it ends a delay.                                        *)
 HiddenBoundary ==
     \/ ~terms.cycle /\ CycleStarts
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
@@ -67,11 +67,12 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               requests, stack, delay, stopCause, up, waiting, first, overruns,
               arrivals, changes, reports, terms.endless, terms.unsure>>
 
-(* ... between two lines.  Where loading is not recorded, OBs are loaded   *)
-(* and deleted unseen when something depends on it: then it does not       *)
-(* matter which were loaded before.                                        *)
+(* ... between two lines. If loading is not recorded, an OB is loaded or   *)
+(* deleted unseen as soon as something depends on it. So the loaded OBs do *)
+(* not matter here.                                                        *)
 DistinctAfterLine ==
-    <<cpu.readings, IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
+    <<cpu.readings,
+      IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
       mode, startup, clock, tod, dint, irt, requests, stack, delay, stopCause,
       up, waiting, first, overruns, arrivals, changes, reports, terms.endless,
       terms.unsure>>

@@ -41,19 +41,23 @@ NoTodRequest(o, past) ==
              ELSE {"TINT-02", "TINT-50", "TINT-54"}
         ELSE IF ~tod[o].active THEN {"TINT-02", "TINT-05", "TINT-31"}
         ELSE LET again == RanForPoint(o, past)
-                 from  == IF again THEN StartBefore(past, o) ELSE LastStart(past, o)
+                 from  == IF again THEN StartBefore(past, o)
+                          ELSE LastStart(past, o)
                  moved == SinceClock(past, from) \cup SinceRun(past, o, from)
                  special ==
                    moved
                      \cup When(Blocked(TimeErrorOb), {"OBS-33"})
                      \cup When(ClockWasSet(past, from) # 0
-                                 /\ TouchedInOb80(o, past), {"CLK-04", "TINT-54"})
+                                 /\ TouchedInOb80(o, past),
+                               {"CLK-04", "TINT-54"})
                      \cup When(clock.min <= tod[o].repeatTo
-                                 /\ WasServed(tod[o], clock.min, cpu), {"CLK-09"})
+                                 /\ WasServed(tod[o], clock.min, cpu),
+                               {"CLK-09"})
                      \cup When(again, {"OBS-07"})
                      \cup When(again /\ moved = {}, {"TINT-10", "TINT-32"})
                      \cup When(again /\ moved = {}
-                                 /\ LastStart(past, TimeErrorOb) > from, {"TINT-14"})
+                                 /\ LastStart(past, TimeErrorOb) > from,
+                               {"TINT-14"})
              IN  IF special # {} THEN special
                  ELSE SeriesRequirements(o, tod[o].period, past)
                         \cup Step7Requirements(o, past)
@@ -79,7 +83,7 @@ NoDintRequest(o, past) ==
 -----------------------------------------------------------------------------
 (* OB 80 and OB 85 *)
 
-(* The fault that the line names decides; without one, what has happened.  *)
+(* The fault in the line decides; without a fault, the lines before it. *)
 \* @type: ($event, Seq($event)) => Set(Str);
 NoTimeError(e, past) ==
     LET fault == e.info.flt_id
@@ -87,9 +91,11 @@ NoTimeError(e, past) ==
     IN  IF TimeErrorOb \notin loaded THEN {"OBS-22", "OBS-30"}
         ELSE {"OBS-30"}
           \cup When(LostMeanwhile(past, TimeErrorOb), {"OBS-33", "IRT-04"})
-          \cup When(fault \in {-1, SkippedByClock} /\ LastOf(past, {"clock"}) > last,
+          \cup When(/\ fault \in {-1, SkippedByClock}
+                    /\ LastOf(past, {"clock"}) > last,
                     {"CLK-02", "OBS-32"})
-          \cup When(fault \in {-1, SkippedInHold} /\ LastOf(past, {"release"}) > last,
+          \cup When(/\ fault \in {-1, SkippedInHold}
+                    /\ LastOf(past, {"release"}) > last,
                     {"OBS-46"})
           \cup When(fault = StillRunning,
                     When(\E o \in TodObs : OnStack(o), {"TINT-14"})
@@ -100,14 +106,16 @@ NoTimeError(e, past) ==
           \cup When(/\ fault \in {-1, SkippedByClock}
                     /\ ~\E o \in TodObs : tod[o].active, {"CLK-14"})
           \cup When(/\ fault = SkippedByClock
-                    /\ LastOf(past, {"DIS_AIRT"}) > LastOf(past, {"clock"}), {"CLK-18"})
+                    /\ LastOf(past, {"DIS_AIRT"}) > LastOf(past, {"clock"}),
+                    {"CLK-18"})
 
-(* Missing OBs that were armed. *)
+(* The missing OBs whose interrupt was activated or started. *)
 \* @type: Seq($event) => Set(Str);
 NoProgramError(past) ==
     LET tods  == { o \in TodObs \ loaded : LastWith(past, {"ACT_TINT"}, o) > 0
                                           \/ tod[o].active }
-        dints == { o \in DintObs \ loaded : LastWith(past, {"SRT_DINT"}, o) > 0 }
+        dints == { o \in DintObs \ loaded :
+                     LastWith(past, {"SRT_DINT"}, o) > 0 }
     IN  {"OBS-20"}
           \cup When(tods # {}, {"TINT-16", "TINT-17"})
           \cup When(dints # {}, {"DINT-09"})
@@ -127,7 +135,8 @@ WithoutRequest(e, past) ==
           [] ClassOf(o) = 0               -> {"OBS-06", "TINT-02", "OBS-25"}
           [] Blocked(o)                   -> ThoughBlocked(past, o)
           [] mode = "STARTUP" /\ o \in TodObs  -> {"OBS-42", "TINT-13"}
-          [] mode = "STARTUP" /\ o \in DintObs -> {"OBS-42", "DINT-12", "DINT-11"}
+          [] mode = "STARTUP" /\ o \in DintObs ->
+               {"OBS-42", "DINT-12", "DINT-11"}
           [] o \in TodObs                 -> NoTodRequest(o, past)
           [] o \in DintObs                -> NoDintRequest(o, past)
           [] o = TimeErrorOb              -> NoTimeError(e, past)
@@ -139,6 +148,6 @@ WithoutRequest(e, past) ==
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
           [] OTHER                        ->
                {"OBS-01", "OBS-07"} \cup SinceRun(past, o, LastStart(past, o))
-                 \cup When(LastOf(past, {"restart"}) > LastWith(past, {"interrupt"}, o),
-                           {"OBS-52"})
+                 \cup When(LastOf(past, {"restart"})
+                             > LastWith(past, {"interrupt"}, o), {"OBS-52"})
 =============================================================================

@@ -1,8 +1,8 @@
 ------------------------------- MODULE Waiting ------------------------------
 (***************************************************************************)
-(* Latency.  In System an OB that may start starts before anything else.   *)
-(* A log shows its start up to `latency_ms' later.  A lower class may      *)
-(* start first only while the higher start event is no older than that     *)
+(* Latency. In System an OB that may start starts before anything else. A  *)
+(* log shows its start up to `latency_ms' later. An OB of a lower class    *)
+(* may start before it only while its start event is no older than that    *)
 (* (AMB-69).                                                               *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine point 1; AMB-69.              *)
@@ -13,7 +13,7 @@ EXTENDS Requests, ReportedEntries
 (* The key under which `waiting' holds a STOP that is due. *)
 StopDuty == 99
 
-(* An open request has a key of its own: its OB need not come.             *)
+(* Open requests have keys of their own: their OBs need not come. *)
 \* @type: $request => Int;
 WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
@@ -25,7 +25,7 @@ Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
 Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 
 -----------------------------------------------------------------------------
-(* What an event leaves for later lines *)
+(* Data for later lines *)
 
 (* [OBS-26] OB 1 starts or ends, a restart begins, the cycle time is       *)
 (* exceeded.                                                               *)
@@ -63,10 +63,11 @@ Rewait ==
                            IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
     /\ Report(0)
 
-(* OB 85 or the STOP has waited as long as the missing OB.                 *)
+(* OB 85, or the STOP, has waited as long as the missing OB. *)
 \* @type: $request => Bool;
 RewaitMissing(r) ==
-    LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)] ELSE 0
+    LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)]
+                                                  ELSE 0
     IN  /\ NextEvent
         /\ waiting' = [ c \in Awaited' |->
                           LET before == IF c \in DOMAIN waiting THEN waiting[c]
@@ -79,7 +80,7 @@ RewaitMissing(r) ==
 (* The order of classes *)
 
 (* [AIRT-08] [OBS-03] [AMB-69] A start event that is older than the        *)
-(* latency goes before one of a lower class.                               *)
+(* latency comes before a start event of a lower class.                    *)
 \* @type: $request => Bool;
 HighestFirst(r) ==
     \A q \in requests :
@@ -90,13 +91,14 @@ HighestFirst(r) ==
 -----------------------------------------------------------------------------
 (* Waiting too long *)
 
-(* In d ms everything that has to come can still be in time.               *)
+(* In d ms nothing that has to come is late. *)
 \* @type: Int => Bool;
 InTime(d) ==
-    /\ { c \in DOMAIN waiting : waiting[c] + d > terms.latency /\ c < 100 } = {}
+    /\ { c \in DOMAIN waiting :
+           waiting[c] + d > terms.latency /\ c < 100 } = {}
     /\ EntriesLate(d) = {}
 
-(* Open requests that could have started and have not in time.             *)
+(* Open requests whose OB could have started and has not started in time. *)
 \* @type: Int => Set($request);
 Stale(d) ==
     { r \in requests : /\ r.open
@@ -108,8 +110,8 @@ Stale(d) ==
 Expire(stale) ==
     /\ requests' = Close(requests \ stale)
     /\ NothingEntered
-    /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
-                   delay, stopCause>>
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                   runVars>>
     /\ Rewait
     /\ UNCHANGED up
 =============================================================================

@@ -1,15 +1,15 @@
 ------------------------------ MODULE Widening ------------------------------
 (***************************************************************************)
-(* Explanations that the engine makes fewer, or smaller, where there are   *)
-(* many.  What comes out allows at least what went in: nothing that they   *)
-(* explain is rejected.  The report says from which line on.               *)
+(* The engine merges or shrinks explanations when there are many. The      *)
+(* result allows at least as much: every line that an explanation allowed  *)
+(* is still allowed. The report says from which line on.                   *)
 (*                                                                         *)
-(* Crowd: many open requests of one OB that differ in their moment alone   *)
+(* Crowd: many open requests of one OB that differ only in their moment    *)
 (* become one, which may start its OB any number of times, with any time   *)
 (* in its start information.                                               *)
-(* Meet: explanations become one that differ in waiting start events from  *)
-(* outside alone.  A start event that some of them have, but not all, or   *)
-(* not for sure, is open afterwards.                                       *)
+(* Meet: explanations that differ only in waiting start events from        *)
+(* outside become one. A start event is open afterwards unless all of them *)
+(* have it for sure.                                                       *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine points 9 and 11.              *)
 (* Left out: logs that do not tell when an OB has to start (Loosen).       *)
@@ -19,7 +19,7 @@ EXTENDS PartialLogs
 -----------------------------------------------------------------------------
 (* Many open requests of one OB *)
 
-(* So many that are alike are kept apart.                                  *)
+(* Up to so many equal requests are kept apart. *)
 Few == 8
 
 \* @type: $request => $request;
@@ -29,8 +29,8 @@ Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
 MayRepeat(r) == /\ r.open /\ r.ob \in loaded
                 /\ {r.fault, r.follows} \cap Skips = {}
 
-(* The requests of this kind, if they are many and none that is certain    *)
-(* stands behind the first.                                                *)
+(* The requests of this kind, if there are many and no certain request     *)
+(* stands behind the first of them.                                        *)
 \* @type: $request => Set($request);
 CrowdOf(kind) ==
     LET alike == { r \in requests : MayRepeat(r) /\ Kind(r) = kind }
@@ -51,54 +51,57 @@ Crowd ==
         ones   == { OneFor(c) : c \in crowds }
     IN  /\ Crowded /\ crowds # {}
         /\ requests' = Close((requests \ UNION crowds) \cup ones)
-        /\ terms' = [terms EXCEPT !.endless = { r \in @ : r \in DOMAIN arrivals }
-                                                \cup { AsItCame(r) : r \in ones }]
+        /\ terms' = [ terms EXCEPT
+                         !.endless = { r \in @ : r \in DOMAIN arrivals }
+                                       \cup { AsItCame(r) : r \in ones } ]
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
                            IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
         /\ NothingEntered
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
-                       delay, stopCause, up, waiting, first, overruns, changes,
-                       pace, reports>>
+        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                       runVars, up, waiting, first, overruns, changes, pace,
+                       reports>>
 
 -----------------------------------------------------------------------------
-(* Explanations that differ in what waits *)
+(* Explanations that differ in their waiting start events *)
 
-(* A start event from outside that nothing but its own start depends on.   *)
+(* A start event from outside on which only its own start depends. *)
 \* @type: $request => Bool;
 Outside(r) == /\ r.ob \in ExternalObs \ {ProgramErrorOb}
               /\ r.late = {} /\ r.follows = 0
 
 Others == { r \in requests : ~Outside(r) }
 
-(* Two explanations can meet if these values are the same.                 *)
+(* Two explanations can meet if these values are equal. *)
 MeetingPlace ==
-    << cpu.readings, loaded, mode, startup, clock, tod, dint, irt, stack, delay,
-       stopCause, up, first, overruns, changes, terms, pace,
+    << cpu.readings, loaded, mode, startup, clock, tod, dint, irt, stack,
+       delay, stopCause, up, first, overruns, changes, terms, pace,
        { << [r EXCEPT !.rank = 0],
             Cardinality({ s \in Others : AsItCame(s) = AsItCame(r) }) >>
          : r \in Others },
        DOMAIN waiting \cap
          (UNION { {r.class, r.class + 100} : r \in Others } \cup {StopDuty}) >>
 
-(* In what they differ. *)
+(* The values in which they may differ. *)
 Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
           reports |-> reports]
 
-(* A request of an explanation, apart from its place, among those alike.   *)
+(* A request without its place, and its number among equal requests. *)
 \* @type: (Set($request), $request) => { of: $request, nth: Int };
 Tag(q, r) ==
     [ of  |-> AsItCame(r),
       nth |-> Cardinality({ s \in q : /\ AsItCame(s) = AsItCame(r)
                                      /\ s.rank <= r.rank }) ]
 
-\* @type: Set($request) => Set({ tag: { of: $request, nth: Int }, r: $request });
+(* @type: Set($request) => Set({ tag: { of: $request, nth: Int },          *)
+(*                               r: $request });                           *)
 Tagged(q) == { [tag |-> Tag(q, r), r |-> r] : r \in q }
 
-(* From the tags below each tag to those below these.                      *)
-Farther(below) == [ g \in DOMAIN below |-> UNION { below[h] : h \in below[g] } ]
+(* The tags below the tags below each tag. *)
+Farther(below) ==
+    [ g \in DOMAIN below |-> UNION { below[h] : h \in below[g] } ]
 
-(* The places that no queue of these contradicts: one stands before another *)
-(* where it does so in some of them, and in none behind it.                *)
+(* Places that contradict none of these queues: a request stands before    *)
+(* another if it does so in some queue and stands behind it in none.       *)
 Places(queues) ==
     LET known == UNION { UNION { { <<t.tag, u.tag>> :
                              t \in { v \in q : /\ v.r.class = u.r.class
@@ -109,13 +112,13 @@ Places(queues) ==
         all   == Farther(Farther(Farther(Farther(Farther(once)))))
     IN  [ g \in tags |-> Cardinality(all[g]) ]
 
-(* Whether those that are alike have places of their own; else one request  *)
-(* stands for all.                                                         *)
+(* Equal requests have places of their own; otherwise one request stands   *)
+(* for all of them.                                                        *)
 Apart(g, places) ==
     { h \in DOMAIN places : h.of = g.of /\ places[h] = places[g] } = {g}
 
 (* The classes in which some explanations have an OB that may start, and   *)
-(* others do not.                                                          *)
+(* others have none.                                                       *)
 Unequal(all) ==
     { c \in UNION { DOMAIN w.waiting : w \in all } :
         \E w \in all : c \notin DOMAIN w.waiting }
@@ -135,7 +138,7 @@ ReportsOf(all) ==
         ELSE { r \in sure \cup some :
                  ~\E s \in some : s.entry = r.entry /\ s.times > r.times }
 
-(* The explanations with these `Waits' become one.                         *)
+(* The explanations that differ in these `Waits' become one. *)
 Meet(all) ==
     LET queues  == { Tagged(w.requests) : w \in all }
         places  == Places(queues)
@@ -147,12 +150,14 @@ Meet(all) ==
               came == { w.arrivals[r] : w \in know }
           IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
     IN  /\ SecondRequestIsOpen
-        /\ requests' = Close({ [g.of EXCEPT !.rank = places[g], !.open = ~certain(g)]
+        /\ requests' = Close({ [ g.of EXCEPT !.rank = places[g],
+                                              !.open = ~certain(g) ]
                                : g \in DOMAIN places })
-        /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |-> latest(r) ]
+        /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
+                           latest(r) ]
         /\ NothingEntered
-        /\ UNCHANGED <<cpu, loaded, mode, startup, clock, tod, dint, irt, stack,
-                       delay, stopCause, up, first, overruns, changes, pace>>
+        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                       runVars, up, first, overruns, changes, pace>>
         /\ waiting' = [ c \in Awaited' |->
                           LET times == { WaitedIn(w, c) : w \in all }
                           IN  CHOOSE m \in times : \A n \in times : m <= n ]
