@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 
@@ -49,6 +50,29 @@ class Processes:
             pass
         with self._lock:
             self._running.discard(process)
+
+    @contextlib.contextmanager
+    def limited(self, process: subprocess.Popen[str], seconds: float) -> Iterator[threading.Event]:
+        """Kill a process after so many seconds, and end it with the block; the event says that its time was up.
+
+        Raises `InterruptedRunError` after the block if `close` was called meanwhile.
+        """
+        expired = threading.Event()
+
+        def expire() -> None:
+            expired.set()
+            kill(process)
+
+        watchdog = threading.Timer(seconds, expire)
+        watchdog.daemon = True
+        watchdog.start()
+        try:
+            yield expired
+        finally:
+            watchdog.cancel()
+            self.end(process)
+        if self.closed:
+            raise InterruptedRunError
 
     def close(self) -> None:
         """Kill all and start no more."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -15,7 +14,7 @@ from typing import Protocol
 
 import msgspec
 
-from evidence.common.processes import InterruptedRunError, Processes, kill
+from evidence.common.processes import Processes
 from evidence.harness.manifest import Model
 from evidence.harness.runner import Harness
 from evidence.harness.runner import check as check_model
@@ -176,22 +175,8 @@ class LogsCheck:
         began = time.monotonic()
         command = [sys.executable, "-m", "evidence.mutants.logs", str(spec), str(self.traces)]
         process = self.processes.start(command, Path.cwd())
-        expired = threading.Event()
-
-        def expire() -> None:
-            expired.set()
-            kill(process)
-
-        watchdog = threading.Timer(timeout, expire)
-        watchdog.daemon = True
-        watchdog.start()
-        try:
+        with self.processes.limited(process, timeout) as expired:
             said, _ = process.communicate()
-        finally:
-            watchdog.cancel()
-            self.processes.end(process)
-        if self.processes.closed:
-            raise InterruptedRunError
         if expired.is_set():
             return Finding("timeout", f"killed after {timeout:.0f} s", _since(began))
         try:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from evidence.common.processes import InterruptedRunError, Processes, kill
+from evidence.common.processes import Processes
 
 HOME_VARIABLE = "APALACHE_HOME"
 JVM_VARIABLE = "JVM_ARGS"
@@ -124,25 +123,11 @@ def run(
     """Run Apalache once. Raises `InterruptedRunError` if the command is ending."""
     began = time.monotonic()
     process = processes.start([program, "check", f"--out-dir={folder / 'out'}", *arguments], folder)
-    expired = threading.Event()
-
-    def expire() -> None:
-        expired.set()
-        kill(process)
-
-    watchdog = threading.Timer(timeout, expire)
-    watchdog.daemon = True
-    watchdog.start()
-    try:
+    with processes.limited(process, timeout) as expired:
         assert process.stdout is not None
         output = process.stdout.read()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
-    finally:
-        watchdog.cancel()
-        processes.end(process)
-    if processes.closed:
-        raise InterruptedRunError
     if expired.is_set():
         answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
     else:

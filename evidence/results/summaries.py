@@ -17,7 +17,6 @@ def models(text: str) -> list[Table]:
     """Models by kind, then each model but the negative controls, as TLC found them."""
     report: dict[str, Any] = json.loads(text)
     found: list[dict[str, Any]] = report["models"]
-    kinds = {kind: [m for m in found if m["kind"] == kind] for kind in dict.fromkeys(m["kind"] for m in found)}
     rows: list[list[Cell]] = [
         [
             kind,
@@ -26,9 +25,9 @@ def models(text: str) -> list[Table]:
             sum(m["distinct"] or 0 for m in some),
             round(sum(m["seconds"] for m in some), 1),
         ]
-        for kind, some in kinds.items()
+        for kind, some in _by_kind(found).items()
     ]
-    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, 5))])
+    rows.append(_sums(rows))
     each = [
         [m["name"], m["lane"], m["states"], m["distinct"], m["depth"], m["seconds"]]
         for m in found
@@ -112,7 +111,7 @@ def logs(text: str) -> list[Table]:
         [area, counts.total(), *(counts[verdict] for verdict in verdicts), events[area]]
         for area, counts in sorted(areas.items())
     ]
-    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, len(verdicts) + 3))])
+    rows.append(_sums(rows))
     return [Table(["area", "logs", *verdicts, "events explained"], rows)]
 
 
@@ -124,7 +123,7 @@ def fuzz(text: str) -> list[Table]:
     rows: list[list[Cell]] = [
         [kind, *(counts.get(outcome, 0) for outcome in outcomes)] for kind, counts in kinds.items()
     ]
-    rows.append(["all", *(_sum(row[column] for row in rows) for column in range(1, len(outcomes) + 1))])
+    rows.append(_sums(rows))
     numbers = Table(["faults", "slowest, s"], [[len(report["faults"]), report["slowest"]]])
     return [Table(["damage", *outcomes], rows), numbers]
 
@@ -139,7 +138,6 @@ def proofs(text: str) -> list[Table]:
     """Queries by kind, then each query but the controls and mutants, then what is not proved."""
     report: dict[str, Any] = json.loads(text)
     found: list[dict[str, Any]] = report["queries"]
-    kinds = {kind: [q for q in found if q["kind"] == kind] for kind in dict.fromkeys(q["kind"] for q in found)}
     rows: list[list[Cell]] = [
         [
             kind,
@@ -149,7 +147,7 @@ def proofs(text: str) -> list[Table]:
             round(sum(q["seconds"] for q in some)),
             max(q["megabytes"] for q in some),
         ]
-        for kind, some in kinds.items()
+        for kind, some in _by_kind(found).items()
     ]
     each: list[list[Cell]] = [
         [q["name"], len(q["formulas"]), q["outcome"], q["conditions"], q["seconds"], q["megabytes"]]
@@ -188,6 +186,19 @@ def _unknown(row: dict[str, Any]) -> str:
     """The actions of which it is not known if a property can be proved; their number where there are many."""
     actions: list[str] = row["unknown"]
     return ", ".join(actions) if len(actions) <= 8 else f"{len(actions)} actions"
+
+
+def _by_kind(found: Iterable[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    """Entries of a report by their kind, in the order of the report."""
+    kinds: dict[str, list[dict[str, Any]]] = {}
+    for one in found:
+        kinds.setdefault(one["kind"], []).append(one)
+    return kinds
+
+
+def _sums(rows: list[list[Cell]]) -> list[Cell]:
+    """The row of sums of a table whose first column names its rows."""
+    return ["all", *(_sum(row[column] for row in rows) for column in range(1, len(rows[0])))]
 
 
 def _sum(cells: Iterable[Cell]) -> int | float:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
-import threading
 import time
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from evidence.common.processes import InterruptedRunError, Processes, kill
+from evidence.common.processes import Processes
 from evidence.tlc.messages import Message, Outcome, Parser, interpret
 from evidence.tlc.workspace import Workspace
 from s7check import resources
@@ -126,18 +125,9 @@ def run(
     """Run TLC once. `listen` has each message as it comes. Raises `InterruptedRunError` if the harness is ending."""
     began = time.monotonic()
     process = processes.start(command_line(tools, space, options), space.directory)
-    timed_out = threading.Event()
-
-    def expire() -> None:
-        timed_out.set()
-        kill(process)
-
-    watchdog = threading.Timer(options.timeout, expire)
-    watchdog.daemon = True
-    watchdog.start()
     parser = Parser()
     lines: list[str] = []
-    try:
+    with processes.limited(process, options.timeout) as expired:
         assert process.stdout is not None
         for said in process.stdout:
             line = space.located(said)
@@ -145,14 +135,9 @@ def run(
             for message in parser.feed(line):
                 listen(message)
         code = process.wait()
-    finally:
-        watchdog.cancel()
-        processes.end(process)
-    if processes.closed:
-        raise InterruptedRunError
     seconds = time.monotonic() - began
     parser.finish()
     outcome = interpret(parser, code)
-    if timed_out.is_set():
+    if expired.is_set():
         outcome = replace(outcome, kind="timeout", detail=f"killed after {options.timeout:.0f} s")
     return TlcRun(code, outcome, seconds, "".join(lines))

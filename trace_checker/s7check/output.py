@@ -7,6 +7,14 @@ from pathlib import Path
 
 import click
 
+output_option = click.option(
+    "--output",
+    "file",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Write to FILE, whole or not at all, and not to standard output.",
+    metavar="FILE",
+)
+
 
 def echo(text: str | bytes) -> None:
     """Writes ``text`` to standard output, bytes as they are, a string with a line end and, on a terminal, its colours.

@@ -20,7 +20,7 @@ from s7check.judging.workers import Workers
 from s7check.letters import set_option
 from s7check.log.header import PROFILES
 from s7check.names import logs_of
-from s7check.output import echo, write_whole
+from s7check.output import echo, output_option, write_whole
 from s7check.report.as_json import to_json
 from s7check.report.as_text import TextReports
 from s7check.report.progress import ProgressBar
@@ -69,13 +69,7 @@ Over several logs the exit code is the highest of theirs.
     show_default=True,
     help="text for people; json, one object a log; junit, sarif and html, one document.",
 )
-@click.option(
-    "--output",
-    "file",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Write to FILE, whole or not at all, and not to standard output.",
-    metavar="FILE",
-)
+@output_option
 @click.option(
     "--readings",
     type=click.Choice(["auto", "all", "none"]),

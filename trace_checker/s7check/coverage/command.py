@@ -14,7 +14,7 @@ from s7check.judging.verdict import EXIT_CODES
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program
 from s7check.names import logs_of
-from s7check.output import deliver
+from s7check.output import deliver, output_option
 from s7check.report.progress import ProgressBar
 
 _HELP = """Tell which rules logs exercise, and which they do not.
@@ -35,13 +35,7 @@ Exit codes: 0 all logs accepted, 1 to 3 as `s7check trace` has them.
     show_default=True,
     help="text for people; json, one object; html, a page.",
 )
-@click.option(
-    "--output",
-    "file",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Write to FILE, whole or not at all, and not to standard output.",
-    metavar="FILE",
-)
+@output_option
 @click.option("--guards", is_flag=True, help="text: also each condition of the rules that never had an outcome.")
 @click.option(
     "--programs",

@@ -10,7 +10,7 @@ import msgspec
 
 from s7check.judging.verdict import EXIT_CODES, Verdict
 from s7check.log.errors import printable
-from s7check.output import deliver
+from s7check.output import deliver, output_option
 
 _HELP = """Merge reports of `s7check trace --format json` into one, with sums.
 
@@ -31,13 +31,7 @@ class _Judged(msgspec.Struct):
 
 
 @click.command("merge", help=_HELP, short_help="Merge JSON reports of several machines, with sums.")
-@click.option(
-    "--output",
-    "file",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Write to FILE, whole or not at all, and not to standard output.",
-    metavar="FILE",
-)
+@output_option
 @click.argument("reports", nargs=-1, required=True, type=click.File("rb"), metavar="REPORT...")
 def merge_command(file: Path | None, reports: tuple[Any, ...]) -> int:
     """Merge and write."""
