@@ -98,7 +98,7 @@ wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Pytho
 lint: setup  ## ruff and mypy
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/mypy bench/run.py bench/compare.py
+	$(BIN)/mypy bench/run.py bench/compare.py bench/explorer.py
 
 bench: setup  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
 	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7check results bench)

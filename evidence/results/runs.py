@@ -119,6 +119,14 @@ RUNS = {
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
     ),
+    "explorer": Run(
+        "Steps of the explorer",
+        "All that the page asks after each line of the gallery's logs. CPU is that of the engine's and the server's "
+        "thread, the better number on a busy machine ([benchmark](../../bench/README.md)).",
+        "bench/explorer.py",
+        (sys.executable, "bench/explorer.py", "--json", _REPORT),
+        summaries.bench,
+    ),
     "proofs": _s7check(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",

@@ -8,10 +8,12 @@ import msgspec
 import pytest
 
 from s7check.asking.line_text import spelled
+from s7check.asking.session import Session
 from s7check.engine.client import Engine
-from s7check.exploring.desk import SESSIONS, Desk, Question, Side, Why
+from s7check.exploring.desk import SESSIONS, Call, Comparison, Desk, Question, Side, Why
 from s7check.exploring.library import Library, read
 from s7check.log.errors import UnusableLogError
+from s7check.log.events import OPERANDS
 from tests.explorer_server import TOKEN, served
 
 HEADER = {
@@ -71,9 +73,55 @@ def test_lines_that_change_are_taken_back_and_added(desk: Desk) -> None:
 
 def test_another_cpu_is_compared(desk: Desk) -> None:
     """Another CPU is compared."""
-    answer = desk.look(Question(HEADER, [DELAYED], [Side(cpu="S7-300"), Side(readings={"AMB-49": "b"})]))
-    assert [side["name"] for side in answer["sides"]] == ["S7-300", "AMB-49 b"]
-    assert all(side["refused"] is None for side in answer["sides"])
+    same = desk.compare(Comparison(HEADER, [DELAYED], side=Side(cpu="S7-300")))
+    assert same["name"] == "S7-300"
+    assert same["refused"] is None
+    assert same["only_here"] == same["only_there"] == []
+    other = desk.compare(Comparison(HEADER, side=Side(profile="1997")))
+    assert "QRY_TINT ob=10 ret=W#16#0000 status=W#16#0014" in other["only_here"]
+    assert "QRY_TINT ob=10 ret=W#16#0000 status=W#16#0034" in other["only_there"]
+
+
+def test_the_lines_of_another_edition_are_refused(desk: Desk) -> None:
+    """The lines of another edition are refused."""
+    query = {"event": "QRY_TINT", "at": HEADER["clock"], "ob": 10, "ret": 0, "status": "W#16#0014"}
+    refused = desk.compare(Comparison(HEADER, [query], side=Side(profile="1997")))
+    assert refused["explained"] == 0
+    assert refused["refused"]["instead"] == [{"event": "QRY_TINT", "ob": 10, "status": "W#16#0034"}]
+
+
+def test_a_step_looks_at_one_time_and_at_one_line_of_a_call_with_operands(engine: Engine, desk: Desk) -> None:
+    """A step looks at one time and at one line of a call with operands."""
+    answer = desk.look(Question(HEADER))
+    calls = {line["text"].partition(" ret=")[0] for line in answer["possible"] if line["event"]["event"].isupper()}
+    assert sorted(call.partition(" ")[0] for call in calls) == sorted(OPERANDS)
+    assert answer["tries"] * 5 < Session(engine, HEADER).possible().tries
+    assert len(answer["times"]) > 1
+
+
+def test_what_may_come_when_time_has_passed(desk: Desk) -> None:
+    """What may come when time has passed."""
+    due = desk.look(Question(HEADER, at="2026-11-21T06:00:00.000"))
+    assert "start ob=10" in [line["text"] for line in due["possible"]]
+    assert desk.look(Question(HEADER, at="2026-11-21T06:00:00.011"))["possible"] == []
+
+
+def test_the_operands_of_a_call(desk: Desk) -> None:
+    """The operands of a call."""
+    lines = desk.call(Call(HEADER, event="SET_TINT"))["possible"]
+    assert {line["event"]["event"] for line in lines} == {"SET_TINT"}
+    assert len({line["event"]["period"] for line in lines}) > 5
+
+
+def test_a_log_that_leaves_much_open_is_answered_in_part(desk: Desk) -> None:
+    """A log that leaves much open is answered in part."""
+    loose = HEADER | {"records": ["ob", "clock", "mode", "interrupt", "load"]}
+    answer = desk.look(Question(loose, [{"event": "start", "at": "2026-11-21T06:00:00.000", "ob": 10}]))
+    assert answer["explained"] == 1
+    assert not answer["whole"]
+    assert answer["impossible"] is None
+    assert "end ob=10" in [line["text"] for line in answer["possible"]]
+    assert answer["timeline"]
 
 
 def test_the_answers_to_a_call_and_why_a_line_may_not_come(desk: Desk) -> None:

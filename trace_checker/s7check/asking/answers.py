@@ -46,10 +46,14 @@ class Line(msgspec.Struct, frozen=True):
 class Possible(msgspec.Struct, frozen=True):
     """Everything that may come next. ``endless``: nothing has to; else a line has to come by the last of the times.
 
-    ``key`` is the same for logs that go on alike.
+    ``key`` is the same for logs that go on alike. So many ``states`` explain the log; ``whole`` says that all of them
+    were looked at. There were so many ``tries``, each whether a line is possible in a state.
     """
 
     times: list[Time]
     endless: bool
     lines: list[Line]
     key: str = ""
+    states: int = 0
+    whole: bool = True
+    tries: int = 0

@@ -1,6 +1,6 @@
 """A log that grows line by line, and questions about it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from copy import copy
 from itertools import count
 from typing import Any, Self
@@ -90,22 +90,34 @@ class Session:
         del self.lines[left:]
         del self._clocks[left + 1 :]
 
-    def situations(self) -> list[Situation]:
-        """The situations in which the CPU may be after the last line: one for each explanation, some at most."""
-        return self._ask("situations", most=MOST_SITUATIONS).situations
+    def situations(self, most: int = MOST_SITUATIONS) -> list[Situation]:
+        """The situations in which the CPU may be after the last line: one for each explanation, so many at most."""
+        return self._ask("situations", most=most).situations
 
     def before(self, line: Mapping[str, Any]) -> list[Situation]:
         """The situations just before the line, after all that happens by itself until then; none if it may not come."""
         event = self._event(self._whole(line), copy(self._clocks[-1]))
         return self._ask("before", event=event, most=MOST_SITUATIONS).situations
 
-    def possible(self, lines: Iterable[Mapping[str, Any]] | None = None, at: str | None = None) -> Possible:
+    def possible(
+        self,
+        lines: Iterable[Mapping[str, Any]] | None = None,
+        at: str | None = None,
+        *,
+        only: Collection[str] = (),
+        few: Collection[str] = (),
+        most: int | None = None,
+    ) -> Possible:
         """What may come next: all that the specification offers, or which of these lines with which answers.
 
         A line of ``lines`` may lack ``at``, which counts for nothing, and ``ret``. With ``at`` only this time of the
-        CPU clock is looked at, and the only one of the answer.
+        CPU clock is looked at, and the only one of the answer. ``only`` names the events that are looked for, all if
+        it is empty; of the events ``few`` one line is enough. ``most`` states are looked at for each line: one that
+        none of them allows may be possible still.
         """
-        more: dict[str, Any] = {}
+        more: dict[str, Any] = {"only": list(only), "few": list(few)}
+        if most is not None:
+            more["most"] = most
         if at is not None:
             more["when"] = self._event({"event": "hold", "at": at}, copy(self._clocks[-1]))
         if lines is not None:

@@ -6,7 +6,7 @@ those of the last questions, and adds or takes back what differs.
 
 from collections import OrderedDict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import msgspec
@@ -15,11 +15,12 @@ from s7check.asking.answers import Line, Possible, Refusal, Time
 from s7check.asking.line_text import as_line, iso_of, spelled
 from s7check.asking.session import Session, as_answer
 from s7check.asking.variants import Variant
-from s7check.engine.answer import Allowed, Situation
+from s7check.engine.answer import Allowed, Situation, Step
 from s7check.engine.client import Engine
 from s7check.judging.check import rejection
-from s7check.judging.replay import Replay, with_steps
+from s7check.judging.replay import FOLLOWED
 from s7check.judging.verdict import Report
+from s7check.log.events import OPERANDS
 from s7check.report import words
 from s7check.report.expected import format_allowed
 from s7check.report.markup import as_text
@@ -27,6 +28,11 @@ from s7check.report.timeline import timeline
 
 SESSIONS = 12
 """Sessions that are kept, each of a header that was asked for lately."""
+
+SHARE = 16
+"""Explanations of a log that are looked at for each line that may come; a log that leaves much open has thousands."""
+
+_WITH_OPERANDS = frozenset(name for name, operands in OPERANDS.items() if operands)
 
 Object = dict[str, Any]
 
@@ -48,11 +54,23 @@ class Side(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Question(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A log, the objects of its lines, and the other headers to compare with."""
+    """A log, the objects of its lines, and when the next line comes; at once if that is not said."""
 
     header: Object
     lines: list[Object] = []
-    sides: list[Side] = []
+    at: str | None = None
+
+
+class Call(Question, frozen=True, forbid_unknown_fields=True):
+    """A log, and the event of a call after it."""
+
+    event: str = ""
+
+
+class Comparison(Question, frozen=True, forbid_unknown_fields=True):
+    """A log, and another header to compare with."""
+
+    side: Side = Side()
 
 
 class Why(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -65,10 +83,11 @@ class Why(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @dataclass
 class _Kept:
-    """A session, and the objects of its lines as they were sent."""
+    """A session, the objects of its lines as they were sent, and a situation after each of them."""
 
     session: Session
     sent: list[Object] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
 
 
 class Desk:
@@ -79,29 +98,45 @@ class Desk:
         self._kept: OrderedDict[bytes, _Kept] = OrderedDict()
 
     def look(self, question: Question) -> Object:
-        """The situation after the lines, or after the last one that is possible, and what may come."""
+        """The situation after the lines, or after the last one that is possible, and what may come at the time."""
         kept, refusal = self._brought_to(question.header, question.lines)
         session = kept.session
         situations = session.situations()
-        possible = session.possible()
+        ahead = session.possible([], most=SHARE)
+        at = question.at or iso_of(ahead.times[0].at)
+        possible = session.possible(at=at, few=_WITH_OPERANDS, most=SHARE)
         return {
             "explained": len(kept.sent),
             "clock": session.clock,
             "refused": None if refusal is None else _refused(refusal),
             "situations": [list(map(list, words.situation(state))) for state in situations],
-            "times": [_time(one) for one in possible.times],
-            "endless": possible.endless,
+            "states": possible.states,
+            "whole": possible.whole,
+            "tries": possible.tries,
+            "at": at,
+            "times": [_time(one) for one in ahead.times],
+            "endless": ahead.endless,
             "possible": [_line(one) for one in possible.lines],
-            "impossible": list(self._impossible(session, situations, possible)),
-            "sides": [self._side(side, question) for side in question.sides],
-            "timeline": self._timeline(question),
+            "impossible": list(self._impossible(session, at, situations, possible)) if possible.whole else None,
+            "timeline": _timeline(kept, refusal, question),
         }
+
+    def timeline(self, question: Question) -> Object:
+        """The timeline of the lines."""
+        kept, refusal = self._brought_to(question.header, question.lines)
+        return {"timeline": _timeline(kept, refusal, question)}
+
+    def call(self, question: Call) -> Object:
+        """The calls with this event that may come at the time, with operands that stand for all."""
+        kept, _ = self._brought_to(question.header, question.lines)
+        possible = kept.session.possible(at=question.at, only=[question.event], most=SHARE)
+        return {"possible": [_line(one) for one in possible.lines]}
 
     def answers(self, question: Why) -> Object:
         """The answers that a call may get after the lines, each as a line; none where it is not possible."""
         kept, _ = self._brought_to(question.header, question.lines)
-        possible = kept.session.possible([question.line])
-        return {"times": [_time(one) for one in possible.times], "possible": [_line(one) for one in possible.lines]}
+        possible = kept.session.possible([question.line], question.line.get("at"))
+        return {"possible": [_line(one) for one in possible.lines]}
 
     def why(self, question: Why) -> Object:
         """Why the line may not come after the lines; ``refused`` is null if it may."""
@@ -126,36 +161,40 @@ class Desk:
             self._kept.pop(key, None)
             raise
 
-    def _impossible(self, session: Session, situations: Sequence[Situation], possible: Possible) -> Iterator[Object]:
-        """The steps of the CPU that somebody might wait for and that may not come now, each with its reason."""
-        offered = {spelled(_bare(line.event)) for line in possible.lines if line.first == 0}
+    def compare(self, question: Comparison) -> Object:
+        """What is different under another header: the first line that is not possible there, or what may come."""
+        here, _ = self._brought_to(question.header, question.lines)
+        header = question.side.variant.of(question.header)
+        there, refusal = self._brought_to(header, question.lines)
+        answer: Object = {"name": question.side.variant.name, "header": header, "explained": len(there.sent)}
+        if refusal is not None:
+            return answer | {"refused": _refused(refusal)}
+        mine, theirs = (_texts(kept.session.possible(at=question.at, most=SHARE)) for kept in (here, there))
+        return answer | {"refused": None, "only_here": sorted(mine - theirs), "only_there": sorted(theirs - mine)}
+
+    def _impossible(
+        self, session: Session, at: str, situations: Sequence[Situation], possible: Possible
+    ) -> Iterator[Object]:
+        """The steps of the CPU that somebody might wait for and that may not come then, each with its reason."""
+        offered = {spelled(_bare(line.event)) for line in possible.lines}
         for event in _looked_for(situations):
             if spelled(event) in offered or any(text.startswith(f"{spelled(event)} ") for text in offered):
                 continue
-            refusal = session.why({"at": session.clock, **event})
+            refusal = session.why({"at": at, **event})
             if refusal is not None:
                 yield {"event": event, **_refused(refusal)}
 
-    def _side(self, side: Side, question: Question) -> Object:
-        """What is different under another header: the first line that is not possible there, or what may come."""
-        header = side.variant.of(question.header)
-        kept, refusal = self._brought_to(header, question.lines)
-        answer: Object = {"name": side.variant.name, "header": header, "explained": len(kept.sent), "refused": None}
-        if refusal is not None:
-            return answer | {"refused": _refused(refusal)}
-        possible = kept.session.possible()
-        return answer | {"possible": sorted({spelled(as_line(line.event)) for line in possible.lines})}
 
-    def _timeline(self, question: Question) -> str:
-        texts = [msgspec.json.encode(each) for each in (question.header, *question.lines)]
-        replay = Replay("-", texts)
-        answer = replay.judge(self._engine, replay.header)
-        if answer.verdict == "rejected" and answer.line is not None:
-            report = rejection("-", answer, texts[answer.line - 1], texts)
-        else:
-            report = Report("-", "accepted", "", events=answer.events)
-        picture = timeline(with_steps(report, self._engine, replay))
-        return "" if picture is None else as_text(picture.labels) + as_text(picture.lanes)
+def _timeline(kept: _Kept, refusal: Refusal | None, question: Question) -> str:
+    texts = [msgspec.json.encode(each) for each in (question.header, *question.lines)]
+    steps = kept.steps[-FOLLOWED:]
+    if refusal is None:
+        report = Report("-", "accepted", "", events=len(kept.sent), lines=texts, steps=steps)
+    else:
+        line = len(kept.sent) + 2
+        report = replace(rejection("-", as_answer(refusal, line), texts[line - 1], texts), steps=steps)
+    picture = timeline(report)
+    return "" if picture is None else as_text(picture.labels) + as_text(picture.lanes)
 
 
 def _advance(kept: _Kept, lines: Sequence[Object]) -> Refusal | None:
@@ -166,12 +205,13 @@ def _advance(kept: _Kept, lines: Sequence[Object]) -> Refusal | None:
         same += 1
     if same < len(kept.sent):
         kept.session.undo(len(kept.sent) - same)
-        del kept.sent[same:]
+        del kept.sent[same:], kept.steps[same:]
     for line in lines[same:]:
         refusal = kept.session.feed(line)
         if refusal is not None:
             return refusal
         kept.sent.append(line)
+        kept.steps.append(Step(len(kept.sent) + 1, kept.session.situations(most=1)[0]))
     return None
 
 
@@ -199,13 +239,11 @@ def _time(one: Time) -> Object:
 
 def _line(line: Line) -> Object:
     event = as_line(line.event)
-    return {
-        "event": event,
-        "text": spelled(event),
-        "first": line.first,
-        "last": line.last,
-        "requirements": line.requirements,
-    }
+    return {"event": event, "text": spelled(event), "requirements": line.requirements}
+
+
+def _texts(possible: Possible) -> set[str]:
+    return {spelled(as_line(line.event)) for line in possible.lines}
 
 
 def _refused(refusal: Refusal) -> Object:
@@ -225,6 +263,8 @@ def _refused(refusal: Refusal) -> Object:
 
 
 def _instead(allowed: Allowed) -> Object:
-    named = {"event": allowed.event} | ({"ob": allowed.ob} if allowed.ob else {})
-    value = {allowed.field: allowed.value} if allowed.field else {}
-    return as_line(named) | as_line({"event": allowed.event, **value}) if allowed.event != "call" else {"event": "call"}
+    line: Object = {"event": allowed.event} | ({"ob": allowed.ob} if allowed.ob else {})
+    if allowed.field:
+        value = as_line({"event": allowed.event, allowed.field: allowed.value})[allowed.field]
+        line |= {"info": {allowed.field: value}} if allowed.event == "start" else {allowed.field: value}
+    return line

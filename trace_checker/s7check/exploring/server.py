@@ -20,7 +20,7 @@ from starlette.routing import Mount, Route
 
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.exploring.desk import Desk, Question, Why
+from s7check.exploring.desk import Call, Comparison, Desk, Question, Why
 from s7check.exploring.library import Library
 from s7check.log.errors import UnusableLogError
 from s7check.report.clauses import all_clauses
@@ -63,7 +63,10 @@ def application(engine: Engine, library: Library, token: str) -> Starlette:
         *(Route(f"/{name}", _static(_PAGE / name)) for name in ("explorer.css", "explorer.js", "model.js")),
         Route("/report.css", _static(files("s7check.report") / "report.css")),
         Route("/look", question(Question, desk.look), methods=["POST"]),
+        Route("/timeline", question(Question, desk.timeline), methods=["POST"]),
+        Route("/call", question(Call, desk.call), methods=["POST"]),
         Route("/answers", question(Why, desk.answers), methods=["POST"]),
+        Route("/compare", question(Comparison, desk.compare), methods=["POST"]),
         Route("/why", question(Why, desk.why), methods=["POST"]),
         Route("/open", question(str, library.open), methods=["POST"]),
         Route("/start", _json({"clauses": all_clauses(), "legend": as_text(legend()), **library.contents()})),

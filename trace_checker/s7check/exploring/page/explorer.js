@@ -5,6 +5,7 @@ const $ = (id) => document.getElementById(id);
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const OF_THE_WORLD = ["clock", "interrupt", "restart", "hold", "release", "load", "delete"];
 const MANY = 6;
+const MANY_WAYS = "The log can be explained in very many ways, and only some of them were looked at.";
 const CALLS = {
   DIS_AIRT: [], EN_AIRT: [], SET_TINT: ["ob", "sdt", "period"], ACT_TINT: ["ob"], CAN_TINT: ["ob"], QRY_TINT: ["ob"],
   SRT_DINT: ["ob", "dtime", "sign"], CAN_DINT: ["ob"], QRY_DINT: ["ob"], DIS_IRT: ["mode", "ob"], EN_IRT: ["mode", "ob"],
@@ -18,6 +19,7 @@ let sides = [];
 let clauses = new Map();
 let zoom = 1;
 let question = 0;
+const pictures = new Map(); // timelines of branches that are not shown, by their lines
 
 /** An element: h("button", {type: "button", onclick: f}, "text", child). */
 function h(tag, properties = {}, ...content) {
@@ -82,14 +84,15 @@ function tell(id) {
 
 // ---------------------------------------------------------------------------- what is shown
 
-async function refresh() {
+/** Shows what the server says of the lines; the next line comes at `when`, at once if that is not said. */
+async function refresh(when = null) {
   const number = ++question;
   const one = model.branch;
   const lines = one.lines.slice(0, one.shown);
-  const answer = await ask("look", { header: one.header, lines, sides });
+  const answer = await ask("look", { header: one.header, lines, at: when });
   if (number !== question) return; // a later click has asked something else
   view = answer;
-  at = view.times[0]?.at ?? view.clock;
+  at = view.at;
   $("start").hidden = true;
   $("desk").hidden = $("tools").hidden = false;
   $("where").textContent = `${one.name}: line ${view.explained + 1} of ${one.lines.length + 1}, ${view.clock}`;
@@ -102,7 +105,7 @@ async function refresh() {
   showLines();
   showPossible();
   showImpossible();
-  showSides();
+  showSides(number);
   history.replaceState(null, "", `#${await toLink({ ...model.document, sides })}`);
 }
 
@@ -149,14 +152,19 @@ async function showPictures() {
   const box = $("pictures");
   const pictures = await Promise.all(model.document.branches.map(async (one, i) => {
     const current = i === model.document.current;
-    const found = current ? view : await ask("look", { header: one.header, lines: one.lines });
-    return picture(one, found.timeline, current, i);
+    return picture(one, current ? view.timeline : await pictureOf(one), current, i);
   }));
   const scale = (factor) => () => ((zoom = Math.max(0.4, Math.min(3, zoom * factor))), applyZoom());
   box.replaceChildren(
     h("p", { className: "tools" }, button("−", scale(0.8), { "aria-label": "zoom out" }),
       button("+", scale(1.25), { "aria-label": "zoom in" })), ...pictures);
   applyZoom();
+}
+
+async function pictureOf({ header, lines }) {
+  const key = JSON.stringify([header, lines]);
+  if (!pictures.has(key)) pictures.set(key, (await ask("timeline", { header, lines })).timeline);
+  return pictures.get(key);
 }
 
 function picture(one, svg, current, index) {
@@ -171,6 +179,7 @@ function picture(one, svg, current, index) {
     }));
   }
   requestAnimationFrame(() => (frame.scrollLeft = frame.scrollWidth));
+  if (!svg) frame.append("No line yet.");
   const title = model.document.branches.length > 1 ? h("h3", {}, one.name) : null;
   return h("div", { className: current ? "picture current" : "picture" }, title, frame);
 }
@@ -210,13 +219,9 @@ function showLines() {
   if (edited >= 0) $("edit").text.value = JSON.stringify(one.lines[edited]);
 }
 
-/** Whether a line may come when the CPU clock is at `when`. */
-const inTime = (line, when, times = view.times) =>
-  times[line.first].at <= when && (line.last === null || when <= times[line.last].at);
-
 function showPossible() {
   showTime();
-  const here = view.possible.filter((line) => inTime(line, at));
+  const here = view.possible;
   const calls = Object.keys(CALLS).filter((name) => here.some((line) => line.event.event === name));
   const groups = [
     ["The CPU", OF_THE_CPU.flatMap((name) => acts(name, here))],
@@ -226,6 +231,7 @@ function showPossible() {
   const shown = groups.flatMap(([title, found]) => (found.length ? [h("h3", {}, title), ...found] : []));
   $("possible").replaceChildren(...shown);
   if (!here.length) $("possible").append(h("p", {}, "Nothing may come at this time: something had to come before."));
+  if (!view.whole) $("possible").prepend(h("p", { className: "part" }, `${MANY_WAYS} More than this may come.`));
 }
 
 /** The lines of one kind: a button each, or a list of OBs where there are many. */
@@ -251,21 +257,32 @@ function take(event) {
 
 /** The form of a call: its operands with some values, and a button for each answer that the CPU may give. */
 function call(name, here) {
-  const offered = here.filter((line) => line.event.event === name);
-  if (!CALLS[name].length) return h("div", {}, ...offered.map(offer));
+  if (!CALLS[name].length) return h("div", {}, ...here.filter((line) => line.event.event === name).map(offer));
   const answers = h("span", { className: "answers" });
   const inputs = CALLS[name].map((operand) => {
-    const list = `${name}-${operand}`;
-    const values = [...new Set(offered.map((line) => String(line.event[operand])))];
-    const input = h("input", { name: operand, value: values[0] ?? "", size: operand === "sdt" ? 17 : 10 });
-    input.setAttribute("list", list);
+    const input = h("input", { name: operand, size: operand === "sdt" ? 17 : 10 });
+    const values = h("datalist", { id: `${name}-${operand}` });
+    input.setAttribute("list", values.id);
     input.addEventListener("input", () => answered(name, inputs, answers));
-    return [h("label", {}, `${operand} `, input), h("datalist", { id: list }, ...values.map((value) => h("option", { value })))];
+    return [h("label", {}, `${operand} `, input), values];
   });
   const box = h("details", { className: "call" }, h("summary", {}, name), ...inputs.flat(), answers);
-  box.addEventListener("toggle", () => box.open && answered(name, inputs, answers));
+  box.addEventListener("toggle", safely(async () => {
+    if (!box.open) return;
+    const { possible } = await ask("call", { ...behaviour(), at, event: name });
+    for (const [label, list] of inputs) {
+      const input = label.querySelector("input");
+      const values = [...new Set(possible.map((line) => String(line.event[input.name])))];
+      list.replaceChildren(...values.map((value) => h("option", { value })));
+      input.value ||= values[0] ?? "";
+    }
+    await answered(name, inputs, answers);
+  }));
   return box;
 }
+
+/** The lines that the server has explained, with their header. */
+const behaviour = () => ({ header: model.branch.header, lines: model.branch.lines.slice(0, view.explained) });
 
 async function answered(name, inputs, box) {
   const event = { event: name, at };
@@ -274,11 +291,9 @@ async function answered(name, inputs, box) {
     event[input.name] = NUMBERS.has(input.name) ? Number(input.value) : input.value;
   }
   try {
-    const lines = model.branch.lines.slice(0, view.explained);
-    const found = await ask("answers", { header: model.branch.header, lines, line: event });
-    const right = found.possible.filter((line) => inTime(line, at, found.times));
-    box.replaceChildren(...right.map(offer));
-    if (!right.length) box.replaceChildren("not possible now");
+    const { possible } = await ask("answers", { ...behaviour(), line: event });
+    box.replaceChildren(...possible.map(offer));
+    if (!possible.length) box.replaceChildren("not possible now");
   } catch (error) {
     box.replaceChildren(error.message);
   }
@@ -289,20 +304,21 @@ function showTime() {
   const moments = view.times.map((time) => {
     const due = time.due.length ? ` (${time.due.join(" or ")}${view.endless ? " may be due" : " must come by then"})` : "";
     const chosen = time.at === at;
-    const choose = button(time.at + due, () => ((at = time.at), showPossible()), { "aria-pressed": String(chosen) });
+    const choose = button(time.at + due, () => refresh(time.at), { "aria-pressed": String(chosen) });
     return h("li", {}, choose, requirements(time.requirements));
   });
   const input = h("input", { name: "at", value: at, size: 23, "aria-label": "time of the next line" });
-  const go = button("Let time pass", () => ((at = input.value.trim()), showPossible()));
+  const go = button("Let time pass", () => refresh(input.value.trim()));
   $("time").replaceChildren(
     h("details", { className: "time", open: view.times.some((time) => time.due.length) },
       h("summary", {}, `The next line at ${at}`), h("ul", {}, ...moments), h("p", {}, input, " ", go)));
 }
 
 function showImpossible() {
-  const rows = view.impossible.map((one) =>
+  const rows = (view.impossible ?? []).map((one) =>
     h("details", {}, h("summary", {}, `${one.event.event} ${fields(one.event)}`.trim(), requirements(one.requirements)), because(one)));
-  $("impossible").replaceChildren(...rows, asked());
+  const part = view.impossible ? null : h("p", { className: "part" }, `${MANY_WAYS} Ask for a line:`);
+  $("impossible").replaceChildren(...[part, ...rows, asked()].filter(Boolean));
 }
 
 /** Why a line of one's own may not come. */
@@ -310,36 +326,35 @@ function asked() {
   const text = h("input", { name: "event", value: '{"event": "start", "ob": 10}', size: 34, "aria-label": "a line, a JSON object" });
   const answer = h("div");
   const ask_ = button("Why not?", async () => {
-    const lines = model.branch.lines.slice(0, view.explained);
-    const line = { at, ...JSON.parse(text.value) };
-    const { refused } = await ask("why", { header: model.branch.header, lines, line });
+    const { refused } = await ask("why", { ...behaviour(), line: { at, ...JSON.parse(text.value) } });
     answer.replaceChildren(refused ? because(refused) : "It may come.");
   });
   return h("p", {}, text, " ", ask_, answer);
 }
 
-function showSides() {
-  const mine = new Set(view.possible.map((line) => line.text));
-  const boxes = view.sides.map((side, i) => {
-    const away = button("×", () => (sides.splice(i, 1), refresh()), { "aria-label": `without ${side.name}` });
-    const change = button("Go on there", () => {
-      const one = model.branch;
-      model.change({ ...model.document, branches: [...model.document.branches, branch(`${one.name}, ${side.name}`, side.header, one.lines)],
-        current: model.document.branches.length });
-      return refresh();
-    });
-    const head = h("h3", {}, side.name, " ", away, " ", change);
-    if (side.refused) {
-      const text = `Line ${side.explained + 2} is not possible there. Possible: ${side.refused.expected.join(", ") || "nothing"}`;
-      return [head, h("p", {}, text, requirements(side.refused.requirements)), because(side.refused)];
-    }
-    const theirs = new Set(side.possible);
-    const only = (title, found) => found.length ? h("p", {}, `${title}: `, h("code", {}, found.slice(0, 12).join("; "))) : null;
-    const differences = [only("only here", [...mine].filter((text) => !theirs.has(text))),
-      only("only there", [...theirs].filter((text) => !mine.has(text)))].filter(Boolean);
-    return [head, ...(differences.length ? differences : [h("p", {}, "The same may come.")])];
+/** Asks for each of the other headers, and shows the answers unless a later question has been asked. */
+async function showSides(number) {
+  const lines = model.branch.lines.slice(0, model.branch.shown);
+  const found = await Promise.all(sides.map((side) => ask("compare", { header: model.branch.header, lines, at, side })));
+  if (number === question) $("sides").replaceChildren(...found.flatMap(side));
+}
+
+function side(found, i) {
+  const away = button("×", () => (sides.splice(i, 1), refresh()), { "aria-label": `without ${found.name}` });
+  const change = button("Go on there", () => {
+    const one = model.branch;
+    model.change({ ...model.document, branches: [...model.document.branches, branch(`${one.name}, ${found.name}`, found.header, one.lines)],
+      current: model.document.branches.length });
+    return refresh();
   });
-  $("sides").replaceChildren(...boxes.flat());
+  const head = h("h3", {}, found.name, " ", away, " ", change);
+  if (found.refused) {
+    const text = `Line ${found.explained + 2} is not possible there. Possible: ${found.refused.expected.join(", ") || "nothing"}`;
+    return [head, h("p", {}, text, requirements(found.refused.requirements)), because(found.refused)];
+  }
+  const only = (title, texts) => texts.length ? h("p", {}, `${title}: `, h("code", {}, texts.slice(0, 12).join("; "))) : null;
+  const differences = [only("only here", found.only_here), only("only there", found.only_there)].filter(Boolean);
+  return [head, ...(differences.length ? differences : [h("p", {}, "The same may come.")])];
 }
 
 // ---------------------------------------------------------------------------- the start page, files, links

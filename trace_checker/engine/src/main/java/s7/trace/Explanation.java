@@ -140,6 +140,18 @@ final class Explanation {
     return new Explanation(this);
   }
 
+  /** The same with at most so many of its states, from everywhere among them. */
+  Explanation sample(int most) {
+    Explanation some = branch();
+    if (states.size() > most) {
+      some.states = new ArrayList<>();
+      for (int i = 0; i < most; i++) {
+        some.states.add(states.get((int) ((long) i * states.size() / most)));
+      }
+    }
+    return some;
+  }
+
   /** How many states explain the log so far. */
   int size() {
     return states.size();
@@ -374,9 +386,14 @@ final class Explanation {
 
   /** The states {@code from}, and those to which silent steps lead just before the event. */
   List<State> closure(List<State> from, Value event) {
+    return closure(from, event, Integer.MAX_VALUE);
+  }
+
+  /** As {@link #closure(List, Value)}; no further once there are more than {@code most}. */
+  List<State> closure(List<State> from, Value event, int most) {
     List<State> closed = from;
     Set<Long> seen = null;
-    for (int i = 0; i < closed.size(); i++) {
+    for (int i = 0; i < closed.size() && closed.size() <= most; i++) {
       State state = closed.get(i);
       if (!spec.stirs(state, event)) {
         continue;

@@ -40,6 +40,12 @@ final class Session {
   private final Contract spec;
   private final ArrayList<Explanation> after = new ArrayList<>();
 
+  /** How often the last question has looked whether a line is possible in a state. */
+  private int tries;
+
+  /** Whether the last question has looked at all states. */
+  private boolean whole;
+
   /**
    * Begins a log.
    *
@@ -141,20 +147,26 @@ final class Session {
   }
 
   /**
-   * The lines that may come next, each with the first and the last time at which it may.
+   * A question about the lines that may come next.
    *
    * @param lines the lines to try, without a time, as JSON; null for those that the specification
    *     offers
    * @param when the only time to look at, with {@code at} and {@code up}; null for all at which
    *     something happens
+   * @param share so many states, and answers of the CPU, are looked at for each line and time
+   * @param only the only events of the lines that the specification offers; all if there is none
+   * @param few the events of which one line that is possible is enough
    */
-  JsonObject possible(JsonArray lines, JsonObject when) {
+  record Question(JsonArray lines, JsonObject when, int share, Set<String> only, Set<String> few) {}
+
+  /** The lines that may come next, each with the first and the last time at which it may. */
+  JsonObject possible(Question question) {
     try {
       try {
-        return answer(lines, when);
+        return answer(question);
       } catch (Explanation.TooMany e) {
         last().loosen();
-        return answer(lines, when);
+        return answer(question);
       }
     } catch (NotCovered e) {
       throw e;
@@ -163,35 +175,66 @@ final class Session {
     }
   }
 
-  private JsonObject answer(JsonArray lines, JsonObject when) {
-    Explanation now = last();
+  private JsonObject answer(Question question) {
+    Explanation now = last().sample(question.share);
+    whole = now.size() == last().size();
+    tries = 0;
     var times = new TreeMap<String, Time>();
-    boolean endless = when != null || times(now.states(), times);
-    if (when != null) {
-      Value clocks = spec.timeOf(spec.event(Json.of(when.toString())));
+    boolean endless = question.when != null || times(now.states(), times);
+    if (question.when != null) {
+      Value clocks = spec.timeOf(spec.event(Json.of(question.when.toString())));
       times.put("", new Time(clocks, List.of(), new TreeSet<>()));
     }
     List<Time> ordered = new ArrayList<>(times.values());
-    var offers = new LinkedHashSet<Value>();
-    for (State state : lines == null ? now.states() : List.<State>of()) {
-      offers.addAll(spec.offers(state));
-    }
-    if (lines != null) {
-      lines.forEach(line -> offers.add(spec.event(Json.of(line.toString()))));
-    }
+    Set<Value> offers = offers(question, now);
     var found = new LinkedHashMap<Value, Offer>();
     for (int i = 0; i < ordered.size(); i++) {
-      List<State> arrived = now.arrivals(spec.instant(ordered.get(i).clocks));
+      Value clocks = ordered.get(i).clocks;
+      List<State> arrived = now.arrivals(spec.instant(clocks));
       var ready = new HashMap<Value, List<State>>();
+      var enough = new HashSet<String>();
       for (Value offer : arrived.isEmpty() ? Set.<Value>of() : offers) {
+        String name = name(offer);
+        if (enough.contains(name)) {
+          continue;
+        }
         Value kind = kind(arrived, offer);
-        Value clocks = ordered.get(i).clocks;
         List<State> states =
-            ready.computeIfAbsent(kind, line -> now.closure(arrived, spec.dated(line, clocks)));
-        tryIn(states, clocks, offer, i, found);
+            ready.computeIfAbsent(
+                kind,
+                line -> part(now.closure(arrived, spec.dated(line, clocks), question.share), question.share));
+        if (tryIn(states, clocks, offer, i, question.share, found) && question.few.contains(name)) {
+          enough.add(name);
+        }
       }
     }
     return written(ordered, endless, found);
+  }
+
+  private Set<Value> offers(Question question, Explanation now) {
+    var offers = new LinkedHashSet<Value>();
+    if (question.lines != null) {
+      question.lines.forEach(line -> offers.add(spec.event(Json.of(line.toString()))));
+      return offers;
+    }
+    for (State state : now.states()) {
+      for (Value offer : spec.offers(state)) {
+        if (question.only.isEmpty() || question.only.contains(name(offer))) {
+          offers.add(offer);
+        }
+      }
+    }
+    return offers;
+  }
+
+  private String name(Value line) {
+    return (String) spec.name((RecordValue) line.toRcd());
+  }
+
+  /** The first of these, as many as a line's share; the answer then is no longer whole. */
+  private <T> List<T> part(List<T> all, int share) {
+    whole &= all.size() <= share;
+    return all.size() <= share ? all : all.subList(0, share);
   }
 
   /** A line before which the same silent steps are possible as before {@code offer}, in all of the states. */
@@ -207,23 +250,29 @@ final class Session {
     return kind;
   }
 
-  private void tryIn(
-      List<State> ready, Value clocks, Value asked, int index, Map<Value, Offer> found) {
+  /** Whether the line is possible with one of its answers. */
+  private boolean tryIn(
+      List<State> ready, Value clocks, Value asked, int index, int share, Map<Value, Offer> found) {
     Value past = last().past();
+    boolean possible = false;
     for (State state : ready) {
-      for (Value line : spec.withAnswers(state, asked)) {
+      for (Value line : part(spec.withAnswers(state, asked), share)) {
         RecordValue dated = spec.dated(line, clocks);
         Offer known = found.get(line);
         boolean news = known == null || known.until < index;
+        possible |= !news;
+        tries++;
         if ((news || known.from == index) && !spec.observe(state, dated).isEmpty()) {
           Offer offer = found.computeIfAbsent(line, each -> new Offer(index));
           offer.until = index;
+          possible = true;
           if (offer.from == index) {
             spec.grounds(state, dated, past).forEach(id -> offer.requirements.add(id.getAsString()));
           }
         }
       }
     }
+    return possible;
   }
 
   /**
@@ -317,6 +366,9 @@ final class Session {
         });
     answer.add("lines", lines);
     answer.addProperty("key", key());
+    answer.addProperty("states", last().size());
+    answer.addProperty("whole", whole);
+    answer.addProperty("tries", tries);
     return answer;
   }
 

@@ -1,7 +1,9 @@
 package s7.trace;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 
 import com.google.gson.JsonObject;
 import tla.json.Json;
@@ -18,14 +20,15 @@ import tla.json.Json;
  *   <li>{@code back} with {@code lines}: so many lines are left.
  *   <li>{@code situations} with {@code most}; {@code before} with {@code event} and {@code most}: just before
  *       that line.
- *   <li>{@code possible}, with {@code lines} or for all that the specification offers, {@code when}
- *       or at all times.
+ *   <li>{@code possible}, with {@code lines} or for all that the specification offers, or for those of its events
+ *       {@code only}, with one line of {@code few}; {@code when} or at all times; in {@code most} states or all.
  * </ul>
  *
  * <p>The answer has {@code error} where the specification cannot be evaluated.
  */
 final class Sessions {
   private static final String EVENT = "event";
+  private static final String MOST = "most";
 
   private final Contract spec;
   private final Map<String, Session> open = new HashMap<>();
@@ -63,15 +66,30 @@ final class Sessions {
       case "feed" -> refusal(answer, session.feed(text(json, EVENT)));
       case "judge" -> refusal(answer, session.judge(text(json, EVENT)));
       case "back" -> session.back(json.get("lines").getAsInt());
-      case "situations" -> answer.add("situations", session.situations(json.get("most").getAsInt()));
-      case "before" -> answer.add("situations", session.before(text(json, EVENT), json.get("most").getAsInt()));
+      case "situations" -> answer.add("situations", session.situations(json.get(MOST).getAsInt()));
+      case "before" -> answer.add("situations", session.before(text(json, EVENT), json.get(MOST).getAsInt()));
       case "possible" -> answer.add("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
   }
 
   private static JsonObject possible(Session session, JsonObject json) {
-    return session.possible(json.getAsJsonArray("lines"), json.getAsJsonObject("when"));
+    int share = json.has(MOST) ? json.get(MOST).getAsInt() : Integer.MAX_VALUE;
+    return session.possible(
+        new Session.Question(
+            json.getAsJsonArray("lines"),
+            json.getAsJsonObject("when"),
+            share,
+            names(json, "only"),
+            names(json, "few")));
+  }
+
+  private static Set<String> names(JsonObject json, String field) {
+    var names = new HashSet<String>();
+    if (json.has(field)) {
+      json.getAsJsonArray(field).forEach(name -> names.add(name.getAsString()));
+    }
+    return names;
   }
 
   private static Json text(JsonObject json, String field) {
