@@ -17,7 +17,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.results import records
 from evidence.results.page import page
-from evidence.results.runs import RUNS, SECOND, RunError, take
+from evidence.results.runs import RUNS, SECOND, RunError, take, take_over
 from evidence.tlc.process import ToolMissingError
 from s7check.engine.java import JavaMissingError
 
@@ -30,8 +30,14 @@ STALE = 1
 @click.command(name="results", short_help="The numbers of the documentation, from runs.")
 @click.option("--write", is_flag=True, help="Write the page from the kept summaries.")
 @tlc_option
+@click.option(
+    "--report",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Run nothing: take the report that the command of the one RUN wrote there, such as build/verify/models.json.",
+)
 @click.argument("names", nargs=-1, metavar="[RUN]...", type=click.Choice(list(RUNS)))
-def results_command(*, write: bool, jar: Path | None, names: tuple[str, ...]) -> None:
+def results_command(*, write: bool, jar: Path | None, report: Path | None, names: tuple[str, ...]) -> None:
     """Check that docs/project/results.md is what the kept summaries of runs say.
 
     With RUN: run these commands, keep a summary of each in docs/project/results and write the page. With --tlc: keep it
@@ -41,8 +47,12 @@ def results_command(*, write: bool, jar: Path | None, names: tuple[str, ...]) ->
     with session(Processes(), (records.RecordError, OSError), (RunError, ToolMissingError, JavaMissingError)):
         if jar and not all(RUNS[name].tlc for name in names):
             raise click.UsageError("--tlc: only for runs of TLC")
+        if report and (len(names) != 1 or not RUNS[names[0]].told):
+            told = ", ".join(name for name, run in RUNS.items() if run.told)
+            raise click.UsageError(f"--report: expected one of these runs: {told}")
         for name in names:
-            records.write(ROOT / KEPT, name + (SECOND if jar else ""), take(name, jar, click.echo))
+            record = take_over(name, jar, report) if report else take(name, jar, click.echo)
+            records.write(ROOT / KEPT, name + (SECOND if jar else ""), record)
         text = page(records.read(ROOT / KEPT))
         if write or names:
             (ROOT / PAGE).write_text(text, encoding="utf-8")

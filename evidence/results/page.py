@@ -42,7 +42,8 @@ def _record(record: Record) -> Iterator[str]:
     facts = [f"`{record.command}`", record.date, f"revision {record.revision}", *record.tools, record.machine]
     facts += [] if record.load is None else [f"load {record.load}"]
     facts += [] if record.seconds is None else [f"{record.seconds:,.0f} s"]
-    yield ", ".join([*facts, f"exit code {record.exit}"]) + ".\n"
+    facts += [] if record.exit is None else [f"exit code {record.exit}"]
+    yield ", ".join(facts) + ".\n"
 
 
 def _table(table: Table) -> str:

@@ -16,6 +16,9 @@ from s7check.engine.java import find_java
 
 Cell = str | int | float | None
 
+_OWN = (".", ":!docs")
+"""The files that decide the numbers: all but the documents."""
+
 
 class Table(msgspec.Struct, frozen=True):
     """Numbers under their headings; a title where a run has several tables."""
@@ -26,7 +29,10 @@ class Table(msgspec.Struct, frozen=True):
 
 
 class Record(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """What a run came to, and on what: `load` is that of the machine when the run began, None where it is not known."""
+    """The outcome of a run and its circumstances.
+
+    `load` is that of the machine when the run began. It, `seconds` and `exit` are None where they are not known.
+    """
 
     command: str
     date: str
@@ -35,7 +41,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     machine: str
     load: float | None
     seconds: float | None
-    exit: int
+    exit: int | None
     tables: list[Table]
     remarks: list[str] = []
 
@@ -62,19 +68,34 @@ def write(folder: Path, name: str, record: Record) -> None:
 
 
 def today() -> str:
-    """The day of a run."""
-    return datetime.now(UTC).date().isoformat()
+    """The day of a run that begins now."""
+    return day(datetime.now(UTC).timestamp())
+
+
+def day(moment: float) -> str:
+    """The day of a moment, which is in seconds since 1970."""
+    return datetime.fromtimestamp(moment, UTC).date().isoformat()
 
 
 def revision() -> str:
-    """The commit of the checkout, with ``+`` where files differ from it, but for the kept reports themselves."""
+    """The commit of the checkout, with ``+`` where files differ from it, but for the documents."""
+    return _git("rev-parse", "--short=7", "HEAD") + ("+" if _changed() else "")
 
-    def git(*arguments: str) -> str:
-        run = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=True)  # noqa: S607
-        return run.stdout.strip()
 
-    changed = git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs")
-    return git("rev-parse", "--short=7", "HEAD") + ("+" if changed else "")
+def changed_at() -> float:
+    """When the checkout changed last, documents aside, in seconds since 1970: by a commit, or a file that differs."""
+    files = [ROOT / name for name in _changed()]
+    committed = float(_git("log", "-1", "--format=%ct", "--", *_OWN))
+    return max([committed, *(file.stat().st_mtime for file in files if file.exists())])
+
+
+def _changed() -> list[str]:
+    return _git("diff", "--name-only", "HEAD", "--", *_OWN).splitlines()
+
+
+def _git(*arguments: str) -> str:
+    run = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=True)  # noqa: S607
+    return run.stdout.strip()
 
 
 def tools() -> list[str]:

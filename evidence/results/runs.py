@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from evidence.common.checkout import ROOT
 from evidence.results import records, summaries
@@ -31,6 +33,7 @@ class Run:
 
     ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
     With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
+    `told`: fields by which a report tells that it is one of this run; without them no report is taken over.
     """
 
     title: str
@@ -40,11 +43,20 @@ class Run:
     summary: Callable[[str], list[Table]]
     codes: tuple[int, ...] = (0, 1)
     tlc: bool = False
+    told: Mapping[str, Any] = field(default_factory=dict)
 
 
-def _s7check(title: str, about: str, arguments: str, summary: Callable[[str], list[Table]], *, tlc: bool = True) -> Run:
+def _s7check(
+    title: str,
+    about: str,
+    arguments: str,
+    summary: Callable[[str], list[Table]],
+    *,
+    tlc: bool = True,
+    told: Mapping[str, Any] | None = None,
+) -> Run:
     process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
-    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc)
+    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {})
 
 
 RUNS = {
@@ -53,9 +65,14 @@ RUNS = {
         "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
         "models --lane ci",
         summaries.models,
+        told={"lane": "ci"},
     ),
     "models-full": _s7check(
-        "Models of the full lane", "The large models as well.", "models --lane full", summaries.models
+        "Models of the full lane",
+        "The large models as well.",
+        "models --lane full",
+        summaries.models,
+        told={"lane": "full"},
     ),
     "logs": Run(
         "Logs",
@@ -144,7 +161,7 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
     """
     run = RUNS[name]
     options = [] if jar is None else ["--tlc", str(jar)]
-    tools = [*records.tools(), *([f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else [])]
+    tools = _tools(run, jar)
     state = records.today(), records.revision(), records.machine(), records.load()
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="s7check-results-") as folder:
@@ -157,7 +174,7 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
         raise RunError(f"{run.typed} ended with exit code {ended.returncode}: {_end(ended.stdout.splitlines())}")
     date, revision, machine, load = state
     return Record(
-        command=" ".join([run.typed, *(["--tlc", jar.name] if jar else [])]),
+        command=_typed(run, jar),
         date=date,
         revision=revision,
         tools=tools,
@@ -167,6 +184,44 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
         exit=ended.returncode,
         tables=run.summary(text),
     )
+
+
+def take_over(name: str, jar: Path | None, report: Path) -> Record:
+    """Summarise a report that the command of this name wrote before, such as build/verify/models.json.
+
+    Raises `RunError` if it is of another run or the checkout has changed since,
+    `evidence.tlc.process.ToolMissingError`, `s7check.java.JavaMissingError`, OSError.
+    """
+    run = RUNS[name]
+    text = report.read_text(encoding="utf-8")
+    try:
+        document: dict[str, Any] = json.loads(text)
+    except ValueError as error:
+        raise RunError(f"{report}: no report: {error}") from error
+    if any(document.get(key) != value for key, value in run.told.items()):
+        raise RunError(f"{report}: expected a report of {run.typed}")
+    written = report.stat().st_mtime
+    if records.changed_at() > written:
+        raise RunError(f"{report}: the checkout has changed since; run {run.typed} again")
+    return Record(
+        command=_typed(run, jar),
+        date=records.day(written),
+        revision=records.revision(),
+        tools=_tools(run, jar),
+        machine=records.machine(),
+        load=None,
+        seconds=document.get("seconds"),
+        exit=None,
+        tables=run.summary(text),
+    )
+
+
+def _typed(run: Run, jar: Path | None) -> str:
+    return " ".join([run.typed, *(["--tlc", jar.name] if jar else [])])
+
+
+def _tools(run: Run, jar: Path | None) -> list[str]:
+    return [*records.tools(), *([f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else [])]
 
 
 def _end(lines: Iterable[str]) -> str:

@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -188,6 +189,54 @@ def test_a_run_that_fails_is_not_kept(
     assert "make prove ended with exit code" in capsys.readouterr().err
     assert not (folder / command.KEPT).exists()
     assert (folder / command.PAGE).read_text(encoding="utf-8") == ""
+
+
+def model_report(folder: Path, lane: str) -> str:
+    """A report of models, as the command writes it."""
+    file = folder / "report.json"
+    model = {"name": "a", "kind": "model", "lane": "ci", "ok": True, "states": 3, "distinct": 2, "depth": 1}
+    file.write_text(json.dumps({"lane": lane, "seconds": 7, "models": [model | {"seconds": 6.5}]}), encoding="utf-8")
+    return str(file)
+
+
+def test_a_report_is_taken_over(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing runs; what the report does not say is left out."""
+    monkeypatch.setattr(records, "changed_at", lambda: 0.0)
+    assert main("models", "--report", model_report(folder, "ci")) == 0
+    kept = msgspec.json.decode((folder / command.KEPT / "models.json").read_bytes(), type=Record)
+    assert (kept.command, kept.seconds, kept.load, kept.exit) == ("s7check models --lane ci", 7, None, None)
+    assert kept.tables[0].rows[-1] == ["all", 1, 0, 2, 6.5]
+
+
+@pytest.mark.parametrize(
+    ("lane", "changed", "problem"),
+    [("smoke", 0.0, "expected a report of s7check models --lane ci"), ("ci", 1e12, "the checkout has changed since")],
+)
+def test_a_report_that_is_not_taken_over(
+    lane: str,
+    changed: float,
+    problem: str,
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """One of another run, or of an earlier state of the checkout."""
+    monkeypatch.setattr(records, "changed_at", lambda: changed)
+    assert main("models", "--report", model_report(folder, lane)) == 3
+    assert problem in capsys.readouterr().err
+    assert not (folder / command.KEPT).exists()
+
+
+def test_reports_of_some_runs_alone(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Those that tell of which run they are, one at a time."""
+    for names in (["logs"], ["models", "models-full"], []):
+        assert main(*names, "--report", model_report(folder, "ci")) == 2
+        assert "models, models-full" in capsys.readouterr().err
+
+
+def test_when_the_checkout_changed() -> None:
+    """Not in the future."""
+    assert 0 < records.changed_at() < time.time() + 1
 
 
 def test_another_tlc_is_for_runs_of_tlc(capsys: pytest.CaptureFixture[str]) -> None:
