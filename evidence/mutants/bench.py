@@ -25,6 +25,9 @@ PATIENCE = 6
 LEAST_TIMEOUT = 30.0
 """Seconds that a check has in any case; the machine may be busy with other things."""
 
+OF_TEMPORAL_FORMULAS = frozenset({"Liveness", "Calendar"})
+"""Modules of temporal formulas and of the constants that they range over: TLC refuses some formulas with marks."""
+
 UNCHANGED = "unchanged"
 MARKED = "marked"
 """In place of a mutant's id: a finding about the specification itself, or about its marked copy."""
@@ -86,9 +89,7 @@ class Bench:
                 )
             self._seconds[check.name] = finding.seconds
             concerned = [m for m in mutants if m.module in check.modules]
-            marks = mark(self.modules, concerned)
-            told = self._told(check, marks)
-            evaluated = {m.id for m in concerned if told is None or marks.numbers[m.id] in told}
+            evaluated = self._evaluated_by(check, concerned)
             self._evaluated[check.name] = evaluated
             self._checks.append(check)
             reach = f"evaluates what {len(evaluated)} of {len(mutants)} mutants change"
@@ -147,6 +148,17 @@ class Bench:
 
         return sorted((c for c in self._checks if mutant.id in self._evaluated[c.name]), key=value, reverse=True)
 
+    def _evaluated_by(self, check: Check, mutants: Sequence[Mutant]) -> set[str]:
+        """The ids of the mutants whose expressions a check evaluates, or may evaluate."""
+        for unmarked in (frozenset[str](), OF_TEMPORAL_FORMULAS):
+            marking = [m for m in mutants if m.module not in unmarked]
+            marks = mark(self.modules, marking)
+            told = self._told(check, marks)
+            if told is not None:
+                silent = {m.id for m in marking if marks.numbers[m.id] not in told}
+                return {m.id for m in mutants} - silent
+        return {m.id for m in mutants}
+
     def _told(self, check: Check, marks: Marks) -> frozenset[int] | None:
         """The marks that a check evaluates, kept as a finding; None if that cannot be found out."""
         texts = sorted(marks.texts.items())
@@ -197,4 +209,5 @@ class Bench:
 
     def _learn(self, check: str, name: str, finding: Finding) -> None:
         if name not in (UNCHANGED, MARKED) and finding.how != "invalid":
-            self._experience.learn(check, name, killed=finding.killed)
+            killed = finding.how in STATED if self.stated else finding.killed
+            self._experience.learn(check, name, killed=killed)

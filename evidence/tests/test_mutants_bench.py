@@ -141,7 +141,26 @@ def test_only_what_is_stated_kills(spec: Path) -> None:
     verdicts = judged(spec, first, second, stated=True)
     assert (verdicts["x + 1 -> x - 1"].how, verdicts["x + 1 -> x - 1"].by) == ("property", "second")
     for change in ("1 -> 2", "x < 5 -> x >= 5"):
-        assert (verdicts[change].how, verdicts[change].evaluating) == ("survived", ("first", "second"))
+        assert (verdicts[change].how, set(verdicts[change].evaluating)) == ("survived", {"first", "second"})
+
+
+def test_marks_that_a_temporal_formula_does_not_bear_are_left_out(spec: Path) -> None:
+    """Where TLC refuses marks, those of temporal formulas and their constants go, and their mutants count as run."""
+
+    class Temporal(FakeCheck):
+        def marks(self, spec: Path) -> frozenset[int] | None:
+            return None if "EvaluationMarks" in (spec / "Calendar.tla").read_text() else frozenset({1})
+
+    (spec / "Calendar.tla").write_text(TEXT.replace("MODULE M", "MODULE Calendar"))
+    check = Temporal("c", {})
+    check.modules = frozenset({"M", "Calendar"})
+    modules = read_modules(spec)
+    bench = Bench(spec, modules, Findings(spec.parent / "findings.ndjson"))
+    found = mutants(modules, ["Calendar", "M"])
+    bench.calibrate([check], found, lambda _: None)
+    past = {v.mutant.id for v in bench.judge_all(found, 1, lambda _: None) if v.evaluating}
+    assert {m.id for m in found if m.module == "Calendar"} < past
+    assert {m.module for m in found if m.id not in past} == {"M"}
 
 
 @dataclass
