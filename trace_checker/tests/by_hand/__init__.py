@@ -1,0 +1,1 @@
+"""Logs written by hand from the requirements alone, in a shorthand."""
