@@ -20,7 +20,7 @@ class Judged:
 
 @dataclass(frozen=True)
 class Compared:
-    """A log, counted from 1, and its two verdicts. `event` is the one that the engine rejects, or empty."""
+    """A log, counted from 1, and its two verdicts. `event` is the event that the engine rejects, or empty."""
 
     number: int
     log: Generated

@@ -31,7 +31,7 @@ Kind = TypeVar("Kind", bound=Excuse)
 
 
 def read(path: Path, kind: type[Kind]) -> list[Kind]:
-    """Read a file of such entries; one that is not there holds none. Raises `ReasonsError`."""
+    """Read a file of such entries; a missing file holds none. Raises `ReasonsError`."""
     if not path.is_file():
         return []
     try:

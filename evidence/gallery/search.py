@@ -20,7 +20,7 @@ _HEAP = 1500
 
 
 class NotFoundError(RuntimeError):
-    """TLC did not find the case; the message says what it said."""
+    """TLC did not find the case; the message has TLC's words."""
 
 
 @dataclass(frozen=True)

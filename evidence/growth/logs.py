@@ -80,7 +80,7 @@ def text(log: Log) -> str:
 
 
 def small(_: int) -> Log:
-    """Ten lines of a program that sets and queries interrupts: what the others are compared with."""
+    """Ten lines of a program that sets and queries interrupts: the measure of the others."""
     book = Book(10, 20, 80, 85)
     book.each_minute(10)
     book.now = 30_000

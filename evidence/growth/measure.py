@@ -22,7 +22,7 @@ from s7check.log.reader import read_log
 
 @dataclass(frozen=True)
 class Cost:
-    """The verdict, its line, whether the check was loosened, and what it cost.
+    """The verdict, its line, whether the check was loosened, and its cost.
 
     ``cpu``: seconds of the engine with its start; ``memory``: MB; ``largest``, ``followed``: as in the engine's answer.
     """

@@ -20,7 +20,7 @@ from s7check.log.jsonline import decode_object
 Json = dict[str, Any]
 
 AFTERWARDS = 1_000
-"""Milliseconds that a program lasts beyond the last line of its log, so that what is due then is seen."""
+"""Milliseconds that a program lasts beyond the last line of its log, so that OBs that are due then are seen."""
 
 _STARTUP = {"warm": 100, "cold": 102}
 
@@ -129,7 +129,7 @@ class _Log:
             self._stack[-1].since = self.now
 
     def _cut(self) -> None:
-        """Nothing runs any more: what was at work stays at work until here."""
+        """Nothing runs any more: each OB stays at work until here."""
         for run in reversed(self._stack):
             if run is self._stack[-1]:
                 run.wait(self.now)

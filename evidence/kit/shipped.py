@@ -12,7 +12,7 @@ from s7check.log.source import open_log
 
 
 def programs(traces: Path) -> Iterator[Json]:
-    """Programs with names of their own, the smallest of those that do the same. Raises OSError, UnusableLogError."""
+    """Programs with names of their own; of several that do the same, the smallest. Raises OSError, UnusableLogError."""
     same: dict[str, Json] = {}
     for log in shipped_logs(traces):
         if log.verdict == "unusable":

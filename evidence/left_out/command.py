@@ -32,7 +32,7 @@ from s7check.judging.verdict import Report
 WORSE = 1
 
 LOOSE = "too many explanations"
-"""The checker's words for a log of which it follows only what is certain."""
+"""The checker's words for a log of which it follows only certain facts."""
 
 
 @dataclass

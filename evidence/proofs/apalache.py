@@ -1,4 +1,4 @@
-"""Finding Apalache, running it once, and reading what it says."""
+"""Finding Apalache, running it once, and reading its output."""
 
 from __future__ import annotations
 

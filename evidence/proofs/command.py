@@ -1,4 +1,4 @@
-"""``s7check prove``: ask Apalache for the proofs about System, and compare each answer with what is claimed.
+"""``s7check prove``: ask Apalache for the proofs about System, and compare each answer with the claim.
 
 Exit codes: 0 all as claimed, 1 an answer differs, 2 wrong arguments or files, 3 Apalache missing, 130 interrupted.
 """

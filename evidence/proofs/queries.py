@@ -42,7 +42,7 @@ class ManifestError(ValueError):
 
 
 class NotProved(msgspec.Struct, forbid_unknown_fields=True):
-    """A formula that is not claimed of an action, or property of states that is not claimed at all; what was tried."""
+    """A formula not claimed of an action, or a property of states not claimed at all, and the attempt to prove it."""
 
     action: str
     formula: str

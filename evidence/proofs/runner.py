@@ -41,7 +41,7 @@ class Result(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True)
 class Asking:
-    """Where queries are asked: the checkout, the folder for what is written, the program."""
+    """Where queries are asked: the checkout, the folder for output, the program."""
 
     root: Path
     build: Path

@@ -54,7 +54,7 @@ class Damage:
 
 
 def _pick(random: Random, events: Sequence[Event], *names: str) -> Event:
-    """An event that has one of these fields, or one that is in no log."""
+    """An event with one of these fields, or an event that is in no log."""
     having = [event for event in events if any(name in event for name in names)]
     return random.choice(having) if having else {}
 

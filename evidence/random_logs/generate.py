@@ -57,7 +57,7 @@ class Generator:
         self._faults = [line.split()[0] for line in told.splitlines() if line.strip()]
 
     def draw(self, number: int, attempt: int) -> Generated:
-        """Draw a log, which may be one that cannot be read. Raises `SoftPlcError`."""
+        """Draw a log, which may be unreadable. Raises `SoftPlcError`."""
         random = Random(f"{self._seed}/{number}/{attempt}")  # noqa: S311
         log, done = self._written(random)
         if random.random() < 0.12:

@@ -38,7 +38,7 @@ STALE = 1
 )
 @click.argument("names", nargs=-1, metavar="[RUN]...", type=click.Choice(list(RUNS)))
 def results_command(*, write: bool, jar: Path | None, report: Path | None, names: tuple[str, ...]) -> None:
-    """Check that docs/project/results.md is what the kept summaries of runs say.
+    """Check that docs/project/results.md agrees with the kept summaries of runs.
 
     With RUN: run these commands, keep a summary of each in docs/project/results and write the page. With --tlc: keep it
     as a run on a second TLC. Exit codes: 0 the page is up to date, 1 it is not, 2 wrong arguments or files, 3 a tool is

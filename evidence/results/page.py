@@ -18,7 +18,7 @@ lengthens the seconds.
 
 
 def page(records: Mapping[str, Record]) -> str:
-    """The page: every run with what is kept of it."""
+    """The page: every run with its kept summary."""
     return "\n".join(_sections(records))
 
 

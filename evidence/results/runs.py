@@ -18,7 +18,7 @@ from evidence.results.records import Record, Table
 from evidence.tlc.process import find_toolchain
 
 SECOND = "-second-tlc"
-"""End of the name of a run on another TLC than the one that the project brings."""
+"""End of the name of a run on another TLC than the project's own."""
 
 _REPORT = "REPORT"
 

@@ -116,7 +116,7 @@ def logs(text: str) -> list[Table]:
 
 
 def fuzz(text: str) -> list[Table]:
-    """Damaged inputs by what was done to them, and what came of them."""
+    """Damaged inputs by damage and outcome."""
     report: dict[str, Any] = json.loads(text)
     kinds: dict[str, dict[str, int]] = report["outcomes"]
     outcomes = list(dict.fromkeys(outcome for counts in kinds.values() for outcome in counts))
@@ -135,7 +135,7 @@ def bench(text: str) -> list[Table]:
 
 
 def proofs(text: str) -> list[Table]:
-    """Queries by kind, then each query but the controls and mutants, then what is not proved."""
+    """Queries by kind, then each query but the controls and mutants, then the formulas that are not proved."""
     report: dict[str, Any] = json.loads(text)
     found: list[dict[str, Any]] = report["queries"]
     rows: list[list[Cell]] = [

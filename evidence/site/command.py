@@ -76,7 +76,7 @@ def _pages() -> Iterator[tuple[str, Document]]:
 
 
 def _modules() -> Iterator[tuple[str, Document]]:
-    """A page for each module, and one that has for each requirement its formulas."""
+    """A page for each module, and a page with the formulas of each requirement."""
     clauses = {clause.id: clause for clause in all_clauses()}
     sources = sorted((ROOT / "spec").glob("*.tla"))
     texts = {source.stem: source.read_text(encoding="utf-8") for source in sources}

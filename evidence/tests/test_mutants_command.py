@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 
 from evidence.mutants import command, logs
 from evidence.mutants.command import mutants_command
+from evidence.tests.lamp import run_command, write_lamp
 from evidence.tests.test_mutants_bench import TEXT, FakeCheck
-from evidence.tlc import process as tlc
 from s7check.engine.command import EngineError, engine_command
 
 ROOT = Path(__file__).parents[2]
@@ -36,46 +34,22 @@ EXTENDS Lamp
 InRange == left \\in 0..2
 ====
 """
-MANIFEST = {
-    "version": 1,
-    "models": [
-        {
-            "name": "lamp",
-            "kind": "model",
-            "lane": "smoke",
-            "what": "The lamp burns down.",
-            "module": "MCLamp.tla",
-            "config": "MCLamp.cfg",
-            "seconds": [0, 60],
-            "expect": {"exit": 0, "states": 4, "distinct": 3, "depth": 3},
-        }
-    ],
-}
 
 
 @pytest.fixture
 def lamp(tmp_path: Path) -> Path:
     """Make a small project."""
-    try:
-        tlc.find_toolchain(None)
-    except tlc.ToolMissingError as missing:
-        pytest.skip(str(missing))
-    for folder in ("spec", "models"):
-        (tmp_path / folder).mkdir()
-    (tmp_path / "spec" / "Lamp.tla").write_text(SPEC)
-    (tmp_path / "models" / "MCLamp.tla").write_text(MODEL)
-    (tmp_path / "models" / "MCLamp.cfg").write_text("SPECIFICATION Spec\nINVARIANT InRange\n")
-    (tmp_path / "models" / "manifest.json").write_text(json.dumps(MANIFEST))
-    return tmp_path
+    files = {
+        "spec/Lamp.tla": SPEC,
+        "models/MCLamp.tla": MODEL,
+        "models/MCLamp.cfg": "SPECIFICATION Spec\nINVARIANT InRange\n",
+    }
+    return write_lamp(tmp_path, files, states=4, distinct=3, depth=3)
 
 
 def run(lamp: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
     """Run the command; return exit code, output and results."""
-    results = lamp / "results.json"
-    results.unlink(missing_ok=True)
-    fixed = ["--manifest", str(lamp / "models" / "manifest.json"), "--json", str(results)]
-    ran = CliRunner().invoke(mutants_command, [*fixed, *arguments])
-    return ran.exit_code, ran.output, json.loads(results.read_text()) if results.exists() else {}
+    return run_command(mutants_command, lamp, *arguments)
 
 
 def test_mutants_with_tlc(lamp: Path) -> None:

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 
 from evidence.common.reasons import Excuse
 from evidence.common.shipped import Shipped
+from evidence.tests.lamp import run_command, write_lamp
 from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module
 from evidence.tlc import process as tlc
@@ -50,50 +50,23 @@ BeforeInv == {} = { l \in 0..left : l > Full }
 """
 MODEL = "---- MODULE MCLamp ----\nEXTENDS PropertiesLamp\n====\n"
 CONFIGURATION = "SPECIFICATION Spec\nINVARIANTS InRange NobodyInv BeforeInv\nPROPERTIES WentOutProp BrokenProp\n"
-MANIFEST = {
-    "version": 1,
-    "models": [
-        {
-            "name": "lamp",
-            "kind": "model",
-            "lane": "smoke",
-            "what": "The lamp burns down.",
-            "module": "MCLamp.tla",
-            "config": "MCLamp.cfg",
-            "seconds": [0, 60],
-            "expect": {"exit": 0, "states": 5, "distinct": 4, "depth": 4},
-        }
-    ],
-}
 
 
 @pytest.fixture
 def lamp(tmp_path: Path) -> Path:
     """Make a small project."""
-    try:
-        tlc.find_toolchain(None)
-    except tlc.ToolMissingError as missing:
-        pytest.skip(str(missing))
     files = {
         "spec/System.tla": SYSTEM,
         "spec/PropertiesLamp.tla": PROPERTIES,
         "models/MCLamp.tla": MODEL,
         "models/MCLamp.cfg": CONFIGURATION,
-        "models/manifest.json": json.dumps(MANIFEST),
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
-    return tmp_path
+    return write_lamp(tmp_path, files, states=5, distinct=4, depth=4)
 
 
 def run(project: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
     """Run the command; return exit code, output and results."""
-    results = project / "results.json"
-    results.unlink(missing_ok=True)
-    fixed = ["--manifest", str(project / "models" / "manifest.json"), "--json", str(results), *arguments]
-    ran = CliRunner().invoke(witnesses_command, fixed)
-    return ran.exit_code, ran.output, json.loads(results.read_text()) if results.exists() else {}
+    return run_command(witnesses_command, project, *arguments)
 
 
 def test_what_has_no_witness(lamp: Path) -> None:

@@ -30,7 +30,7 @@ Out == INSTANCE TLC
 """
 
 _LARGEST = 2**31 - 1
-"""TLC reads a negative number as the negation of one that it can read."""
+"""TLC reads a negative number as the negation of a number that it can read."""
 
 
 def module(name: str, files: Sequence[Path], invariant: str) -> str:

@@ -17,7 +17,7 @@ class RangeError(ValueError):
 
 
 def mentioned(text: str) -> list[str]:
-    """All IDs in a text, in their order, also those that do not exist."""
+    """All IDs in a text, in their order, also IDs that do not exist."""
     return _MENTION.findall(text)
 
 

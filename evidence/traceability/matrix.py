@@ -117,7 +117,7 @@ def _row(name: str, project: Project, ruling: Sequence[Module]) -> Row:
     }
     cells = {column: _cell(found[column], project.reasons.get((name, column))) for column in COLUMNS}
     texts = [m.left_out[name] for m in ruling if name in m.left_out]
-    if texts and not formulas:  # a part that a module leaves out of what another one specifies excuses nothing
+    if texts and not formulas:  # a module may leave out a part that another module specifies: that excuses nothing
         cells = {column: Cell(NOTHING, MODULE, texts[0]) if cell.missing else cell for column, cell in cells.items()}
     return Row(name, cells, formulas, properties, project.controls.models.get(name, ()))
 

@@ -1,4 +1,4 @@
-"""TLA+ modules as far as traceability goes: definitions, the comments that belong to them, and what is left out.
+"""TLA+ modules as far as traceability goes: definitions, their comments, and the parts left out.
 
 A comment on a line of its own belongs to the definition (or variable) that follows; an indented one, and one at the
 end of a line, to the definition around it. The box at the top of a module speaks of the module; what follows ``Left

@@ -152,7 +152,7 @@ def _shipped_logs() -> list[Row]:
 
 @dataclass(frozen=True)
 class Command:
-    """A command of s7check with a report: `arguments` without ``--json``, and what the report says for the table."""
+    """A command of s7check with a report: `arguments` without ``--json``, and the report's words for the table."""
 
     what: str
     arguments: tuple[str, ...]

@@ -62,7 +62,7 @@ def collect(
             raise CollectingError(f"{event.model.name}: {event.result.problems[0]}: {event.result.outcome.detail}")
         if event.model.name == logs.NAME and (wrong := logs.differences(event.result.output, shipped)):
             raise CollectingError(f"TLC and the index of {traces} differ in {len(wrong)} logs, {wrong[0]} among them")
-        # Of a disjunction between marks TLC takes one side only: its counts are not those that are pinned.
+        # Of a disjunction between marks TLC takes one side only: its counts are not the pinned counts.
         tell(replace(event, result=replace(event.result, count_problems=())))
 
     running = [replace(model, seconds=(0.0, model.seconds[1] + LONGEST)) for model in models]

@@ -16,7 +16,7 @@ _SHOWN = 3
 
 
 def to_text(answer: NextAnswer) -> str:
-    """The situation, what has to come, what may come, the differences, and the requirements."""
+    """The situation, due events, possible events, the differences, and the requirements."""
     return "\n".join(_lines(answer))
 
 

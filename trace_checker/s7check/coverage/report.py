@@ -62,7 +62,7 @@ class Total:
 
     @property
     def met(self) -> Mapping[str, tuple[int, int]]:
-        """By what is counted: how many were met, of how many."""
+        """For each kind of count: how many were met, of how many."""
         return {
             "requirements": (len(self.requirements) - len(self.gaps()), len(self.requirements)),
             "guard outcomes": (len(self.guards) - len(self.guards_not_met()), len(self.guards)),

@@ -101,7 +101,7 @@ class Engine:
         EngineTooSlowError.
         """
         if self._at_work is not None:
-            # The log before was given up after an error; nobody knows what is still under way.
+            # The log before was given up after an error; unread answers may still be under way.
             self._drop(self._at_work)
         process = self._ready()
         self._at_work, self._idle = process, None
@@ -169,7 +169,7 @@ class Engine:
                 process.write(self._encoder.encode_lines(events), self._until)
 
     def send_lines(self, lines: Lines, reader: LogReader, read: Read) -> None:
-        """Sends lines that are not read yet: the engine reads those that differ from others in their times alone.
+        """Sends lines that are not read yet: the engine itself reads lines that differ from others only in their times.
 
         The others it gets from ``read``, which is called in ``wait``, ``end_lines`` and ``finish``; ``reader`` has
         read the lines before, the header among them, and its clocks go on with the lines.

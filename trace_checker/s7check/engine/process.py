@@ -40,7 +40,7 @@ class EngineProcess:
         self._folder = ""
         try:
             self._folder = tempfile.mkdtemp(prefix=FOLDER)
-            # A file for what it says on standard error: a pipe that nobody empties would block it.
+            # A file for its standard error: a pipe that nobody empties would block it.
             with tempfile.TemporaryFile() as errors:
                 self._errors = os.dup(errors.fileno())
             self._fds.append(self._errors)

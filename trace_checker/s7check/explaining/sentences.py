@@ -54,7 +54,7 @@ def by_itself(before: Situation, after: Situation) -> Iterator[str]:
 
 
 def of_line(line: dict[str, Any], before: Situation, after: Situation) -> Iterator[str]:
-    """What the line says, and what it brings about."""
+    """The event of the line, and its effects."""
     yield _said(line, before)
     if line["event"] in ("stop", "restart"):
         return

@@ -1,4 +1,4 @@
-"""The answers to the page: what the CPU is in after a log, what may come, and what may not and why.
+"""The answers to the page: the situation of the CPU after a log, the possible events, and why others are not possible.
 
 The page keeps the log and sends it whole, so the desk has no state that matters: it keeps sessions whose lines are
 those of the last questions, and adds or takes back what differs.
@@ -98,7 +98,7 @@ class Desk:
         self._kept: OrderedDict[bytes, _Kept] = OrderedDict()
 
     def look(self, question: Question) -> Object:
-        """The situation after the lines, or after the last one that is possible, and what may come at the time."""
+        """The situation after the lines, or after the last possible line, and the events that may come at the time."""
         kept, refusal = self._brought_to(question.header, question.lines)
         session = kept.session
         situations = session.situations()
@@ -216,7 +216,7 @@ def _advance(kept: _Kept, lines: Sequence[Object]) -> Refusal | None:
 
 
 def _looked_for(situations: Sequence[Situation]) -> list[Object]:
-    """The starts of all loaded OBs, the ends of those that run, and the change to RUN."""
+    """The starts of all loaded OBs, the ends of running OBs, and the change to RUN."""
     starts = sorted({ob for state in situations for ob in state.loaded} | {1})
     ends = sorted({frame.ob for state in situations for frame in state.running})
     return [

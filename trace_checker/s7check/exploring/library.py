@@ -13,7 +13,7 @@ from s7check.resources import CHECKOUT, INSTALLED
 
 
 class Library:
-    """Logs by name; the names are those that ``contents`` gives, so no path comes from the page."""
+    """Logs by the names that ``contents`` gives, so no path comes from the page."""
 
     def __init__(self, first: str | None = None) -> None:
         self._gallery = _gallery()

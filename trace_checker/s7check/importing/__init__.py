@@ -1,4 +1,4 @@
-"""``s7check import``: from what a CPU or a program recorded to a log of ``s7-interrupt-log/1``.
+"""``s7check import``: from the records of a CPU or a program to a log of ``s7-interrupt-log/1``.
 
 Each source is read by a module of its own into ``Recording``, events with the place they come
 from; what a source does not tell stays unrecorded.

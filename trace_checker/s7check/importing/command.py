@@ -20,7 +20,7 @@ LARGEST = 16 * 1024 * 1024
 """Bytes of the largest source; the whole of it is in memory."""
 
 
-_HELP = f"""Turn what a CPU has recorded into a log for s7check trace.
+_HELP = f"""Turn the records of a CPU into a log for s7check trace.
 
 SOURCE is a file, - for standard input, or a CPU, snap7://HOST:RACK:SLOT (rack 0, slot 2 for an
 S7-300), which needs python-snap7: {live.INSTALL}.

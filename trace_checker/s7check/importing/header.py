@@ -1,4 +1,4 @@
-"""The header of the log: what the source tells, completed by the user."""
+"""The header of the log: facts of the source, completed by the user."""
 
 from typing import Any
 

@@ -53,7 +53,7 @@ def read_diagnostic_buffer(address: Address) -> tuple[bytes, list[str]]:
     whole = (len(raw) - _COUNTS) // LENGTH
     if announced <= whole:
         return raw, []
-    # The newest entries come first, so what is missing at the end is the oldest ones.
+    # The newest entries come first, so the oldest entries are missing at the end.
     remark = f"of the CPU's {announced} entries only the {whole} newest could be read"
     return raw[_COUNTS : _COUNTS + whole * LENGTH], [remark]
 

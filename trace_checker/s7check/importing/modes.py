@@ -113,7 +113,7 @@ def _event(old: str | None, new: str | None, index: int, entries: Sequence[Entry
 
 
 def _restart(index: int, entries: Sequence[Entry]) -> str | None:
-    """The kind of restart that entry 4301 begins, None if not told or not one that a log can name."""
+    """The kind of restart that entry 4301 begins, None if not told or not expressible in a log."""
     coding = entries[index].coding
     kinds = _STARTUPS[coding[3] % 16] if coding else _ANY_RESTART
     for entry in entries[index + 1 :]:

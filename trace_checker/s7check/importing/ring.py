@@ -28,7 +28,7 @@ _CALLS = {
 """Code of an entry, the number of the SFC -> the event."""
 
 _MODES_AT_BEGIN = {1: "RUN", 100: "STARTUP", 102: "STARTUP"}
-"""OB that makes the first entry -> the mode; with another one, what it interrupts is unknown."""
+"""OB that makes the first entry -> the mode; another OB interrupts an unknown mode."""
 
 _DELAYS = range(20, 24)
 _WITH_SOURCE = frozenset({*range(10, 18), *_DELAYS})
@@ -61,7 +61,7 @@ def convert(raw: bytes, chosen: range | None = None) -> Recording:
 
 
 def _in_order(header: RingHeader, slots: Sequence[RingEntry], recording: Recording) -> list[RingEntry]:
-    """The entries without a gap, up to the last one that was counted when the header was read."""
+    """The entries without a gap, up to the last entry that was counted when the header was read."""
     present = {entry.number: entry for entry in slots}
     first = header.written + 1
     while first - 1 in present:

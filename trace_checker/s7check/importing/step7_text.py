@@ -36,7 +36,7 @@ DATE_ORDERS = ("DMY", "MDY", "YMD")
 
 @dataclass
 class _Block:
-    """The lines of one entry, by what they tell."""
+    """The lines of one entry, by their kinds of fact."""
 
     number: int
     place: str

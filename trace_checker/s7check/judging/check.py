@@ -26,7 +26,7 @@ _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
 
 _LOOKED_AT = 1000
-"""Lines of a file without a header that are looked at to tell what it is."""
+"""Lines of a file without a header that are looked at to tell its kind."""
 
 _OVERHEAD = 48
 """Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
@@ -137,7 +137,7 @@ class Judging:
     def report(self) -> Report:
         """The verdict."""
         answer: Answer | None = None
-        # The engine was sent the lines before the unusable one: what it says of them comes first.
+        # The engine was sent the lines before the unusable one: its answers about them come first.
         # If it has decided already, reading was broken off and the rest means nothing.
         if self._begun and self._failed is None:
             try:
@@ -175,7 +175,7 @@ class Judging:
 
 
 def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
-    """The error, or one that says that the bytes are a diagnostic buffer, from which a log can be made."""
+    """The error; if the bytes are a diagnostic buffer, it says that a log can be made from them."""
     from s7check.importing.kinds import kind_of  # logs do not wait for it
 
     kind = kind_of(b"\n".join(recent.up_to(_LOOKED_AT)))

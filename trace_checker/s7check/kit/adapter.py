@@ -139,7 +139,7 @@ class Adapter:
             return
         for pipe in (process.stdin, process.stdout):
             assert pipe is not None
-            with suppress(OSError):  # what was to be written to a process that is gone
+            with suppress(OSError):  # unwritten bytes for a process that is gone
                 pipe.close()
         try:
             process.wait(0 if at_once else _PATIENCE)

@@ -108,7 +108,7 @@ class Runner:
             return Result(program.name, digest, "failed", program.requirements, ran.failed, seconds=seconds)
         report = self._judged(program, ran)
         if report.verdict == "unusable":
-            adapter.end()  # nobody knows what is still under way
+            adapter.end()  # unread output may still be under way
         result = result_of(report, program.name, digest, program.requirements, seconds)
         if result.status == "passed" and (reason := departure(program, ran.log)):
             return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")

@@ -56,7 +56,7 @@ class Clocks:
         else:
             self._up = up
             event["counter"] = moment(up)
-            # Lines without `up` may have counted further than the next one that has it.
+            # Lines without `up` may have counted further than the next line with it.
             self._elapsed = max(self._elapsed, up)
         self._clock = _milliseconds(event["to"]) if "to" in event else at
         event["at"] = moment(at)

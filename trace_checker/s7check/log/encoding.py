@@ -1,4 +1,4 @@
-"""The encodings of a log: UTF-8, or what a byte order mark names."""
+"""The encodings of a log: UTF-8, or the encoding that a byte order mark names."""
 
 import codecs
 from collections.abc import Iterable, Iterator

@@ -11,7 +11,7 @@ from s7check.log.errors import UnusableLogError, printable
 from s7check.readable import readable
 
 CHUNK = 64 * 1024
-"""Bytes asked for at a time; a pipe gives what it has, so lines arrive when they are written."""
+"""Bytes asked for at a time; a pipe gives fewer, so lines arrive when they are written."""
 
 ENDINGS = (".ndjson", ".ndjson.gz", ".jsonl", ".jsonl.gz")
 """How the names of logs end, in a folder that is given as a whole."""

@@ -1,4 +1,4 @@
-"""Logs in pieces, and the question whether such a log is rejected as the one that is reduced."""
+"""Logs in pieces, and the question whether such a log is rejected like the original."""
 
 import time
 from collections.abc import Iterable, Mapping, Sequence
@@ -72,7 +72,7 @@ class Judge:
         )
 
     def explained(self, header: Fields, events: Sequence[Event]) -> list[Event]:
-        """The log without the lines before the last one that are rejected. Raises EngineError, and OutOfTimeError."""
+        """The log without the rejected lines before its last line. Raises EngineError, and OutOfTimeError."""
         kept = list(events)
         while len(kept) > 1:
             if time.monotonic() > self._until:

@@ -45,7 +45,7 @@ class ProgressBar:
         self._show()
 
     def of(self, name: str) -> Callable[[Source, int], None]:
-        """The ``update`` of the log ``name``: several are at work, and the one that was begun last is shown."""
+        """The ``update`` of the log ``name``: several are at work, and the latest is shown."""
         shown = printable(name)
 
         def update(source: Source, events: int) -> None:

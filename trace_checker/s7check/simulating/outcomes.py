@@ -69,7 +69,7 @@ def _named(choice: Choice) -> str:
 
 
 def count(part: Part) -> int:
-    """How many outcomes the tree has, those that go on alike counted once."""
+    """How many outcomes the tree has; equal continuations count once."""
     if part.goes_on is not None:
         return 0
     return sum(count(below) for _, below in part.ways) if part.ways else 1

@@ -1,4 +1,4 @@
-"""A smaller program that still does what a larger one does."""
+"""A smaller program with the same effect as a larger one."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _smaller(raw: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _rounder(raw: dict[str, Any]) -> Iterator[Callable[[dict[str, Any]], dict[str, Any]]]:
-    """Changes that make a time round: each works on what the changes before it have left."""
+    """Changes that make a time round: each works on the result of the changes before it."""
     for body, step in [(i, k) for i, each in enumerate(raw["bodies"]) for k in range(len(each["steps"]))]:
         if "wait" in raw["bodies"][body]["steps"][step]:
             for number in _ROUND:

@@ -175,7 +175,7 @@ class Simulation:
         return []
 
     def _clocked(self, event: dict[str, Any]) -> dict[str, Any]:
-        """An event that moves the clock, as one that sets it."""
+        """An event that moves the clock, as an event that sets it."""
         if "by" not in event:
             return event
         return {"event": "clock", "to": iso(self._clock + event["by"])}

@@ -1,0 +1,46 @@
+"""A small project with a model of a lamp, for tests of commands that run TLC."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from click.testing import CliRunner
+
+from evidence.tlc import process as tlc
+
+
+def write_lamp(folder: Path, files: Mapping[str, str], states: int, distinct: int, depth: int) -> Path:
+    """Write the files and a manifest with the model `lamp` and its counts; skip the test where TLC is missing."""
+    try:
+        tlc.find_toolchain(None)
+    except tlc.ToolMissingError as missing:
+        pytest.skip(str(missing))
+    model = {
+        "name": "lamp",
+        "kind": "model",
+        "lane": "smoke",
+        "what": "The lamp burns down.",
+        "module": "MCLamp.tla",
+        "config": "MCLamp.cfg",
+        "seconds": [0, 60],
+        "expect": {"exit": 0, "states": states, "distinct": distinct, "depth": depth},
+    }
+    manifest = json.dumps({"version": 1, "models": [model]})
+    for name, text in {**files, "models/manifest.json": manifest}.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def run_command(command: click.Command, project: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
+    """Run a command on the project's manifest; return exit code, output and results."""
+    results = project / "results.json"
+    results.unlink(missing_ok=True)
+    fixed = ["--manifest", str(project / "models" / "manifest.json"), "--json", str(results)]
+    ran = CliRunner().invoke(command, [*fixed, *arguments])
+    return ran.exit_code, ran.output, json.loads(results.read_text()) if results.exists() else {}
