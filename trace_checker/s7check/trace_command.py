@@ -14,6 +14,7 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 from s7check.judging.chosen import Chosen
+from s7check.judging.onward import rejections
 from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
 from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
@@ -94,6 +95,11 @@ Over several logs the exit code is the highest of theirs.
     "Judge every log by this reading of an open question (docs/rules/readings.md); its header has no say, nor "
     "--profile. May be given several times."
 )
+@click.option(
+    "--keep-going",
+    is_flag=True,
+    help="Also the rejections behind the first one of a log; each says how the judging went on.",
+)
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(
     output: str,
@@ -102,11 +108,14 @@ def trace_command(
     budget: float | None,
     profile: str | None,
     letters: dict[str, str],
+    keep_going: bool,
     logs: tuple[str, ...],
 ) -> int:
     """Judge the logs and report."""
     if "" in logs:
         raise click.UsageError("LOG: expected the name of a file or folder, a pattern or -; found an empty text")
+    if keep_going and "-" in logs:
+        raise click.UsageError("--keep-going: expected logs that can be read again; found - for standard input")
     names = logs_of(logs)
     reports: list[Report] = []
     written: list[bytes] = []
@@ -120,7 +129,7 @@ def trace_command(
             written.append((click.unstyle(piece) if output == "text" else piece).encode() + b"\n")
 
     with Workers(Engine) as workers, ProgressBar(len(names)) as progress:
-        work = _Work(workers, progress, readings, budget, Chosen(profile, letters), drawn=output == "html")
+        work = _Work(workers, progress, readings, budget, Chosen(profile, letters), output == "html", keep_going)
         for report in work.reports(names):
             if output in _WHOLE:
                 reports.append(report)
@@ -152,11 +161,13 @@ class _Work:
         budget: float | None,
         chosen: Chosen,
         drawn: bool,
+        keep_going: bool,
     ) -> None:
         self._workers = workers
         self._progress = progress
         self._readings = readings
         self._chosen = chosen
+        self._keep_going = keep_going
         self._tried = 0
         self._left = _BUDGET if budget is None and readings == "auto" else budget
         self._to_draw = _DRAWN if drawn else 0
@@ -167,7 +178,19 @@ class _Work:
             self._progress.begin(click.format_filename(name))
             report = judged.result()
             yield self._completed(replace(report, lines=[]), name, report.lines)
+            if self._keep_going and report.verdict == "rejected":
+                yield from self._onward(report, name)
             self._progress.done()
+
+    def _onward(self, report: Report, name: str) -> list[Report]:
+        """The rejections behind the first one; none if the engine fails."""
+
+        def found(first: Report, engine: Engine) -> list[Report]:
+            with suppress(EngineError):
+                return list(rejections(name, first, engine, self._chosen))
+            return []
+
+        return self._workers.submit(report, found).result()
 
     def _judged(self, name: str, engine: Engine) -> Report:
         report = check_log(name, engine, self._progress.of(click.format_filename(name)), self._chosen)

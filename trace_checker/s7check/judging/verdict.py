@@ -36,7 +36,8 @@ class Report:
     ``situations`` of those that come nearest to the line; the ``candidates``, each an action with its
     first false conjunct. ``readings`` are None where no others were to be tried, ``untried`` those for which there was
     no time. ``lines`` are the log's
-    lines from the first one, as far as they are at hand, ``steps`` the situations after them.
+    lines from the first one, as far as they are at hand, ``steps`` the situations after them. ``after`` says how the
+    judging went on behind the rejection before, where this is not the first.
     """
 
     log: str
@@ -60,6 +61,7 @@ class Report:
     decidable: int = 0
     lines: list[bytes] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
+    after: str = ""
 
     @property
     def exit_code(self) -> int:

@@ -10,11 +10,9 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 from s7check.judging.verdict import EXIT_CODES, Report
-from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
-from s7check.log.lines import split_lines
-from s7check.log.source import open_log
+from s7check.log.objects import objects
 from s7check.output import echo, write_whole
 from s7check.reducing.candidate import Event, Fields, Judge, as_text
 from s7check.reducing.reduction import Reduction
@@ -86,11 +84,7 @@ def _pieces(log: str, report: Report) -> tuple[Fields, list[Event]]:
     if log == "-":
         fields = [decode_object(text) for text in report.lines if text.strip()]
     else:
-        with open_log(log) as source:
-            for lines in split_lines(as_utf8(source.chunks())):
-                for number, text in enumerate(lines.texts, lines.first):
-                    if text.strip() and number <= (report.line or 0):
-                        fields.append(decode_object(text))
+        fields = [line for number, _, line in objects(log) if number <= (report.line or 0)]
     if not fields:
         raise UnusableLogError("a stream of at most 16 MiB", "a longer one")
     header, *events = fields

@@ -22,6 +22,7 @@ def to_json(report: Report) -> bytes:
             "requirements": report.requirements,
             "message": report.message,
             **(_explanation(report) if report.verdict == "rejected" else {}),
+            **({"after": report.after} if report.after else {}),
             **({"decided": report.decided, "decidable": report.decidable} if report.decidable else {}),
             **({} if report.readings is None else {"readings": _readings(report), "untried": report.untried}),
         }
@@ -30,7 +31,7 @@ def to_json(report: Report) -> bytes:
 
 def _explanation(report: Report) -> dict[str, Any]:
     return {
-        "prefix": {"first": 1, "last": report.line},
+        **({} if report.after else {"prefix": {"first": 1, "last": report.line}}),
         "late": report.late,
         "clauses": [_clause(name) for name in report.requirements],
         "candidates": report.candidates,

@@ -22,7 +22,7 @@ class TextReports:
 
     def add(self, report: Report) -> str:
         """The report; a cause that an earlier one has explained is named by that one's place."""
-        self._verdicts[report.verdict] += 1
+        self._verdicts[report.verdict] += not report.after
         self._deciding.update(report.requirements)
         lines = [f"{place(report)}: {_coloured(report.verdict)}: {message(report)}"]
         if report.event is not None:

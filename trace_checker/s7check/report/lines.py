@@ -42,7 +42,7 @@ def place(report: Report) -> str:
 def message(report: Report) -> str:
     """The report's message, for an accepted log with the number of its events and how much of the rules it met."""
     if report.verdict != "accepted":
-        return report.message
+        return f"{report.message}; judged on after {report.after}" if report.after else report.message
     met = f"; {len(report.decided)} of {report.decidable} requirements decided something" if report.decidable else ""
     return f"{report.message} ({report.events} events){met}"
 
@@ -52,7 +52,8 @@ def parts(report: Report) -> Iterator[Part]:
     yield from decision(report)
     if report.verdict == "rejected":
         yield Part("", [clause_text(name) for name in report.requirements])
-        yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
+        if not report.after:
+            yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
     if report.candidates:
         yield Part("why not", _candidates(report))
     for number, state in enumerate(report.situations, 1):
