@@ -28,6 +28,14 @@ DelaySigns == {1}
 DelayMoments == {Moment(0, 30000), Moment(1, 0)}
 JustOK == {OK}
 
+(* [AMB-11] CAN_DINT takes an open run away, behind which OB 40 waits, in  *)
+(* the same class.                                                         *)
+S7400 == {"S7-400"}
+SameClass == {[o \in {40} |-> 3]}
+BesideLoads == {{20, 40, 80, 85}}
+BesideInterrupts == {<<40, 0>>, <<85, 0>>}
+OneMoment == {Moment(0, 30000)}
+
 (* What follows a STOP is left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(2)

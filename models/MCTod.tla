@@ -17,6 +17,10 @@ MCPowerOnMoments == {Moment(0, 0)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
+(* [AMB-79] *)
+OddDates == {[Date(1) EXCEPT !.second = 60]}
+JustOnce == {Once}
+
 (* [TINT-33] [TINT-35] [TINT-18] [TINT-36] [AMB-63] SET_TINT by a table:   *)
 (* for each pair of operands what it may answer beside 8090.               *)
 SetTableProp ==

@@ -25,7 +25,7 @@ SrtProp ==
               v == step'.value
               fits == 1 <= step'.operand /\ step'.operand <= 60000
           IN  /\ v \in {\h0000, \h8090, \h8091}
-              /\ v = \h8090 => o \notin 20..23 \/ Deselected(o)
+              /\ v = \h8090 => o \notin DintObs \/ Deselected(o)
               /\ v = \h8091 => ~fits
               /\ v = 0 => /\ o \in DintObs /\ fits
                           /\ dint'[o].started
@@ -40,7 +40,7 @@ CanDintProp ==
           LET o == step'.ob
               v == step'.value
           IN  /\ v \in {\h0000, \h8090, \h80A0}
-              /\ v = \h8090 => o \notin 20..23 \/ Deselected(o)
+              /\ v = \h8090 => o \notin DintObs \/ Deselected(o)
               /\ v = \h80A0 => o \in DintObs /\ ~dint[o].started
               /\ v = 0 => /\ o \in DintObs /\ ~dint'[o].started
                          /\ \/ dint[o].started
@@ -65,14 +65,16 @@ QryDintProp ==
                    /\ bit(16) <=> o \in loaded
               /\ step'.value # 0 => step'.value = \h8090 ]_vars
 
-(* An error and a query change nothing; a call moves no request except     *)
-(* those of its own OB [DINT-15].                                          *)
+(* An error and a query change nothing; a call takes no request away but   *)
+(* one of its OB that waits [DINT-15]; behind an open one that it takes    *)
+(* away, others move up.                                                   *)
 DintCallProp ==
     [][ step'.event \in DintCalls =>
           /\ UNCHANGED <<stack, mode, clock, delay, stopCause>>
           /\ step'.value # 0 \/ Did("QRY_DINT") => UNCHANGED dint
           /\ Did("QRY_DINT") \/ ~PendingIn(requests, step'.ob) =>
-               { r \in requests : ~r.open } = { r \in requests' : ~r.open }
+               { Content(r) : r \in { q \in requests : ~q.open } }
+                 = { Content(r) : r \in { q \in requests' : ~q.open } }
           /\ { q.ob : q \in requests } \ {step'.ob}
                \subseteq { q.ob : q \in requests' } ]_vars
 

@@ -69,7 +69,9 @@ SetAnswerProp ==
           IN  /\ v \in {\h0000, \h8090, \h8091, \h8092, \h80A1}
               /\ v = \h8090 => o \notin TodObs \/ Deselected(o)
               /\ v = \h80A1 => past
-              /\ v = \h8091 => ~Fit(step'.sdt, step'.operand)
+              /\ v = \h8091 => \/ ~Fit(step'.sdt, step'.operand)
+                              \/ step'.sdt.second \notin 0..59  \* [AMB-79]
+                              \/ step'.sdt.ms \notin 0..999
               /\ v = \h8092 => step'.operand \notin PeriodCodes
               /\ v = 0 => /\ o \in TodObs
                           /\ Fit(step'.sdt, step'.operand)
