@@ -1,6 +1,6 @@
 """Logs judged by TLC alone, many in one run: up to which line does the specification explain each of them?
 
-The search is complete, so the furthest line that any state of a log has come to is the first one that cannot be
+The search is complete, so the furthest line that any state of a log has come to is the first line that cannot be
 explained.
 """
 

@@ -17,7 +17,7 @@ from s7check.simulating.separation import Separation, log_of, separation, size
 Say = Callable[[str], None]
 
 _TRIED = 12
-"""Programs tried for a pair of letters, beside those that name the ambiguity."""
+"""Programs tried for a pair of letters, beside the programs that name the ambiguity."""
 
 
 def differences(engine: Engine, programs: Iterable[Program], say: Say) -> Iterator[Kept]:

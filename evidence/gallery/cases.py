@@ -15,7 +15,7 @@ CASES = FOLDER / "cases.json"
 class Case(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """An edge case.
 
-    `middle` and `goal` are TLA+ formulas over the state and what has happened (models/MCGallery.tla); `kinds` are the
+    `middle` and `goal` are TLA+ formulas over the state and the past events (models/MCGallery.tla); `kinds` are the
     steps of program and world that may be taken, `budget` how many; `world` has other values for the constants of the
     model, by the names of MCGallery.tla's definitions without "Gallery".
     """

@@ -33,7 +33,7 @@ DIFFERS = 1
 
 @click.command(name="gallery", short_help="Edge cases, each the shortest behaviour that TLC finds.")
 @tlc_option
-@click.option("--write", is_flag=True, help="Write the logs and what the explorer shows.")
+@click.option("--write", is_flag=True, help="Write the logs, the explorer's copy of them and the page.")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> int:
     """Find each case again and compare it with its log in gallery/.

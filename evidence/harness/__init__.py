@@ -4,5 +4,5 @@
 - ``mutate``: the temporary copy of ``spec/`` and ``models/`` that a run works on
 - ``judge``: the result of a run against its pins
 - ``runner``: which models run when, and the second run that names a violated property
-- ``progress``: what the user sees while models run
+- ``progress``: the display while models run
 """

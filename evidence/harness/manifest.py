@@ -1,7 +1,7 @@
 """The manifest: the models, and the result that each of them must have.
 
 ``models/manifest.json`` holds entries of two shapes. A *base* entry names a module and a configuration file. A
-*derived* entry names a base entry and what is changed: constants (``overrides``), text of a module (``mutate``), the
+*derived* entry names a base entry and its changes: constants (``overrides``), text of a module (``mutate``), the
 invariants or properties that are checked. What a derived entry does not say, it has from its base.
 
 Every error names the file and the field.

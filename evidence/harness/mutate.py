@@ -1,6 +1,6 @@
 """The temporary copy of ``spec/`` and ``models/`` that a run works on, with the text of a negative control changed.
 
-Every run has a copy, also one that changes nothing: TLC writes next to what it reads, and nothing of that is to get
+Every run has a copy, also one that changes nothing: TLC writes next to its input, and nothing of that is to get
 into the repository. The model's module stands there with all that it extends, which TLC starts faster with.
 """
 

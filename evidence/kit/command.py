@@ -17,7 +17,7 @@ PROGRAMS = ROOT / "kit" / "programs"
 
 
 @click.command("generate-kit", short_help="Make the programs of the conformance kit.")
-@click.option("--seed", type=click.IntRange(min=0), default=1, show_default=True, help="Of what is drawn.")
+@click.option("--seed", type=click.IntRange(min=0), default=1, show_default=True, help="Decides the drawn programs.")
 @click.option("--write", is_flag=True, help="Write the files of kit/programs; without it, say whether they differ.")
 def generate_command(seed: int, write: bool) -> int:
     """Make the programs; the same seed gives the same programs.

@@ -3,6 +3,6 @@
 - ``distributed``: TLC's distributed mode
 - ``canaries``: the known defects of the TLC at hand
 - ``update``: rewriting pinned counts
-- ``report``: what the user sees
+- ``report``: the output
 - ``command``: the command
 """

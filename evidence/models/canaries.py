@@ -34,7 +34,7 @@ FORMAT = 1
 class Canary:
     """A specification with a known defect of TLC, and the verdict of a TLC without the defect.
 
-    `defect` is what the user reads, `issue` the number of upstream's issue, `attempts` how often to try: a race does
+    `defect` is the text for the user, `issue` the number of upstream's issue, `attempts` how often to try: a race does
     not show every time.
     """
 

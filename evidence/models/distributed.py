@@ -2,7 +2,7 @@
 
 For safety models that must pass. The server ends with exit code 0 whatever it found and ignores liveness properties
 without a word, so its messages are read and models with liveness are not run. Generated states and depth are not
-comparable with a single process; the distinct states are, and must be those that are pinned.
+comparable with a single process; the distinct states are, and must be as pinned.
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ class UnsoundBaselineError(RuntimeError):
 class Verdict:
     """The verdict about a mutant: `by` names the check that killed it, `evaluating` the checks that it got past.
 
-    A check that does not evaluate the changed expression is not among them. `seconds` is what the checks took, now
+    A check that does not evaluate the changed expression is not among them. `seconds` is the time of the checks, now
     or when they were run.
     """
 

@@ -45,8 +45,8 @@ class Answer:
     """What Apalache's output says: `checked` is how often it names a condition as holding.
 
     It divides an action into transitions, and checks the conditions after each of the `taken` ones, which some state
-    can take; but not those that the transition cannot change. `detail` says why the outcome is not "holds"; `trace` is
-    the file of the counterexample.
+    can take; but not formulas that the transition cannot change. `detail` says why the outcome is not "holds"; `trace`
+    is the file of the counterexample.
     """
 
     outcome: Outcome

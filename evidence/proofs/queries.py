@@ -2,7 +2,7 @@
 
 The induction has for each action of System a query: from any state in which the invariant holds, the invariant holds
 after the action, and the step is as every property of steps says. The actions and the properties are read from spec/,
-so that none is forgotten; models/proofs.json lists what is left out of the claim, with the reason.
+so that none is forgotten; models/proofs.json lists the exceptions from the claim, with the reason.
 """
 
 from __future__ import annotations

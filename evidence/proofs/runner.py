@@ -57,8 +57,8 @@ def ok(query: Query, result: Result) -> bool:
 def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     """Ask a query, or take the result that is kept of the same text.
 
-    Of `kept` answers, "claimed" takes those that are as claimed and asks for the others; "all" takes any, and asks
-    nothing: without one the outcome is "not asked".
+    Of `kept` answers, "claimed" takes the answers that are as claimed and asks for the others; "all" takes any, and
+    asks nothing: without one the outcome is "not asked".
 
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
     `evidence.common.processes.InterruptedRunError`.

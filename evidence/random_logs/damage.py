@@ -277,7 +277,7 @@ def ask_for_profile(random: Random, log: Log) -> None:
 
 
 SHORT, SHORTEST = 20, 8
-"""Events of a log that leaves out kinds, and of one that leaves out calls, OBs or modes: the longer, the more ways to
+"""Events of a log that leaves out kinds, and of a log that leaves out calls, OBs or modes: the longer, the more ways to
 explain it."""
 
 KINDS = {

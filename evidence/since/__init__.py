@@ -2,8 +2,8 @@
 
 - ``revision``: the earlier revision, built in a work tree of its own
 - ``judging``: the verdicts of a checkout about logs, by its own command
-- ``pins``: what a checkout pins of its models, and its reasons
+- ``pins``: the pinned results and the reasons of a checkout
 - ``compare``: two checkouts side by side
-- ``report``: what the user sees
+- ``report``: the output
 - ``command``: the command
 """

@@ -45,7 +45,7 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
     """Compare this checkout with revision REV: verdict and line of every log, pins of every model, reasons.
 
     REV is built below build/since, which takes minutes the first time. Both judge the shipped logs and the same random
-    ones. Exit codes: 0 nothing differs but what is expected, 1 something does, 2 wrong arguments or files, 3 a checkout
+    ones. Exit codes: 0 every difference is expected, 1 some are not, 2 wrong arguments or files, 3 a checkout
     cannot be built, or its command fails.
     """
     usage = (RevisionError, pins.PinsError, ReasonsError, OSError)

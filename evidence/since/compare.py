@@ -24,7 +24,7 @@ class Difference:
 class Comparison:
     """One kind of result in two checkouts.
 
-    `same` counts the results that are alike, also those that are `moved` to another name; `new` are only in this
+    `same` counts the results that are alike, also results `moved` to another name; `new` are only in this
     checkout. `undecided` are the logs without a verdict in both. `notes` are worth a line and no difference.
     """
 

@@ -44,7 +44,7 @@ _CASES = ROOT / "gallery" / "cases.json"
     type=click.Path(path_type=Path, file_okay=False),
     default=Path("build") / "site",
     show_default=True,
-    help="The folder; what is in it is removed.",
+    help="The folder; its old content is removed.",
 )
 def site_command(output: Path) -> int:
     """Write the pages. They load nothing from elsewhere and work from the file system."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from evidence.tla.syntax import Module, SyntaxTreeError
 
 WORDING = ("PastLines", "*Reasons", "Explain", "Offers", "Grounds")
-"""Modules of spec/ that only word a rejection, or what may come after a log: no verdict depends on them."""
+"""Modules of spec/ that only word a rejection or the possible next lines: no verdict depends on them."""
 
 
 def read_modules(directory: Path) -> dict[str, Module]:

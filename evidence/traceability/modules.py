@@ -2,7 +2,7 @@
 
 A comment on a line of its own belongs to the definition (or variable) that follows; an indented one, and one at the
 end of a line, to the definition around it. The box at the top of a module speaks of the module; what follows ``Left
-out:`` in it is what the module does not treat, and why.
+out:`` in it names the parts that the module does not treat, and why.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ class Properties:
     def parts(self, model: str, name: str, *, instances: bool) -> tuple[Definition, ...]:
         """The definitions that a property of a model consists of, with or without definitions of instances.
 
-        The box of a model says what the properties are for that the model itself defines.
+        The box of a model says the purpose of the properties that the model itself defines.
         """
         found: dict[tuple[str, str], Definition] = {}
         todo = [self._find(model, name)]

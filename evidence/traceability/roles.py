@@ -1,7 +1,7 @@
 """The roles of the modules of spec/.
 
-The rules are what the system and the explanation of a log are made of. Modules that build on the explanation of a log
-only say why a log is rejected. The others say what must hold of the rules.
+The rules are the parts of the system and of the explanation of a log. Modules that build on the explanation of a log
+only say why a log is rejected. The others state properties of the rules.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
 | `case` | that of an arm of a CASE, but for OTHER | actions, properties | TRUE |
 | `antecedent` | the left side of `=>` | properties | TRUE |
 | `filter` | that of a set | properties | TRUE |
-| `instance` | what a universal quantifier says, unless that is an implication | properties | evaluated |
+| `instance` | the body of a universal quantifier, unless it is an implication | properties | evaluated |
 | `action` | what stands last in an action of the next-state relation | System | evaluated |
 """
 
@@ -152,7 +152,8 @@ def _of_property(node: Node) -> Iterator[_Place]:
 def _taken(node: Node, module: Module, context: Actions, whole: Node | None = None) -> Iterator[_Place]:
     """The last part of each action of a next-state relation: TLC reaches it if all parts before it are true.
 
-    An action is what is neither a disjunction, nor a quantifier, nor a definition of the module without parameters.
+    An action is an expression that is neither a disjunction, nor a quantifier, nor a definition of the module without
+    parameters.
     """
     parts = [part for part in conjuncts(node) if context.acts(part)]
     if parts:

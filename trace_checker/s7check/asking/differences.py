@@ -33,7 +33,7 @@ def differences(columns: Mapping[str, Possible]) -> list[Difference]:
 
 
 def _table(possible: Possible) -> dict[tuple[str, str], list[str]]:
-    """Name and operands of each line, and what may be said of it."""
+    """Name and operands of each line, and its possible values and times."""
     table: dict[tuple[str, str], set[str]] = {}
     for line in possible.lines:
         event = as_line(line.event)

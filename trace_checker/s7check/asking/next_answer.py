@@ -14,7 +14,7 @@ from s7check.engine.client import Engine
 
 @dataclass(frozen=True)
 class NextAnswer:
-    """The situation after a log, and what may come.
+    """The situation after a log, and the events that may come.
 
     ``columns`` are the other headers under which the log can be explained, ``differences`` have a cell for the log's
     own header and one for each of these; ``broken`` says of the others at which line they reject the log.

@@ -34,7 +34,7 @@ class Gap:
 class Total:
     """The coverage of logs beside all that there is to cover.
 
-    ``answers`` and ``periods`` are those that a CPU may give and take; the RET_VAL of SFC 41 is a count.
+    ``answers`` and ``periods`` are all that a CPU may give and take; the RET_VAL of SFC 41 is a count.
     """
 
     coverage: Coverage

@@ -120,10 +120,10 @@ class Step(msgspec.Struct, frozen=True):
 class Answer(msgspec.Struct, frozen=True):
     """The engine's answer to one log; ``events`` were explained before it was decided.
 
-    Of a rejected one: what was ``expected`` in the place of the line, or before it where the line comes
+    Of a rejected one: the events ``expected`` in the place of the line, or before it where the line comes
     too ``late``; the ``requirements`` that decide; how many ``states`` explained the lines before, the
     ``situations`` that come nearest to the line, and the ``candidates``. From the line ``loose`` on there were too
-    many explanations, and only what is certain was followed; from the line ``wide`` on waiting start events were
+    many explanations, and only certain facts were followed; from the line ``wide`` on waiting start events were
     not told apart. ``steps`` are there if the log was
     begun with ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its
     successors so many times.
@@ -156,8 +156,8 @@ class Answer(msgspec.Struct, frozen=True):
 class Decision(msgspec.Struct, frozen=True):
     """A place at which the specification decides: a definition, or a condition in one.
 
-    ``line`` and ``column`` are where it begins; ``text`` is that of a condition. The ``requirements`` are those that
-    the specification names there.
+    ``line`` and ``column`` are where it begins; ``text`` is the text of a condition. The specification names the
+    ``requirements`` there.
     """
 
     kind: Literal["ACTION", "DEFINITION", "GUARD", "CONDITION"]

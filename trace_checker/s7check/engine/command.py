@@ -38,7 +38,7 @@ class EngineError(Exception):
 def engine_command() -> list[str]:
     """The command that starts the engine on the project's specification.
 
-    TLC is the one that the engine was built with, or the jar that ``$TLA2TOOLS_JAR`` names. Raises
+    TLC is the jar with which the engine was built, or the jar that ``$TLA2TOOLS_JAR`` names. Raises
     EngineError if something of it is missing.
     """
     try:

@@ -162,7 +162,7 @@ class Desk:
             raise
 
     def compare(self, question: Comparison) -> Object:
-        """What is different under another header: the first line that is not possible there, or what may come."""
+        """The differences under another header: the first line that is not possible there, or the other events."""
         here, _ = self._brought_to(question.header, question.lines)
         header = question.side.variant.of(question.header)
         there, refusal = self._brought_to(header, question.lines)

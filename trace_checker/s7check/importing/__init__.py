@@ -1,7 +1,7 @@
 """``s7check import``: from the records of a CPU or a program to a log of ``s7-interrupt-log/1``.
 
 Each source is read by a module of its own into ``Recording``, events with the place they come
-from; what a source does not tell stays unrecorded.
+from; facts that a source does not tell stay unrecorded.
 
 - ``errors``: the one exception
 - ``recording``: what every source gives

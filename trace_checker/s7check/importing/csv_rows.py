@@ -23,8 +23,8 @@ class ColumnMap(msgspec.Struct, forbid_unknown_fields=True):
     """How the rows are read.
 
     ``columns``: field of the log (``info.period`` for one within ``info``) -> heading of its column;
-    ``values``: field -> what a cell says -> what the log says, null where the row or the field is to
-    be left out; ``others``: field -> what the log says for any other text; ``times``: how dates and
+    ``values``: field -> text of a cell -> value in the log, null where the row or the field is to
+    be left out; ``others``: field -> value in the log for any other text; ``times``: how dates and
     times are written, as in Python's strptime.
     """
 

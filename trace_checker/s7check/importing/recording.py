@@ -20,8 +20,8 @@ class Recording:
 
     ``header`` has those of the header's fields that the source tells; ``read`` is the number of
     entries that were there, ``skipped`` says how many of them gave no event and why; ``remarks``
-    are sentences about what the log can and cannot show. ``started`` has the OBs that an entry shows
-    as started, ``missing`` those that an entry says could not be, each with the place of the first such entry.
+    are sentences about the limits of the log. ``started`` has the OBs that an entry shows
+    as started, ``missing`` the OBs that an entry says could not be, each with the place of the first such entry.
     """
 
     events: list[Placed] = field(default_factory=list)

@@ -14,7 +14,7 @@ EXIT_CODES: dict[Verdict, int] = {"accepted": 0, "rejected": 1, "unusable": 2, "
 class Reading:
     """The verdict about the same log under another header: ``change`` names the difference.
 
-    ``kind`` is what was changed, ``line`` the line that decides.
+    ``kind`` is the changed part, ``line`` the line that decides.
     """
 
     kind: Literal["cpu", "profile", "letter"]
@@ -27,17 +27,16 @@ class Reading:
 class Report:
     """The verdict about one log.
 
-    ``line`` is the physical line it is about, or None; ``events`` the number of events explained
-    before; ``event`` the text of the rejected line, or None where it is no longer at hand;
-    ``expected`` what the specification allows there; ``requirements`` the IDs that decide it.
+    ``line`` is the physical line that decides, or None; ``events`` the number of events explained before it; ``event``
+    the text of the rejected line, or None if it is no longer at hand; ``expected`` the events that the specification
+    allows there; ``requirements`` the IDs that decide.
 
-    Of a rejected log also: ``late``, where the line comes too late: what is ``expected`` had to come
-    before it, and until when; ``states``, in how many ways the lines before can be explained; the
-    ``situations`` of those that come nearest to the line; the ``candidates``, each an action with its
-    first false conjunct. ``readings`` are None where no others were to be tried, ``untried`` those for which there was
-    no time. ``lines`` are the log's
-    lines from the first one, as far as they are at hand, ``steps`` the situations after them. ``after`` says how the
-    judging went on behind the rejection before, where this is not the first.
+    Of a rejected log also: ``late``, if the line comes too late: the events ``expected`` before it, and until when;
+    ``states``, the number of explanations of the lines before; ``situations``, those of the explanations nearest to the
+    line; ``candidates``, each an action with its first false conjunct. ``readings`` is None if no others were to be
+    tried; ``untried`` are readings for which there was no time. ``lines`` are the log's lines from the first one, as
+    far as they are at hand, ``steps`` the situations after them. ``after`` says how the judging
+    went on behind the rejection before, if this is not the first.
     """
 
     log: str

@@ -21,8 +21,8 @@ class Result(msgspec.Struct, frozen=True):
     """The outcome of a program: ``reason`` of a failure or a skip, ``deciding`` the requirements for which its log was
     rejected, ``report`` the text of the verdict, ``seconds`` that the run took, ``events`` of its log.
 
-    ``about`` are the requirements of the program, ``decided`` those that decided something in its accepted log;
-    ``digest`` says which program it was.
+    ``about`` are the requirements of the program, ``decided`` the requirements that decided something in its accepted
+    log; ``digest`` says which program it was.
     """
 
     name: str

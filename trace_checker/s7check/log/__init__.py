@@ -1,6 +1,6 @@
 """Reading of ``s7-interrupt-log/1``: from bytes to normalised events, or to one clear error.
 
-Nothing here knows what an S7 does; it knows what a line of a log may look like.
+Nothing here knows the rules of an S7; it knows the form of a line.
 
 - ``errors``: the one exception, and how values are quoted in it
 - ``source``: files, gzip and standard input as chunks of bytes

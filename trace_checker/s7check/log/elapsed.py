@@ -14,7 +14,7 @@ class Clocks:
 
     ``clock`` is the CPU clock when the log begins; ``jumps_logged`` says whether every setting of
     the clock is in the log. Elapsed time counts from the log's begin: where a line has no ``up`` it
-    goes on by what the CPU clock does, settings left out.
+    follows the CPU clock, settings left out.
     """
 
     def __init__(self, clock: Moment, jumps_logged: bool) -> None:

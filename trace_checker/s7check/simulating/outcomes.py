@@ -17,7 +17,7 @@ NOTHING = "it does not come"
 
 @dataclass
 class Part:
-    """Lines that come one after the other, then what may follow, each with the choice that leads there.
+    """Lines that come one after the other, then the possible continuations, each with the choice that leads there.
 
     ``goes_on`` is the number of another part that follows in place of these: from there on everything is alike.
     """

@@ -32,7 +32,7 @@ Choice = dict[str, Any] | None
 
 
 class Simulation:
-    """A run of ``program``: ``choices`` says what may happen next, ``take`` does it, until there is no choice.
+    """A run of ``program``: ``choices`` has the possible next events, ``take`` takes one, until there is no choice.
 
     Everything happens as early as it may: OBs before events from outside, those before the steps of the program. With
     ``random``, OBs start up to ``latency`` ms late. ``variant`` changes the program's CPU. Every method may raise
