@@ -64,6 +64,13 @@ def test_modules_are_short() -> None:
     assert long == []
 
 
+def test_lines_have_79_columns() -> None:
+    """No line of a module of the specification or of a model is longer."""
+    files = sorted((ROOT / "spec").glob("*.tla")) + sorted((ROOT / "models").glob("**/*.tla"))
+    lines = ((file, line) for file in files for line in file.read_text(encoding="utf-8").splitlines())
+    assert [f"{file.name}: {line}" for file, line in lines if len(line) > 79] == []
+
+
 def test_letters_are_compared_in_readings_alone() -> None:
     """Every other module asks by a name."""
     asking = {
