@@ -57,18 +57,18 @@ def test_the_action_passes_its_inputs() -> None:
 @pytest.mark.skipif(not shutil.which("cmake"), reason="cmake is not there")
 def test_ctest(tmp_path: Path) -> None:
     """The example builds and passes; with a wrong delay it fails at the log."""
-    source = tmp_path / "source"
+    source, build = tmp_path / "source", str(tmp_path / "build")
     shutil.copytree(CTEST, source)
     environment = {**os.environ, "PATH": PATH}
 
     def tests() -> subprocess.CompletedProcess[str]:
         folder = f"-DS7LOG_FOLDER={ROOT / 'instrumentation'}"
         for command in (
-            ["cmake", "-S", source, "-B", tmp_path / "build", folder],
-            ["cmake", "--build", tmp_path / "build"],
+            ["cmake", "-S", str(source), "-B", build, folder],
+            ["cmake", "--build", build],
         ):
             subprocess.run(command, env=environment, capture_output=True, check=True)
-        ctest = ["ctest", "--test-dir", tmp_path / "build", "--output-on-failure"]
+        ctest = ["ctest", "--test-dir", build, "--output-on-failure"]
         return subprocess.run(ctest, env=environment, capture_output=True, text=True, check=False)
 
     assert tests().returncode == 0

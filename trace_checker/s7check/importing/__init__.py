@@ -4,16 +4,10 @@ Each source is read by a module of its own into ``Recording``, events with the p
 from; facts that a source does not tell stay unrecorded.
 
 - ``errors``: the one exception
-- ``recording``: what every source gives
-- ``bcd``: DATE_AND_TIME
-- ``hex_text``: bytes written as digits
-- ``start_info``: the start information of an OB by its bytes
-- ``entry``: an entry of the diagnostic buffer
-- ``diagnostics``, ``modes``: entries to events
-- ``step7_text``, ``szl``: the diagnostic buffer as text and as bytes
-- ``csv_rows``: CSV with a column map
-- ``ring_layout``, ``elapsed``, ``ring``: the ring that the SCL instrumentation writes
-- ``live``: the CPU itself, through python-snap7
+- ``recording``: the events of any source
+- ``sources``: the readers of the sources
+- ``kinds``: which kind of source a file is
+- ``elapsed``: elapsed time from counters
 - ``header``, ``log_text``: header, the whole log checked
 - ``options``, ``command``: the command line
 """

@@ -6,10 +6,11 @@ from typing import Any
 import click
 
 from s7check.completion import complete_files
-from s7check.importing import csv_rows, diagnostics, header, hex_text, live, log_text, ring, step7_text, szl
+from s7check.importing import header, log_text
 from s7check.importing.errors import SourceError
 from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
 from s7check.importing.recording import Recording
+from s7check.importing.sources import csv_rows, diagnostics, hex_text, live, ring, step7_text, szl
 from s7check.letters import set_option
 from s7check.log.errors import printable
 from s7check.output import echo, write_whole

@@ -1,7 +1,7 @@
 """What kind of source some bytes are, told by their beginning."""
 
-from s7check.importing import hex_text, step7_text, szl
 from s7check.importing.errors import SourceError
+from s7check.importing.sources import hex_text, step7_text, szl
 
 
 def kind_of(begin: bytes) -> str | None:

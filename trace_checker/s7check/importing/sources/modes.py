@@ -8,8 +8,8 @@ incomplete; so does an entry whose old mode is not the new mode of the one befor
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from s7check.importing.entry import Entry
-from s7check.importing.start_info import word
+from s7check.importing.sources.entry import Entry
+from s7check.importing.sources.start_info import word
 
 _MODE_CLASS = 4
 _POWER_ON = 0x4300

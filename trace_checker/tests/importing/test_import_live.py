@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from s7check import cli
-from s7check.importing import live
-from tests.test_import_diagnostics import records
-from tests.test_import_ring import dump, entry
+from s7check.importing.sources import live
+from tests.importing.test_import_diagnostics import records
+from tests.importing.test_import_ring import dump, entry
 from tests.test_shipped_logs import PROJECT
 
 PDU = 240

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from s7check.importing.bcd import spaced
-from s7check.importing.entry import Buffer, Entry
 from s7check.importing.errors import SourceError
-from s7check.importing.modes import follow
 from s7check.importing.recording import Placed, Recording, select
-from s7check.importing.start_info import start_info, word
+from s7check.importing.sources.bcd import spaced
+from s7check.importing.sources.entry import Buffer, Entry
+from s7check.importing.sources.modes import follow
+from s7check.importing.sources.start_info import start_info, word
 from s7check.log.tables import OB_NUMBERS
 
 _START_EVENTS = frozenset({1, 3})

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
-from s7check.importing.entry import LENGTH
 from s7check.importing.errors import SourceError, shown
-from s7check.importing.ring_layout import HEADER_LENGTH, read_header
+from s7check.importing.sources.entry import LENGTH
+from s7check.importing.sources.ring_layout import HEADER_LENGTH, read_header
 from s7check.log.errors import printable
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 
-from s7check.importing.entry import Buffer, Entry
 from s7check.importing.errors import SourceError, shown
+from s7check.importing.sources.entry import Buffer, Entry
 
 _BEGIN = re.compile(r"\s*(?:Event|Ereignis)(?: ?details)?:?\s+(\d{1,9})\s+(?:of|von)\s+\d+\b(.*)", re.IGNORECASE)
 _EVENT_ID = re.compile(r"\s*:?\s*(?:Event|Ereignis)[ -]ID:?\s*16#\s*([0-9A-F]{4})\s*", re.IGNORECASE)

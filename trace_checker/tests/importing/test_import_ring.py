@@ -16,13 +16,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from s7check import cli
-from s7check.importing import ring
 from s7check.importing.elapsed import Elapsed
 from s7check.importing.errors import SourceError
 from s7check.importing.header import complete
 from s7check.importing.log_text import render
 from s7check.importing.recording import Recording
-from s7check.importing.ring_layout import RingEntry, RingHeader
+from s7check.importing.sources import ring
+from s7check.importing.sources.ring_layout import RingEntry, RingHeader
 
 INSTRUMENTATION = Path(cli.__file__).parents[2] / "instrumentation" / "scl"
 SOURCE = (INSTRUMENTATION / "s7log.scl").read_text(encoding="ascii")

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from s7check.importing.entry import LENGTH, Buffer, from_record
 from s7check.importing.errors import SourceError
-from s7check.importing.hex_text import decode
+from s7check.importing.sources.entry import LENGTH, Buffer, from_record
+from s7check.importing.sources.hex_text import decode
 
 _IDENTIFIED = 8
 """Bytes of the header before the records: SZL-ID, index, length of a record, number of records."""

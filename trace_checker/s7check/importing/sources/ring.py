@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from s7check.importing import bcd
 from s7check.importing.elapsed import Elapsed
 from s7check.importing.errors import SourceError
 from s7check.importing.recording import Placed, Recording, select
-from s7check.importing.ring_layout import RingEntry, RingHeader, read_header, read_slots
-from s7check.importing.start_info import byte, duration, start_info, word
+from s7check.importing.sources import bcd
+from s7check.importing.sources.ring_layout import RingEntry, RingHeader, read_header, read_slots
+from s7check.importing.sources.start_info import byte, duration, start_info, word
 
 _SET_CLK, _STATE, _OB_BEGINS, _OB_ENDS = 0, 51, 200, 201
 

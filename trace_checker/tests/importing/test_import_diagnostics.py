@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from s7check.importing import bcd, diagnostics, szl
-from s7check.importing.entry import Buffer, Entry
 from s7check.importing.errors import SourceError
 from s7check.importing.header import complete
 from s7check.importing.kinds import kind_of
 from s7check.importing.log_text import render
 from s7check.importing.recording import Recording
+from s7check.importing.sources import bcd, diagnostics, szl
+from s7check.importing.sources.entry import Buffer, Entry
 
 TIME = "2611210559300007"
 """2026-11-21T05:59:30.000, a Saturday."""

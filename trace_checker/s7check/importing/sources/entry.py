@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from s7check.importing.bcd import instant, spaced
 from s7check.importing.errors import SourceError
+from s7check.importing.sources.bcd import instant, spaced
 
 LENGTH = 20
 """Bytes of an entry: event ID, class, OB, two reserved, additional information, DATE_AND_TIME."""

@@ -13,7 +13,7 @@ from s7check import check, cli
 from s7check.importing.kinds import kind_of
 from s7check.log.reader import read_log
 
-DATA = Path(__file__).parents[2] / "examples" / "import"
+DATA = Path(__file__).parents[3] / "examples" / "import"
 CPU = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100"]
 
 Run = Callable[..., "tuple[dict[str, Any], list[dict[str, Any]], str]"]
