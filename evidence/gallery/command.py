@@ -116,9 +116,8 @@ def page() -> str:
 
 _INTRODUCTION = """# Gallery of edge cases
 
-Each case is a shortest behaviour of the specification with what the case asks for. It is the shortest in a small world:
-[cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may use.
-`s7check gallery` finds them all again. `s7check explore` opens each by one
-click: its timeline, what may come at any line, and what may not and why. [review.md](review.md) tells eighteen longer
-ones step by step.
+Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
+small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
+use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that may
+come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
 """

@@ -72,7 +72,7 @@ def left_out_command(logs: int, seed: int, keep: Path, json_path: Path | None) -
             plain(console, f"{one['file']}: {one['verdict']} at line {one['line']}", style="red")
         total = found.verdicts.total()
         plain(console, f"{found.logs:,} accepted logs, {total:,} with kinds left out: {len(found.worse):,} got worse")
-        plain(console, f"of {found.loose:,} only what is certain was followed from some line on")
+        plain(console, f"of {found.loose:,} only certain facts were followed from some line on")
         document = {
             "logs": found.logs, "left_out": total, "loose": found.loose, "worse": found.worse,
             "seconds": round(time.monotonic() - began),

@@ -82,7 +82,7 @@ def left_out(text: str) -> list[Table]:
     counts = {
         "accepted logs": report["logs"],
         "with kinds left out": report["left_out"],
-        "only what is certain from some line on": report["loose"],
+        "only certain facts from some line on": report["loose"],
         "got worse": len(report["worse"]),
     }
     return [Table(list(counts), [list(counts.values())])]
