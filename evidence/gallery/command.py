@@ -118,6 +118,6 @@ _INTRODUCTION = """# Gallery of edge cases
 
 Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
 small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
-use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that may
-come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
+use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that
+may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
 """
