@@ -150,9 +150,9 @@ def _value(field: str, value: object) -> str:
         ms = duration(value)
         return f"T#{'-' if ms < 0 else ''}{abs(ms)}MS"
     if field in ("period", "sign"):
-        return f"W#16#{word(value):04X}"
+        return f"WORD#16#{word(value):04X}"
     if field == "mode":
-        return f"B#16#{word(value):02X}"
+        return f"BYTE#16#{word(value):02X}"
     return str(value)
 
 
