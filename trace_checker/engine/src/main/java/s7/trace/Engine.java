@@ -72,7 +72,9 @@ public final class Engine {
 
   private Explanation explanation;
   private int events;
-  private boolean decided;
+  /** Both threads look at it, see {@link #judging}. */
+  private volatile boolean decided;
+
   private final Sessions sessions;
   private boolean unreadable;
   private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
@@ -82,6 +84,12 @@ public final class Engine {
   private JsonLines lines;
   private Examples examples;
   private Clocks clocks;
+
+  /** Judges lines while this thread reads the next ones; null before the first line that is read here. */
+  private Ahead<Read> judging;
+
+  /** An event that was read, and the number of its line. */
+  private record Read(int line, RecordValue event) {}
 
   Engine(Contract spec, PrintStream out) {
     this.spec = spec;
@@ -150,10 +158,14 @@ public final class Engine {
     for (Json line = lines.next(); line != null; line = lines.next()) {
       take(line);
     }
+    settle();
   }
 
   private void take(Json line) throws IOException {
     String message = line.first(MESSAGE);
+    if (!"lines".equals(message)) {
+      settle();
+    }
     if (message == null) {
       // The engine passes over the other lines of a log that is decided.
       if (!decided) {
@@ -201,10 +213,25 @@ public final class Engine {
     if (examples == null) {
       var text = new LineText(message.getAsJsonObject("varying"), message.get("own").getAsString());
       examples = new Examples(spec.noEvent(), text);
+      judging = new Ahead<>("judging", this::judge);
     }
   }
 
-  /** Reads and observes the next lines, which are as the log has them. */
+  /** Waits until all lines that were read are judged. */
+  private void settle() {
+    if (judging != null) {
+      judging.settle();
+    }
+  }
+
+  private void judge(Read read) {
+    if (!decided) {
+      var number = new JsonPrimitive(read.line);
+      judge(() -> number, () -> observe(read.event, () -> number));
+    }
+  }
+
+  /** Reads the next lines, which are as the log has them, and has them observed. */
   private void read(JsonObject message) throws IOException {
     int first = message.get("first").getAsInt();
     int count = message.get("count").getAsInt();
@@ -215,15 +242,19 @@ public final class Engine {
       }
       RecordValue event = examples.read(line, clocks);
       if (event == null) {
+        // A log that is decided asks nothing.
+        settle();
+        if (decided) {
+          continue;
+        }
         event = asked(first + i, count - i - 1);
       }
       unreadable = event == null;
       if (!unreadable) {
-        RecordValue its = event;
-        var number = new JsonPrimitive(first + i);
-        judge(() -> number, () -> observe(its, () -> number));
+        judging.add(new Read(first + i, event));
       }
     }
+    judging.flush();
   }
 
   /**
