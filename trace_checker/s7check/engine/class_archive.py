@@ -1,7 +1,8 @@
-"""The engine's classes as the JVM itself keeps them (class data sharing): a start costs a third less.
+"""A Java program's classes as the JVM itself keeps them (class data sharing): a start costs a third less.
 
-An archive fits one JVM, one set of options and jars. It is made at the second use of an engine on a machine, so a
-machine that is thrown away after one use does not pay for it.
+An archive fits one JVM, one set of options and jars. That of the engine is made at its second use on a machine, so a
+machine that is thrown away after one use does not pay for it. That of TLC, which runs often in one call, is made at
+once.
 """
 
 import hashlib
@@ -25,17 +26,20 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "s7check"
 
 
-def archive_options(jvm: list[str], jars: list[Path], program: list[str], sample: bytes) -> list[str]:
+def archive_options(
+    jvm: list[str], jars: list[Path], program: list[str], sample: bytes, at_once: bool = False
+) -> list[str]:
     """The options by which the JVM takes its classes from an archive; none if there is no archive.
 
     ``jvm`` is Java with its options, ``program`` the main class with its arguments, ``sample`` an input at whose end
-    it ends; the archive has the classes that it needs for that. Whatever fails here is no error: there is no archive.
+    it ends; the archive has the classes that it needs for that. ``at_once``: it is made at the first use. Whatever
+    fails here is no error: there is no archive.
     """
     with suppress(OSError, RuntimeError, subprocess.SubprocessError):
         own = os.environ.get("JDK_JAVA_OPTIONS", "")
         parts = [*jvm, own, *map(_state, [Path(jvm[0]).resolve(), *jars])]
         archive = cache_folder() / f"{hashlib.sha256(repr(parts).encode()).hexdigest()[:32]}.jsa"
-        if not archive.exists() and _used_before(archive):
+        if not archive.exists() and (_used_before(archive) or at_once):
             _make(archive, jvm, ["-cp", os.pathsep.join(map(str, jars)), *program], sample)
         if archive.exists():
             # An archive that does not fit after all is no reason to complain.
