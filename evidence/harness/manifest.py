@@ -76,7 +76,11 @@ class Mutation(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Entry(msgspec.Struct, forbid_unknown_fields=True):
-    """An entry as it stands in the file. Paths are relative to the manifest's directory, `seconds` is wall time."""
+    """An entry as it stands in the file.
+
+    Paths are relative to the manifest's directory, `seconds` is wall time. `brief`: the run is over before code that
+    is compiled well would pay, after some 7 seconds of work; unless a negative control says otherwise, it is.
+    """
 
     name: Name
     expect: Expect
@@ -91,6 +95,7 @@ class Entry(msgspec.Struct, forbid_unknown_fields=True):
     seconds: tuple[float, float] | UnsetType = UNSET
     workers: Annotated[int, Meta(ge=1)] | UnsetType = UNSET
     deadlock: bool | UnsetType = UNSET
+    brief: bool | UnsetType = UNSET
     heap: Annotated[int, Meta(ge=64)] | UnsetType = UNSET
     args: list[str] | UnsetType = UNSET
     overrides: dict[str, str | bool | int] = {}
@@ -113,7 +118,8 @@ class Model:
     """A model ready to run: everything from its base filled in, its configuration edited.
 
     `module` is relative to the manifest's directory; `config` is the configuration's text, not a path; `seconds` the
-    band (least, most) of wall time; `workers` the most TLC workers it may have; `base` the entry that it changes.
+    band (least, most) of wall time; `workers` the most TLC workers it may have; `brief` whether the run is short;
+    `base` the entry that it changes.
     """
 
     name: str
@@ -126,6 +132,7 @@ class Model:
     mutations: tuple[Mutation, ...]
     deadlock: bool
     workers: int
+    brief: bool
     heap: int
     args: tuple[str, ...]
     seconds: tuple[float, float]
@@ -290,6 +297,7 @@ def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[
         mutations=mutations,
         deadlock=value("deadlock", True),
         workers=workers,
+        brief=kind == "negative" if isinstance(entry.brief, UnsetType) else entry.brief,
         heap=value("heap", HEAP_MB),
         args=tuple(value("args", [])),
         seconds=(least, most),

@@ -81,7 +81,7 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
         deadlock=model.deadlock,
         heap=model.heap,
         timeout=model.seconds[1],
-        brief=model.kind == "negative",
+        brief=model.brief,
         args=model.args,
     )
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:

@@ -34,6 +34,7 @@ def model(timeout: float) -> Model:
         mutations=(),
         deadlock=False,
         workers=1,
+        brief=False,
         heap=HEAP_MB,
         args=(),
         seconds=(0.0, timeout),
