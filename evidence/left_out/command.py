@@ -6,6 +6,7 @@ Exit codes: 0 each does, 1 some do not, 2 wrong arguments or files, 3 a tool is 
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 import tempfile
 import time
@@ -28,6 +29,7 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 from s7check.judging.verdict import Report
+from s7check.judging.workers import Workers
 
 WORSE = 1
 
@@ -85,27 +87,35 @@ def leave_out(logs: int, seed: int, keep: Path) -> Found:
     """Judge so many accepted logs with every subset of kinds left out. Raises `EngineError`, `SoftPlcError`."""
     found = Found()
     generator = Generator(seed, SOFT_PLC_PROGRAM, [])
-    with Engine() as engine, tempfile.TemporaryDirectory(prefix="s7check-left-out-") as temporary:
-        file = Path(temporary) / "log.ndjson"
+    with Workers(Engine) as workers, tempfile.TemporaryDirectory(prefix="s7check-left-out-") as temporary:
         number = 0
         while found.logs < logs:
             number += 1
             log = generator.written(Random(f"left out/{seed}/{number}"))  # noqa: S311
-            if _judge(engine, file, log).verdict != "accepted":
+            whole = _write(Path(temporary) / "whole.ndjson", log)
+            if workers.submit(whole, _judge).result().verdict != "accepted":
                 continue
             found.logs += 1
-            for kinds in subsets():
-                report = _judge(engine, file, without(log, kinds))
+            parts = [
+                _write(Path(temporary) / f"{seed}-{number}-{'-'.join(sorted(kinds))}.ndjson", without(log, kinds))
+                for kinds in subsets()
+            ]
+            for file, judged in zip(parts, workers.in_order(parts, _judge), strict=True):
+                report = judged.result()
                 found.verdicts[report.verdict] += 1
                 found.loose += LOOSE in report.message
                 if report.verdict != "accepted":
-                    kept = keep / f"{seed}-{number}-{'-'.join(sorted(kinds))}.ndjson"
                     keep.mkdir(parents=True, exist_ok=True)
-                    kept.write_bytes(file.read_bytes())
+                    kept = shutil.copy(file, keep)
                     found.worse.append({"file": str(kept), "verdict": report.verdict, "line": report.line})
+                file.unlink()
     return found
 
 
-def _judge(engine: Engine, file: Path, log: Log) -> Report:
+def _write(file: Path, log: Log) -> Path:
     file.write_text("".join(json.dumps(entry) + "\n" for entry in (log.header, *log.events)), encoding="utf-8")
+    return file
+
+
+def _judge(file: Path, engine: Engine) -> Report:
     return check_log(str(file), engine, lambda _source, _events: None)

@@ -1,5 +1,6 @@
 """Kinds of event left out of accepted logs."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -33,9 +34,9 @@ def test_without_a_kind(kind: str) -> None:
 def test_a_log_that_gets_worse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It is kept and named, and the exit code says so."""
 
-    def judge(_engine: object, file: Path, log: Log) -> Report:
-        file.write_text("log", encoding="utf-8")
-        worse = set(log.header.get("records", [])) - {"diag"} == {"ob"}
+    def judge(file: Path, _engine: object) -> Report:
+        header = json.loads(file.read_bytes().splitlines()[0])
+        worse = set(header.get("records", [])) - {"diag"} == {"ob"}
         return Report(str(file), "rejected" if worse else "accepted", "", line=3 if worse else None)
 
     monkeypatch.setattr(command, "_judge", judge)

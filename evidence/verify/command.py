@@ -4,7 +4,7 @@ import json
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,8 @@ from evidence.common.console import console
 from evidence.common.shipped import difference, shipped_logs
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
+from s7check.judging.verdict import Report
+from s7check.judging.workers import Workers
 
 BUILD = ROOT / "build" / "verify"
 
@@ -121,15 +123,20 @@ def _soft_plc() -> list[Row]:
     return rows
 
 
+def _judged(logs: Iterable[Path]) -> Iterator[Report]:
+    """The verdicts on logs, in their order, found on all cores."""
+    with Workers(Engine) as workers:
+        for judged in workers.in_order(logs, lambda log, engine: check_log(str(log), engine, lambda _, __: None)):
+            yield judged.result()
+
+
 def _check_all(logs: list[Path]) -> tuple[int, list[str]]:
     events, failures = 0, []
-    with Engine() as engine:
-        for log in logs:
-            report = check_log(str(log), engine, lambda _source, _events: None)
-            events += report.events
-            if report.verdict != "accepted":
-                shown = log.relative_to(ROOT)
-                failures.append(f"{shown}:{report.line or ''}: {report.verdict} (see s7check trace {shown})")
+    for log, report in zip(logs, _judged(logs), strict=True):
+        events += report.events
+        if report.verdict != "accepted":
+            shown = log.relative_to(ROOT)
+            failures.append(f"{shown}:{report.line or ''}: {report.verdict} (see s7check trace {shown})")
     return events, failures
 
 
@@ -137,13 +144,12 @@ def _shipped_logs() -> list[Row]:
     begun = time.monotonic()
     events, failures = 0, []
     shipped = shipped_logs(ROOT / "traces")
-    with Engine() as engine:
-        for expected in shipped:
-            report = check_log(str(ROOT / "traces" / expected.file), engine, lambda _source, _events: None)
-            events += report.events
-            failure = difference(expected, report)
-            if failure:
-                failures.append(failure)
+    logs = [ROOT / "traces" / expected.file for expected in shipped]
+    for expected, report in zip(shipped, _judged(logs), strict=True):
+        events += report.events
+        failure = difference(expected, report)
+        if failure:
+            failures.append(failure)
     if not shipped:
         failures.append("no index in traces/ names a log")
     size = f"{len(shipped)} logs, {events:,} events"
