@@ -87,4 +87,94 @@ Waiting(n) == /\ Cardinality({ r \in requests : ~r.open }) <= n
 
 (* The state without what the last step was and entered. *)
 View == cpuVars
+
+-----------------------------------------------------------------------------
+(* What stays possible.  A rule that forbids too much violates no property *)
+(* of what happens.  TLC alone checks these: they ask what is enabled.     *)
+
+(* The world, or the CPU by itself, can make a step with this event. *)
+\* @type: Str => Bool;
+MayAct(event) == ENABLED (World /\ step'.event = event)
+\* @type: Str => Bool;
+MayProceed(event) == ENABLED (Proceed /\ step'.event = event)
+
+(* [OBS-47] [OBS-45] [OBS-42] [AIRT-08] The CPU is never stuck, and the    *)
+(* world may always act.                                                   *)
+PossibleInv ==
+    IF Pressing THEN ENABLED Next
+    ELSE /\ mode # "STOP" => MayAct("switch")
+         /\ mode = "STOP" /\ RestartTypes # {} => MayAct("restart")
+         /\ mode # "STOP" /\ Interrupts # {} => MayAct("interrupt")
+         /\ ClockTargets \ {clock} # {} => MayAct("clock")
+         /\ /\ mode = "STARTUP" /\ stack = <<>>
+            /\ startup = "begun" \/ StartupOb(startup) \notin loaded
+            => MayProceed("run")
+         /\ mode = "RUN" /\ stack = <<>> => MayProceed("start")
+         /\ mode \in {"STARTUP", "RUN"} /\ stack # <<>> => MayProceed("end")
+         /\ (\E t \in Moments : Before(clock, t)) => ENABLED Time
+
+(* [OBS-45] HOLD may be entered in RUN, and left. *)
+HeldInv == Settled => /\ mode = "RUN" => ENABLED CpuIsHeld
+                      /\ mode = "HOLD" => ENABLED CpuIsReleased
+
+(* [AMB-71] A once may be used up when its OB starts or when it ends. *)
+OnceEndsInv ==
+    \A o \in TodObs :
+      LET starts(called) == ENABLED ( /\ StartsOb /\ Started(o)
+                                      /\ tod'[o].called = called )
+      IN  tod[o].active /\ tod[o].period = Once /\ PendingIn(requests, o)
+            => (starts(TRUE) <=> starts(FALSE))
+
+(* [TINT-22] [DINT-21] [IRT-22] Each call is answered. *)
+AnsweredInv ==
+    Settled /\ stack # <<>> /\ mode \in {"STARTUP", "RUN"} =>
+      \A o \in ObNumbers :
+        /\ \A sdt \in Sdts, period \in Words :
+             \E ret \in RetVals : ENABLED SetTint(o, sdt, period, ret)
+        /\ \E ret \in RetVals : ENABLED CanTint(o, ret)
+        /\ \E ret \in RetVals : ENABLED ActTint(o, ret)
+        /\ \E ret \in RetVals : ENABLED QryTint(o, ret, -1)
+        /\ \A dtime \in Dtimes, sign \in Signs :
+             \E ret \in RetVals : ENABLED SrtDint(o, dtime, sign, ret)
+        /\ \E ret \in RetVals : ENABLED CanDint(o, ret)
+        /\ \E ret \in RetVals : ENABLED QryDint(o, ret, -1)
+        /\ \A m \in IrtModes :
+             /\ \E ret \in RetVals : ENABLED DisIrt(m, o, ret)
+             /\ \E ret \in RetVals : ENABLED EnIrt(m, o, ret)
+
+-----------------------------------------------------------------------------
+(* Steps.  These are no properties of spec/, all of which are to be proved. *)
+
+(* What an observer does not see has no value. *)
+SeenProp ==
+    [][ /\ step'.event \in { "end", "clock", "load", "delete", "restart",
+                            "switch", "hold", "release", "run", "time" }
+             => step'.value = 0
+        /\ step'.event \in { "clock", "restart", "switch", "hold", "release",
+                            "run", "time", "stop", "DIS_AIRT", "EN_AIRT" }
+             => step'.ob = 0
+        /\ Did("missing") => step'.ob \notin loaded
+        /\ ~Did("SET_TINT") => step'.sdt = NoOperand ]_vars
+
+(* [TINT-09] A point that was reached is not watched for any more. *)
+PassedProp ==
+    [][Did("reached") => ~(tod'[step'.ob].next <= clock.min)]_vars
+
+(* [OBS-44] [AMB-53] [AMB-35] A point that the clock skips in STARTUP has  *)
+(* one run, later; or there is a STOP.                                     *)
+DeferProp ==
+    [][ Did("clock") /\ mode = "STARTUP" /\ irt.blocked = {} =>
+          \A o \in SkippedNow :
+            \/ stopCause' # NoCause
+            \/ Cardinality({ r \in requests' : r.ob = o }) = 1 ]_vars
+
+(* [AMB-56] The clock is set back before the point of an active once for   *)
+(* which its OB was not called: the CPU shows whether it is over.          *)
+OnceShownProp ==
+    [][ Did("clock") /\ mode = "RUN" /\ cpu.family # "S7-300" =>
+          \A o \in TodObs :
+            /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
+            /\ tod[o].served = {} /\ ~tod[o].called /\ ~PendingIn(requests, o)
+            /\ Before(clock', At(tod[o].start))
+            => "AMB-56" \in DOMAIN cpu'.readings ]_vars
 =============================================================================

@@ -1,0 +1,246 @@
+------------------------------ MODULE MCTables ------------------------------
+(***************************************************************************)
+(* What the specification has in tables, written down a second time: the   *)
+(* letters of the questions that the sources leave open and the answers of *)
+(* module Readings that hold under each, as docs/rules/readings.md has     *)
+(* them; OBs, their classes and the numbers of SFC 39, months, from        *)
+(* docs/rules/requirements.md.  A wrong letter or number shows here also   *)
+(* where no behaviour of another model depends on it.                      *)
+(*                                                                         *)
+(* The CPU is in STOP and nothing happens: each state is a CPU.            *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCLoads == {{}}
+MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
+MCPowerOnMoments == {Moment(0, 0)}
+\* @type: Set(Str);
+NoRestartTypes == {}
+
+(* A log's header may name these letters; a CPU or a profile these words.  *)
+MCReadingSets ==
+    { [a \in {} |-> ""] }
+      \cup UNION { { [x \in {a} |-> letter] : letter \in Letters(a) }
+                   : a \in Ambiguities }
+      \cup { [x \in {"AMB-06"} |-> "delay"], [x \in {"AMB-38"} |-> "before"],
+             [x \in {"AMB-38"} |-> "after"] }
+
+-----------------------------------------------------------------------------
+
+(* 79 questions, of which no formula asks five.  A default is a letter     *)
+(* that a header may name.  A profile names a letter where the default     *)
+(* rejects what its edition prints.                                        *)
+LettersAgree ==
+    /\ FourLetters \cap ThreeLetters = {}
+    /\ (FourLetters \cup ThreeLetters) \cap TwoLetters = {}
+    /\ Cardinality(Ambiguities) = 79 - 5
+    /\ ReadByB \cap ReadByC = {} /\ (ReadByB \cup ReadByC) \cap ReadByD = {}
+    /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
+    /\ \A name \in ProfileNames : \A p \in Profile(name) :
+         /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
+         /\ p[2] \in Letters(p[1]) \/ p = <<"AMB-06", "delay">>
+    /\ Profile("") = {}
+
+(* [OBS-04] Table 7.1. *)
+ClassesInv ==
+    /\ ClassOf(1) = 1
+    /\ \A o \in 10..17 : ClassOf(o) = 2
+    /\ \A i \in 1..4 : ClassOf(19 + i) = <<3, 4, 5, 6>>[i]
+    /\ \A i \in 1..9 : ClassOf(29 + i) = <<7, 8, 9, 10, 11, 12, 13, 14, 15>>[i]
+    /\ \A i \in 1..8 : ClassOf(39 + i) = <<16, 17, 18, 19, 20, 21, 22, 23>>[i]
+    /\ \A o \in 55..57 : ClassOf(o) = 2
+    /\ ClassOf(60) = 25 /\ ClassOf(70) = 25 /\ ClassOf(72) = 28
+    /\ ClassOf(80) = 26
+    /\ \A o \in 81..87 : ClassOf(o) = IF cpu.family = "S7-300" THEN 26 ELSE 25
+    /\ \A o \in StartupObs : ClassOf(o) = 27
+
+(* [IRT-11] The OBs of each class number. *)
+\* @type: Int => Set(Int);
+OfClass(n) == CASE n = 10 -> 10..17 [] n = 20 -> 20..23 [] n = 30 -> 30..38
+                [] n = 40 -> 40..47 [] n = 50 -> 55..57 [] n = 60 -> {60}
+                [] n = 70 -> {70, 72} [] OTHER -> 80..87
+ClassNumbers == {10, 20, 30, 40, 50, 60, 70, 80}
+
+(* [IRT-06] .. [IRT-09] [IRT-13] What SFC 39 and 40 take, and whom they    *)
+(* mean, where nothing else is read than by default.                       *)
+NumbersInv ==
+    /\ UNION { OfClass(n) : n \in ClassNumbers } = Blockable
+    /\ ExternalObs = UNION { OfClass(n) : n \in ClassNumbers \ {10, 20} }
+    /\ \A o \in Blockable : o \in OfClass(ClassNumber(o))
+    /\ cpu.readings = [a \in {} |-> ""] =>
+         /\ \A m \in 0..255 :
+              /\ m \in DisModes <=> m % 128 < 3
+              /\ m \in EnModes <=> m < 3
+              /\ WithoutEntries(m) <=> m \in 128..255
+         /\ \A n \in -1..130 :
+              /\ NumberFits(0, n)
+              /\ NumberFits(1, n) <=> n \in ClassNumbers
+              /\ NumberFits(2, n) <=> n \in Blockable
+              /\ Meant(130, n) = {n}
+         /\ \A n \in ClassNumbers : Meant(129, n) = OfClass(n)
+         /\ Meant(0, 0) = Blockable
+
+(* [TINT-39] The two tables of months agree. *)
+MonthsAgree ==
+    \A m \in 1..12 :
+      /\ DaysInMonth(1990, m)
+           = <<31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31>>[m]
+      /\ DaysInMonth(1992, m) = DaysInMonth(1990, m) + (IF m = 2 THEN 1 ELSE 0)
+      /\ DaysBeforeMonth(1990, 1) = 0
+      /\ m < 12 => DaysBeforeMonth(1990, m + 1)
+                     = DaysBeforeMonth(1990, m) + DaysInMonth(1990, m)
+      /\ DaysBeforeMonth(1992, m)
+           = DaysBeforeMonth(1990, m) + (IF m > 2 THEN 1 ELSE 0)
+
+(* TLC takes only what depends on the state for an invariant. *)
+LettersInv == mode = "STOP" => LettersAgree
+MonthsInv  == mode = "STOP" => MonthsAgree
+
+-----------------------------------------------------------------------------
+(* Readings *)
+
+(* The answer holds under these letters of the question; `usual' is the    *)
+(* letter where none is named.                                             *)
+\* @type: (Str, Str, Set(Str), Bool) => Bool;
+Holds(question, usual, letters, answer) ==
+    LET letter == IF question \in DOMAIN cpu.readings
+                  THEN cpu.readings[question] ELSE usual
+    IN  answer <=> letter \in letters
+
+\* @type: (Set(Set(Int)), Set(Int)) => Bool;
+MayBe(parts, part) == part \in parts
+
+SettingsInv ==
+    /\ Holds("AMB-01", "c", {"a"}, OnlyPeriod1201IsWeekly)
+    /\ Holds("AMB-01", "c", {"b"}, OnlyPeriod1202IsWeekly)
+    /\ Holds("AMB-01", "c", {"c"}, BothPeriodsAreWeekly)
+    /\ Holds("AMB-02", "b", {"a"}, EveryPastStartIsRefused)
+    /\ Holds("AMB-03", "a", {"a"}, Bit0MeansStartup)
+    /\ Holds("AMB-04", "a", {"b"}, Bit5MeansNoTest)
+    /\ Holds("AMB-05", "a", {"a"}, MonthlyEndsWithDay28)
+    /\ Holds("AMB-05", "a", {"c"}, MonthlyFallsOnLastDay)
+    /\ Holds("AMB-08", "a", {"a"}, OnceIsUnsetByItsRun)
+    /\ Holds("AMB-09", "a", {"b"}, CanTintNeedsActive)
+    /\ Holds("AMB-10", "a", {"b"}, ActTintComputesAnew)
+    /\ Holds("AMB-12", "a", {"a"}, LostEventEndsItsSource)
+    /\ Holds("AMB-14", "a", {"a"}, SecondsAreDroppedFirst)
+    /\ Holds("AMB-14", "a", {"c"}, SecondsAreKept)
+    /\ Holds("AMB-20", "a", {"b"}, RefusedSetTintCancels)
+    /\ Holds("AMB-29", "a", {"b"}, PointsComeByNumber)
+    /\ Holds("AMB-32", "a", {"b"}, EndOfMonthIsOnce)
+    /\ Holds("AMB-34", "c", {"a"}, WaitingOnceIsActive)
+    /\ Holds("AMB-34", "c", {"b"}, WaitingOnceIsInactive)
+    /\ Holds("AMB-35", "a", {"a"}, StartupDefersOneRun)
+    /\ Holds("AMB-36", "a", {"b"}, SeriesBeginsAPeriodLater)
+    /\ Holds("AMB-37", "a", {"b"}, EqualIsPast)
+    /\ Holds("AMB-38", "a", {"b"}, YearlyNotOnLeapDay)
+    /\ Holds("AMB-38", "a", {"before"}, YearlyFallsOnDayBefore)
+    /\ Holds("AMB-38", "a", {"after"}, YearlyFallsOnDayAfter)
+    /\ Holds("AMB-38", "a", {"c"}, Cardinality(CpusByLeapDay(cpu)) = 2)
+    /\ Holds("AMB-39", "a", {"b"}, EndOfMonthRunsAtStart)
+    /\ Holds("AMB-39", "a", {"c"}, EndOfMonthTakesNoOtherDay)
+    /\ Holds("AMB-43", "a", {"b"}, Period0401IsDaily)
+    /\ Holds("AMB-60", "c", {"a"}, CalledOnceIsAhead)
+    /\ Holds("AMB-60", "c", {"b"}, CalledOnceIsPast)
+    /\ Holds("AMB-61", "c", {"a"}, DeselectedIsRefused)
+    /\ Holds("AMB-61", "c", {"b"}, DeselectedIsOrdinary)
+    /\ Holds("AMB-62", "a", {"b"}, NoneHasItsDate)
+    /\ Holds("AMB-63", "b", {"a"}, FirstErrorIsAnswered)
+    /\ Holds("AMB-68", "c", {"a"}, EndedSeriesIsActive)
+    /\ Holds("AMB-68", "c", {"b"}, EndedSeriesIsInactive)
+    /\ Holds("AMB-71", "d", {"b"}, OnceUsedUpAtItsPoint)
+    /\ Holds("AMB-71", "d", {"a", "b", "d"}, OnceMayEndAtItsStart)
+    /\ Holds("AMB-71", "d", {"c", "d"}, OnceMayEndAtItsEnd)
+    /\ Holds("AMB-79", "c", {"a", "c"}, OddSecondsMayPass \/ SecondsAreKept)
+    /\ Holds("AMB-79", "c", {"b", "c"}, OddSecondsMayBeWrong)
+         \/ SecondsAreKept
+    /\ SecondsAreKept => OddSecondsMayBeWrong /\ ~OddSecondsMayPass
+
+ClockInv ==
+    /\ Holds("AMB-15", "a", {"b"}, ActTintStopsCatchUp)
+    /\ Holds("AMB-15", "a", {"c"}, DisIrtStopsCatchUp)
+    /\ Holds("AMB-16", "a", {"a"}, SkipGivesNewTime)
+    /\ Holds("AMB-17", "a", {"b"}, S7300RemembersServed)
+    /\ Holds("AMB-40", "a", {"b"}, SetBackCallsActiveObs)
+    /\ Holds("AMB-50", "c", {"a", "c"}, MayBe(UnreportedAmong({10}), {}))
+    /\ Holds("AMB-50", "c", {"b", "c"}, MayBe(UnreportedAmong({10}), {10}))
+    /\ Holds("AMB-51", "a", {"b"}, SkipOfMissingObIsSilent)
+    /\ Holds("AMB-52", "c", {"a", "c"}, MayBe(MergedAmong({10}), {}))
+    /\ Holds("AMB-52", "c", {"b", "c"}, MayBe(MergedAmong({10}), {10}))
+    /\ Holds("AMB-53", "c", {"a", "c"}, SkipMayBeDeferred)
+    /\ Holds("AMB-53", "c", {"b", "c"}, SkipMayBeReported)
+    /\ Holds("AMB-54", "c", {"a"}, CatchUpsComeByPoint)
+    /\ Holds("AMB-54", "c", {"b"}, CatchUpsComeByNumber)
+    /\ Holds("AMB-55", "c", {"b"}, NoCatchUpAfterHold)
+    /\ Holds("AMB-55", "c", {"c"}, CatchUpAfterHoldIsOpen)
+    /\ Holds("AMB-56", "c", {"b"}, UnservedAreOver(cpu))
+    /\ Holds("AMB-56", "c", {"d"}, UnservedAreOverToLastCall(cpu))
+    /\ Holds("AMB-57", "c", {"a"}, NewSettingForgets(cpu))
+    /\ Holds("AMB-56", "c", {"a", "b", "d"}, Cardinality(CpusByMemory) = 2)
+    /\ Holds("AMB-57", "c", {"a", "b"}, Cardinality(CpusByMemory) = 3)
+    /\ \A c \in CpusByMemory : /\ ReadingOf(c, "AMB-56") \in {"a", "b", "d"}
+                               /\ ReadingOf(c, "AMB-57") \in {"a", "b"}
+    /\ Holds("AMB-58", "a", {"b"}, ServedPointsAreSkipped)
+    /\ Holds("AMB-59", "a", {"b"}, SetBackWithdrawsRuns)
+
+DispatchInv ==
+    /\ Holds("AMB-06", "a", {"b"}, MissingNoticedAtActivation)
+    /\ Holds("AMB-06", "a", {"b", "delay"}, MissingNoticedAtSrtDint)
+    /\ Holds("AMB-06", "a", {"c"}, MissingIsTimeError)
+    /\ Holds("AMB-07", "a", {"b"}, DelaysNeverStopTheCpu)
+    /\ Holds("AMB-11", "d", {"b", "c", "d"}, TodCallsWithdrawRuns)
+    /\ Holds("AMB-11", "d", {"b"}, DintCallsWithdrawRuns(cpu))
+    /\ Holds("AMB-11", "d", {"d"}, Cardinality(CpusByDintCalls) = 2)
+    /\ Holds("AMB-11", "d", {"b", "d"},
+             \E c \in CpusByDintCalls : DintCallsWithdrawRuns(c))
+    /\ Holds("AMB-13", "d", {"a", "d"}, Class28InStartup)
+    /\ Holds("AMB-13", "d", {"b", "d"}, Class28OnOverflow)
+    /\ Holds("AMB-18", "d", {"a"}, SecondRequestIsTimeError)
+    /\ Holds("AMB-18", "d", {"b"}, SecondRequestIsBuffered)
+    /\ Holds("AMB-18", "d", {"c"}, SecondRequestIsMerged)
+    /\ Holds("AMB-18", "d", {"b", "d"}, BuffersMayOverflow)
+    /\ Holds("AMB-18", "d", {"d"}, SecondRequestIsOpen)
+    /\ Holds("AMB-19", "a", {"b"}, EveryPointRunsLater)
+    /\ Holds("AMB-19", "a", {"c"}, OnlyFirstPointIsReported)
+    /\ Holds("AMB-25", "a", {"b"}, CountOutlivesTheCycle)
+    /\ Holds("AMB-27", "b", {"a"}, TimeErrorNamesRunningOb)
+    /\ Holds("AMB-28", "c", {"a"}, MissingObIsFaultA1)
+    /\ Holds("AMB-28", "c", {"c"}, MissingObIsEitherFault)
+    /\ Holds("AMB-31", "b", {"a"}, DtimeIsElapsedTime)
+    /\ Holds("AMB-44", "b", {"a"}, MissingNoticedWhenDue)
+    /\ Holds("AMB-45", "c", {"a"}, OneOb85ForAll)
+    /\ Holds("AMB-45", "c", {"b"}, OneOb85ForEach)
+    /\ Holds("AMB-46", "a", {"b"}, MissingObEndsItsSource)
+    /\ Holds("AMB-47", "c", {"a"}, OverlappingDelayRuns)
+    /\ Holds("AMB-47", "c", {"b"}, OverlappingDelayRunsNot)
+    /\ Holds("AMB-48", "c", {"a"}, LateRunOutlivesBlock)
+    /\ Holds("AMB-48", "c", {"b"}, LateRunIsLostWithOb80)
+    /\ Holds("AMB-49", "c", {"a"}, StopIsNotDelayed)
+    /\ Holds("AMB-49", "c", {"b"}, StopAwaitsTheDelay)
+    /\ Holds("AMB-65", "a", {"a"}, S7300RestartsCold)
+    /\ Holds("AMB-66", "a", {"b"}, DeletedObTakesRequests)
+    /\ Holds("AMB-67", "c", {"b"}, OutsideRunEventsAreLost)
+    /\ Holds("AMB-67", "c", {"c"}, OutsideRunEventsAreOpen)
+    /\ Holds("AMB-69", "a", {"b"}, NothingStandsBefore)
+    /\ Holds("AMB-70", "c", {"a"}, CallsComeBeforeTheEnd)
+    /\ Holds("AMB-70", "c", {"b"}, CallsComeAfterTheEnd)
+    /\ Holds("AMB-74", "a", {"b"}, RestartedJobKeepsSign)
+    /\ Holds("AMB-75", "a", {"a"}, ErrorObsAreNotReported)
+    /\ Holds("AMB-77", "d", {"a"}, ExternalAgainIsTimeError)
+    /\ Holds("AMB-77", "d", {"b"}, ExternalAgainIsBuffered)
+    /\ Holds("AMB-77", "d", {"c"}, ExternalAgainIsLost)
+
+BlocksInv ==
+    /\ Holds("AMB-21", "a", {"b"}, BlocksHaveLevels)
+    /\ Holds("AMB-22", "a", {"b"}, Mode0TakesOb0Alone)
+    /\ Holds("AMB-23", "a", {"b"}, BlockedErrorStopsTheCpu)
+    /\ Holds("AMB-33", "a", {"b"}, BlockedOb85StopsTheCpu)
+    /\ Holds("AMB-41", "a", {"a"}, DisIrtIsEntered)
+    /\ Holds("AMB-41", "a", {"b"}, LostEventIsEntered)
+    /\ Holds("AMB-42", "a", {"b"}, EnIrtMode1Blocks)
+    /\ Holds("AMB-72", "a", {"b"}, DisIrtDropsRequests)
+    /\ Holds("AMB-73", "a", {"b"}, LackingObsAreRefused)
+    /\ Holds("AMB-76", "a", {"b"}, EnIrtTakesMode8x)
+
+ReadingsInv == SettingsInv /\ ClockInv /\ DispatchInv /\ BlocksInv
+=============================================================================
