@@ -70,17 +70,26 @@ EnterAmongOpen(new) ==
     { EnterAll(Confirmed(requests, new), LeftOpen(new)),
       Enter(Withdraw(requests, new.ob), new) }
 
+(* [OBS-22] Without OB 80 the time error, if it is one, stops the CPU.     *)
+\* @type: $request => Bool;
+MayStop(new) ==
+    \E error \in ErrorsOf(new) :
+      /\ TimeErrorStops(error)
+      /\ TimeErrorOccurs(requests, requests, [error EXCEPT !.open = FALSE])
+
 \* @type: $request => Bool;
 AnyEffect(new) ==
-    /\ requests' = EnterAll(requests, LeftOpen(new))
-    /\ UNCHANGED stopCause
-    /\ entered' = OpenEntries(ErrorsOf(new))
+    \/ /\ requests' = EnterAll(requests, LeftOpen(new))
+       /\ UNCHANGED stopCause
+       /\ entered' = OpenEntries(ErrorsOf(new))
+    \/ MayStop(new)
 
 \* @type: $request => Bool;
 AgainWhileOpen(new) ==
-    /\ requests' \in EnterAmongOpen(new)
-    /\ UNCHANGED stopCause
-    /\ entered' = OpenEntries(ErrorsOf(new))
+    \/ /\ requests' \in EnterAmongOpen(new)
+       /\ UNCHANGED stopCause
+       /\ entered' = OpenEntries(ErrorsOf(new))
+    \/ MayStop(new)
 
 (* [AMB-18] The OB waits already. The size of the buffer is not known:     *)
 (* under (b) the run is kept, or the buffer overflows [OBS-08].            *)
