@@ -12,10 +12,9 @@ import msgspec
 from s7check.asking.log_prefix import Prefix, read_prefix
 from s7check.asking.session import Session
 from s7check.completion import complete_files
+from s7check.ending import ending
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.explaining.sentences import by_itself, of_line
-from s7check.log.errors import UnusableLogError
 from s7check.output import echo
 from s7check.report.expected import format_allowed
 from s7check.report.lines import clause_text
@@ -50,19 +49,13 @@ def explain_command(output: str, log: str) -> int:
     """Tell the log."""
     named: set[str] = set()
     code = 0
-    try:
+    with ending(log):
         prefix = read_prefix(log)
         with Engine() as engine:
             for told in story(Session(engine, prefix.header), prefix):
                 named.update(told.requirements)
                 echo(_text(told) if output == "text" else msgspec.json.encode(told).decode())
                 code = 1 if told.explanations == 0 else 0
-    except UnusableLogError as error:
-        click.echo(f"{click.format_filename(log)}: unusable: {error}", err=True)
-        return 2
-    except EngineError as error:
-        click.echo(f"{click.format_filename(log)}: {error}", err=True)
-        return 3
     if output == "text" and named:
         echo("\n".join(["", *(clause_text(name) for name in sorted(named))]))
     return code

@@ -11,10 +11,9 @@ from s7check.asking.log_prefix import read_prefix
 from s7check.asking.session import Session
 from s7check.asking.variants import Variant, variant_options, variants
 from s7check.completion import complete_files
+from s7check.ending import ending
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.kit.program import FORMAT
-from s7check.log.errors import UnusableLogError
 from s7check.output import echo
 from s7check.report.lines import clause_text
 from s7check.simulating.separation import log_of, separation
@@ -46,21 +45,14 @@ def compare_command(
 ) -> int:
     """Compare and print."""
     sides = variants(cpus, profiles, readings)
-    try:
-        with Engine() as engine:
-            if _is_program(Path(file)):
-                if len(sides) != 2:
-                    raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")
-                return _programs(engine, Path(file), only, sides[0], sides[1])
-            if not sides:
-                raise click.UsageError("expected --cpu, --profile or --reading; found none of them")
-            return _log(engine, file, sides)
-    except UnusableLogError as error:
-        click.echo(f"{click.format_filename(file)}: unusable: {error}", err=True)
-        return 2
-    except EngineError as error:
-        click.echo(f"{click.format_filename(file)}: {error}", err=True)
-        return 3
+    with ending(file), Engine() as engine:
+        if _is_program(Path(file)):
+            if len(sides) != 2:
+                raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")
+            return _programs(engine, Path(file), only, sides[0], sides[1])
+        if not sides:
+            raise click.UsageError("expected --cpu, --profile or --reading; found none of them")
+        return _log(engine, file, sides)
 
 
 def _is_program(file: Path) -> bool:

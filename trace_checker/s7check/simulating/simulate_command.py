@@ -13,6 +13,7 @@ import msgspec
 
 from s7check.asking.variants import Variant
 from s7check.completion import complete_files
+from s7check.ending import ending
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.collection import UnreadableProgramError, programs_of
@@ -76,19 +77,12 @@ def simulate_command(
 
     if program == "-":
         return _adapter(begun)
-    try:
-        with Engine() as engine:
-            simulation = begun(engine, the_program(Path(program), only))
-            if whole:
-                _tree(simulation, output)
-            else:
-                echo("\n".join(_line(line) for line in simulation.run()))
-    except UnusableLogError as error:
-        click.echo(f"{click.format_filename(program)}: unusable: {error}", err=True)
-        return 2
-    except EngineError as error:
-        click.echo(f"{click.format_filename(program)}: {error}", err=True)
-        return 3
+    with ending(program), Engine() as engine:
+        simulation = begun(engine, the_program(Path(program), only))
+        if whole:
+            _tree(simulation, output)
+        else:
+            echo("\n".join(_line(line) for line in simulation.run()))
     return 0
 
 

@@ -1,0 +1,25 @@
+"""The end of a command whose file cannot be used, or whose engine fails."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import click
+
+from s7check.engine.command import EngineError
+from s7check.judging.verdict import EXIT_CODES
+from s7check.log.errors import UnusableLogError
+
+
+@contextmanager
+def ending(name: str) -> Iterator[None]:
+    """Tell of an unusable file of this name or a failed engine, and end with the exit code of that verdict."""
+    try:
+        yield
+    except UnusableLogError as error:
+        click.echo(f"{click.format_filename(name)}: unusable: {error}", err=True)
+        raise click.exceptions.Exit(EXIT_CODES["unusable"]) from error
+    except EngineError as error:
+        click.echo(f"{click.format_filename(name)}: {error}", err=True)
+        raise click.exceptions.Exit(EXIT_CODES["no verdict"]) from error
