@@ -1,4 +1,4 @@
-"""What a project's own CI uses: the script behind action.yml and the container, and tests by CTest."""
+"""The CI of a project: the script behind action.yml and the container, tests by CTest, pinned actions."""
 
 import json
 import os
@@ -77,3 +77,11 @@ def test_ctest(tmp_path: Path) -> None:
     failed = tests()
     assert failed.returncode != 0
     assert "rejected: no behaviour of the specification explains this line" in failed.stdout
+
+
+def test_actions_are_pinned() -> None:
+    """Each action of another project is named by a commit: a tag can be moved."""
+    files = [ROOT / "action.yml", *(ROOT / ".github" / "workflows").glob("*.yml")]
+    used = [name for file in files for name in re.findall(r"^\s*(?:- )?uses: (\S+)", file.read_text(), re.MULTILINE)]
+    assert len(used) > 10
+    assert [name for name in used if name != "./" and not re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", name)] == []
