@@ -12,6 +12,8 @@ MCPriorities ==
     { [o \in {10, 11, 40, 41} |-> CASE o = 10 -> 3 [] o = 11 -> 20
                                     [] o = 40 -> 3 [] OTHER   -> 0] }
 MCLoads == {{10, 11, 40, 80, 85}}
+(* [OBS-25] An OB of class 0 is loaded. *)
+ZeroLoads == {{10, 41, 80, 85}}
 MCStep7Settings ==
     {[o \in TodObs |-> Activated("minute", IF o = 10 THEN 1 ELSE 2)]}
 MCMoments == HalfMinutes(0, 2)

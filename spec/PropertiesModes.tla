@@ -80,7 +80,8 @@ PeriodTable ==
 
 (* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55]       *)
 (* Before the startup OB begins, only the settings of STEP 7 hold, and     *)
-(* only a once of the past waits [OBS-56].                                 *)
+(* only a once of the past waits [OBS-56]. A deselected OB that is loaded, *)
+(* by STEP 7 or by class 0 [OBS-06], aborts the startup [OBS-25].          *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>
@@ -92,10 +93,9 @@ RestartProp ==
                         /\ tod'[o].start = s.start
                         /\ <<s.execution, tod'[o].period>> \in PeriodTable
                    /\ PendingIn(requests', o) <=>
-                        /\ s.execution = "once" /\ s.active /\ ~s.deselected
+                        /\ s.execution = "once" /\ s.active /\ ~Deselected(o)
                         /\ Before(At(s.start), clock)
-          /\ stopCause' = \h454A <=>
-               \E o \in loaded \cap TodObs : cpu.step7[o].deselected ]_vars
+          /\ stopCause' = \h454A <=> \E o \in loaded : Deselected(o) ]_vars
 
 (* The CPU does not change, except that it may show its reading of an open *)
 (* question. OBs come and go only by load and delete.                      *)
