@@ -6,12 +6,14 @@
 (* OB 85 and the startup OBs, each loaded or missing; the three families;  *)
 (* classes of OB 10, 11 and 40 as by default or, but on S7-300, set to any *)
 (* that OBS-05 allows.  The clock, the delay count, settings, jobs, what   *)
-(* requests say and the operands of calls are any integers.                *)
+(* requests say and the operands of calls are any integers, a fault id any *)
+(* byte.                                                                   *)
 (* Before the step at most three start events wait, three OBs run, and a   *)
 (* time-of-day OB remembers two runs of points of each kind.               *)
 (*                                                                         *)
 (* The calendar: of the first point of a series only what CalendarLemma    *)
-(* says is used; models/MCCalendarLemma checks that.                       *)
+(* says is used, which models/MCCalendarLemma checks; of the next point of *)
+(* a setting only what follows from that: NextPointLemma.                  *)
 (* models/proofs.json has the queries; `s7check prove' asks them.          *)
 (***************************************************************************)
 EXTENDS InductiveSystem, APCalendar, Apalache
@@ -34,7 +36,7 @@ APTodObs == {10, 11}
 APDintObs == {20}
 APExternalObs == {40, 80, 85}
 APAsyncErrorObs == {80, 85}
-APBlockable == {10, 11, 20, 40, 80, 85}
+APBlockable == (10..17) \cup (20..23) \cup APExternalObs
 APObs == {10, 11, 20, 40, 80, 85, 100, 102}
 APNumbers == Int
 APSdts == {AnySdt}
@@ -58,6 +60,28 @@ AnyFirstPoint(start, period, m) ==
         ELSE IF period # EndOfMonth /\ m <= start THEN start
         ELSE IF period = Minutely THEN m
         ELSE Never
+        : q \in {Gen(1)} } : TRUE
+
+(* What the proofs use of q, the next point of a setting from moment m on. *)
+\* @type: ($tod, $moment, Int) => Bool;
+NextPointLemma(t, m, q) ==
+    LET from == FirstMinute(t, m)
+    IN  /\ q = Never \/ (from <= q /\ t.start <= q /\ q <= LastMinute)
+        /\ t.period = Once => q \in {t.start, Never}
+        /\ from > t.repeatTo => CalendarLemma(t.start, t.period, from, q)
+
+(* In place of NextPoint, in the same way; next-point proves the lemma. *)
+\* @type: ($tod, $moment, $cpu) => Int;
+AnyNextPoint(t, m, c) ==
+    CHOOSE point \in
+      { IF NextPointLemma(t, m, q) THEN q
+        ELSE LET from == FirstMinute(t, m)
+             IN  IF from <= t.repeatTo THEN Never
+                 ELSE IF t.period = Once THEN NotBefore(t.start, from)
+                 ELSE IF from > LastMinute THEN Never
+                 ELSE IF t.period # EndOfMonth /\ from <= t.start THEN t.start
+                 ELSE IF t.period = Minutely THEN from
+                 ELSE Never
         : q \in {Gen(1)} } : TRUE
 
 -----------------------------------------------------------------------------
@@ -96,7 +120,7 @@ AnyConstants ==
     /\ AnyMoment = Gen(1)
     /\ IsMoment(AnyMoment)
     /\ AnyOb \in {40, 80, 85}
-    /\ AnyFault \in Int
+    /\ AnyFault \in 0..255
 
 APFamilies == {AnyCpu.family}
 APPriorities == {AnyCpu.priority}
@@ -105,14 +129,15 @@ APLoads == SUBSET APObs
 
 -----------------------------------------------------------------------------
 
-AnyState ==
+(* A state with these settings of OB 10 and OB 11. *)
+\* @type: ($tod, $tod) => Bool;
+StateWith(t, u) ==
     /\ cpu = AnyCpu
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
     /\ clock = Gen(1)
-    /\ \E t \in {Gen(2)}, u \in {Gen(2)} :
-         tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
+    /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j \in {Gen(1)} : dint = [o \in DintObs |-> j]
     /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
     /\ requests = Gen(3)
@@ -121,6 +146,24 @@ AnyState ==
     /\ stopCause \in Int
     /\ entered = {}
     /\ step = Step("any", 0, 0)
+
+AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u)
+
+(* next-point: any setting, with the runs that a step may have added to    *)
+(* those of AnyState.                                                      *)
+\* @type: ($tod, $tod) => $tod;
+ServedAs(t, s) == [t EXCEPT !.served = s.served]
+\* @type: ($tod, $tod) => $tod;
+SetAnewAfter(t, s) == [t EXCEPT !.served = {}, !.earlier = s.earlier]
+
+AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(3)}, e \in {Gen(4)} :
+                   \/ StateWith(ServedAs(t, s), t)
+                   \/ StateWith(SetAnewAfter(t, e), t)
+              /\ SettingDataInv
+              /\ 0 <= clock.min /\ clock.min <= LastMinute
+NextPointFollows ==
+    \A q \in {NextPoint(tod[10], clock, cpu)} :
+      NextPointLemma(tod[10], clock, q)
 
 (* What AnyState takes for granted of a variable stays so. *)
 InWorld ==

@@ -24,6 +24,7 @@ SettingDataInv ==
       /\ tod[o].offset = 0
       /\ tod[o].period \in PeriodCodes
       /\ IsPoint(tod[o].next)
+      /\ tod[o].period = Once => tod[o].next \in {tod[o].start, Never}
       /\ \A i \in tod[o].served : IsRun(i.from, i.to)
       /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
                                     /\ i.start \in 0..LastMinute
@@ -73,6 +74,12 @@ FrameDataInv ==
              /\ HasClass(o, c)
              /\ ~Deselected(o)
 
+(* [DINT-10] [AMB-47] What OverlapInv says of a time-of-day OB. *)
+LaterDelayInv ==
+    \A o \in DintObs :
+      Cardinality({ r \in requests :
+                      r.ob = o /\ r.follows = StillRunning }) <= 1
+
 Ind == /\ IndInv
        /\ IsMoment(clock)
        /\ JobInv
@@ -84,4 +91,5 @@ Ind == /\ IndInv
        /\ FrameDataInv
        /\ DueInv
        /\ OverlapInv
+       /\ LaterDelayInv
 =============================================================================

@@ -126,11 +126,10 @@ FirstUnserved(t, p, c) ==
 (* points may be over [AMB-56].                                            *)
 \* @type: ($tod, $moment, $cpu) => Int;
 NextPoint(t, m, c) ==
-    LET p    == PointFrom(t, FirstMinute(t, m))
-        over == OverUntil(t, c)
-    IN  IF p > t.repeatTo THEN p
-        ELSE FirstUnserved(t, IF p > over THEN p
-                              ELSE PointFrom(t, over + 1), c)
+    LET p     == PointFrom(t, FirstMinute(t, m))
+        over  == OverUntil(t, c)
+        begin == IF p > over THEN p ELSE PointFrom(t, over + 1)
+    IN  IF p > t.repeatTo THEN p ELSE FirstUnserved(t, begin, c)
 
 \* @type: ($tod, $moment, $cpu) => $tod;
 Armed(t, m, c) == [t EXCEPT !.next = NextPoint(t, m, c)]

@@ -16,7 +16,8 @@ from typing import Annotated, Literal
 import msgspec
 from tree_sitter import Node
 
-from evidence.harness.manifest import Mutation
+from evidence.harness.manifest import MANIFEST as MODELS
+from evidence.harness.manifest import ManifestFile, Mutation
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import closure, read_modules
 from evidence.tla.syntax import Module, operand, token
@@ -34,7 +35,7 @@ TOGETHER = "Together"
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
 
-Kind = Literal["begins", "step", "follows", "control", "mutant", "claim"]
+Kind = Literal["begins", "step", "follows", "lemma", "letters", "control", "mutant", "claim"]
 
 
 class ManifestError(ValueError):
@@ -47,12 +48,14 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
     action: str
     formula: str
     tried: Annotated[str, msgspec.Meta(min_length=10)]
+    letter: str = ""
+    """The ambiguity and the letter, such as "AMB-49 b", where it is not claimed of every letter alone."""
 
 
-class Mutant(Mutation, forbid_unknown_fields=True, kw_only=True):
-    """A changed guard of an action, and the formula that no longer holds of it."""
+class Mutant(msgspec.Struct, forbid_unknown_fields=True):
+    """A negative control of models/manifest.json: with its change the formula no longer holds of the action."""
 
-    name: str
+    control: str
     action: str
     formula: str
 
@@ -64,6 +67,25 @@ class Claim(msgspec.Struct, forbid_unknown_fields=True):
     module: str
     init: str
     length: int
+    formula: str
+
+
+class Letters(msgspec.Struct, forbid_unknown_fields=True):
+    """The actions, by the name of their query, that are asked again of every letter of the ambiguities.
+
+    A CPU shows how it reads the `shown` ones when it is at work, so that they are open in every query.
+    """
+
+    together: dict[str, list[str]]
+    shown: list[str]
+
+
+class Lemma(msgspec.Struct, forbid_unknown_fields=True):
+    """A query by which the operator `of` is as the one that is put in its place: from `init` the formula holds."""
+
+    name: str
+    of: str
+    init: str
     formula: str
 
 
@@ -83,6 +105,7 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
+    lemmas: list[Lemma] = []
 
 
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
@@ -90,6 +113,7 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
 
     version: Literal[1]
     induction: Induction
+    letters: Letters
     not_proved: list[NotProved]
     mutants: list[Mutant]
     claims: list[Claim]
@@ -99,8 +123,9 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
 class Query:
     """What Apalache is asked: `expect` of the formulas from `init` after `length` steps of `next`.
 
-    `actions` are the actions of System whose disjunction is `next`, `mutation` a change of the specification,
+    `actions` are the actions of System whose disjunction is `next`, `mutations` changes of the specification,
     `constants` the initial predicate of the constants, `instead` the operators that stand in the places of others.
+    With `shown` ambiguities are read by any letter, but for these.
     """
 
     name: str
@@ -114,8 +139,9 @@ class Query:
     actions: tuple[str, ...] = ()
     constants: str = ""
     instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    shown: tuple[str, ...] | None = None
     expect: Literal["holds", "violated"] = "holds"
-    mutation: Mutation | None = None
+    mutations: tuple[Mutation, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -152,19 +178,35 @@ def load(root: Path) -> Proofs:
     modules = read_modules(root / "spec")
     actions = named_actions(modules)
     steps, states = properties(modules)
+    stated = {name for names in states.values() for name in names}
     formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
+    changes = _changes(root / MODELS)
     joined = [action for some in file.induction.together.values() for action in some]
     if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
         raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
     named = [(cell.action, cell.formula) for cell in file.not_proved]
-    for action, formula in [*named, *((mutant.action, mutant.formula) for mutant in file.mutants)]:
-        if action == FOLLOWS and any(formula in names for names in states.values()):
+    for action, formula in named:
+        if action == FOLLOWS and formula in stated:
             continue
         if action not in actions:
             raise ManifestError(f"{path}: {action} is no action of System")
         if formula not in formulas:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
-    return Proofs(file, tuple(_queries(file, actions, steps, states)), actions, steps, states)
+    for mutant in file.mutants:
+        if mutant.action not in actions or mutant.formula not in formulas | stated:
+            raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
+        if not changes.get(mutant.control):
+            raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
+    return Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
+
+
+def _changes(path: Path) -> dict[str, tuple[Mutation, ...]]:
+    """What the controls of the models change in the specification. Raises `ManifestError`, OSError."""
+    try:
+        models = msgspec.json.decode(path.read_bytes(), type=ManifestFile).models
+    except msgspec.MsgspecError as error:
+        raise ManifestError(f"{path}: {error}") from error
+    return {m.name: tuple(m.mutate) if isinstance(m.mutate, list) else (m.mutate,) for m in models}
 
 
 def named_actions(modules: dict[str, Module]) -> tuple[str, ...]:
@@ -191,10 +233,14 @@ def properties(modules: dict[str, Module]) -> tuple[dict[str, tuple[str, ...]], 
 
 
 def _queries(
-    file: ProofsFile, actions: tuple[str, ...], steps: dict[str, tuple[str, ...]], states: dict[str, tuple[str, ...]]
+    file: ProofsFile,
+    actions: tuple[str, ...],
+    steps: dict[str, tuple[str, ...]],
+    states: dict[str, tuple[str, ...]],
+    changes: dict[str, tuple[Mutation, ...]],
 ) -> list[Query]:
     base = file.induction
-    left = {(cell.action, cell.formula) for cell in file.not_proved}
+    left = {(cell.action, cell.formula) for cell in file.not_proved if not cell.letter}
     anywhere = Query(
         name=FOLLOWS,
         kind="follows",
@@ -210,16 +256,33 @@ def _queries(
     queries = [
         replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants)),
         anywhere,
+        *(
+            replace(
+                anywhere,
+                name=lemma.name,
+                kind="lemma",
+                init=lemma.init,
+                formulas=(lemma.formula,),
+                instead=tuple((name, tuple(others)) for name, others in base.instead.items() if name != lemma.of),
+            )
+            for lemma in base.lemmas
+        ),
     ]
     whole = (*base.invariants, *(name for names in steps.values() for name in names))
     joined = {action for some in base.together.values() for action in some}
     groups = {**{action: [action] for action in actions if action not in joined}, **base.together}
-    for name, some in groups.items():
+
+    def step(name: str, kind: Kind, some: list[str], left: set[tuple[str, str]]) -> Query:
         formulas = tuple(formula for formula in whole if not left & {(action, formula) for action in some})
         following = some[0] if len(some) == 1 else TOGETHER
-        queries.append(
-            replace(anywhere, name=name, kind="step", next=following, actions=tuple(some), length=1, formulas=formulas)
-        )
+        return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
+
+    queries += [step(name, "step", some, left) for name, some in groups.items()]
+    beside = {(cell.action, cell.formula) for cell in file.not_proved}
+    queries += [
+        replace(step(f"letters-{name}", "letters", some, beside), shown=tuple(file.letters.shown))
+        for name, some in file.letters.together.items()
+    ]
     one = {
         action: replace(anywhere, name=f"control-{action}", next=action, actions=(action,), length=1, expect="violated")
         for action in actions
@@ -227,7 +290,11 @@ def _queries(
     queries += [replace(query, kind="control", formulas=(base.control,)) for query in one.values()]
     queries += [
         replace(
-            one[mutant.action], name=f"mutant-{mutant.name}", kind="mutant", formulas=(mutant.formula,), mutation=mutant
+            one[mutant.action],
+            name=f"mutant-{mutant.control.removeprefix('neg-')}",
+            kind="mutant",
+            formulas=(mutant.formula,),
+            mutations=changes[mutant.control],
         )
         for mutant in file.mutants
     ]

@@ -20,7 +20,7 @@ def assumptions(proofs: Proofs) -> str:
         f"One step of System from any state in which {base.invariants[0]} holds, in the world of "
         f"models/{base.module}.tla, "
         f"with at most {base.waiting} start events that wait and {base.running} OBs that run before the step; "
-        "the calendar by its lemma; readings by default."
+        "the calendar by its lemma; readings by default, but in the queries called letters-."
     )
 
 
@@ -48,7 +48,12 @@ def as_json(proofs: Proofs, answers: Answers) -> dict[str, Any]:
         ],
         "formulas": standing(proofs, answers),
         "not_proved": [
-            {"action": cell.action, "formula": cell.formula, "tried": cell.tried} for cell in proofs.file.not_proved
+            {
+                "action": cell.action,
+                "formula": f"{cell.formula}, {cell.letter}" if cell.letter else cell.formula,
+                "tried": cell.tried,
+            }
+            for cell in proofs.file.not_proved
         ],
     }
 
@@ -61,7 +66,7 @@ def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
     base = proofs.file.induction
     holds = {query.name: query for query, result in answers if result.answer.outcome == "holds"}
     proved = [(set(query.formulas), query.actions) for query in holds.values() if query.kind == "step"]
-    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved}
+    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved if not cell.letter}
     rows = []
     for kind, modules in (("steps", proofs.steps), ("states", proofs.states)):
         for module, names in modules.items():
@@ -92,4 +97,5 @@ def show(console: Console, proofs: Proofs, answers: Answers) -> None:
             said = f"{query.name}: {result.answer.outcome}: {result.answer.detail}{where}"
             console.print(said, markup=False, highlight=False, soft_wrap=True)
     for cell in proofs.file.not_proved:
-        console.print(f"not proved: {cell.formula} of {cell.action}: {cell.tried}", markup=False, soft_wrap=True)
+        formula = f"{cell.formula} by {cell.letter}" if cell.letter else cell.formula
+        console.print(f"not proved: {formula} of {cell.action}: {cell.tried}", markup=False, soft_wrap=True)

@@ -17,7 +17,7 @@ from evidence.harness.manifest import Mutation
 from evidence.proofs import apalache
 from evidence.proofs.apalache import Answer
 from evidence.proofs.queries import TOGETHER, ManifestError, Query
-from evidence.proofs.text import definitions, module_text
+from evidence.proofs.text import ANY_LETTERS, definitions, module_text, module_text_of_letters, without_comments
 
 Kept = Literal["nothing", "claimed", "all"]
 
@@ -28,7 +28,10 @@ _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
 
 class Result(msgspec.Struct, frozen=True):
-    """What came of a query: `key` is the hash of all that Apalache read; `megabytes` the most memory it had."""
+    """What came of a query.
+
+    `key` is the hash of all that Apalache read, but comments; `megabytes` the most memory that it had.
+    """
 
     query: str
     key: str
@@ -67,11 +70,11 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     arguments = [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
         f"--inv={','.join(query.formulas)}",
-        *([f"--cinit={query.constants}"] if query.constants else []),
+        *([f"--cinit={query.constants if query.shown is None else ANY_LETTERS}"] if query.constants else []),
         *([AFTER_A_STEP] if query.kind not in ("claim",) and query.length else []),
         f"{query.module}.tla",
     ]
-    key = hashlib.sha256("\0".join([text, config, *arguments]).encode()).hexdigest()
+    key = hashlib.sha256("\0".join([without_comments(text), config, *arguments]).encode()).hexdigest()
     file = asking.build / f"{query.name}.json"
     before = msgspec.json.decode(file.read_bytes(), type=Result) if file.exists() else None
     if before is not None and before.key == key and (kept == "all" or (kept == "claimed" and ok(query, before))):
@@ -98,11 +101,16 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
     replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
     words = (query.init, query.next, query.constants, *query.actions, *query.formulas)
     with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
-        if query.mutation is not None:
-            _mutate(root, query.name, query.mutation, Path(changed))
+        for change in query.mutations:
+            _mutate(root, query.name, change, Path(changed))
         folders = [Path(changed), root / "models", root / "spec"]
         roots = {*words, *replaced, *replaced.values()} - {""}
-        text = module_text(query.module, folders, roots, dict(query.instead))
+        if query.shown is None:
+            text = module_text(query.module, folders, roots, dict(query.instead))
+        else:
+            text = module_text_of_letters(
+                query.module, folders, roots, dict(query.instead), shown=query.shown, constants=query.constants
+            )
     if query.next == TOGETHER:
         either = " \\/ ".join(query.actions)
         text = text.replace("\n====\n", f"\n{TOGETHER} == {either}\n====\n")
@@ -115,8 +123,9 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
 
 def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:
     """Write the changed module. Raises `ManifestError` where the text to replace is not there once."""
-    path = root / "spec" / change.module
-    text = path.read_text(encoding="utf-8")
+    path = folder / change.module
+    source = path if path.exists() else root / "spec" / change.module
+    text = source.read_text(encoding="utf-8")
     if text.count(change.replace) != 1:
         raise ManifestError(f"query {query}: {change.module} has not once the text {change.replace!r}")
-    (folder / path.name).write_text(text.replace(change.replace, change.by), encoding="utf-8")
+    path.write_text(text.replace(change.replace, change.by), encoding="utf-8")

@@ -3,7 +3,8 @@
 - The modules are flattened, and definitions that the query does not need are left out (`flatten`).
 - A property of steps ``[][F]_vars`` becomes the action formula ``F``, which Apalache checks after a step. That is
   stronger: a step that changes nothing has to be as F says, too.
-- ``Reading("AMB-..")`` becomes the letter that holds by default, read from module Editions.
+- ``Reading("AMB-..")`` becomes the letter that holds by default, read from module Editions; or, in a query about
+  every letter, a constant that may be each letter of the ambiguity.
 """
 
 from __future__ import annotations
@@ -13,12 +14,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from evidence.tla.flatten import definition_span, flatten, keep_only
+from evidence.tla.flatten import Flat, definition_span, flatten, keep_only
 from evidence.tla.syntax import Module, SyntaxTreeError
 
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
+_COMMENT = re.compile(r"(@type(?s:.*?);)|\(\*(?! *@type)(?s:.*?)\*\)|\\\*(?! *@type).*")
 _LETTERS = re.compile(r"^ReadBy([A-Z]) ==\s*\{([^}]*)\}", re.MULTILINE)
+_NUMBERS = re.compile(r"^(Two|Three|Four)Letters ==\s*\{([^}]*)\}", re.MULTILINE)
+_LETTER = re.compile(r"\bLetterOf(\d+)\b")
+
+ANY_LETTERS = "AnyLetters"
+"""What is said of the constants in a query about every letter."""
 
 
 def default_letters(editions: str) -> dict[str, str]:
@@ -31,6 +38,33 @@ def default_letters(editions: str) -> dict[str, str]:
 def as_action(text: str) -> str:
     """Properties of steps as formulas about one step. The columns stay, since conjunction lists depend on them."""
     return _BOX.sub(lambda box: f"(  {box[1]})", text)
+
+
+def all_letters(editions: str) -> dict[str, str]:
+    """The letters of each ambiguity, from the text of module Editions: such as "abc"."""
+    return {
+        name: "abcd"[: ("Two", "Three", "Four").index(number) + 2]
+        for number, names in _NUMBERS.findall(editions)
+        for name in re.findall(r"AMB-\d+", names)
+    }
+
+
+def read_by_any(text: str, shown: Iterable[str]) -> str:
+    """The text with a constant for each ambiguity, but for those whose letter a CPU shows when it is at work."""
+    return _READING.sub(lambda found: found[0] if found[1] in shown else f"LetterOf{found[1][4:]}", text)
+
+
+def with_letters(text: str, letters: Mapping[str, str], constants: str) -> str:
+    """The text with its constants for letters declared, and with `ANY_LETTERS`: these and the other `constants`."""
+    numbers = sorted(set(_LETTER.findall(text)))
+    declared = ",\n".join(f"    \\* @type: Str;\n    LetterOf{n}" for n in numbers)
+    quoted = {n: ", ".join(f'"{letter}"' for letter in letters[f"AMB-{n}"]) for n in numbers}
+    each = [f"LetterOf{n} \\in {{{quoted[n]}}}" for n in numbers]
+    said = f"{ANY_LETTERS} ==\n" + "\n".join(f"    /\\ {one}" for one in [constants, *each])
+    head, line, rest = text.partition("\nEXTENDS ")
+    extended, end, body = rest.partition("\n")
+    declared = f"CONSTANTS\n{declared}\n\n" if numbers else ""
+    return f"{head}{line}{extended}{end}{declared}{body}".replace("\n====\n", f"\n{said}\n====\n")
 
 
 def read_by_default(text: str, letters: Mapping[str, str]) -> str:
@@ -55,16 +89,44 @@ def put_in_place(text: str, name: str, others: Sequence[str]) -> str:
     return out.decode()
 
 
-def module_text(module: str, folders: list[Path], roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:
+def module_text(
+    module: str,
+    folders: list[Path],
+    roots: Iterable[str],
+    instead: Mapping[str, Sequence[str]],
+) -> str:
     """The module with all that it extends and the roots need; `instead` puts operators in the place of others.
 
     Raises OSError, `SyntaxTreeError`.
     """
+    return _of_flat(flatten(module, folders), roots, instead)
+
+
+def module_text_of_letters(
+    module: str,
+    folders: list[Path],
+    roots: Iterable[str],
+    instead: Mapping[str, Sequence[str]],
+    *,
+    shown: Sequence[str],
+    constants: str,
+) -> str:
+    """As `module_text`, of any letter of each ambiguity but the `shown` ones, and with `ANY_LETTERS`."""
     flat = flatten(module, folders)
+    text = _of_flat(replace(flat, text=read_by_any(flat.text, shown)), roots, instead)
+    return with_letters(text, all_letters(flat.text), constants)
+
+
+def _of_flat(flat: Flat, roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:
     text = read_by_default(as_action(flat.text), default_letters(flat.text))
     for name, others in instead.items():
         text = put_in_place(text, name, others)
     return keep_only(replace(flat, text=text), roots)
+
+
+def without_comments(text: str) -> str:
+    """What says something: no comments but types, no empty lines."""
+    return "\n".join(filter(None, (line.rstrip() for line in _COMMENT.sub(r"\1", text).splitlines())))
 
 
 def definitions(text: str) -> frozenset[str]:

@@ -13,13 +13,24 @@ import pytest
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
+from evidence.harness.manifest import MANIFEST as MODELS
 from evidence.harness.manifest import Mutation
 from evidence.proofs import command
 from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions, standing
 from evidence.proofs.runner import Asking, Result, ask, ok, texts
-from evidence.proofs.text import as_action, default_letters, definitions, put_in_place, read_by_default
+from evidence.proofs.text import (
+    all_letters,
+    as_action,
+    default_letters,
+    definitions,
+    put_in_place,
+    read_by_any,
+    read_by_default,
+    with_letters,
+    without_comments,
+)
 from evidence.tla.syntax import SyntaxTreeError
 from s7check.cli import main
 
@@ -107,6 +118,16 @@ def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
     assert all((q.next, q.formulas, q.expect) == (q.actions[0], ("NoStep",), "violated") for q in controls)
 
 
+def test_mutants_of_many_actions(proofs: Proofs) -> None:
+    """At least thirty changed guards, each asked of one action and one property, with the change of its control."""
+    mutants = [query for query in proofs.queries if query.kind == "mutant"]
+    assert len({query.name for query in mutants}) == len(mutants) >= 30
+    assert len({query.actions for query in mutants}) > 20
+    assert all((len(q.actions), len(q.formulas), q.expect) == (1, 1, "violated") and q.mutations for q in mutants)
+    (query,) = proofs.select(("mutant-end-keeps-the-delay",))
+    assert query.mutations[0].by in texts(ROOT, query)[0]
+
+
 def test_actions_that_are_asked_together(proofs: Proofs) -> None:
     """The step is their disjunction; a formula that is not claimed of one of them is asked of none."""
     query = next(q for q in proofs.queries if q.name == "calls-irt")
@@ -125,6 +146,30 @@ def test_one_invariant_for_all(proofs: Proofs) -> None:
     assert set(invariants.formulas) == {name for names in proofs.states.values() for name in names} - left
 
 
+def test_what_is_put_in_place_has_its_lemma(proofs: Proofs) -> None:
+    """Its query has the operator itself; the other one, of the calendar, TLC checks (model calendar-lemma)."""
+    lemmas = {query.name: query for query in proofs.queries if query.kind == "lemma"}
+    assert {lemma.of for lemma in proofs.file.induction.lemmas} == {*proofs.file.induction.instead} - {"FirstPoint"}
+    for lemma in proofs.file.induction.lemmas:
+        query = lemmas[lemma.name]
+        assert lemma.of not in dict(query.instead)
+        assert (query.init, query.formulas, query.length) == (lemma.init, (lemma.formula,), 0)
+
+
+def test_every_letter_is_asked(proofs: Proofs) -> None:
+    """Of the same actions and formulas, but those that are not claimed of a letter; the constants are declared."""
+    steps = {action: query for query in proofs.queries if query.kind == "step" for action in query.actions}
+    letters = [query for query in proofs.queries if query.kind == "letters"]
+    assert letters
+    for query in letters:
+        for action in query.actions:
+            left = {cell.formula for cell in proofs.file.not_proved if cell.letter and cell.action in query.actions}
+            assert set(steps[action].formulas) - left <= set(query.formulas)
+    text, _ = texts(ROOT, letters[0])
+    assert "CONSTANTS\n    \\* @type: Str;\n    LetterOf" in text
+    assert 'LetterOf49 \\in {"a", "b", "c"}' in text
+
+
 def test_queries_are_picked_by_name(proofs: Proofs) -> None:
     """By globs; an action stands for the query about its step."""
     assert [q.name for q in proofs.select(("CallDisAirt", "control-CallD*Airt"))] == ["lock", "control-CallDisAirt"]
@@ -139,12 +184,15 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"not_proved": [{"action": "Nothing", "formula": "EndProp", "tried": "ten characters"}]}, "no action"),
         ({"not_proved": [{"action": "EndsOb", "formula": "NoProp", "tried": "ten characters"}]}, "neither a property"),
         ({"not_proved": [{"action": "EndsOb", "formula": "EndProp", "tried": "no"}]}, "tried"),
+        ({"mutants": [{"control": "neg-airt-en-ends-all", "action": "EndsOb", "formula": "No"}]}, "a property"),
+        ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
     ],
 )
 def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> None:
     """The message names the file and the field."""
     (tmp_path / "models").mkdir()
     (tmp_path / "spec").symlink_to(ROOT / "spec")
+    (tmp_path / MODELS).symlink_to(ROOT / MODELS)
     manifest = json.loads((ROOT / MANIFEST).read_bytes())
     (tmp_path / MANIFEST).write_text(json.dumps(manifest | change))
     with pytest.raises(ManifestError, match=f"proofs.json: .*{said}"):
@@ -165,6 +213,17 @@ def test_readings_are_read_by_default() -> None:
     letters = default_letters('ReadByB ==\n  { "AMB-02",\n  "AMB-27" }\nReadByC == { "AMB-01" }\n')
     assert letters == {"AMB-02": "b", "AMB-27": "b", "AMB-01": "c"}
     assert read_by_default('Reading("AMB-02") = "a" /\\ Reading("AMB-09") = "b"', letters) == '"b" = "a" /\\ "a" = "b"'
+
+
+def test_a_text_of_any_letter() -> None:
+    """A constant for each ambiguity, but for those that a CPU shows; the letters are those of module Editions."""
+    letters = all_letters('ThreeLetters ==\n  { "AMB-02",\n  "AMB-27" }\nTwoLetters == { "AMB-01" }\n')
+    assert letters == {"AMB-02": "abc", "AMB-27": "abc", "AMB-01": "ab"}
+    text = read_by_any('==\nEXTENDS A\nF == Reading("AMB-02") = "a" /\\ Reading("AMB-11") = "b"\n====\n', ["AMB-11"])
+    said = with_letters(text, letters, "Any")
+    assert 'F == LetterOf02 = "a" /\\ Reading("AMB-11") = "b"' in said
+    assert "EXTENDS A\nCONSTANTS\n    \\* @type: Str;\n    LetterOf02\n" in said
+    assert said.endswith('AnyLetters ==\n    /\\ Any\n    /\\ LetterOf02 \\in {"a", "b", "c"}\n====\n')
 
 
 def test_an_operator_is_put_in_the_place_of_another() -> None:
@@ -194,15 +253,23 @@ def test_the_text_has_what_the_query_needs(proofs: Proofs) -> None:
     assert config.startswith("INIT AnyInit\nNEXT StartsOb\n")
 
 
+def test_comments_say_nothing() -> None:
+    """But types: an answer stays where a comment changes."""
+    alias = "(* @typeAlias: t = { a: Int,   *)\n(*   b: Int };  *)"
+    typed = "\\* @type: Int => Int;\nG(x) =="
+    text = f"(* A box *)\nF == 1 \\* why\n\n(* two\n   lines *)\n{typed} (* b *) x\n{alias}\n"
+    assert without_comments(text) == f"F == 1\n{typed}  x\n{alias}"
+
+
 def test_a_mutation_needs_its_text_once(proofs: Proofs) -> None:
     """Otherwise the manifest is behind the specification."""
     (query,) = proofs.select(("control-DropsRequest",))
     change = Mutation(module="Scheduler.tla", replace="    /\\ r.open\n", by="    /\\ ~r.open\n")
-    text, _ = texts(ROOT, dataclasses.replace(query, mutation=change))
+    text, _ = texts(ROOT, dataclasses.replace(query, mutations=(change,)))
     assert "/\\ ~r.open\n" in text
     stale = msgspec.structs.replace(change, replace="no such text")
     with pytest.raises(ManifestError, match=r"Scheduler\.tla has not once the text 'no such text'"):
-        texts(ROOT, dataclasses.replace(query, mutation=stale))
+        texts(ROOT, dataclasses.replace(query, mutations=(stale,)))
 
 
 # Asking
