@@ -14,8 +14,8 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
-(* What follows a STOP is left to MCRestart.                               *)
-(* [AMB-25] (b)                                                            *)
+(* Behaviours after a STOP are left to MCRestart. *)
+(* [AMB-25] (b) *)
 CountLasts == {[a \in {"AMB-25"} |-> "b"]}
 Shallow == /\ delay <= 1
            /\ Waiting(1)

@@ -85,12 +85,12 @@ NoHoldPossible == FALSE
 Waiting(n) == /\ Cardinality({ r \in requests : ~r.open }) <= n
               /\ Cardinality(requests) <= n + 1
 
-(* The state without what the last step was and entered. *)
+(* The state without `step' and `entered'. *)
 View == cpuVars
 
 -----------------------------------------------------------------------------
-(* What stays possible.  A rule that forbids too much violates no property *)
-(* of what happens.  TLC alone checks these: they ask what is enabled.     *)
+(* Possible steps. A rule that forbids too much violates no property of    *)
+(* steps. TLC alone checks these: they use ENABLED.                        *)
 
 (* The world, or the CPU by itself, can make a step with this event. *)
 \* @type: Str => Bool;
@@ -145,7 +145,7 @@ AnsweredInv ==
 -----------------------------------------------------------------------------
 (* Steps.  These are no properties of spec/, all of which are to be proved. *)
 
-(* What an observer does not see has no value. *)
+(* Data that an observer does not see have no value. *)
 SeenProp ==
     [][ /\ step'.event \in { "end", "clock", "load", "delete", "restart",
                             "switch", "hold", "release", "run", "time" }

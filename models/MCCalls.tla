@@ -24,7 +24,7 @@ MCRestartTypes == {"warm"}
 MCRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart}
 MCStatusWords == {0, 4, 5, 16, 18, 20, 22}
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -17,7 +17,7 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCClockTargets == {Moment(0, 0), Moment(1, 30000), Moment(2, 0)}
 MCRestartTypes == {"warm"}
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
 

@@ -35,7 +35,7 @@ NoRepeatProp ==
 
 HistoryView == <<cpuVars, served>>
 
-(* A stop ends the search: what was served before is forgotten then. *)
+(* A stop ends the search: served points are forgotten then. *)
 Bounded == /\ delay = 0
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments /\ served = {}

@@ -23,7 +23,7 @@ MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -15,7 +15,7 @@ WithAnother(s) ==
 Nobody == [o \in Obs |-> [f \in Fates |-> 0]]
 AllFates == WithAnother(WithAnother({Nobody}))
 
-(* Conservation leaves open some of what follows: every next state is tried. *)
+(* Conservation leaves open some next states: each is tried.               *)
 AnyNext == /\ fates' \in AllFates
            /\ occurred' \in [Obs -> 0..Most]
            /\ Next
@@ -24,24 +24,24 @@ AloneSpec == Init /\ [][AnyNext]_tokenVars
 
 Changes(o, f) == fates'[o][f] - fates[o][f]
 
-(* What is over is over. *)
+(* A fate at its end stays. *)
 Over == {"served", "lost", "withdrawn", "cleared", "merged"}
 OverProp == [][ \A o \in Obs, f \in Over : Changes(o, f) >= 0 ]_tokenVars
 
-(* Only what ran is served. *)
+(* Only a running start event is served. *)
 ServedProp ==
     [][ \A o \in Obs :
           Changes(o, "served") > 0 =>
             Changes(o, "running") = -Changes(o, "served") ]_tokenVars
 
-(* Only what waited or was open runs, one at a time. *)
+(* Only a waiting or open start event runs, one at a time. *)
 RunsProp ==
     [][ \A o \in Obs :
           Changes(o, "running") > 0 =>
             /\ Changes(o, "running") = 1
             /\ Changes(o, "waiting") + Changes(o, "open") < 0 ]_tokenVars
 
-(* What is lost never waited: DIS_IRT takes nothing back [IRT-16]. *)
+(* A lost start event never waited: DIS_IRT takes nothing back [IRT-16]. *)
 LostProp ==
     [][ \A o \in Obs :
           Changes(o, "lost") > 0 => occurred'[o] > occurred[o] ]_tokenVars

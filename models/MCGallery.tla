@@ -8,7 +8,7 @@
 (* predicates: first Middle must hold in some state, then, in a later one, *)
 (* Goal. What the CPU does by itself, and time, are free.                  *)
 (*                                                                         *)
-(* Left out: what a case does not need; it says so by its constants.       *)
+(* Left out: everything that a case does not need; its constants say so. *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -61,7 +61,7 @@ GalleryReadings == {[a \in {} |-> ""]}
 \* @type: (Str, Int) => Set(Int -> $step7);
 Step7Active(execution, m) == {[o \in TodObs |-> Activated(execution, m)]}
 
-(* What starts now: the first request of the OB. *)
+(* The request that starts now: the first of the OB. *)
 NewlyStarted ==
     CHOOSE r \in requests :
         /\ r.ob = step'.ob
@@ -91,7 +91,7 @@ Some(event) == \E note \in past : note[1] = event
 InCycle == mode = "RUN" /\ Running.ob = CycleOb
 Now(m, ms) == clock = Moment(m, ms)
 
-(* What nobody intervenes by; the first restart switches the CPU on. *)
+(* Steps that are no intervention; the first restart switches the CPU on. *)
 ByItself == {"start", "end", "run", "missing", "dropped", "stop", "reached",
          "elapsed", "time"}
 SwitchesOn == step'.event = "restart" /\ past = {}

@@ -39,7 +39,7 @@ Cpu(family, step7) ==
     [ family |-> family, priority |-> [o \in {} |-> 0],
       step7 |-> [o \in TodObs |-> step7], readings |-> [a \in {} |-> ""] ]
 
-(* CPUs with what is loaded. *)
+(* CPUs with their loaded OBs. *)
 Cpus == { <<Cpu("S7-300", Activated("once", 0)), {10, 40, 80, 85}>>,
           <<Cpu("S7-400", [Activated("minute", 1) EXCEPT !.deselected = TRUE]),
             {40, 85}>> }

@@ -25,7 +25,7 @@ MCPowerOnMoments == {Late(-2, 30000)}
 MCClockTargets == {Late(-1, 0), Late(0, 30000)}
 MCRestartTypes == {"warm"}
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

@@ -21,7 +21,7 @@ MCRetVals == {OK}
 \* @type: Bool;
 Holding == TRUE
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -16,7 +16,7 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
 MCRestartTypes == {"warm"}
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -36,7 +36,7 @@ BesideLoads == {{20, 40, 80, 85}}
 BesideInterrupts == {<<40, 0>>, <<85, 0>>}
 OneMoment == {Moment(0, 30000)}
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments

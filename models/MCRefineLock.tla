@@ -37,7 +37,7 @@ Lock == INSTANCE CounterLock WITH
 
 LockSpec == Lock!Spec
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

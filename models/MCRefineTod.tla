@@ -64,7 +64,7 @@ CycleSpec == Life!Spec
 
 LifeView == <<cpuVars, past>>
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments /\ past = "none"
 =============================================================================

@@ -92,7 +92,7 @@ MonthsAgree ==
       /\ DaysBeforeMonth(1992, m)
            = DaysBeforeMonth(1990, m) + (IF m > 2 THEN 1 ELSE 0)
 
-(* TLC takes only what depends on the state for an invariant. *)
+(* TLC takes only formulas that depend on the state for an invariant. *)
 LettersInv == mode = "STOP" => LettersAgree
 MonthsInv  == mode = "STOP" => MonthsAgree
 

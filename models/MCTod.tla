@@ -40,7 +40,7 @@ SetTableProp ==
               \/ step'.ob = 99 /\ step'.value = \h8090
               \/ step'.value \in wrong ]_vars
 
-(* What follows a STOP is left to MCRestart. *)
+(* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
