@@ -27,6 +27,10 @@ LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 ANCHOR = re.compile(r'<a id="([^"]+)">')
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+FOLDERS = "bench|docs|evidence|examples|gallery|instrumentation|kit|models|spec|traces|trace_checker"
+PLACE = re.compile(rf"`((?:{FOLDERS})/[\w./*-]*)`")
+EXAMPLES = {"models/MCName.tla", "models/MCName.cfg", "docs/rules/since/REV.json"}
+"""Names that stand for others."""
 
 
 def anchors(page: Path) -> set[str]:
@@ -48,6 +52,14 @@ def test_links(page: Path) -> None:
         if "://" not in link and (not file.exists() or (place and place not in anchors(file))):
             dangling.append(link)
     assert dangling == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_files_that_are_named(page: Path) -> None:
+    """Each file or folder of the project that a page names is there."""
+    named = set(PLACE.findall(page.read_text(encoding="utf-8"))) - EXAMPLES
+    missing = [name for name in sorted(named) if not (any(ROOT.glob(name)) or any(ROOT.glob(f"{name}.*")))]
+    assert missing == []
 
 
 def test_letters_of_readings() -> None:
