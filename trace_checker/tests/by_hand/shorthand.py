@@ -16,7 +16,7 @@ HEADER = {
     "clock": f"{DAY}06:00:00.000",
     "mode": "RUN",
 }
-INTEGERS = {"priority", "dtime", "ev_ob", "left"}
+INTEGERS = {"priority", "dtime", "ev_ob", "left", "up"}
 BYTES = {"flt_id", "strt_info"}
 CALLS: dict[str, tuple[str, tuple[str, ...]]] = {
     "set": ("SET_TINT", ("ob", "sdt", "period", "ret")),
@@ -41,6 +41,7 @@ CALLS: dict[str, tuple[str, tuple[str, ...]]] = {
     "int": ("interrupt", ("ob", "flt_id")),
     "load": ("load", ("ob",)),
     "delete": ("delete", ("ob",)),
+    "diag": ("diag", ("id",)),
     "state": ("state", ("ob",)),
 }
 """Short name -> event and its fields; the last ones may be left out."""
@@ -94,6 +95,8 @@ def _event(line: str) -> dict[str, Any]:
     made |= {name: _value(name, value) for name, value in zip(names, plain, strict=False)}
     named = dict(operand.split("=", 1) for operand in operands if "=" in operand)
     fields = {name: _value(name, value) for name, value in named.items()}
+    if "up" in fields:
+        made["up"] = fields.pop("up")
     if event == "state":
         return made | fields
     return made | ({"info": fields} if fields else {})
@@ -110,4 +113,6 @@ def _value(name: str, value: str) -> object:
         return value if "T" in value else DAY + value
     if name == "type":
         return value
+    if value == "null":
+        return None
     return f"B#16#{value}" if name in {"mode", *BYTES} else f"W#16#{value.rjust(4, '0')}"
