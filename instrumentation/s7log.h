@@ -18,9 +18,9 @@
  *     S7LOG_NONE                    the field is absent; for `ret`: null, not logged
  *
  * Every function returns S7LOG_OK or says why it has written nothing. The functions check ranges,
- * not rules: the arguments of a call are what the program passed, right or wrong. An event has to
- * be logged in the order in which it happens in the CPU; a struct s7log is not shared by threads
- * without a lock.
+ * not rules: the arguments of a call are the program's own, right or wrong. Events have to be logged
+ * in the order in which they happen in the CPU; a struct s7log is not shared by threads without a
+ * lock.
  *
  * S7LOG_LINE       size of the buffer, 4096 bytes unless defined before; a header with everything
  *                  in it takes 3000, an event 400 and its note
@@ -142,7 +142,7 @@ struct s7log_header {
     size_t reading_count;
 };
 
-/* Start information of an OB; begin with S7LOG_INFO_NONE and fill in what is known. */
+/* Start information of an OB; begin with S7LOG_INFO_NONE and fill in the known fields. */
 struct s7log_info {
     int priority; /* 0 to 29 */
     int strt_info, flt_id;         /* bytes */
