@@ -28,6 +28,9 @@ PACKAGED = ROOT / "trace_checker" / "s7check" / "exploring" / "gallery.json"
 
 PAGE = ROOT / "docs" / "rules" / "gallery.md"
 
+REVIEW = ROOT / "docs" / "rules" / "review.md"
+_BEGIN, _END = "<!-- The gallery, by `s7check gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
+
 DIFFERS = 1
 
 
@@ -54,6 +57,7 @@ def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> in
         if write:
             PACKAGED.write_bytes(packaged())
             PAGE.write_text(page())
+            REVIEW.write_text(with_index(REVIEW.read_text()))
         plain(console, f"{len(chosen)} cases, {len(wrong)} not as they should be")
     return DIFFERS if wrong else 0
 
@@ -108,10 +112,31 @@ def page() -> str:
     """The page of the cases: each with its text, its requirements and its log."""
     parts = [_INTRODUCTION]
     for case in cases():
-        ids = ", ".join(f"[{name}](requirements.md#{name})" for name in case.requirements)
-        log = f"[{case.name}](../../gallery/{case.log.name})"
-        parts.append(f"## {case.title}\n\n{case.told}\n\n{ids}; {log}\n")
+        heading = f'## <a id="{case.name}"></a>{case.title}'
+        parts.append(f"{heading}\n\n{case.told}\n\n{_clauses(case)}; {_log(case)}\n")
     return "\n".join(parts)
+
+
+def with_index(text: str) -> str:
+    """The page of the design review with a row for each case. Raises ValueError without the marks around them."""
+    before, begin, rest = text.partition(_BEGIN)
+    _, end, after = rest.partition(_END)
+    if not begin or not end:
+        raise ValueError(f"{REVIEW.relative_to(ROOT)}: expected the marks around the gallery's table")
+    rows = [
+        f"| {number} | [{case.title}](gallery.md#{case.name}) | {_clauses(case)} | {_log(case)} |\n"
+        for number, case in enumerate(cases(), 1)
+    ]
+    head = "| | case | requirements | log |\n|---|---|---|---|\n"
+    return "".join([before, begin, "\n", head, *rows, "\n", end, after])
+
+
+def _clauses(case: Case) -> str:
+    return ", ".join(f"[{name}](requirements.md#{name})" for name in case.requirements)
+
+
+def _log(case: Case) -> str:
+    return f"[{case.name}](../../gallery/{case.log.name})"
 
 
 _INTRODUCTION = """# Gallery of edge cases

@@ -15,6 +15,7 @@ from evidence.common.checkout import ROOT
 
 _ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
 _NO_WORD = re.compile(r"[^\w\- ]")
+_TAG = re.compile(r"<[^>]*>")
 
 
 @dataclass
@@ -85,10 +86,11 @@ def _sections(tokens: list[Token], place: str) -> Iterator[Section]:
         if token.type == "heading_open" and following is not None:
             if current is not None:
                 yield current
-            anchor = _NO_WORD.sub("", following.content.lower()).replace(" ", "-")
+            title = _TAG.sub("", following.content)
+            anchor = _NO_WORD.sub("", title.lower()).replace(" ", "-")
             token.attrs["id"] = anchor
-            current = Section(f"{place}#{anchor}", following.content, "")
-        elif token.type == "inline" and current is not None and token.content != current.title:
+            current = Section(f"{place}#{anchor}", title, "")
+        elif token.type == "inline" and current is not None and _TAG.sub("", token.content) != current.title:
             current.text += f" {token.content}"
     if current is not None:
         yield current

@@ -37,6 +37,8 @@ def test_page_and_package_are_up_to_date() -> None:
     """`s7check gallery --write` makes both."""
     assert command.PACKAGED.read_bytes() == command.packaged()
     assert command.PAGE.read_text() == command.page()
+    review = command.REVIEW.read_text()
+    assert review == command.with_index(review)
 
 
 def test_a_case_is_found_again() -> None:
