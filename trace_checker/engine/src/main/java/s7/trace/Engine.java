@@ -30,7 +30,7 @@ import util.ToolIO;
  * The trace checker's engine: reads normalised logs from standard input, one JSON object a line,
  * and prints a verdict for each log as soon as it is decided.
  *
- * <p>The first field of a line says what it is:
+ * <p>The first field of a line is its kind:
  *
  * <ul>
  *   <li>{@code {"message":"begin","header":HEADER}} begins a log. With {@code "follow":N} the answer

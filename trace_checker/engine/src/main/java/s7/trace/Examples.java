@@ -64,7 +64,7 @@ final class Examples {
    *
    * @param rest its text without the values that may differ
    * @param places where in the event each of the values is
-   * @param at which of the values are those that the clocks look at; -1 for none
+   * @param at which of the values the clocks look at; -1 for none
    */
   private record Example(byte[] rest, Shaped.Example event, Place[] places, int at, int counter, int to) {}
 

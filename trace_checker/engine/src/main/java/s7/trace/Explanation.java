@@ -35,7 +35,7 @@ final class Explanation {
   /** The most states that are followed; nobody can follow the open questions of a log with more. */
   static final int MOST_STATES = 20_000;
 
-  /** The most states that are followed where the specification can keep what is certain instead. */
+  /** The most states that are followed where the specification can keep certain facts instead. */
   private static final int LOOSE_STATES = 1_000;
 
   /** From so many states on, those meet that can. */
@@ -120,7 +120,7 @@ final class Explanation {
     Value h = spec.header(header);
     JsonArray open = spec.notCovered(h);
     if (!open.isEmpty()) {
-      throw new NotCovered("the header asks for what the specification does not cover: " + open);
+      throw new NotCovered("the specification does not cover these choices of the header: " + open);
     }
     states = spec.begin(h);
     limit(states.size());
@@ -212,7 +212,7 @@ final class Explanation {
     }
   }
 
-  /** Whether a line was explained by what is certain alone: too many states explained the log. */
+  /** Whether a line was explained by certain facts alone: too many states explained the log. */
   boolean loosened() {
     return loosened;
   }
@@ -245,7 +245,7 @@ final class Explanation {
     }
   }
 
-  /** Goes on with what is certain, or with more states than before where all of them have to be followed. */
+  /** Goes on with certain facts, or with more states than before where all have to be followed. */
   void loosen() {
     List<State> loose = new ArrayList<>();
     for (State state : states) {
@@ -434,7 +434,7 @@ final class Explanation {
     return nearest;
   }
 
-  /** These states, and those that a silent step leads to, also one that this event does not ask for. */
+  /** These states and the targets of silent steps, also of steps that the event does not need. */
   private List<State> withSilent(List<State> from) {
     List<State> all = new ArrayList<>(from);
     for (State state : from) {

@@ -24,7 +24,7 @@ import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
 /**
- * A log that is asked about while it grows: what may come after its last line, when, and by which
+ * A log that is asked about while it grows: which lines may come next, when, and by which
  * requirements. It keeps the explanation after each line, so that lines can be taken back.
  *
  * <p>A line is possible if {@link Explanation} explains it. Which lines to try, and at which times,
@@ -49,7 +49,7 @@ final class Session {
   /**
    * Begins a log.
    *
-   * @throws NotCovered if the header asks for what the specification does not have
+   * @throws NotCovered if the header has choices that the specification does not cover
    */
   Session(Contract spec, Json header) {
     this.spec = spec;
@@ -130,7 +130,7 @@ final class Session {
     }
   }
 
-  /** A time, and what has to have come by then where nothing may come later. */
+  /** A time, and the events that are due by then where nothing may come later. */
   private record Time(Value clocks, List<JsonElement> due, TreeSet<String> requirements) {}
 
   /** A line that is possible, from one time to another, with its requirements. */
@@ -149,7 +149,7 @@ final class Session {
   /**
    * A question about the lines that may come next.
    *
-   * @param lines the lines to try, without a time, as JSON; null for those that the specification
+   * @param lines the lines to try, without a time, as JSON; null for all that the specification
    *     offers
    * @param when the only time to look at, with {@code at} and {@code up}; null for all at which
    *     something happens

@@ -11,7 +11,7 @@ import tlc2.value.impl.Value;
  * with an outcome at the end of each way. To evaluate the operator again only the integers on the
  * way are computed.
  *
- * @param <T> what an outcome is
+ * @param <T> the type of an outcome
  */
 final class Remembered<T> {
   /** The most ways through an operator that are kept. */

@@ -29,7 +29,7 @@ public final class State {
     outcomes = before.outcomes;
   }
 
-  /** Another way leads to this state as well: what is told of it is true of both ways. */
+  /** Another way leads to this state as well: only the outcomes of both ways remain. */
   public void alsoBy(State other) {
     outcomes = Marks.common(outcomes, other.outcomes);
   }

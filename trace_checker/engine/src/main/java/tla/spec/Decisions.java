@@ -50,7 +50,7 @@ public final class Decisions {
       String text,
       Set<String> requirements) {}
 
-  /** A decision before anybody asks what it says. */
+  /** A decision before anybody asks for its text. */
   private record Found(Kind kind, OpDefNode definition, SemanticNode node) {}
 
   private final Source source;
