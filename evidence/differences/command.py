@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from evidence.differences.kept import DIFFERENCES, EXPERIMENTS, read_kept, write_kept
-from evidence.differences.pages import RULES, differences_page, experiments_page, verified
+from evidence.differences.pages import RULES, differences_page, experiments_page, verified, write_sources
 from evidence.differences.search import differences, experiments
 from s7check.engine.client import Engine
 from s7check.kit.collection import programs_of
@@ -33,4 +33,5 @@ def differences_command(search: bool, write: bool) -> int:
         if write:
             (RULES / "differences.md").write_text(differences_page(engine, kept[DIFFERENCES]), encoding="utf-8")
             (RULES / "experiments.md").write_text(experiments_page(engine, kept[EXPERIMENTS]), encoding="utf-8")
+            write_sources(kept[EXPERIMENTS])
     return code
