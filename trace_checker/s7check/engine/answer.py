@@ -130,7 +130,8 @@ class Answer(msgspec.Struct, frozen=True):
 
     The ``outcomes`` are those of decisions on the way of all explanations of the lines before: 2k where decision k was
     true, has another value or was an action that was taken, 2k + 1 where it was false; the ``open`` ones are those of
-    some explanations. ``classes`` are the priority classes in which OBs have started.
+    some explanations. ``classes`` are the priority classes in which OBs have started. ``asked`` are the open questions
+    whose letter the verdict depends on; if it is None, any may be.
     """
 
     verdict: Literal["accepted", "rejected", "error"]
@@ -151,6 +152,7 @@ class Answer(msgspec.Struct, frozen=True):
     outcomes: list[int] = []
     open: list[int] = []
     classes: list[int] = []
+    asked: list[str] | None = None
 
 
 class Decision(msgspec.Struct, frozen=True):

@@ -204,6 +204,7 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         outcomes=answer.outcomes,
         open=answer.open,
         classes=answer.classes,
+        asked=answer.asked,
         lines=lines,
     )
 

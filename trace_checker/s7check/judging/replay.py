@@ -87,20 +87,31 @@ class Replay:
 def with_readings(report: Report, engine: Engine, replay: Replay, until: float | None = None) -> Report:
     """The report with the verdicts under other CPUs, other profiles, and one other letter at a time.
 
-    Those that bear on the rule that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
+    A letter on which nothing in the log depends leaves the verdict as it is. Of the others those that bear on the rule
+    that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
     """
     if not replay.header:
         return report
     all_changes = list(_changes(replay.header, engine.alternatives()))
     tried: dict[str, Reading | None] = {}
     for reading, changes in sorted(all_changes, key=lambda pair: _distance(pair[0], report)):
-        tried[reading.change] = replay.reading(engine, reading, changes, until)
+        tried[reading.change] = (
+            replace(reading, verdict="rejected", line=report.line)
+            if _same(reading, report)
+            else replay.reading(engine, reading, changes, until)
+        )
     outcomes = [(reading.change, tried[reading.change]) for reading, _ in all_changes]
     return replace(
         report,
         readings=[outcome for _, outcome in outcomes if outcome is not None],
         untried=[change for change, outcome in outcomes if outcome is None],
     )
+
+
+def _same(reading: Reading, report: Report) -> bool:
+    """Whether the log is rejected alike under a reading: its question was not asked."""
+    known = reading.kind == "letter" and report.verdict == "rejected" and report.asked is not None
+    return known and reading.change.split()[0] not in (report.asked or ())
 
 
 def _distance(reading: Reading, report: Report) -> int:

@@ -34,7 +34,8 @@ class Report:
     Of a rejected log also: ``late``, if the line comes too late: the events ``expected`` before it, and until when;
     ``states``, the number of explanations of the lines before; ``situations``, those of the explanations nearest to the
     line; ``candidates``, each an action with its first false conjunct. ``readings`` is None if no others were to be
-    tried; ``untried`` are readings for which there was no time. ``lines`` are the log's lines from the first one, as
+    tried; ``untried`` are readings for which there was no time. ``asked`` are the open questions whose letter the
+    verdict depends on, None if it may depend on any. ``lines`` are the log's lines from the first one, as
     far as they are at hand, ``steps`` the situations after them. ``after`` says how the judging
     went on behind the rejection before, if this is not the first.
     """
@@ -56,6 +57,7 @@ class Report:
     outcomes: list[int] = field(default_factory=list, repr=False)
     open: list[int] = field(default_factory=list, repr=False)
     classes: list[int] = field(default_factory=list, repr=False)
+    asked: list[str] | None = field(default=None, repr=False)
     decided: list[str] = field(default_factory=list)
     decidable: int = 0
     lines: list[bytes] = field(default_factory=list)

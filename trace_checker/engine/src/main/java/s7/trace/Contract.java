@@ -79,6 +79,9 @@ final class Contract {
     }
   }
 
+  /** The operator that gives the letter of an open question, its last argument. */
+  static final String READING = "ReadingOf";
+
   /** Variables and fields whose integers are times; the engine is slower where one is missing. */
   static final Set<String> TIMES =
       Set.of("min", "ms", "left", "next", "age", "from", "to", "waiting");
@@ -142,6 +145,7 @@ final class Contract {
    */
   Contract(Specification spec) {
     this.spec = spec;
+    spec.watch(READING);
     decisions = spec.tellDecisions(EXPLAINING.stream().map(each -> each.tla).collect(Collectors.toSet()));
     blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
@@ -307,7 +311,20 @@ final class Contract {
 
   /** The state as a report shows it. */
   JsonElement situation(State state) {
-    return Values.toJson(value(Operator.SITUATION, state));
+    return Values.toJson(spec.aside(() -> value(Operator.SITUATION, state)));
+  }
+
+  /** Begins a log for {@link #asked}. */
+  void forgetAsked() {
+    spec.forgetAsked();
+  }
+
+  /**
+   * The open questions whose letter anything depended on since then, but for situations; null if it may
+   * have depended on others.
+   */
+  Set<String> asked() {
+    return spec.asked();
   }
 
   /** The number of the OB that the event starts; null for another event. */

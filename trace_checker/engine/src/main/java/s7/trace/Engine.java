@@ -53,6 +53,7 @@ import util.ToolIO;
  *
  * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is
  * "accepted", "rejected" or "error", and for each question an object with its answer. The {@code
+ * asked} of a log are the open questions whose letter its verdict depends on; without it all of them may be. The {@code
  * outcomes} of a log are those of the decisions on the way to the last line that was explained: 2k where
  * decision k was true, has another value or was taken, 2k + 1 where it was false. They are those of all
  * explanations of the log; {@code open} has those of some of them.
@@ -313,6 +314,7 @@ public final class Engine {
     wide = null;
     followed.clear();
     follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
+    spec.forgetAsked();
     explanation = new Explanation(spec, Json.of(json.get("header").toString()));
   }
 
@@ -393,6 +395,9 @@ public final class Engine {
       answer.add("outcomes", numbers(explanation.outcomes()));
       answer.add("open", numbers(explanation.openOutcomes()));
       answer.add("classes", new Gson().toJsonTree(explanation.classes()));
+      if (explanation.asked() != null) {
+        answer.add("asked", new Gson().toJsonTree(explanation.asked()));
+      }
     }
     decided = true;
     explanation = null;

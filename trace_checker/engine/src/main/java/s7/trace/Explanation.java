@@ -87,6 +87,8 @@ final class Explanation {
   private int lines;
   private int largest;
   private long steps;
+  private Set<String> asked;
+  private boolean refused;
 
   /** More states explain the log than are followed. */
   static final class TooMany extends RuntimeException {
@@ -443,8 +445,18 @@ final class Explanation {
     return all;
   }
 
+  /**
+   * The open questions whose letter the verdict depends on so far, not only its reasons; null if it may
+   * depend on any.
+   */
+  Set<String> asked() {
+    return refused ? asked : spec.asked();
+  }
+
   private Refusal refusal(
       Contract.Failing failing, List<State> from, List<State> near, Value event) {
+    refused = true;
+    asked = spec.asked();
     Value lines = past.lines();
     var allowed = new TreeMap<String, JsonElement>();
     for (State state : failing == Contract.Failing.TOO_LATE ? from : withSilent(from)) {

@@ -93,6 +93,7 @@ final class Compiler {
     Expr body = plain(node, Scope.empty(slots, primed));
     return new Memo(
         machine.marks,
+        machine.asked,
         primed ? machine.next : machine.now,
         its.variables.stream().toArray(),
         f -> body.eval(new Object[slots.count()]));
@@ -115,9 +116,20 @@ final class Compiler {
       return Entering.of(lazy, compile(let.getBody(), inner));
     }
     if (node instanceof OpApplNode apply) {
-      return application(apply, scope);
+      Expr made = application(apply, scope);
+      return machine.asked.isWatched(apply.getOperator()) ? noting(apply, made, scope) : made;
     }
     throw new Unsupported("an expression of the kind " + node.getClass().getSimpleName());
+  }
+
+  /** An application that tells its last argument. */
+  private Expr noting(OpApplNode apply, Expr made, Scope scope) {
+    ExprOrOpArgNode[] arguments = apply.getArgs();
+    Expr string = compile(arguments[arguments.length - 1], scope);
+    return f -> {
+      machine.asked.note(string.eval(f));
+      return made.eval(f);
+    };
   }
 
   private static Expr constant(Value value) {

@@ -1,9 +1,11 @@
 package tla.eval;
 
+import java.util.BitSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 import tla2sany.semantic.FormalParamNode;
 import tla2sany.semantic.OpDeclNode;
@@ -102,6 +104,36 @@ public final class Evaluator {
    */
   public void mark(List<? extends SemanticNode> marked) {
     machine.marks.set(marked);
+  }
+
+  /** Tells with which strings, its last arguments, an operator is applied; before the first evaluation. */
+  public void watch(OpDefNode operator) {
+    machine.asked.watch(operator);
+  }
+
+  /** Begins a new collection of such strings. */
+  public void forgetAsked() {
+    machine.asked.clear();
+  }
+
+  /** The strings since then; null if there may be others. */
+  public Set<String> asked() {
+    return machine.asked.all();
+  }
+
+  /** Somebody else made an evaluation. */
+  public void missed() {
+    machine.asked.miss();
+  }
+
+  /** A value for which nothing counts as asked. */
+  public <T> T aside(Supplier<T> value) {
+    BitSet outer = machine.asked.begin();
+    try {
+      return value.get();
+    } finally {
+      machine.asked.drop(outer);
+    }
   }
 
   /** The states that satisfy an initial predicate; null if TLC has to find them. */

@@ -22,6 +22,8 @@ final class Machine {
 
   final Marks marks = new Marks();
 
+  final Asked asked = new Asked();
+
   /** The recording under way; null otherwise. */
   Recording recording;
 

@@ -1,6 +1,7 @@
 package tla.eval;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 
@@ -29,8 +30,8 @@ final class Memory {
   private final boolean[] areTimes;
   private final Value[] inputs;
   private final int[] registers = new int[1 << 12];
-  private final Numbered<Remembered<Part>> values = new Numbered<>();
-  private final Numbered<Remembered<Next[]>> successors = new Numbered<>();
+  private final Numbered<Remembered<Kept<Part>>> values = new Numbered<>();
+  private final Numbered<Remembered<Kept<Next[]>>> successors = new Numbered<>();
   private long hits;
   private long steps;
   private Value argument;
@@ -45,6 +46,9 @@ final class Memory {
 
     List<State> successors(State state, Value... argument);
   }
+
+  /** What an evaluation led to, and what it asked. */
+  private record Kept<T>(T outcome, BitSet asks) {}
 
   /** A successor: its values, of which some are those of an input, and their shapes. */
   private record Next(Part[] values, int[] unchanged, long[] shapes, long shape, long[] outcomes) {}
@@ -61,7 +65,7 @@ final class Memory {
 
   /** The value of a state function. */
   Value value(Operator operator, State state, Value of) {
-    Remembered<Part> remembered = remembered(values, key(operator, state, of));
+    Remembered<Kept<Part>> remembered = remembered(values, key(operator, state, of));
     Part known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
       record(remembered, (recording, s, argument) -> recording.part(operator.value(s, argument)));
@@ -75,7 +79,7 @@ final class Memory {
 
   /** The successors of a state under an action. */
   List<State> successors(Operator operator, State state, Value of) {
-    Remembered<Next[]> remembered = remembered(successors, key(operator, state, of));
+    Remembered<Kept<Next[]>> remembered = remembered(successors, key(operator, state, of));
     Next[] known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
       record(remembered, (recording, s, argument) -> nexts(recording, operator.successors(s, argument)));
@@ -134,11 +138,15 @@ final class Memory {
     return all;
   }
 
-  private <T> T outcome(Remembered<T> remembered) {
+  private <T> T outcome(Remembered<Kept<T>> remembered) {
     try {
-      T known = remembered.outcome(inputs, registers);
-      hits += known == null ? 0 : 1;
-      return known;
+      Kept<T> known = remembered.outcome(inputs, registers);
+      if (known == null) {
+        return null;
+      }
+      hits++;
+      machine.asked.add(known.asks);
+      return known.outcome;
     } catch (ArithmeticException e) {
       return null; // TLC has the last word about numbers that are too large.
     }
@@ -149,8 +157,10 @@ final class Memory {
     T in(Recording recording, State state, Value argument);
   }
 
-  private <T> void record(Remembered<T> remembered, Evaluation<T> evaluation) {
+  private <T> void record(Remembered<Kept<T>> remembered, Evaluation<T> evaluation) {
     var recording = new Recording(shapes);
+    BitSet outer = machine.asked.begin();
+    T outcome = null;
     try {
       var recorded = new Value[inputs.length];
       for (int i = 0; i < inputs.length; i++) {
@@ -159,15 +169,16 @@ final class Memory {
       machine.recording = recording;
       int variables = inputs.length - 1;
       var state = new State(Arrays.copyOf(recorded, variables));
-      T outcome = evaluation.in(recording, state, recorded[variables]);
+      outcome = evaluation.in(recording, state, recorded[variables]);
       steps += LEAST_STEPS + recording.steps().size();
-      if (!remembered.add(recording, outcome)) {
-        remembered.giveUp();
-      }
     } catch (RuntimeException e) {
-      remembered.giveUp();
+      outcome = null;
     } finally {
       machine.recording = null;
+    }
+    var kept = new Kept<>(outcome, machine.asked.end(outer));
+    if (outcome == null || !remembered.add(recording, kept)) {
+      remembered.giveUp();
     }
   }
 

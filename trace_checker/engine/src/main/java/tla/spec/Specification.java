@@ -99,6 +99,7 @@ public final class Specification {
     if (found != null && !COMPARE) {
       return found;
     }
+    evaluator.missed();
     Value byTlc = tlc().value(name, state, arguments);
     differs(name, found == null, found == null || found.equals(byTlc));
     return byTlc;
@@ -109,6 +110,7 @@ public final class Specification {
     if (found != null && !COMPARE) {
       return found;
     }
+    evaluator.missed();
     List<State> byTlc = interpreted.get();
     byTlc.forEach(state -> state.follow(before));
     differs(name, found == null, found == null || asSet(found).equals(asSet(byTlc)));
@@ -186,6 +188,31 @@ public final class Specification {
     decisions.of(names.stream().sorted().map(this::operator).toList());
     evaluator.mark(decisions.nodes());
     return decisions;
+  }
+
+  /**
+   * Watches with which strings, its last arguments, an operator is applied, before the first evaluation. A
+   * module without it is not watched.
+   */
+  public void watch(String name) {
+    if (arity(name) > 0) {
+      evaluator.watch(operator(name));
+    }
+  }
+
+  /** Begins a new collection of such strings. */
+  public void forgetAsked() {
+    evaluator.forgetAsked();
+  }
+
+  /** The strings since then; null if there may be others. */
+  public Set<String> asked() {
+    return evaluator.asked();
+  }
+
+  /** A value for which nothing counts as asked. */
+  public <T> T aside(Supplier<T> value) {
+    return evaluator.aside(value);
   }
 
   /** The number of parameters of an operator; -1 if the module does not have it. */
