@@ -7,15 +7,15 @@ tool is missing or failed, 130 interrupted.
 from __future__ import annotations
 
 import json
-import re
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import click
 
+from evidence.common import soft_plc
 from evidence.common.checkout import SOFT_PLC, SOFT_PLC_PROGRAM
 from evidence.common.console import plain
 from evidence.common.options import json_option, write_json
@@ -23,24 +23,21 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from s7check.api import check
 from s7check.engine.command import EngineError
-from s7check.kit.adapter import Adapter, AdapterError, Ran
+from s7check.kit.adapter import AdapterError, Ran
 from s7check.kit.collection import programs_of
 from s7check.kit.program import Program
 
 HELD_OUT = SOFT_PLC / "held_out"
 NOT_FOUND = 1
-_SECONDS = 20.0
-"""For one program; the soft PLC takes some milliseconds."""
-_KIT = ("--kit", "--diag")
-_NAME = re.compile(r"^  (\S+)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Fault:
-    """A fault, the command that has it, and whether it is held out from the kit."""
+    """A fault, the command and the options that have it, and whether it is held out from the kit."""
 
     name: str
-    command: tuple[str, ...]
+    command: str
+    options: tuple[str, ...]
     held_out: bool
 
 
@@ -70,7 +67,7 @@ def faults_command(json_path: Path | None, names: tuple[str, ...]) -> int:
     with session(Processes(), (ValueError, OSError), (AdapterError, EngineError, _BuildError)) as console:
         chosen = _chosen(names)
         programs = programs_of()
-        right = {program.name: ran for program, ran in _run((str(SOFT_PLC_PROGRAM), *_KIT), programs)}
+        right = list(soft_plc.run(programs))
         found = []
         for fault in chosen:
             found.append(_look(fault, programs, right))
@@ -92,14 +89,10 @@ class _BuildError(RuntimeError):
 
 def _chosen(names: Sequence[str]) -> list[Fault]:
     """The faults, of which those held out are built. Raises ValueError for a name that is none."""
-    listed = subprocess.run([SOFT_PLC_PROGRAM, "--fault", "help"], capture_output=True, text=True, check=False)
-    faults = {
-        name: Fault(name, (str(SOFT_PLC_PROGRAM), "--fault", name, *_KIT), held_out=False)
-        for name in _NAME.findall(listed.stdout)
-    }
+    faults = {name: Fault(name, str(SOFT_PLC_PROGRAM), ("--fault", name), held_out=False) for name in soft_plc.faults()}
     for change in json.loads((HELD_OUT / "changes.json").read_text(encoding="utf-8")):
         program = SOFT_PLC / "build" / "held_out" / change["name"]
-        faults[change["name"]] = Fault(change["name"], (str(program), *_KIT), held_out=True)
+        faults[change["name"]] = Fault(change["name"], str(program), (), held_out=True)
     if unknown := [name for name in names if name not in faults]:
         raise ValueError(f"no such fault: {', '.join(unknown)}")
     chosen = [faults[name] for name in names] if names else list(faults.values())
@@ -111,14 +104,9 @@ def _chosen(names: Sequence[str]) -> list[Fault]:
     return chosen
 
 
-def _run(command: Sequence[str], programs: Sequence[Program]) -> Iterator[tuple[Program, Ran]]:
-    with Adapter(command, _SECONDS) as adapter:
-        for program in programs:
-            yield program, adapter.run(program)
-
-
-def _look(fault: Fault, programs: Sequence[Program], right: dict[str, Ran]) -> Found:
-    differing = [(program, ran) for program, ran in _run(fault.command, programs) if ran != right[program.name]]
+def _look(fault: Fault, programs: Sequence[Program], right: Sequence[Ran]) -> Found:
+    runs = soft_plc.run(programs, *fault.options, command=fault.command)
+    differing = [(program, ran) for program, ran, usual in zip(programs, runs, right, strict=True) if ran != usual]
     for judged, (program, ran) in enumerate(sorted(differing, key=lambda pair: len(pair[1].log)), 1):
         if ran.failed:
             return Found(fault, len(differing), judged, program.name, failure=ran.failed)

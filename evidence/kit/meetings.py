@@ -1,6 +1,7 @@
 """Requirements that meet: a start event, a hindrance, a change of the clock, calls meanwhile, missing OBs.
 
-Every pair of levels of two factors is in a program. Which requirements a program reaches is measured afterwards.
+Every pair of levels of two factors is in a program. A program is about the requirements of its levels; which it
+reaches is measured.
 """
 
 from __future__ import annotations
@@ -94,6 +95,45 @@ _MASKS = {
 }
 
 
+_ABOUT: dict[str, dict[str, tuple[str, ...]]] = {
+    "source": {
+        **dict.fromkeys(PERIODS, ("TINT-23", "TINT-33")),
+        **{f"step7 {kind}": ("TINT-04", "TINT-25") for kind in ("once", "minute", "hourly")},
+        "step7 past once": ("OBS-56",),
+        "not activated": ("TINT-05",),
+        "delay": ("DINT-03",),
+        "delay again": ("DINT-07",),
+        "burst": ("OBS-08",),
+        "error 82": ("OBS-23",),
+        "error 83": ("OBS-23",),
+        "time error": ("OBS-22", "OBS-26"),
+    },
+    "block": dict.fromkeys(("missing", "deleted", "loaded"), ("OBS-20",)),
+    "errors": {"no 80": ("OBS-22",), "no 85": ("OBS-21",), "neither": ("OBS-21", "OBS-22")},
+    "hindrance": {
+        "delayed": ("AIRT-01", "AIRT-02"),
+        "delayed twice": ("AIRT-03",),
+        "delayed by OB 35": ("AIRT-04",),
+        "higher OB": ("OBS-01", "OBS-03"),
+        "itself": ("OBS-02",),
+        "all disabled": ("IRT-06",),
+        "class disabled": ("IRT-07",),
+        "OB disabled": ("IRT-08",),
+        "OB silent": ("IRT-09",),
+        "OB 80 disabled": ("OBS-33",),
+        "OB 85 disabled": ("IRT-09",),
+        "hold": ("OBS-45", "OBS-46"),
+        "stop": ("OBS-41", "OBS-50"),
+        "startup": ("OBS-42", "OBS-44"),
+    },
+    "clock": {
+        **dict.fromkeys(("forward over", "forward onto", "far", "forward meanwhile"), ("CLK-02", "CLK-03")),
+        **dict.fromkeys(("back", "back early", "twice"), ("CLK-09", "CLK-10")),
+    },
+}
+"""The requirements that a level is about."""
+
+
 def programs(seed: int) -> Iterator[Json]:
     """The programs that the seed gives."""
     random = Random(seed)  # noqa: S311
@@ -126,13 +166,17 @@ class _Meeting:
         made = program(
             f"{area}-meeting-{number:04}",
             f"{choice['source'].capitalize()} meets {choice['hindrance']}; {about}.",
-            [],
+            self._requirements(),
             self._header(),
             4 * MINUTE,
             self._bodies(),
             self._outside(),
         )
         return {**made, "seed": seed}
+
+    def _requirements(self) -> list[str]:
+        named = (_ABOUT[name].get(level, ()) for name, level in self._choice.items() if name in _ABOUT)
+        return list(dict.fromkeys(one for names in named for one in names))
 
     def _header(self) -> Json:
         choice = self._choice

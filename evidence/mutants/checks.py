@@ -151,8 +151,8 @@ class LogsCheck:
     engine: str
     spec: Mapping[str, Module]
     processes: Processes
+    name: str = "logs"
 
-    name = "logs"
     parameters = frozenset[str]()
     root = "Explain"
     """The module that the engine evaluates."""

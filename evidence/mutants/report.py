@@ -75,6 +75,17 @@ class Progress:
             )
 
 
+def show_kit(console: Console, score: dict[str, Any]) -> None:
+    """Show how many of the mutants that an accepted log shows the kit shows, and which it does not."""
+    for name in score["missed"]:
+        plain(console, f"shown by a shipped log, not by the kit: {name}")
+    plain(
+        console,
+        f"{score['by_kit']} of {score['shown']} mutants that an accepted log shows ({_percent(score['share'])}); "
+        f"{score['shown_by_none']} of {score['mutants']} none shows, {score['invalid']} are no specification",
+    )
+
+
 def show(console: Console, explained: Explained) -> None:
     """Show the table by module, the survivors, and the score."""
     table = Table(box=None, pad_edge=False)

@@ -122,6 +122,24 @@ RUNS = {
         "witnesses",
         summaries.witnesses,
     ),
+    "kit": _s7check(
+        "Kit",
+        "The kit on the soft PLC in all its ways: outcomes of guards of spec/, and requirements "
+        "([kit](../checking/kit.md#what-the-programs-reach)).",
+        "reached",
+        summaries.kit,
+        tlc=False,
+        told={"kit": "reached"},
+    ),
+    "kit-mutants": _s7check(
+        "Kit, mutants",
+        "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
+        "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
+        "mutants --against kit --sample 40 --seed 1",
+        summaries.kit_mutants,
+        tlc=False,
+        told={"kit": "mutants"},
+    ),
     "fuzz": Run(
         "Damaged logs and sources",
         "Each gets its verdict or its refusal in one sentence; anything else is a fault ([checks](checks.md#by-hand)).",

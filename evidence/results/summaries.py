@@ -115,6 +115,37 @@ def logs(text: str) -> list[Table]:
     return [Table(["area", "logs", *verdicts, "events explained"], rows)]
 
 
+def kit(text: str) -> list[Table]:
+    """What the kit reaches."""
+    report: dict[str, Any] = json.loads(text)
+    counts = {
+        "programs": report["programs"],
+        "logs": report["logs"],
+        "guard outcomes reached": report["met"],
+        "that can be observed": report["observable"],
+        "%": round(100 * report["share"], 1),
+        "that cannot": len(report["excused"]),
+        "requirements": report["requirements"],
+        "reached by fewer than two programs": ", ".join(report["few"]) or "none",
+        "logs not accepted": len(report["not_accepted"]),
+    }
+    return [Table(list(counts), [list(counts.values())])]
+
+
+def kit_mutants(text: str) -> list[Table]:
+    """The mutants that the kit's logs show."""
+    report: dict[str, Any] = json.loads(text)
+    counts = {
+        "mutants": report["mutants"],
+        "no specification": report["invalid"],
+        "shown by no accepted log": report["shown_by_none"],
+        "shown by one": report["shown"],
+        "by the kit": report["by_kit"],
+        "%": round(100 * (report["share"] or 0), 1),
+    }
+    return [Table(list(counts), [list(counts.values())])]
+
+
 def fuzz(text: str) -> list[Table]:
     """Damaged inputs by damage and outcome."""
     report: dict[str, Any] = json.loads(text)

@@ -1,7 +1,7 @@
 """The coverage of a log, and of several together."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import reduce
 from typing import Any, Self
@@ -19,7 +19,8 @@ from s7check.log.reader import Batch, read_log
 from s7check.log.source import open_log
 from s7check.log.values import NOT_LOGGED
 
-_COMPLETE = frozenset(KINDS) - {"diag", "state"}
+COMPLETE = frozenset(KINDS) - {"diag", "state"}
+"""The kinds of event that a log may leave out, and then is judged by less."""
 
 
 @dataclass(frozen=True, order=True)
@@ -87,7 +88,7 @@ def measure(
             return measure(log, own, chosen)
     decisions = decisions_of(engine)
     taken = _Taken()
-    report = _judged(log, engine, chosen, taken)
+    report = judged(log, engine, chosen, taken.take)
     return coverage_of(report, decisions, taken.answers, taken.periods, taken.obs, taken.left_out)
 
 
@@ -136,7 +137,7 @@ class _Taken:
 
     def take(self, batch: Batch) -> None:
         if batch.header is not None:
-            self.left_out = _COMPLETE - frozenset(batch.header["records"])
+            self.left_out = COMPLETE - frozenset(batch.header["records"])
         for event in batch.events:
             self._event(event)
 
@@ -149,7 +150,13 @@ class _Taken:
             self.obs.add(event["ob"])
 
 
-def _judged(log: str | os.PathLike[str] | Iterable[bytes], engine: Engine, chosen: Chosen, taken: _Taken) -> Report:
+def judged(
+    log: str | os.PathLike[str] | Iterable[bytes],
+    engine: Engine,
+    chosen: Chosen = NOTHING,
+    taken: Callable[[Batch], None] = lambda _: None,
+) -> Report:
+    """The verdict about a log, a file or its lines; ``taken`` gets each part of it. Raises EngineError."""
     judging = Judging("log", engine, chosen)
     try:
         if isinstance(log, str | os.PathLike):
@@ -162,7 +169,7 @@ def _judged(log: str | os.PathLike[str] | Iterable[bytes], engine: Engine, chose
     return judging.report()
 
 
-def _take(chunks: Iterable[bytes], judging: Judging, taken: _Taken) -> None:
+def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Batch], None]) -> None:
     for batch in read_log(chunks):
         judging.take(batch)
-        taken.take(batch)
+        taken(batch)

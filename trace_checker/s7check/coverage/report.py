@@ -20,7 +20,8 @@ _MOST_PROGRAMS = 3
 
 @dataclass(frozen=True)
 class Gap:
-    """A requirement that decided nothing, and the programs of the kit that are about it, the shortest first.
+    """A requirement that decided nothing, and the programs of the kit that reach it, the shortest first: those that did
+    when they were run, and of programs of which nobody knows it, those that are about it.
 
     ``open``: it decided something in some explanations of a log, and in others not.
     """
@@ -48,7 +49,7 @@ class Total:
         """The requirements that decided nothing."""
         about: dict[str, list[str]] = {}
         for program in sorted(self.programs, key=lambda one: (len(one.line()), one.name)):
-            for name in program.requirements:
+            for name in program.reaches or program.requirements:
                 about.setdefault(name, []).append(program.name)
         return [
             Gap(name, name in self.coverage.open, tuple(about.get(name, [])))

@@ -45,10 +45,10 @@ def _files(names: Iterable[Path]) -> Iterable[Path]:
 
 
 def chosen(programs: Iterable[Program], patterns: Sequence[str], requirements: Sequence[str]) -> list[Program]:
-    """The programs whose name fits a pattern and that are about a requirement; an empty choice leaves all."""
+    """Programs whose name fits a pattern and that are about a requirement or reach it; an empty choice leaves all."""
     return [
         program
         for program in programs
         if (not patterns or any(fnmatchcase(program.name, pattern) for pattern in patterns))
-        and (not requirements or set(requirements) & set(program.requirements))
+        and (not requirements or set(requirements) & {*program.requirements, *program.reaches})
     ]

@@ -51,6 +51,7 @@ class Body:
 class Program:
     """A program that was read. Values are spelled as in the file, and every one has been checked.
 
+    ``reaches`` are the requirements that decided something when the program was run; empty where that is not known.
     ``header`` has some of ``HEADER_FIELDS``; ``duration`` is in ms; ``outside`` are the events from outside as in the
     file, in the order in which they come: by ``after``, those of one moment in the order of the file.
     """
@@ -58,6 +59,7 @@ class Program:
     name: str
     about: str
     requirements: tuple[str, ...]
+    reaches: tuple[str, ...]
     catches: str
     header: dict[str, Any]
     duration: int
@@ -76,12 +78,13 @@ class Program:
     def plain_line(self) -> bytes:
         """The same with one spelling for each value: words and TIMEs are integers, dates ``2026-11-21T06:00:00.000``.
 
-        An adapter then has no spellings of S7 to read.
+        An adapter then has no spellings of S7 to read. ``reaches`` is none of its business.
         """
         header = {**self.raw["header"], "clock": _date(self.raw["header"]["clock"])}
         bodies = [{**body, "steps": [_plain(step) for step in body["steps"]]} for body in self.raw["bodies"]]
         outside = [_plain(event) for event in self.outside]
-        return _as_line({**self.raw, "header": header, "outside": outside, "bodies": bodies})
+        plain = {**self.raw, "header": header, "outside": outside, "bodies": bodies}
+        return _as_line({name: value for name, value in plain.items() if name != "reaches"})
 
 
 def _as_line(raw: dict[str, Any]) -> bytes:
@@ -250,18 +253,21 @@ def _bodies(value: object) -> list[Body]:
     return bodies
 
 
+_REQUIREMENTS = list_of(_matching(_REQUIREMENT, 'a requirement such as "AIRT-03"'))
+_REACHES = Fields("reaches", {"requirements": _REQUIREMENTS, "guards": list_of(_text)}, {})
+
 _PROGRAM = Fields(
     "program",
     {
         "format": choice(FORMAT),
         "name": _matching(_NAME, "a name of letters, digits, '.', '_' and '-'"),
         "about": _text,
-        "requirements": list_of(_matching(_REQUIREMENT, 'a requirement such as "AIRT-03"')),
+        "requirements": _REQUIREMENTS,
         "header": _header,
         "duration": _span,
         "bodies": _bodies,
     },
-    {"catches": _text, "seed": integer(0, (1 << 63) - 1), "outside": _each(_outside)},
+    {"reaches": _REACHES.nested, "catches": _text, "seed": integer(0, (1 << 63) - 1), "outside": _each(_outside)},
 )
 
 
@@ -280,6 +286,7 @@ def read_program(text: bytes) -> Program:
         name=read["name"],
         about=read["about"],
         requirements=tuple(read["requirements"]),
+        reaches=tuple(read.get("reaches", {}).get("requirements", ())),
         catches=read.get("catches", ""),
         header=read["header"],
         duration=read["duration"],

@@ -2,10 +2,12 @@
 
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import msgspec
 
+from s7check.asking.session import Session
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
@@ -73,15 +75,19 @@ class Judge:
 
     def explained(self, header: Fields, events: Sequence[Event]) -> list[Event]:
         """The log without the rejected lines before its last line. Raises EngineError, and OutOfTimeError."""
-        kept = list(events)
-        while len(kept) > 1:
+        try:
+            session = Session(self._engine, header)
+        except UnusableLogError:
+            return list(events)
+        kept = []
+        for one in events[:-1]:
             if time.monotonic() > self._until:
                 raise OutOfTimeError
-            answer = self.answer(header, kept)
-            if answer is None or answer.line is None or answer.line > len(kept):
-                break
-            del kept[answer.line - 2]
-        return kept
+            with suppress(UnusableLogError):
+                if session.feed(one.fields) is None:
+                    kept.append(one)
+        session.close()
+        return [*kept, events[-1]]
 
     def answer(self, header: Fields, events: Sequence[Event]) -> Answer | None:
         """The engine's answer; none if the log cannot be read. Raises EngineError."""

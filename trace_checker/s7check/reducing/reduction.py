@@ -1,5 +1,6 @@
 """Fewer lines, a shorter header, rounder values, as long as the log is rejected for the same reason."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from datetime import datetime
 from typing import Any
@@ -9,6 +10,14 @@ from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
 
 _NEEDED = ("format", "cpu", "obs", "clock", "mode")
 """Fields that each header keeps; ``mode`` may be left out, but nobody knows its default by heart."""
+
+
+def _ob(event: Event) -> object:
+    return event.fields.get("ob")
+
+
+def _event_and_ob(event: Event) -> object:
+    return event.fields.get("event"), event.fields.get("ob")
 
 
 class Reduction:
@@ -24,6 +33,7 @@ class Reduction:
         """Reduces the log. Raises EngineError."""
         try:
             self._take_the_end()
+            self._remove_kinds()
             self._remove_lines()
             self._trim_header()
             self._round()
@@ -52,6 +62,15 @@ class Reduction:
                 if self._accept(header, self._judge.explained(header, rest)):
                     return
             length *= 2
+
+    def _remove_kinds(self) -> None:
+        """All lines of an OB, and of a kind of event of an OB, are left out at once, the most frequent first.
+
+        They lie scattered: no piece of the log has them alone.
+        """
+        for kind in (_ob, _event_and_ob):
+            for name, _ in Counter(map(kind, self.events[:-1])).most_common():
+                self._accept(self.header, [one for one in self.events[:-1] if kind(one) != name] + self.events[-1:])
 
     def _remove_lines(self) -> None:
         """Delta debugging: ever smaller pieces are left out, never the last line."""

@@ -1,0 +1,204 @@
+"""Paths through the graphs of models: together they take every kind of step in every kind of situation."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+
+import msgspec
+
+from evidence.behaviours.as_log import as_log
+from evidence.behaviours.values import assignments
+from evidence.common.checkout import ROOT
+from evidence.common.processes import Processes
+from evidence.harness.manifest import Model, find_manifest, load
+from evidence.kit.from_log import Json, program_of
+from evidence.tlc import process as tlc
+from evidence.tlc.workspace import Workspace
+
+MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")
+"""Models whose graphs are small enough to be written down."""
+
+MARK = "-path-"
+"""In the names of the programs."""
+
+_HEAP = 1500
+_LONGEST = 900.0
+"""Seconds for a model."""
+
+_STEPS = 40
+"""A path gets no longer by steps that are looked for."""
+
+_AHEAD = 4
+"""So many steps ahead a path looks for one that is not covered."""
+
+_VIEW = re.compile(r"^VIEW\b.*$", re.MULTILINE)
+_NODE = re.compile(r'^(-?\d+) \[label="((?:[^"\\]|\\.)*)"(.*)\]')
+_ESCAPED = re.compile(r"\\(.)")
+_BEGINS = "style = filled"
+"""TLC draws the states without one before them so."""
+_EDGE = re.compile(r"^(-?\d+) -> (-?\d+)\b")
+_REQUESTED = re.compile(r"\bob \|-> (\d+)")
+
+Step = tuple[str, ...]
+"""A kind of step in a kind of situation: equal for steps of which one is as good as another."""
+
+
+class NoGraphError(RuntimeError):
+    """TLC wrote no graph; the message says what it said."""
+
+
+@dataclass
+class Graph:
+    """The states of a model as TLC spells them, by their numbers; the first ones, and the steps between all."""
+
+    states: dict[str, str] = field(default_factory=dict)
+    steps: dict[str, list[str]] = field(default_factory=dict)
+    begins: list[str] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, lines: Iterator[str]) -> Graph:
+        """Read TLC's dump, of the format ``dot``."""
+        graph = cls()
+        for line in lines:
+            if edge := _EDGE.match(line):
+                source, target = edge[1], edge[2]
+                if target not in graph.steps.setdefault(source, []):
+                    graph.steps[source].append(target)
+            elif node := _NODE.match(line):
+                graph.states.setdefault(
+                    node[1], _ESCAPED.sub(lambda found: "\n" if found[1] == "n" else found[1], node[2])
+                )
+                if _BEGINS in node[3]:
+                    graph.begins.append(node[1])
+        return graph
+
+
+def programs(processes: Processes) -> Iterator[Json]:
+    """The programs of all models. Raises NoGraphError, ToolMissingError."""
+    manifest = load(find_manifest())
+    tools = tlc.find_toolchain(None)
+    for model in manifest.models:
+        if model.name in MODELS:
+            yield from of_graph(graph(model, tools, processes), model)
+
+
+def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
+    """The graph of a model. Raises NoGraphError."""
+    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+        folder = Path(temporary).resolve()
+        scratch = folder / "scratch"
+        scratch.mkdir()
+        space = Workspace(folder, model.module.name, (ROOT / "spec", ROOT / "models"), scratch)
+        (folder / space.module).write_bytes((ROOT / "models" / model.module).read_bytes())
+        # With a view the states of one view would share the step of the first that TLC found.
+        space.config.write_text(_VIEW.sub("", model.config), encoding="utf-8")
+        dump = folder / "graph.dot"
+        options = tlc.Options(1, model.deadlock, _HEAP, _LONGEST, args=("-dump", "dot", str(dump)))
+        run = tlc.run(tools, space, options, processes)
+        if run.outcome.kind != "passed" or not dump.exists():
+            raise NoGraphError(f"{model.name}: {run.outcome.kind}: {run.outcome.detail}")
+        with dump.open(encoding="utf-8") as file:
+            return Graph.of(line.rstrip("\n") for line in file)
+
+
+def of_graph(found: Graph, model: Model) -> Iterator[Json]:
+    """A program for each path, but one for those that differ only in what the CPU does of itself."""
+    area = model.requirements[0].split("-")[0]
+    kinds = {state: variables(text) for state, text in found.states.items()}
+    known: set[str] = set()
+    for number, path in enumerate(cover(found, kinds), 1):
+        log = as_log([assignments(found.states[state]) for state in path])
+        program = program_of(
+            [msgspec.json.encode(line) for line in log],
+            f"{area}{MARK}{model.name}-{number:04}",
+            f"A path of the model {model.name}: {model.what}",
+            list(model.requirements),
+        )
+        causes = repr([program.get(part) for part in ("header", "duration", "outside", "bodies")])
+        if causes not in known:
+            known.add(causes)
+            yield program
+
+
+def cover(found: Graph, variables: Mapping[str, Mapping[str, str]]) -> Iterator[list[str]]:
+    """Paths from the beginning that together have each kind of step; greedy, the nearest kind first."""
+    before = _tree(found)
+    missing = {
+        _kind(variables[source], variables[target])
+        for source, targets in found.steps.items()
+        if source in before
+        for target in targets
+    }
+    for source in before:
+        for target in found.steps.get(source, ()):
+            if _kind(variables[source], variables[target]) not in missing:
+                continue
+            path = [*_way(before, source), target]
+            while len(path) < _STEPS and (
+                more := _ahead(found, variables, path[-1], missing - _kinds(path, variables))
+            ):
+                path += more
+            missing -= _kinds(path, variables)
+            yield path
+
+
+def _kinds(path: Sequence[str], variables: Mapping[str, Mapping[str, str]]) -> set[Step]:
+    return {_kind(variables[one], variables[other]) for one, other in pairwise(path)}
+
+
+def _tree(found: Graph) -> dict[str, str | None]:
+    """The state before each on a shortest way to it, in the order in which they are found."""
+    before: dict[str, str | None] = dict.fromkeys(found.begins)
+    waiting = deque(before)
+    while waiting:
+        state = waiting.popleft()
+        for target in found.steps.get(state, ()):
+            if target not in before:
+                before[target] = state
+                waiting.append(target)
+    return before
+
+
+def _way(before: Mapping[str, str | None], state: str) -> list[str]:
+    way: list[str] = []
+    at: str | None = state
+    while at is not None:
+        way.append(at)
+        at = before[at]
+    return way[::-1]
+
+
+def _ahead(found: Graph, variables: Mapping[str, Mapping[str, str]], state: str, missing: set[Step]) -> list[str]:
+    """The next steps up to the nearest one of a missing kind; none if none is near."""
+    ways: deque[list[str]] = deque([[state]])
+    seen = {state}
+    while ways:
+        way = ways.popleft()
+        for target in found.steps.get(way[-1], ()):
+            if _kind(variables[way[-1]], variables[target]) in missing:
+                return [*way[1:], target]
+            if target not in seen and len(way) < _AHEAD:
+                seen.add(target)
+                ways.append([*way, target])
+    return []
+
+
+_SITUATION = ("mode", "delay", "stack", "loaded")
+"""Variables of which each value is a situation of its own; of the requests only whose they are counts."""
+
+
+def variables(text: str) -> dict[str, str]:
+    """The values of a state's variables as TLC spells them, on one line each."""
+    parts = (part.partition(" = ") for part in re.split(r"^/\\ ", text, flags=re.MULTILINE) if part)
+    return {name.strip(): " ".join(value.split()) for name, _, value in parts}
+
+
+def _kind(source: Mapping[str, str], target: Mapping[str, str]) -> Step:
+    waiting = " ".join(sorted(set(_REQUESTED.findall(source["requests"]))))
+    return (target["step"], waiting, *(source[name] for name in _SITUATION))

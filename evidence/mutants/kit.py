@@ -1,0 +1,85 @@
+"""Mutants before the logs of the kit: does a CPU that keeps the rules show that a rule was changed?
+
+Its logs are accepted, so they cannot show that a mutant allows more. Counted are the mutants that some accepted log
+shows: a log of the kit, or a shipped one that records everything and needs no reading other than the default.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from evidence.common import soft_plc
+from evidence.common.shipped import Shipped, shipped_logs
+from evidence.mutants.bench import Verdict
+from s7check.coverage.measure import COMPLETE
+from s7check.kit.collection import programs_of
+
+KIT, SHIPPED = "kit", "accepted logs"
+"""The names of the two checks."""
+
+LEAST = 0.95
+"""Of the mutants that some accepted log shows."""
+
+
+def kit_logs(folder: Path) -> Path:
+    """The logs of the soft PLC running the kit, as a folder of shipped logs. Raises AdapterError, OSError."""
+    area = _emptied(folder) / "KIT"
+    programs = programs_of()
+    files = []
+    for program, ran in zip(programs, soft_plc.run(programs), strict=True):
+        if ran.log:
+            files.append(f"{program.name}.ndjson")
+            (area / files[-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
+    _index(area, files)
+    return folder
+
+
+def accepted_logs(traces: Path, folder: Path) -> Path:
+    """The shipped logs that a CPU as the kit's could have written, in a folder of their own. Raises OSError."""
+    area = _emptied(folder) / "KIT"
+    files = []
+    for log in shipped_logs(traces):
+        if log.verdict == "accepted" and _plain((traces / log.file).read_bytes()):
+            files.append(Path(log.file).name)
+            shutil.copy(traces / log.file, area / files[-1])
+    _index(area, files)
+    return folder
+
+
+def _plain(log: bytes) -> bool:
+    """Whether everything is recorded, but for what an implementation need not have, and no reading is named."""
+    header = msgspec.json.decode(log.partition(b"\n")[0])
+    return set(header.get("records", COMPLETE)) >= COMPLETE and not {"readings", "profile"} & header.keys()
+
+
+def _emptied(folder: Path) -> Path:
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "KIT").mkdir(parents=True)
+    return folder
+
+
+def _index(area: Path, files: Sequence[str]) -> None:
+    """The smallest logs come first."""
+    ordered = sorted(files, key=lambda name: (area / name).stat().st_size)
+    index = [Shipped(name, "accepted", [], "", None) for name in ordered]
+    (area / "index.json").write_bytes(msgspec.json.encode(index))
+
+
+def score(verdicts: Sequence[Verdict]) -> dict[str, Any]:
+    """Of the mutants that an accepted log shows, how many a log of the kit shows."""
+    shown = [verdict for verdict in verdicts if verdict.how not in ("survived", "invalid")]
+    missed = [verdict.mutant.id for verdict in shown if verdict.by != KIT]
+    return {
+        "mutants": len(verdicts),
+        "invalid": sum(verdict.how == "invalid" for verdict in verdicts),
+        "shown": len(shown),
+        "by_kit": len(shown) - len(missed),
+        "share": round(1 - len(missed) / len(shown), 4) if shown else None,
+        "missed": missed,
+        "shown_by_none": sum(verdict.how == "survived" for verdict in verdicts),
+    }

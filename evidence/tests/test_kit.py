@@ -1,0 +1,143 @@
+"""The kit: generated alike for the same seed, and measured."""
+
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from evidence.common import reasons
+from evidence.common.kit_files import MEASURED, as_line, kept, unmeasured
+from evidence.kit import meetings, nesting, paths
+from evidence.kit.paths import Graph, cover
+from evidence.mutants import kit as kit_mutants
+from evidence.mutants.bench import Verdict
+from evidence.mutants.listing import mutants
+from evidence.reached.command import REASONS
+from evidence.reached.findings import findings
+from evidence.reached.measuring import Reached, reach
+from evidence.tla.syntax import Module
+from s7check.engine.client import Engine
+from s7check.judging.decisions import decisions_of
+from s7check.kit.program import read_program
+
+
+def node(number: int, event: str, mode: str) -> str:
+    """A state as TLC draws it; the first one is filled."""
+    rest = r"/\\ delay = 0\n/\\ stack = <<>>\n/\\ loaded = {1}\n/\\ requests = {}"
+    label = rf"/\\ step = [event |-> \"{event}\"]\n/\\ mode = \"{mode}\"\n{rest}"
+    return f'{number} [label="{label}"' + (",style = filled]" if number == 1 else "];")
+
+
+DOT = [
+    "strict digraph DiskGraph {",
+    node(1, "on", "STOP"),
+    '1 -> 2 [label="",color="black",fontcolor="black"];',
+    node(2, "a", "RUN"),
+    '2 -> 3 [label="",color="black",fontcolor="black"];',
+    node(3, "b", "RUN"),
+    '3 -> 2 [label="",color="black",fontcolor="black"];',
+    '2 -> 4 [label="",color="black",fontcolor="black"];',
+    node(4, "stop", "STOP"),
+    "}",
+]
+
+
+def test_the_same_seed_gives_the_same_programs() -> None:
+    """And another one others."""
+    one, again, other = (list(map(as_line, meetings.programs(seed))) for seed in (1, 1, 2))
+    assert one == again
+    assert one != other
+
+
+def test_the_kept_programs_are_those_of_the_generators() -> None:
+    """Those that need neither TLC nor the shipped logs; the smallest of a file come first."""
+    files = kept()
+    every = {name: unmeasured(one) for programs in files.values() for name, one in programs.items()}
+    for made in (*meetings.programs(1), *nesting.programs()):
+        assert every[made["name"]] == made
+    assert any(paths.MARK in name for name in every)
+    for programs in files.values():
+        sizes = [len(as_line(unmeasured(one))) for one in programs.values()]
+        assert sizes == sorted(sizes)
+
+
+def test_every_program_says_what_it_is_about() -> None:
+    """By requirements; what it reaches is measured, and not by a generator."""
+    every = [one for programs in kept().values() for one in programs.values()]
+    assert all(one["requirements"] for one in every)
+    assert MEASURED not in next(nesting.programs())
+
+
+def test_paths_take_every_step() -> None:
+    """Through each edge of the graph, from the beginning."""
+    graph = Graph.of(iter(DOT))
+    assert graph.begins == ["1"]
+    variables = {state: paths.variables(text) for state, text in graph.states.items()}
+    found = list(cover(graph, variables))
+    assert all(path[0] == "1" for path in found)
+    assert {pair for path in found for pair in pairwise(path)} == {
+        ("1", "2"),
+        ("2", "3"),
+        ("3", "2"),
+        ("2", "4"),
+    }
+
+
+@pytest.fixture(scope="module")
+def few() -> Reached:
+    """The measurement of three programs."""
+    names = ("AIRT-07-nothing-delayed-answers-0000", "AIRT-nesting-002", "DINT-beside-20-21-cancel")
+    every = {name: one for programs in kept().values() for name, one in programs.items()}
+    with Engine() as engine:
+        return reach([read_program(as_line(every[name]).encode()) for name in names], engine, lambda _: None)
+
+
+def test_what_is_reached_is_named(few: Reached) -> None:
+    """Requirements and outcomes of guards, by the smallest programs first; what is missing is told."""
+    assert few.requirements["AIRT-07"][0] == "AIRT-07-nothing-delayed-answers-0000"
+    assert "AIRT-03" in few.of("AIRT-nesting-002")["requirements"]
+    assert "Airt/EnAirt/TRUE/Called" in {
+        name for names in map(few.of, few.requirements["AIRT-07"]) for name in names["guards"]
+    }
+    found = findings(few, {}, reasons.read(REASONS, reasons.Excuse))
+    assert not found.ok
+    assert found.share < 0.5
+    assert "TINT-33" in found.few
+
+
+def test_a_reason_has_no_say_against_a_log(few: Reached) -> None:
+    """An outcome that a shipped log shows can be observed, whatever reason there is; a needless reason is stale."""
+    guard = next(one for one in few.outcomes if one not in few.guards)
+    excuse = [reasons.Excuse(id="*", reason="none of these")]
+    with_log = findings(few, {guard: "some.ndjson"}, excuse)
+    without = findings(few, {}, excuse)
+    assert with_log.observable == without.observable + 1
+    assert findings(few, {}, [*excuse, reasons.Excuse(id="Airt/EnAirt/TRUE/Called", reason="x")]).stale
+
+
+def test_reasons_name_conditions_that_exist() -> None:
+    """Of the file of reasons, each entry fits some outcome."""
+    with Engine() as engine:
+        reached = Reached(decisions_of(engine))
+    assert not [one for one in findings(reached, {}, reasons.read(REASONS, reasons.Excuse)).stale if "no such" in one]
+
+
+def test_mutants_that_an_accepted_log_shows(tmp_path: Path) -> None:
+    """Counted are those that the kit or a shipped log shows; the share is the kit's part."""
+    some = mutants({"A": Module("A", b"---- MODULE A ----\nF(x) == x + 1\nG(x) == x - 1 /\\ x = 2\n====\n")}, ["A"])[:4]
+    hows = [("log", "kit"), ("log", "accepted logs"), ("survived", ""), ("invalid", "kit")]
+    score = kit_mutants.score([Verdict(m, how, by, "", 0.0, ()) for m, (how, by) in zip(some, hows, strict=True)])  # type: ignore[arg-type]
+    assert (score["shown"], score["by_kit"], score["share"]) == (2, 1, 0.5)
+    assert score["missed"] == [some[1].id]
+    folder = tmp_path / "traces" / "X"
+    (folder / "accept").mkdir(parents=True)
+    plain = {"format": "s7-interrupt-log/1", "cpu": "S7-300", "obs": [1], "clock": "2026-11-21T06:00"}
+    logs = {"a": plain, "b": plain | {"records": ["mode"]}, "c": plain | {"readings": {"AMB-01": "a"}}}
+    for name, header in logs.items():
+        (folder / "accept" / f"{name}.ndjson").write_text(json.dumps(header) + "\n")
+    entry = {"verdict": "accepted", "requirements": [], "reason": ""}
+    (folder / "index.json").write_bytes(msgspec.json.encode([{"file": f"accept/{n}.ndjson", **entry} for n in logs]))
+    chosen = kit_mutants.accepted_logs(tmp_path / "traces", tmp_path / "out")
+    assert [file.name for file in (chosen / "KIT").glob("*.ndjson")] == ["a.ndjson"]
