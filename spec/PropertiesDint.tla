@@ -82,7 +82,8 @@ DintCallProp ==
 (* run and works, or leaves the run and fails. A CPU keeps to one way.     *)
 CanWaitingProp ==
     [][ /\ Did("CAN_DINT")
-        /\ PendingIn(requests, step'.ob) /\ ~dint[step'.ob].started
+        /\ step'.ob \in DintObs /\ PendingIn(requests, step'.ob)
+        /\ ~dint[step'.ob].started
         => /\ step'.value = 0 <=> ~PendingIn(requests', step'.ob)
            /\ "AMB-11" \in DOMAIN cpu'.readings
            /\ cpu'.readings["AMB-11"]

@@ -89,9 +89,10 @@ SetProp ==
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
 (* A once whose only point is past and none of whose runs is certain to    *)
-(* come. The sources leave open whether it is still set [AMB-48] [AMB-55]. *)
+(* come; its OB may run for an earlier setting. The sources leave open     *)
+(* whether it is still set [AMB-48] [AMB-55].                              *)
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
-           /\ ~PendingIn(requests, o) /\ ~OnStack(o)
+           /\ ~PendingIn(requests, o) /\ ~tod[o].called
 
 (* [TINT-51] [TINT-50] [TINT-52] CAN_TINT; in OB 80 of a catch-up [TINT-54]. *)
 CanProp ==
