@@ -105,7 +105,7 @@ MonthsInv  == mode = "STOP" => MonthsAgree
 Holds(question, usual, letters, answer) ==
     LET letter == IF question \in DOMAIN cpu.readings
                   THEN cpu.readings[question] ELSE usual
-    IN  answer <=> letter \in letters
+    IN  question \in Ambiguities /\ (answer <=> letter \in letters)
 
 \* @type: (Set(Set(Int)), Set(Int)) => Bool;
 MayBe(parts, part) == part \in parts
