@@ -161,3 +161,14 @@ def programs() -> Iterator[Json]:
                 name = f"{area}-calls-{place.replace(' ', '-')}-{cpu.replace(' ', '-')}"
                 about = f"Right and wrong calls in {place} of an {cpu}."
                 yield program(name, about, requirements, header(cpu, _CLOCK, mode), 3 * MINUTE, bodies, outside)
+        yield from _alone(area, steps(), requirements)
+
+
+def _alone(area: str, steps: list[Json], requirements: list[str]) -> Iterator[Json]:
+    """The operands of each call by itself, for a CPU that offers no other call."""
+    for called in dict.fromkeys(step["call"] for step in steps if "call" in step):
+        for cpu in _CPUS:
+            own = [step for step in steps if step.get("call") == called]
+            name = f"{area}-{called.replace('_', '-')}-alone-{cpu.replace(' ', '-')}"
+            about = f"Right and wrong operands of {called} on an {cpu}, and no other call."
+            yield program(name, about, requirements, header(cpu, _CLOCK), 3 * MINUTE, [body(1, own, 1)])
