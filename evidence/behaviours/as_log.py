@@ -25,7 +25,7 @@ def as_log(states: Sequence[State]) -> list[Line]:
     """Give header and events of a behaviour; the first state is the one before any step."""
     lines = [_header(states[0])]
     for before, after in pairwise(states):
-        event = _event(before, after)
+        event = event_of(before, after)
         if event is not None:
             lines.append(event)
     return lines
@@ -71,7 +71,7 @@ def _step7(one: dict[str, Any]) -> Line:
     return given
 
 
-def _event(before: State, after: State) -> Line | None:
+def event_of(before: State, after: State) -> Line | None:
     step = after["step"]
     name = step["event"]
     if name in _UNSEEN:

@@ -162,6 +162,12 @@ RUNS = {
         (sys.executable, "bench/explorer.py", "--json", _REPORT),
         summaries.bench,
     ),
+    "edges": _s7check(
+        "The explorer's steps and TLC's edges",
+        "What may come after each log of three exported graphs ([commands](commands.md#s7check-edges-world)).",
+        "edges",
+        summaries.edges,
+    ),
     "proofs": _s7check(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",

@@ -159,6 +159,12 @@ def fuzz(text: str) -> list[Table]:
     return [Table(["damage", *outcomes], rows), numbers]
 
 
+def edges(text: str) -> list[Table]:
+    """Each world with its states, edges and differences."""
+    worlds: list[dict[str, Cell]] = json.loads(text)["worlds"]
+    return [Table(list(worlds[0]), [list(world.values()) for world in worlds])]
+
+
 def bench(text: str) -> list[Table]:
     """The tables of the benchmark, as they are."""
     report: dict[str, Any] = json.loads(text)
