@@ -54,7 +54,8 @@ WORLDS = {
     "job": World(
         "MCDint",
         {
-            "Loads": "{{20, 40}}",
+            "Loads": "{{20}}",
+            "Interrupts": "{}",
             "ObNumbers": "{20}",
             "Dtimes": "{30000}",
             "Signs": "{1}",
