@@ -72,6 +72,7 @@ def _step7(one: dict[str, Any]) -> Line:
 
 
 def event_of(before: State, after: State) -> Line | None:
+    """Give the line of a step with its time; None where a log does not show the step."""
     step = after["step"]
     name = step["event"]
     if name in _UNSEEN:
