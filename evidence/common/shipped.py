@@ -1,10 +1,12 @@
 """The logs that the project ships, with the verdicts that they must get."""
 
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
 from s7check.judging.verdict import Report
+from s7check.log.objects import objects
 
 
 class Shipped(msgspec.Struct, frozen=True):
@@ -55,3 +57,9 @@ def difference(expected: Shipped, report: Report) -> str | None:
     wanted = f"{expected.verdict}, line {expected.line}" if expected.line else expected.verdict
     got = f"{report.verdict}, line {line}" if line else report.verdict
     return f"{expected.file}: expected {wanted}; got {got}: {report.message}"
+
+
+def header_of(log: Path) -> dict[str, Any]:
+    """The header of a log as it stands there, packed or not. Raises UnusableLogError."""
+    _, _, header = next(objects(str(log)))
+    return header

@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 
 from evidence.common import soft_plc
-from evidence.common.shipped import Shipped, shipped_logs
+from evidence.common.shipped import Shipped, header_of, shipped_logs
 from evidence.mutants.bench import Verdict
 from s7check.coverage.measure import COMPLETE
 from s7check.kit.collection import programs_of
@@ -44,16 +44,15 @@ def accepted_logs(traces: Path, folder: Path) -> Path:
     area = _emptied(folder) / "KIT"
     files = []
     for log in shipped_logs(traces):
-        if log.verdict == "accepted" and _plain((traces / log.file).read_bytes()):
+        if log.verdict == "accepted" and _plain(header_of(traces / log.file)):
             files.append(Path(log.file).name)
             shutil.copy(traces / log.file, area / files[-1])
     _index(area, files)
     return folder
 
 
-def _plain(log: bytes) -> bool:
+def _plain(header: dict[str, Any]) -> bool:
     """Whether everything is recorded, but for what an implementation need not have, and no reading is named."""
-    header = msgspec.json.decode(log.partition(b"\n")[0])
     return set(header.get("records", COMPLETE)) >= COMPLETE and not {"readings", "profile"} & header.keys()
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 
 from evidence.common import soft_plc
-from evidence.common.shipped import shipped_logs
+from evidence.common.shipped import header_of, shipped_logs
 from s7check.asking.variants import Variant
 from s7check.coverage.measure import COMPLETE, Guard, judged
 from s7check.engine.client import Engine
@@ -179,13 +179,7 @@ def shown_by_logs(traces: Path, engine: Engine, reached: Reached) -> Mapping[Gua
     """
     shown: dict[Guard, str] = {}
     for log in shipped_logs(traces):
-        if log.verdict == "accepted" and not _left_out(traces / log.file):
+        if log.verdict == "accepted" and set(header_of(traces / log.file).get("records", COMPLETE)) >= COMPLETE:
             for guard in reached.shown(judged(str(traces / log.file), engine)):
                 shown.setdefault(guard, log.file)
     return shown
-
-
-def _left_out(file: Path) -> bool:
-    """Whether the log leaves out a kind of event that the specification judges."""
-    header = msgspec.json.decode(file.read_bytes().partition(b"\n")[0])
-    return not set(COMPLETE) <= set(header.get("records", COMPLETE))
