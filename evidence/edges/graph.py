@@ -54,8 +54,7 @@ WORLDS = {
     "job": World(
         "MCDint",
         {
-            "Loads": "{{20}}",
-            "Interrupts": "{}",
+            "Loads": "{{20, 40}}",
             "ObNumbers": "{20}",
             "Dtimes": "{30000}",
             "Signs": "{1}",
