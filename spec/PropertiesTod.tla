@@ -182,10 +182,14 @@ OverlapProp ==
                      r.ob = 80 /\ r.fault = 2 /\ r.late = {step'.ob}
            ELSE stopCause' = \h4568 ]_vars
 
-(* [TINT-23] [OBS-44] Otherwise a point leads to its OB, in STARTUP as well. *)
+(* [TINT-23] [OBS-44] Otherwise a point leads to its OB, in STARTUP as     *)
+(* well. If the OB may already wait, the point may be a time error, which  *)
+(* stops a CPU without OB 80 [OBS-22].                                     *)
 OrdinaryProp ==
     [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Idle(step'.ob)
-        => PendingIn(requests', step'.ob) ]_vars
+        => \/ PendingIn(requests', step'.ob)
+           \/ /\ OpenIn(requests, step'.ob) /\ 80 \notin loaded
+              /\ stopCause' = \h4568 ]_vars
 
 (* [TINT-15] The run that follows comes after its OB 80. *)
 AfterTimeErrorProp ==
