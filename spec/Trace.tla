@@ -28,11 +28,18 @@ Touches(e, o) ==
                                       "state"} -> e.ob = o
       [] OTHER                            -> e.event # "diag"
 
+(* Another start event of this moment does more than wait, in the class of *)
+(* OB o: their order decides which OB runs first.                          *)
+\* @type: Int => Bool;
+OrderMatters(o) == \E p \in PointsNow \cup OverNow :
+                     ClassOf(p) = ClassOf(o) /\ ~OnlyWaits(p)
+
 (* A start event of this moment may come before or after line e. If both   *)
 (* have the same effect, it comes after: a later request allows as much.   *)
 \* @type: ($event, Int) => Bool;
 ComesBefore(e, o) ==
-    Partial \/ PointsComeByNumber \/ ~OnlyWaits(o) \/ Touches(e, o)
+    \/ Partial \/ PointsComeByNumber
+    \/ ~OnlyWaits(o) \/ OrderMatters(o) \/ Touches(e, o)
 
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
