@@ -159,7 +159,7 @@ def programs() -> Iterator[Json]:
                 run = 2 if "later" in place else 1
                 bodies = [body(1, first, 1), body(ob, steps(), run)] if first or run == 2 else [body(ob, steps(), run)]
                 name = f"{area}-calls-{place.replace(' ', '-')}-{cpu.replace(' ', '-')}"
-                about = f"Right and wrong calls in {place} of an {cpu}."
+                about = f"Right and wrong calls in {place}; CPU: {cpu}."
                 yield program(name, about, requirements, header(cpu, _CLOCK, mode), 3 * MINUTE, bodies, outside)
         yield from _alone(area, steps(), requirements)
 
@@ -170,5 +170,5 @@ def _alone(area: str, steps: list[Json], requirements: list[str]) -> Iterator[Js
         for cpu in _CPUS:
             own = [step for step in steps if step.get("call") == called]
             name = f"{area}-{called.replace('_', '-')}-alone-{cpu.replace(' ', '-')}"
-            about = f"Right and wrong operands of {called} on an {cpu}, and no other call."
+            about = f"Right and wrong operands of {called}, and of no other call; CPU: {cpu}."
             yield program(name, about, requirements, header(cpu, _CLOCK), 3 * MINUTE, [body(1, own, 1)])
