@@ -82,7 +82,7 @@ class Comparison:
                     self.found.edges.add((state, line, end))
             due = self._due(session, at)
             self._compare(session, at, set(there), early or bool(due))
-            for line, ends in there.items():
+            for line, ends in sorted(there.items()):
                 event = {"at": at, **msgspec.json.decode(line)}
                 follower = frozenset(ends), early or bool(due - {(event["event"], event.get("ob", 0))})
                 if follower not in seen and session.feed(event) is None:
