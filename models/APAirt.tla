@@ -1,10 +1,10 @@
 ------------------------------- MODULE APAirt -------------------------------
 (***************************************************************************)
 (* Delays in RUN for Apalache: a bounded check of StackInv [OBS-01] and    *)
-(* AirtInv [AIRT-12], not a proof.  It begins in RUN, in OB 1, half a      *)
-(* minute before a point of OB 10; OB 40 is requested from outside.  What  *)
-(* MCAirt has beside this (STOP, restart, STARTUP, missing OBs) is left    *)
-(* out, since Apalache unfolds every action into every step.               *)
+(* AirtInv [AIRT-12], not a proof. It begins in RUN, in OB 1, half a       *)
+(* minute before a point of OB 10; OB 40 is requested from outside.        *)
+(* Left out: STOP, restart, STARTUP and missing OBs, which MCAirt has,     *)
+(* since Apalache unfolds every action into every step.                    *)
 (* models/apalache.sh check                                                *)
 (***************************************************************************)
 EXTENDS MCBase
@@ -34,8 +34,8 @@ APInit ==
     /\ entered = {}
     /\ step = Step("run", 0, 0)
 
-(* Points and the clock without the calendar, of which Apalache would make *)
-(* a copy for each use: a point of OB 10 falls due at any time.            *)
+(* Points and the clock without the calendar: a point of OB 10 comes at    *)
+(* any time. Apalache would copy the calendar for each use.                *)
 PointAtAnyTime ==
     /\ Occurs(TodRequest(10, clock, 0))
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, runVars>>
@@ -44,7 +44,8 @@ ClockGoesOn ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, settingVars, outcomeVars, runVars>>
 
-(* Without the urgency of System: an invariant of this is one of System.   *)
+(* Time may pass although an OB is to start: System allows less, so an     *)
+(* invariant of this model is one of System.                               *)
 APNext ==
     \/ \E r \in requests : Start(r) /\ Seen("start", r.ob, r.class)
     \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)

@@ -1,12 +1,12 @@
 ----------------------------- MODULE APCalendar -----------------------------
 (***************************************************************************)
-(* What the proofs by Apalache use of the calendar: APSystem puts any      *)
-(* minute that the lemma allows in the place of FirstPoint, and            *)
+(* The lemma that the proofs by Apalache use in place of the calendar.     *)
+(* APSystem replaces FirstPoint by any minute that the lemma allows.       *)
 (* MCCalendarLemma checks by TLC that FirstPoint is such a minute.         *)
 (***************************************************************************)
 EXTENDS Calendar
 
-(* What the proofs use of q, the first point of a series at or after m. *)
+(* The lemma: q may be the first point of a series at or after m. *)
 \* @type: (Int, Int, Int, Int) => Bool;
 CalendarLemma(start, period, m, q) ==
     /\ q = Never \/ (m <= q /\ start <= q /\ q <= LastMinute)

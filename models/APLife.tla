@@ -1,8 +1,8 @@
 ------------------------------- MODULE APLife -------------------------------
 (***************************************************************************)
 (* A proof by Apalache that the life cycle of a time-of-day interrupt      *)
-(* (spec/LifeCycle) keeps what MCLifeAlone says of it, however many start  *)
-(* events wait:                                                            *)
+(* (spec/LifeCycle) has the properties of MCLifeAlone, for any number of   *)
+(* waiting start events:                                                   *)
 (*   1. Invariant holds in the initial state;                              *)
 (*   2. every step from every state in which it holds ends in one;         *)
 (*   3. every such step is as the ...Step formulas say.                    *)
@@ -12,7 +12,7 @@ EXTENDS MCLifeAlone
 
 Invariant == OffInv /\ ActiveInv /\ waiting >= 0
 
-(* Any state at all, but for Invariant. *)
+(* Any state in which Invariant holds. *)
 AnyState ==
     /\ on \in BOOLEAN
     /\ setting \in Settings
@@ -25,8 +25,8 @@ AnyState ==
 
 AnyInit == AnyState /\ Invariant
 
-(* Next of LifeCycle; where that leaves a variable open, it may have any   *)
-(* value of its type.                                                      *)
+(* Next of LifeCycle. A variable that it leaves open may take any value of *)
+(* its type.                                                               *)
 APNext ==
     \/ Set \/ Cancel \/ Activate \/ Lost \/ End \/ Fade
     \/ Stop \/ Restart

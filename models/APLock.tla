@@ -1,13 +1,13 @@
 ------------------------------- MODULE APLock -------------------------------
 (***************************************************************************)
 (* A proof by Apalache that the counter lock (spec/CounterLock, SFC 41 and *)
-(* 42) keeps what MCLockAlone says of it, for EVERY delay count and any    *)
-(* number of start events that wait, in three priority classes:            *)
+(* 42) has the properties of MCLockAlone, for EVERY delay count and any    *)
+(* number of waiting start events, in three priority classes:              *)
 (*   1. Invariant holds in the initial state;                              *)
 (*   2. every step from every state in which it holds ends in one;         *)
 (*   3. every such step is as the ...Step formulas say.                    *)
-(* The classes are 1 to 3 since nothing but their order matters; a stack   *)
-(* in ascending order is then never longer than three.                     *)
+(* The classes are 1 to 3, since only their order matters. A stack in      *)
+(* ascending order is then never longer than three.                        *)
 (* s7check prove 'lock-*'                                                  *)
 (***************************************************************************)
 EXTENDS MCLockAlone
@@ -23,7 +23,7 @@ Invariant == /\ CountInv /\ NestedInv /\ OffInv
 AsFunction(a, b, c) ==
     [d \in Classes |-> IF d = 1 THEN a ELSE IF d = 2 THEN b ELSE c]
 
-(* Any state at all, but for Invariant. *)
+(* Any state in which Invariant holds. *)
 AnyState ==
     /\ on \in BOOLEAN
     /\ count \in Nat
@@ -34,8 +34,8 @@ AnyState ==
 
 AnyInit == AnyState /\ Invariant
 
-(* Next of CounterLock, which leaves open what arrives and what may come:  *)
-(* any number, and any classes.                                            *)
+(* Next of CounterLock. It leaves the arrivals open: any number, of any    *)
+(* classes.                                                                *)
 AnyPerhaps == perhaps' \in SUBSET Classes
 AnyWaiting == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
 

@@ -4,16 +4,15 @@
 (*                                                                         *)
 (* The world: two time-of-day OBs, a time-delay OB, a hardware OB, OB 80,  *)
 (* OB 85 and the startup OBs, each loaded or missing; the three families;  *)
-(* classes of OB 10, 11 and 40 as by default or, but on S7-300, set to any *)
-(* that OBS-05 allows.  The clock, the delay count, settings, jobs, what   *)
-(* requests say and the operands of calls are any integers, a fault id any *)
-(* byte.                                                                   *)
+(* classes of OB 10, 11 and 40 by default or, except on S7-300, any that   *)
+(* OBS-05 allows. The clock, the delay count, settings, jobs, fields of    *)
+(* requests and operands of calls are any integers; a fault id is a byte.  *)
 (* Before the step at most three start events wait, three OBs run, and a   *)
 (* time-of-day OB remembers two runs of points of each kind.               *)
 (*                                                                         *)
-(* The calendar: of the first point of a series only what CalendarLemma    *)
-(* says is used, which models/MCCalendarLemma checks; of the next point of *)
-(* a setting only what follows from that: NextPointLemma.                  *)
+(* The calendar: CalendarLemma stands for the first point of a series;     *)
+(* models/MCCalendarLemma checks it. NextPointLemma follows from it and    *)
+(* stands for the next point of a setting.                                 *)
 (* models/proofs.json has the queries; `s7check prove' asks them.          *)
 (***************************************************************************)
 EXTENDS InductiveSystem, APCalendar, Apalache
@@ -49,8 +48,8 @@ APAmbiguities == {"AMB-11", "AMB-56", "AMB-57"}
 -----------------------------------------------------------------------------
 (* The calendar *)
 
-(* In place of FirstPoint: any point that the lemma allows.  Where the one *)
-(* drawn is not allowed, another that is.                                  *)
+(* In place of FirstPoint: any point that the lemma allows. If the drawn   *)
+(* point is not allowed, an allowed point replaces it.                     *)
 \* @type: (Int, Int, Int) => Int;
 AnyFirstPoint(start, period, m) ==
     CHOOSE point \in
@@ -62,7 +61,7 @@ AnyFirstPoint(start, period, m) ==
         ELSE Never
         : q \in {Gen(1)} } : TRUE
 
-(* What the proofs use of q, the next point of a setting from moment m on. *)
+(* The lemma: q may be the next point of a setting from moment m on.       *)
 \* @type: ($tod, $moment, Int) => Bool;
 NextPointLemma(t, m, q) ==
     LET from == FirstMinute(t, m)
@@ -165,7 +164,7 @@ NextPointFollows ==
     \A q \in {NextPoint(tod[10], clock, cpu)} :
       NextPointLemma(tod[10], clock, q)
 
-(* What AnyState takes for granted of a variable stays so. *)
+(* Every step keeps the assumptions of AnyState. *)
 InWorld ==
     /\ cpu.family = AnyCpu.family
     /\ cpu.priority = AnyCpu.priority

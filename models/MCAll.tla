@@ -4,10 +4,10 @@
 (* OB, a hardware OB, SFC 39/40, delays nested three deep, the clock set   *)
 (* forward and back, STOP and restart.                                     *)
 (*                                                                         *)
-(* The search is bounded by what program and world do: `spent' counts      *)
-(* their interventions, and behaviours with more than Budget of them are   *)
-(* left out.  What the CPU does by itself is not bounded.  SFC 41/42 are   *)
-(* not counted, but called by OB 40 alone, up to three calls deep.         *)
+(* Bounded: `spent' counts the interventions of program and world;         *)
+(* behaviours with more than Budget of them are left out. Steps of the CPU *)
+(* itself are not bounded. SFC 41/42 are not counted, but only OB 40 calls *)
+(* them, up to three calls deep.                                           *)
 (***************************************************************************)
 EXTENDS MCBase
 

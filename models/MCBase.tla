@@ -1,8 +1,8 @@
 ------------------------------- MODULE MCBase -------------------------------
 (***************************************************************************)
-(* What the TLC models have in common: a small world to choose from, and   *)
-(* the words that their configurations put in the place of the large sets  *)
-(* of module System.                                                       *)
+(* The common part of the TLC models: a small world to choose from, and    *)
+(* the small sets that their configurations put in the place of the large  *)
+(* sets of module System.                                                  *)
 (*                                                                         *)
 (* The clock knows a few minutes around 2026-11-21 06:00 and two moments   *)
 (* of each.  Time is absolute here: no view makes it relative, since       *)

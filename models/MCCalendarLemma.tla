@@ -17,7 +17,7 @@ MinutesOfDay == {TimeOfDay, TimeOfDay + 1}
 
 Shortly == {Once, Minutely, Hourly, Daily} \cup Weekly
 
-(* Days of starts: those that any series may have ... *)
+(* The days on which any series may start ... *)
 StartDays == { n \in { 0, day - 8, day - 7, day - 1, day, day + 1,
                        DaysInAll - 1 } : 0 <= n /\ n < DaysInAll }
 (* ... the days of the month: January 1990 has them all ... *)

@@ -1,9 +1,9 @@
 ---------------------------- MODULE MCFatesAlone ---------------------------
 (***************************************************************************)
-(* Conservation by itself, with two OBs and two start events in all:       *)
-(* whatever one step may change, from every state.  System refines it      *)
-(* (MCRefineEvents); that says nothing of what Conservation allows beyond  *)
-(* System.  Here it is.                                                    *)
+(* Conservation by itself, with two OBs and two start events in all: every *)
+(* step from every state. System refines Conservation (MCRefineEvents),    *)
+(* but Conservation allows more than System. This model checks all that it *)
+(* allows.                                                                 *)
 (***************************************************************************)
 EXTENDS Conservation
 

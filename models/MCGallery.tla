@@ -3,19 +3,19 @@
 (* A world in which TLC looks for the shortest behaviour with an edge      *)
 (* case: the invariant Untold says that the case does not come.            *)
 (*                                                                         *)
-(* gallery/cases.json has the cases. Each gives the constants below: what  *)
-(* program and world may do (MayHappen), how often (Budget), and two       *)
-(* predicates: first Middle must hold in some state, then, in a later one, *)
-(* Goal. What the CPU does by itself, and time, are free.                  *)
+(* gallery/cases.json has the cases. Each gives the constants below: the   *)
+(* interventions of program and world (MayHappen), their number (Budget),  *)
+(* and two predicates: Middle must hold in some state, and Goal in a later *)
+(* state. Time and the steps of the CPU itself are free.                   *)
 (*                                                                         *)
 (* Left out: everything that a case does not need; its constants say so. *)
 (***************************************************************************)
 EXTENDS MCBase
 
 VARIABLES
-    (* What has happened: <<event, OB, number, 1 or 2>>, 2 where it has     *)
-    (* happened before.  The number is the fault id of an OB 80 or 85 that  *)
-    (* starts, the fault id of the OB 80 that an OB follows, else the value *)
+    (* Past steps: <<event, OB, number, 1 or 2>>, with 2 from the second    *)
+    (* time on. The number is the fault id of an OB 80 or 85 that starts,   *)
+    (* the fault id of the OB 80 that an OB follows, or the value           *)
     (* of the step.                                                        *)
     \* @type: Set(<<Str, Int, Int, Int>>);
     past,
@@ -26,7 +26,7 @@ VARIABLES
     \* @type: Bool;
     met
 
-(* The constants of a case, here for those who read this module alone. *)
+(* The constants of a case; these values only complete the module. *)
 \* @type: Set(Str);
 MayHappen == {}
 Budget == 0

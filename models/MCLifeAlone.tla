@@ -1,8 +1,8 @@
 ---------------------------- MODULE MCLifeAlone ----------------------------
 (***************************************************************************)
-(* LifeCycle by itself: whatever one step may change, from every state.    *)
-(* System refines it (MCRefineTod); that says nothing of what LifeCycle    *)
-(* allows beyond System.  Here it is.                                      *)
+(* LifeCycle by itself: every step from every state. System refines        *)
+(* LifeCycle (MCRefineTod), but LifeCycle allows more than System. This    *)
+(* model checks all that it allows.                                        *)
 (***************************************************************************)
 EXTENDS LifeCycle
 
@@ -10,7 +10,7 @@ Most == 2
 Settings == {"unset", "set", "active", "called"}
 Pasts == {"none", "served", "cancelled", "lost", "cleared"}
 
-(* LifeCycle leaves open some of what follows: every next state is tried.  *)
+(* LifeCycle leaves some variables open: TLC tries every next state.       *)
 AnyNext == /\ on' \in BOOLEAN
            /\ setting' \in Settings
            /\ once' \in BOOLEAN
@@ -26,16 +26,17 @@ AloneSpec == Init /\ [][AnyNext]_lifeVars
 (* Nothing waits and nothing runs in STOP [OBS-41]. *)
 OffInv == ~on => waiting = 0 /\ ~perhaps /\ ~running
 
-(* What waits is active [TINT-09]. *)
+(* A waiting interrupt is active [TINT-09]. *)
 ActiveInv == waiting > 0 => setting = "active"
 
 Starts == running' /\ ~running
 
-(* Only what is active and waits starts [TINT-09] [TINT-23]. *)
+(* An OB starts only if its interrupt is active and waits [TINT-09]        *)
+(* [TINT-23].                                                              *)
 StartStep == Starts => setting = "active" /\ (waiting > 0 \/ perhaps)
 
-(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71], and *)
-(* its OB, when it ends, leaves nothing set.                               *)
+(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71]. It  *)
+(* is no longer set after its OB ends.                                     *)
 OnceStep ==
     /\ Starts /\ once => /\ setting' \in {"unset", "called"}
                          /\ waiting' = 0 /\ ~perhaps'
@@ -43,18 +44,19 @@ OnceStep ==
     /\ setting = "called" /\ past' = "served" /\ running /\ ~running'
          => setting' = "unset"
 
-(* What waits stays, until it starts, is cancelled or set anew, or STOP.   *)
+(* A start event waits until its OB starts, until its interrupt is         *)
+(* cancelled or set anew, or until STOP.                                   *)
 StaysStep ==
     waiting' < waiting =>
       Starts \/ ~on' \/ setting' \in {"unset", "set"}
 
-(* What is set in RUN has to be activated by a call [TINT-33]. *)
+(* After SET_TINT in RUN a call has to activate the interrupt [TINT-33]. *)
 ActivateStep == on /\ setting' = "active" => setting # "unset"
 
-(* Nothing that is blocked comes to wait [IRT-01]. *)
+(* A blocked interrupt does not begin to wait [IRT-01]. *)
 BlockedStep == on /\ blocked => waiting' <= waiting
 
-(* A call or a point does not end a program that runs [TINT-53]. *)
+(* A call or a point does not end a running OB [TINT-53]. *)
 RunsOnStep == running /\ ~running' => past' \in {"served", "cleared"}
 
 StartProp    == [][StartStep]_lifeVars

@@ -4,11 +4,11 @@
 (* OB, delays of SFC 41, the clock set forward and back, STOP and restart; *)
 (* and a delay interrupt in their place.                                   *)
 (*                                                                         *)
-(* There is no constraint: it would cut off behaviours after which nothing *)
-(* has to happen any more.  The world is finite by itself: the clock ends  *)
-(* at the last moment, programs nest two delays, and `budget' limits what  *)
-(* the surroundings do.  There is no view either, though no property       *)
-(* depends on `step'.                                                      *)
+(* There is no constraint: it would hide behaviours in which an event      *)
+(* never comes. The world is finite by itself: the clock ends at the       *)
+(* last moment, programs nest two delays, and `budget' limits the events   *)
+(* from outside. There is no view either, though no property depends on    *)
+(* `step'.                                                                 *)
 (***************************************************************************)
 EXTENDS MCBase, Liveness
 
@@ -53,8 +53,8 @@ LiveNext == /\ Next
             /\ budget' = budget - Taken
             /\ budget' >= 0
 
-(* For properties that need all of Fairness, what the CPU and its programs *)
-(* do, or dispatch alone.                                                  *)
+(* For properties that need all of Fairness, fairness of the CPU and its   *)
+(* programs, or of dispatch alone.                                         *)
 LiveSpec     == LiveInit /\ [][LiveNext]_liveVars /\ Fairness
 CpuSpec      == LiveInit /\ [][LiveNext]_liveVars /\ CpuFairness
 DispatchSpec == LiveInit /\ [][LiveNext]_liveVars /\ DispatchFairness

@@ -1,8 +1,8 @@
 ---------------------------- MODULE MCLockAlone ----------------------------
 (***************************************************************************)
-(* CounterLock by itself, with two classes: whatever one step may change,  *)
-(* from every state.  System refines it (MCRefineLock); that says nothing  *)
-(* of what CounterLock allows beyond System.  Here it is.                  *)
+(* CounterLock by itself, with two classes: every step from every state.   *)
+(* System refines CounterLock (MCRefineLock), but CounterLock allows more  *)
+(* than System. This model checks all that it allows.                      *)
 (***************************************************************************)
 EXTENDS CounterLock
 
@@ -11,7 +11,7 @@ Most    == 2
 Programs == { <<>> } \cup { <<c>> : c \in Classes }
               \cup { <<c, d>> : c, d \in Classes }
 
-(* CounterLock leaves open what else arrives: every next state is tried.   *)
+(* CounterLock leaves the arrivals open: TLC tries every next state.       *)
 AnyNext == /\ on' \in BOOLEAN
            /\ count' \in 0..Deepest
            /\ running' \in Programs
@@ -21,10 +21,10 @@ AnyNext == /\ on' \in BOOLEAN
 
 AloneSpec == Init /\ [][AnyNext]_lockVars
 
-(* The count is of the program that runs, and of no other [AIRT-04].       *)
+(* The count belongs to the running program alone [AIRT-04].               *)
 CountInv == count > 0 => on /\ running # <<>>
 
-(* What runs was not interrupted by its own class [OBS-01].                *)
+(* No OB is interrupted by an OB of its own class [OBS-01].                *)
 NestedInv ==
     \A i, j \in DOMAIN running : i < j => running[i] < running[j]
 
@@ -35,10 +35,10 @@ Starts == Len(running') > Len(running)
 (* Nothing starts while the lock is held [AIRT-01]. *)
 HeldStep == Starts => count = 0
 
-(* What starts has the highest class of what waits [OBS-04]. *)
+(* The highest waiting class starts first [OBS-04]. *)
 HighestStep == Starts => \A c \in Held : c <= running'[Len(running')]
 
-(* What waits is taken by its start and by STOP alone [AIRT-02]. *)
+(* Only its start and STOP remove a waiting start event [AIRT-02]. *)
 NoneLostStep ==
     \A c \in Classes :
       waiting'[c] < waiting[c] =>
@@ -46,12 +46,12 @@ NoneLostStep ==
         \/ Starts /\ running'[Len(running')] = c
                   /\ waiting'[c] = waiting[c] - 1
 
-(* What interrupts goes first when the lock opens [AIRT-08]. *)
+(* When the lock opens, the interrupting class goes first [AIRT-08]. *)
 AtOnceStep ==
     on /\ count = 0 /\ Held # {} =>
       Starts \/ ~on' \/ UNCHANGED <<on, count, running, waiting>>
 
-(* One call counts one [AIRT-03]; the end of the program counts all back.  *)
+(* One call counts one [AIRT-03]. The end of the program resets the count. *)
 CountedStep ==
     count' # count =>
       \/ count' \in {count - 1, count + 1} /\ running' = running

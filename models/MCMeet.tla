@@ -5,10 +5,10 @@
 (* clock is set forward and back, the switch goes to STOP and a restart    *)
 (* follows, while the points of OB 10 come and OB 11 is missing.           *)
 (*                                                                         *)
-(* What program and world do goes by a plan: its interventions come in     *)
-(* this order, each at any time.  What the CPU does, EN_AIRT and restart   *)
-(* are free.  MetInv says that not all of it happens in one behaviour: the *)
-(* witness `all-met' (MCMeetReach.cfg) is one in which it does.            *)
+(* Program and world follow a plan: its interventions come in this order,  *)
+(* each at any time. Steps of the CPU itself, EN_AIRT and restart are      *)
+(* free. MetInv claims that no behaviour has all of this: the witness      *)
+(* `all-met' (MCMeetReach.cfg) is a behaviour that has it all.             *)
 (***************************************************************************)
 EXTENDS MCAll
 

@@ -1,8 +1,7 @@
 --------------------------- MODULE MCOutsideFaults ---------------------------
 (***************************************************************************)
-(* OB 80 with fault 05 or 06 for a cause that no line shows, beside those  *)
-(* that the clock and HOLD make: only these name the OBs that are late     *)
-(* (section 5.3).                                                          *)
+(* OB 80 with fault 05 or 06 for a cause outside the log, beside faults of *)
+(* the clock and HOLD: only the latter name the late OBs (section 5.3).    *)
 (***************************************************************************)
 EXTENDS MCBase
 

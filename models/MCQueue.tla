@@ -1,8 +1,8 @@
 ------------------------------- MODULE MCQueue ------------------------------
 (***************************************************************************)
-(* Two time-of-day OBs of one class that wait for a hardware OB and for    *)
-(* each other over several points: the order of start events, and what is  *)
-(* kept of points that fall due while their OB runs (section 5.1).         *)
+(* Two time-of-day OBs of one class wait for a hardware OB and for each    *)
+(* other over several points: the order of start events, and the points    *)
+(* kept of those that come while their OB runs (section 5.1).              *)
 (***************************************************************************)
 EXTENDS MCBase
 

@@ -4,11 +4,11 @@
 (* OB, a hardware OB and OB 80 on an S7-300 and an S7-400, with DIS_IRT,   *)
 (* CAN_TINT, the clock set forward, and STOP.                              *)
 (*                                                                         *)
-(* The history counts what an observer sees: start events as they occur,   *)
-(* those of OB 80 by their entries in the diagnostic buffer; ends; what is *)
-(* blocked; what a call or STOP takes away.  What is waiting, open and     *)
-(* running is counted in the state.  The rest of the account is "merged":  *)
-(* that it grows only by what may be merged is what is shown.              *)
+(* The history counts as an observer can: start events as they occur, of   *)
+(* OB 80 by its entries in the diagnostic buffer; ends; blocked start      *)
+(* events; start events that a call or STOP removes. Waiting, open and     *)
+(* running ones are counted in the state. The rest is "merged": the model  *)
+(* shows that only start events that may be merged are.                    *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -111,7 +111,7 @@ ConservationSpec == Events!Spec
 
 EventsView == <<cpuVars, history>>
 
-(* Two start events at most, without those of OB 80; nothing after a STOP. *)
+(* At most two start events, OB 80 not counted; nothing after a STOP. *)
 Bounded == /\ occurred[10] + occurred[40] <= 2
            /\ mode = "STOP" => clock \in PowerOnMoments /\ occurred = NoneYet
 

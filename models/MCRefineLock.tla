@@ -4,9 +4,9 @@
 (* of-day OB, a hardware OB and OB 80, on an S7-300 and an S7-400, with    *)
 (* start events of every class meanwhile (section 4).                      *)
 (*                                                                         *)
-(* Start events count from when the mode lets their OB run: those that are *)
-(* deferred in STARTUP arrive in RUN.  "Perhaps" are those that the        *)
-(* sources leave open.                                                     *)
+(* A start event counts as soon as the mode lets its OB run: if deferred   *)
+(* in STARTUP, it arrives in RUN. "Perhaps" counts the start events that   *)
+(* the sources leave open.                                                 *)
 (***************************************************************************)
 EXTENDS MCBase
 

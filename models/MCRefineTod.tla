@@ -4,7 +4,7 @@
 (* cancelled and activated at any time, once and every minute, blocked and *)
 (* enabled, with the clock set forward and back, behind a hardware OB.     *)
 (*                                                                         *)
-(* `past' is history: it follows what an observer sees.                    *)
+(* `past' is history: an observer could keep it.                           *)
 (***************************************************************************)
 EXTENDS MCBase
 

@@ -74,7 +74,7 @@ FrameDataInv ==
              /\ HasClass(o, c)
              /\ ~Deselected(o)
 
-(* [DINT-10] [AMB-47] What OverlapInv says of a time-of-day OB. *)
+(* [DINT-10] [AMB-47] OverlapInv for a time-delay OB. *)
 LaterDelayInv ==
     \A o \in DintObs :
       Cardinality({ r \in requests :

@@ -141,7 +141,7 @@ TodAfterAnswer(e, ret) ==
            [tod EXCEPT ![e.ob].set = TRUE, ![e.ob].active = TRUE]
       [] OTHER -> tod
 
-(* Calls whose answer depends on what was set before.                      *)
+(* Calls whose answer depends on an earlier setting. *)
 \* @type: $event => Bool;
 IsLooseAnswer(e) ==
     /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1}

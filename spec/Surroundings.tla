@@ -40,8 +40,8 @@ IrtModes == 0..255
 RetVals == Words
 StatusWords == {-1} \cup Words
 
-(* The moments to which time may pass; those at which it begins; those to  *)
-(* which the clock may be set.                                             *)
+(* Moments to which time may pass, at which it begins, and to which the    *)
+(* clock may be set.                                                       *)
 \* @type: Set($moment);
 Moments == [min : 0..LastMinute, ms : 0..59999]
 \* @type: Set($moment);
