@@ -88,6 +88,14 @@ def test_an_interrupted_wait_goes_on(real_engine: Engine) -> None:
     assert told(run(real_engine, program(bodies=bodies)))[-1] == "32.300 EN_AIRT W#16#8080"
 
 
+def test_an_ob_is_loaded(real_engine: Engine) -> None:
+    """An OB that the header does not have starts once an event from outside has loaded it."""
+    outside = [{"after": 100, "event": "load", "ob": 40}, {"after": 200, "event": "interrupt", "ob": 40}]
+    header = PROGRAM["header"] | {"obs": [1, 85]}
+    log = told(run(real_engine, program(header=header, outside=outside, bodies=[])))
+    assert "30.200 start 40" in log
+
+
 def test_modes(real_engine: Engine) -> None:
     """A restart comes through STOP; the startup OB runs; HOLD stops a wait; a start event in STOP reaches nobody."""
     outside = [

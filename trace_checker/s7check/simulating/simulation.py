@@ -60,7 +60,8 @@ class Simulation:
         self._let_until = 0
         self._let_at = -1
         self._mode: str = program.header.get("mode", "STOP")
-        self._starts = [{"event": "start", "ob": ob} for ob in sorted({CYCLE_OB, *program.header["obs"]})]
+        loads = {event["ob"] for event in program.outside if event["event"] == "load"}
+        self._starts = [{"event": "start", "ob": ob} for ob in sorted({CYCLE_OB, *program.header["obs"], *loads})]
         self._known: Possible | None = None
         if self._mode == "RUN":
             self._work.start(CYCLE_OB)
