@@ -89,8 +89,8 @@ ClockSet(to) ==
         /\ clock' = to
         /\ \E c \in CpusThatShow(active, to), held \in Deferring :
              /\ cpu' = c
-             /\ tod' = TodAfterClock(to, c, IF held THEN skipped ELSE {})
              /\ IF skipped = {} \/ held THEN NothingSkipped(to)
                                         ELSE SomeSkipped(to, skipped)
+             /\ tod' = TodAfterClock(to, c, IF held THEN skipped ELSE {})
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

@@ -119,9 +119,9 @@ Release ==
     LET skipped == SkippedBy(clock)
     IN  /\ mode = "HOLD"
         /\ mode' = "RUN"
-        /\ RearmPassed
         /\ IF skipped = {} THEN Nothing
            ELSE Skip(SkippedInHold, clock, skipped)
+        /\ RearmPassed
         /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
 (* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.         *)

@@ -60,12 +60,18 @@ ActiveAt(to) ==
 StaysUsed(o, to) ==
     CallUsesUp(o) /\ { r \in WithdrawnBy(to) : r.ob = o } = {}
 
-(* The setting of an OB when the clock is at `to'. *)
+(* [AMB-56] A skipped point is served by a run of its own; it is not if    *)
+(* the catch-up merges with the run that waits, or is lost.                *)
+\* @type: (Int, Int) => Bool;
+RunComesFor(o, p) == \E r \in requests' : r.ob = o /\ r.since.min = p
+
+(* The setting of an OB when the clock is at `to', after the skip.         *)
 \* @type: (Int, $moment, $cpu) => $tod;
 Rearmed(o, to, c) ==
     LET t    == SettingAt(o, to)
         next == NextPoint(t, to, c)
-        done == IF Blocked(o) THEN t ELSE Served(t, NextSkipped(t).min)
+        p    == NextSkipped(t).min
+        done == IF RunComesFor(o, p) THEN Served(t, p) ELSE t
     IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
         ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
         ELSE AfterPoint(o, [done EXCEPT !.next = next])
