@@ -55,6 +55,17 @@ OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
 \* @type: Int => Int;
 OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
 
+(* [AMB-49] The entry of a STOP that waits for the end of a delay comes    *)
+(* with the STOP; not at all if the CPU is stopped before.                 *)
+\* @type: $report => Bool;
+WaitsWithStop(r) == r.entry.id = stopCause /\ ~StopIsDue
+
+\* @type: $report => $report;
+AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
+
+Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
+              THEN { AfterStop(r) : r \in reports } ELSE reports
+
 (* The entries of this step have to be shown; their cause was `age' ms     *)
 (* ago. Entries that an unseen event may have caused are not kept.         *)
 \* @type: Int => Bool;
@@ -63,11 +74,11 @@ Report(age) ==
                                      /\ ~CauseUnseen(m.id) }
         new == { AsReported(n) : n \in shown }
         a   == IF DiagRecorded THEN age ELSE 0
-        same(n) == { r \in reports : r.entry = n /\ r.age = a }
+        same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1
                     ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
-    IN  reports' = IF new = {} THEN reports
-                   ELSE (reports \ UNION { same(n) : n \in new })
+    IN  reports' = IF new = {} THEN Unreported
+                   ELSE (Unreported \ UNION { same(n) : n \in new })
                           \cup { [entry |-> n, age |-> a, times |-> times(n)]
                                  : n \in new }
 
@@ -75,7 +86,7 @@ Report(age) ==
 \* @type: Int => Set($report);
 EntriesLate(d) ==
     IF reports = {} \/ ~DiagRecorded THEN {}
-    ELSE { r \in reports : /\ ~r.entry.open
+    ELSE { r \in reports : /\ ~r.entry.open /\ ~WaitsWithStop(r)
                            /\ r.entry.id \in DemandedEntries
                            /\ r.age + d > terms.latency }
 
@@ -84,8 +95,9 @@ EntriesLate(d) ==
 \* @type: Int => Set($report);
 ReportsAfter(d) ==
     IF reports = {} \/ ~DiagRecorded THEN reports
-    ELSE { [r EXCEPT !.age = @ + d]
-           : r \in { q \in reports : q.age + d <= terms.latency } }
+    ELSE { IF WaitsWithStop(r) THEN r ELSE [r EXCEPT !.age = @ + d]
+           : r \in { q \in reports : \/ q.age + d <= terms.latency
+                                    \/ WaitsWithStop(q) } }
 
 -----------------------------------------------------------------------------
 
