@@ -87,7 +87,7 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
     case OB_REDUNDANCY: /* AMB-75, reading a */
         break;
     case OB_TOD:
-        s7_tod_used_up(cpu, r->ob); /* AMB-46: periodic stays active, once is used up */
+        s7_tod_missed(cpu, r->ob, r->info.time);
         priority_class_error(cpu, r->ob);
         break;
     default:

@@ -126,8 +126,9 @@ void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point);
 void s7_tod_catch_up(struct s7cpu *cpu, int k);
 
 /* tod_once.c */
-/* The OB is called for this point, and has been processed to its end. */
+/* The OB is called for this point, or it is missing; it has been processed to its end. */
 void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point);
+void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point);
 void s7_tod_ended(struct s7cpu *cpu, int ob);
 
 /* tod.c */

@@ -15,6 +15,14 @@ void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
     }
 }
 
+/* AMB-46, reading a: a missing OB counts as called: its point is over, a periodic one stays active,
+ * a once is used up. */
+void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point)
+{
+    cpu->tod[ob - S7CPU_TOD_FIRST].served = point;
+    s7_tod_used_up(cpu, ob);
+}
+
 void s7_tod_ended(struct s7cpu *cpu, int ob)
 {
     if (cpu->tod[ob - S7CPU_TOD_FIRST].called)
