@@ -81,8 +81,8 @@ SetErrors(o, sdt, period) ==
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
       \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
 
-(* [AMB-79] Seconds that no date has are dropped like any, or are an       *)
-(* error.                                                                  *)
+(* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
+(* are an error.                                                           *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetAnswers(o, sdt, period) ==
     LET errors == SetErrors(o, sdt, period)
