@@ -54,6 +54,8 @@ def reached_command(json_path: Path | None, *, write: bool) -> int:
 
 def _write(reached: Reached) -> None:
     """Put what each program reaches into its line. Raises OSError."""
+    of = reached.by_program()
+    nothing: dict[str, list[str]] = {"requirements": [], "guards": []}
     for name, programs in kept().items():
-        lines = [as_line({**unmeasured(one), MEASURED: reached.of(one["name"])}) for one in programs.values()]
+        lines = [as_line({**unmeasured(one), MEASURED: of.get(one["name"], nothing)}) for one in programs.values()]
         (PROGRAMS / name).write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")

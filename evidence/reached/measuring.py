@@ -63,12 +63,16 @@ class Reached:
         """The outcomes of guards that a log shows."""
         return [self._names[number] for number in report.outcomes if number in self._names]
 
-    def of(self, program: str) -> dict[str, list[str]]:
-        """What a program reaches: requirements, and the outcomes of guards of which few smaller programs do."""
-        return {
-            "requirements": sorted(name for name, programs in self.requirements.items() if program in programs),
-            "guards": sorted({name_of(guard) for guard, names in self.guards.items() if program in names[:_FEW]}),
-        }
+    def by_program(self) -> Mapping[str, dict[str, list[str]]]:
+        """What each program reaches: requirements, and the outcomes of guards of which few smaller programs do."""
+        found: defaultdict[str, dict[str, set[str]]] = defaultdict(lambda: {"requirements": set(), "guards": set()})
+        for requirement, programs in self.requirements.items():
+            for program in programs:
+                found[program]["requirements"].add(requirement)
+        for guard, programs in self.guards.items():
+            for program in programs[:_FEW]:
+                found[program]["guards"].add(name_of(guard))
+        return {program: {kind: sorted(names) for kind, names in of.items()} for program, of in found.items()}
 
 
 def name_of(guard: Guard) -> str:
@@ -79,8 +83,11 @@ def name_of(guard: Guard) -> str:
 _FEW = 2
 """Programs that a guard's outcome is named in, the smallest of those that reach it."""
 
-_WAYS = [("--up",), ("--state",)]
-"""Options of the soft PLC that change its logs."""
+_OF_A_LOG = 100
+"""Lines that cost the engine as much as the beginning and the end of a log."""
+
+_UP = ("--up",)
+"""The option of the soft PLC that changes its logs, and not what it does."""
 
 
 def reach(programs: Sequence[Program], engine: Engine, tell: Callable[[str], None]) -> Reached:
@@ -92,10 +99,10 @@ def reach(programs: Sequence[Program], engine: Engine, tell: Callable[[str], Non
         reached.programs += not ran.skipped
         _judge(program, ran, engine, (), reached)
     tell(f"the soft PLC as it is: {_numbers(reached)}")
-    few = _covering(reached)
-    for options in _WAYS + [("--choose", choice) for choice in soft_plc.choices()]:
+    few = _covering(reached, {program.name: len(ran.log) for program, ran in zip(ordered, usual, strict=True)})
+    for options in [_UP, *(("--choose", choice) for choice in soft_plc.choices())]:
         for program, ran, same in zip(ordered, soft_plc.run(ordered, *options), usual, strict=True):
-            if ran != same and (options not in _WAYS or program.name in few):
+            if ran != same and (options != _UP or program.name in few):
                 _judge(program, ran, engine, options, reached)
     tell(f"and with each of its options and choices: {_numbers(reached)}")
     for program, ran in zip(ordered, usual, strict=True):
@@ -147,13 +154,13 @@ def _simulated(program: Program, variant: Variant, engine: Engine) -> list[bytes
     return [msgspec.json.encode(line) for line in lines]
 
 
-def _covering(reached: Reached) -> set[str]:
-    """Few programs that together reach every outcome of a guard that any reaches; greedy."""
+def _covering(reached: Reached, lines: Mapping[str, int]) -> set[str]:
+    """Programs with few ``lines`` of log that together reach every outcome of a guard that any reaches; greedy."""
     left = dict(reached.guards)
     chosen: set[str] = set()
     while left:
         counts = Counter(name for names in left.values() for name in names)
-        best = max(counts, key=lambda name: counts[name])
+        best = max(counts, key=lambda name: counts[name] / (_OF_A_LOG + lines[name]))
         chosen.add(best)
         left = {guard: names for guard, names in left.items() if best not in names}
     return chosen

@@ -97,9 +97,9 @@ def few() -> Reached:
 def test_what_is_reached_is_named(few: Reached) -> None:
     """Requirements and outcomes of guards, by the smallest programs first; what is missing is told."""
     assert few.requirements["AIRT-07"][0] == "AIRT-07-nothing-delayed-answers-0000"
-    assert "AIRT-03" in few.of("AIRT-nesting-002")["requirements"]
+    assert "AIRT-03" in few.by_program()["AIRT-nesting-002"]["requirements"]
     assert "Airt/EnAirt/TRUE/Called" in {
-        name for names in map(few.of, few.requirements["AIRT-07"]) for name in names["guards"]
+        name for program in few.requirements["AIRT-07"] for name in few.by_program()[program]["guards"]
     }
     found = findings(few, {}, reasons.read(REASONS, reasons.Excuse))
     assert not found.ok
