@@ -5,9 +5,10 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
+AWLSIM := build/awlsim/awlsim/__init__.py
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
+.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -21,7 +22,7 @@ verify: setup  ## the main job: models of the CI lane, the soft PLC run live, al
 
 test: lint test-checker test-evidence test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
-test-checker: setup
+test-checker: setup $(AWLSIM)
 	$(BIN)/python -m pytest -q trace_checker/tests
 
 test-evidence: setup
@@ -69,10 +70,13 @@ agreement: setup  ## LOGS=10000 random logs: the engine and TLC give the same ve
 agreement-sample: setup  ## the same for 200 logs
 	$(BIN)/s7check agree --logs 200
 
-kit: setup  ## run the conformance kit on the soft PLC and on the toy CPU of the template; results in build/kit
+TOY_RUN := $(BIN)/s7check kit run --offer examples/adapters/toy_offer.json
+kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU of the template and on awlsim; results in build/kit and docs/checking/kit-results.md
 	mkdir -p build/kit
 	$(BIN)/s7check kit run --output build/kit/soft_plc.html --output build/kit/soft_plc.json -- $(PLC) --kit
-	-$(BIN)/s7check kit run --offer examples/adapters/toy_offer.json --output build/kit/toy.html --output build/kit/toy.json -- $(BIN)/python examples/adapters/template.py
+	-$(TOY_RUN) --output build/kit/toy.html --output build/kit/toy.json -- $(BIN)/python examples/adapters/template.py
+	-PYTHONPATH=build/awlsim $(TOY_RUN) --output build/kit/awlsim.html --output build/kit/awlsim.json -- $(BIN)/python examples/adapters/awlsim_adapter.py
+	$(BIN)/s7check kit matrix --output docs/checking/kit-results.md soft_PLC=build/kit/soft_plc.json toy_CPU=build/kit/toy.json awlsim=build/kit/awlsim.json
 
 REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
@@ -118,6 +122,11 @@ $(BIN)/s7check: requirements.lock pyproject.toml evidence/pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
 	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps -e . -e evidence
+	@touch $@
+
+$(AWLSIM): examples/adapters/requirements-awlsim.txt $(BIN)/s7check
+	@echo "installing awlsim for the kit"
+	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps --require-hashes --upgrade --target build/awlsim -r $<
 	@touch $@
 
 $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/main -name '*.java')

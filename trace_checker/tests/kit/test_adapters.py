@@ -13,6 +13,7 @@ from tests.test_soft_plc import program as soft_plc
 __all__ = ["soft_plc"]
 
 ADAPTERS = Path(__file__).parents[3] / "examples" / "adapters"
+AWLSIM = Path(__file__).parents[3] / "build" / "awlsim"
 
 
 def results(folder: Path, *arguments: str) -> list[dict[str, object]]:
@@ -33,6 +34,17 @@ def test_template(tmp_path: Path) -> None:
     assert {result["status"] for result in found if str(result["name"]).startswith("AIRT")} >= {"passed"}
     failed = {requirement for result in found if result["status"] == "failed" for requirement in result["deciding"]}  # type: ignore[attr-defined]
     assert failed == {"DINT-16"}
+
+
+@pytest.mark.skipif(not AWLSIM.is_dir(), reason="awlsim is not there; `make test-checker` installs it")
+def test_awlsim(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """AWL runs in a simulator that others have written: calls and operands take their way through it."""
+    monkeypatch.setenv("PYTHONPATH", str(AWLSIM))
+    names = ["AIRT-nesting-002", "DINT-calls-OB-1-S7-300", "DINT-beside-20-21-cancel", "DINT-beside-21-20-start"]
+    only = [f"--only={name}" for name in names]
+    adapter = str(ADAPTERS / "awlsim_adapter.py")
+    found = results(tmp_path, "--offer", str(ADAPTERS / "toy_offer.json"), *only, "--", sys.executable, adapter)
+    assert {result["name"]: result["status"] for result in found} == dict.fromkeys(names, "passed")
 
 
 def test_soft_plc(soft_plc: str, tmp_path: Path) -> None:
