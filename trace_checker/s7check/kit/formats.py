@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from importlib.resources import files
 from xml.etree import ElementTree as Xml
 
 import click
 import msgspec
 
+from s7check.api import check
+from s7check.engine import pool
+from s7check.engine.command import EngineError
+from s7check.judging.replay import Replay, with_steps
+from s7check.judging.verdict import Report
 from s7check.kit.results import STATES, Kept, Outcome, Result, outcomes
+from s7check.report.as_html import Sections, clauses
 from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
+from s7check.report.timeline import legend
 
 _COLOURS = {"passed": "green", "failed": "red", "skipped": "yellow", "no verdict": "magenta", "not reached": "blue"}
 
@@ -90,10 +98,20 @@ def to_junit(results: Sequence[Result]) -> bytes:
 
 
 def to_html(results: Sequence[Result]) -> bytes:
-    """A page: the requirements with the programs about them, and the failed programs with their reports."""
+    """A page: the requirements with the programs about them, and the failed programs with their reports.
+
+    Of a failed program that has a reduced log the page shows its timeline and explains its verdict.
+    """
     requirements = outcomes(results)
     style = (files("s7check.report") / "report.css").read_text(encoding="utf-8")
     failed = [result for result in results if result.status in ("failed", "no verdict")]
+    small = {result.name: report for result in failed if result.reduced and (report := _followed(result))}
+    named = {report.requirements[0]: name for name, report in reversed(small.items())}
+    sections = Sections()
+    failures = [
+        _failure(result, sections.made(place, small[result.name]) if result.name in small else _same_as(result, named))
+        for place, result in enumerate(failed)
+    ]
     return document(
         "s7check kit run",
         style,
@@ -101,10 +119,28 @@ def to_html(results: Sequence[Result]) -> bytes:
         node("h1", "Conformance to the S7-300/400 interrupt functions"),
         node("p", click.unstyle(_programs(results))),
         node("p", click.unstyle(_requirements(requirements))),
-        *(_failure(result) for result in failed),
+        *([legend()] if sections.pictures else []),
+        *failures,
         node("h2", "Requirements"),
         node("table", *map(_row, requirements)),
+        *clauses(list(small.values())),
     )
+
+
+def _followed(result: Result) -> Report | None:
+    """The verdict about the reduced log, with the situations after its lines; none if the engine fails."""
+    report = check(result.reduced.splitlines(), name="reduced log")
+    with pool.engine() as engine, suppress(EngineError):
+        return with_steps(report, engine, Replay("-", report.lines)) if report.verdict == "rejected" else None
+    return None
+
+
+def _same_as(result: Result, named: Mapping[str, str]) -> Node | None:
+    """Where a reduced log is shown that is rejected for the same requirement."""
+    name = next((named[requirement] for requirement in result.deciding if requirement in named), None)
+    if name is None:
+        return None
+    return node("p", "A reduced log that is rejected for the same requirement: ", node("a", name, href=f"#{name}"))
 
 
 _CLASSES = {
@@ -120,10 +156,13 @@ def _class(state: str) -> str:
     return f"verdict {_CLASSES.get(state, 'none')}"
 
 
-def _failure(result: Result) -> Node:
+def _failure(result: Result, small: Node | None) -> Node:
     badge = node("span", result.status, class_=f"verdict {_CLASSES.get(result.status, 'none')}")
     report = node("pre", result.report, class_="quote") if result.report else None
-    return node("section", node("h2", badge, result.name), node("p", result.reason), report, id=result.name)
+    if report is not None and small is not None:
+        report = node("details", node("summary", "the report about the whole log"), report)
+    log = node("details", node("summary", "the reduced log"), node("pre", result.reduced)) if result.reduced else None
+    return node("section", node("h2", badge, result.name), node("p", result.reason), small, log, report, id=result.name)
 
 
 def _row(one: Outcome) -> Node:

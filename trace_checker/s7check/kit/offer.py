@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -50,11 +51,11 @@ class Offer:
         header = program.header
         if header["cpu"] not in self.cpu:
             return f"no {header['cpu']}"
-        if missing := set(header["obs"]) - self.obs:
+        steps = [step for body in program.bodies for step in body.steps]
+        if missing := {*header["obs"], *_named(program.outside), *_called(steps)} - self.obs:
             return f"no OB {ranges(missing)}"
         if (mode := header.get("mode", "STOP")) not in self.modes:
             return f"no beginning in {mode}"
-        steps = [step for body in program.bodies for step in body.steps]
         for call in dict.fromkeys(step["call"] for step in steps if "call" in step):
             if call not in self.calls:
                 return f"no {call}"
@@ -64,6 +65,20 @@ class Offer:
         if self.longest and program.duration > self.longest:
             return f"lasts {program.duration / 1000:g} s, more than {self.longest / 1000:g} s"
         return ""
+
+
+def _named(events: Iterable[dict[str, Any]]) -> Iterator[int]:
+    """The OBs that events from outside start, load, delete or ask about."""
+    yield from (event["ob"] for event in events if "ob" in event)
+
+
+def _called(steps: Iterable[dict[str, Any]]) -> Iterator[int]:
+    """The OBs whose interrupt a call sets or asks about: a CPU without them refuses it. Other OBs are wrong ones."""
+    for step in steps:
+        if str(step.get("call")).endswith("_TINT"):
+            yield from {step["ob"]} & {*tables.TIME_OF_DAY_OBS}
+        elif str(step.get("call")).endswith("_DINT"):
+            yield from {step["ob"]} & {*tables.TIME_DELAY_OBS}
 
 
 def read_offer(file: Path) -> Offer:

@@ -22,7 +22,8 @@ class Result(msgspec.Struct, frozen=True):
     rejected, ``report`` the text of the verdict, ``seconds`` that the run took, ``events`` of its log.
 
     ``about`` are the requirements of the program, ``decided`` the requirements that decided something in its accepted
-    log; ``digest`` says which program it was.
+    log; ``digest`` says which program it was. ``reduced`` is the smallest log that is rejected alike; empty if there
+    are others for its requirement.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Result(msgspec.Struct, frozen=True):
     report: str = ""
     seconds: float = 0.0
     events: int = 0
+    reduced: str = ""
 
 
 class Outcome(msgspec.Struct, frozen=True):

@@ -5,20 +5,33 @@ from __future__ import annotations
 import hashlib
 import threading
 import time
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
+from typing import Any, cast
 
 import msgspec
 
 from s7check.api import check
+from s7check.engine import pool
+from s7check.engine.command import EngineError
 from s7check.judging.verdict import Report
 from s7check.kit.adapter import Adapter, Ran
 from s7check.kit.followed import departure
 from s7check.kit.offer import Offer
 from s7check.kit.program import Program
 from s7check.kit.results import Result, result_of
+from s7check.log.jsonline import decode_object
+from s7check.reducing.candidate import as_text
+from s7check.reducing.reduction import reduce_log
+
+_REDUCED = 3
+"""Failed programs for a requirement whose logs are reduced."""
+
+_REDUCING = 10.0
+"""Seconds for that, at most."""
 
 
 class Runner:
@@ -48,6 +61,8 @@ class Runner:
         self._resume = resume
         self._profile = profile
         self._letters = letters or {}
+        self._lock = threading.Lock()
+        self._reduced_for: Counter[str] = Counter()
 
     def run(self, programs: Sequence[Program], progress: Callable[[Result], None]) -> list[Result]:
         """The results in the order of the programs; ``progress`` gets each as soon as it is there.
@@ -110,6 +125,8 @@ class Runner:
         if report.verdict == "unusable":
             adapter.end()  # unread output may still be under way
         result = result_of(report, program.name, digest, program.requirements, seconds)
+        if report.verdict == "rejected" and self._first_few(report):
+            return msgspec.structs.replace(result, reduced=self._reduced(report))
         if result.status == "passed" and (reason := departure(program, ran.log)):
             return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
         return result
@@ -117,8 +134,28 @@ class Runner:
     def _judged(self, program: Program, ran: Ran) -> Report:
         return check(ran.log, profile=self._profile, letters=self._letters, name=program.name)
 
+    def _first_few(self, report: Report) -> bool:
+        """Whether few logs that were rejected for the same requirement have been reduced; reducing takes seconds."""
+        with self._lock:
+            first = report.requirements[0]
+            self._reduced_for[first] += 1
+            return self._reduced_for[first] <= _REDUCED
+
+    def _reduced(self, report: Report) -> str:
+        """The smallest log that is rejected alike."""
+        header, *events = cast("list[dict[str, Any]]", [decode_object(line) for line in report.lines if line.strip()])
+        if self._profile is not None:
+            header["profile"] = self._profile
+        if self._letters:
+            header["readings"] = header.get("readings", {}) | self._letters
+        with pool.engine() as engine, suppress(EngineError):
+            reduction = reduce_log([header, *events], engine, time.monotonic() + _REDUCING)
+            return as_text(reduction.header, reduction.events).decode()
+        return ""
+
     def _digest(self, program: Program) -> str:
-        said = [*self._command, self._profile or "", *(f"{name}={value}" for name, value in self._letters.items())]
+        letters = (f"{name}={value}" for name, value in self._letters.items())
+        said = [*self._command, self._offer.lacks(program), self._profile or "", *letters]
         return hashlib.sha256(b"\0".join([program.line(), *(text.encode() for text in said)])).hexdigest()[:16]
 
     def _kept(self) -> dict[str, Result]:

@@ -14,8 +14,8 @@ from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
 from s7check.log.objects import objects
 from s7check.output import echo, write_whole
-from s7check.reducing.candidate import Event, Fields, Judge, as_text
-from s7check.reducing.reduction import Reduction
+from s7check.reducing.candidate import Fields, as_text
+from s7check.reducing.reduction import reduce_log
 from s7check.report.lines import message, place
 
 _NOT_REJECTED = 1
@@ -58,9 +58,7 @@ def reduce_command(file: Path | None, budget: float, log: str) -> int:
             click.echo(f"{place(report)}: {report.verdict}: {message(report)}", err=True)
             return _NOT_REJECTED if report.verdict == "accepted" else EXIT_CODES[report.verdict]
         try:
-            header, events = _pieces(log, report)
-            reduction = Reduction(Judge(engine, header, events, until), header, events)
-            reduction.run()
+            reduction = reduce_log(_lines(log, report), engine, until)
         except EngineError as error:
             click.echo(f"Error: {error}", err=True)
             return EXIT_CODES["no verdict"]
@@ -78,7 +76,7 @@ def reduce_command(file: Path | None, budget: float, log: str) -> int:
     return 0
 
 
-def _pieces(log: str, report: Report) -> tuple[Fields, list[Event]]:
+def _lines(log: str, report: Report) -> list[Fields]:
     """The header and the events up to the rejected line."""
     fields: list[Fields] = []
     if log == "-":
@@ -87,5 +85,4 @@ def _pieces(log: str, report: Report) -> tuple[Fields, list[Event]]:
         fields = [line for number, _, line in objects(log) if number <= (report.line or 0)]
     if not fields:
         raise UnusableLogError("a stream of at most 16 MiB", "a longer one")
-    header, *events = fields
-    return header, [Event(each) for each in events]
+    return fields

@@ -5,11 +5,23 @@ from collections.abc import Iterator, Sequence
 from datetime import datetime
 from typing import Any
 
+from s7check.engine.client import Engine
 from s7check.log.errors import UnusableLogError
 from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
 
 _NEEDED = ("format", "cpu", "obs", "clock", "mode")
 """Fields that each header keeps; ``mode`` may be left out, but nobody knows its default by heart."""
+
+
+def reduce_log(lines: Sequence[Fields], engine: Engine, until: float) -> "Reduction":
+    """The reduction of a log, header first, that is rejected at its last line, at the time ``until`` of
+    ``time.monotonic`` at the latest. Raises EngineError, UnusableLogError, and ValueError if it is not rejected.
+    """
+    header, *fields = lines
+    events = list(map(Event, fields))
+    reduction = Reduction(Judge(engine, header, events, until), header, events)
+    reduction.run()
+    return reduction
 
 
 def _ob(event: Event) -> object:

@@ -41,7 +41,7 @@ def to_html(reports: Sequence[Report]) -> bytes:
     ordered = sorted(enumerate(reports), key=lambda pair: (-bool(pair[1].exit_code), pair[0]))
     counts = Counter(report.verdict for report in reports)
     style, script = ((files(__package__) / f"report.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
-    sections = _Sections()
+    sections = Sections()
     made = [sections.made(number, report) for number, report in ordered]
     named = {number for (number, _), section in zip(ordered, made, strict=True) if section is not None}
     return document(
@@ -53,7 +53,7 @@ def to_html(reports: Sequence[Report]) -> bytes:
         *(_contents(ordered, named) if len(reports) > 1 else []),
         *([legend()] if sections.pictures else []),
         *(section for section in made if section is not None),
-        *_clauses(reports),
+        *clauses(reports),
     )
 
 
@@ -95,7 +95,7 @@ def _badge(report: Report) -> Node:
     return node("span", report.verdict, class_=f"verdict {_CLASSES[report.verdict]}")
 
 
-class _Sections:
+class Sections:
     """The sections of the logs, with pictures and explanations as long as there is room."""
 
     def __init__(self) -> None:
@@ -220,7 +220,7 @@ def _with_links(tag: str, text: str, **attributes: str) -> Node:
     return add(made, text)
 
 
-def _clauses(reports: Sequence[Report]) -> Iterator[Node]:
+def clauses(reports: Sequence[Report]) -> Iterator[Node]:
     """The requirements and ambiguities that the page names, with their place in the documents."""
     names: dict[str, None] = {}
     for report in reports:

@@ -8,6 +8,8 @@ from xml.etree import ElementTree as Xml
 import pytest
 
 from s7check.cli import main
+from s7check.kit.offer import Offer
+from s7check.kit.program import read_program
 from s7check.kit.results import Result, outcomes
 from tests.kit.programs import PROGRAM
 
@@ -99,6 +101,19 @@ def test_skips(folder: Path) -> None:
     assert (code, results["wrong"]["status"], results["wrong"]["reason"]) == (0, "skipped", "no OB 35")
 
 
+def test_offers() -> None:
+    """An OB that a CPU has not need not be loaded to be missed: a call or an event from outside may name it."""
+    few = Offer(obs=frozenset({1, 10, 35, 80, 85, 100}))
+
+    def lacks(steps: list[dict[str, object]], *outside: dict[str, object]) -> str:
+        bodies = [{"ob": 1, "run": 1, "steps": steps}]
+        return few.lacks(read_program(json.dumps(PROGRAM | {"bodies": bodies, "outside": outside}).encode()))
+
+    assert lacks([{"call": "QRY_DINT", "ob": 20}]) == "no OB 20"
+    assert lacks([{"call": "QRY_DINT", "ob": 24}, {"call": "QRY_TINT", "ob": 20}]) == "", "no CPU has these"
+    assert lacks([], {"after": 10, "event": "interrupt", "ob": 40}) == "no OB 40"
+
+
 def test_resume(folder: Path) -> None:
     """What a file has is not run again, but for another command or a changed program."""
     kept = folder / "kept.ndjson"
@@ -107,6 +122,10 @@ def test_resume(folder: Path) -> None:
     assert run(folder, ["right", "wrong"], "--resume", str(kept))[0] == 1
     assert len(kept.read_text(encoding="utf-8").splitlines()) == 2
     assert run(folder, ["right"])[0] == 1
+    offer = folder / "offer.json"
+    offer.write_text('{"obs": [1]}', encoding="utf-8")
+    _, results = run(folder, ["wrong"], "--resume", str(kept), "--offer", str(offer))
+    assert results["wrong"]["status"] == "skipped", "another offer, another result"
 
 
 def test_formats(folder: Path) -> None:
@@ -115,7 +134,10 @@ def test_formats(folder: Path) -> None:
     run(folder, ["right", "wrong", "skip"], *(f"--output={file}" for file in outputs.values()))
     suite = Xml.fromstring(outputs[".xml"].read_text(encoding="utf-8"))  # noqa: S314
     assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
-    assert "AIRT-wrong" in outputs[".html"].read_text(encoding="utf-8")
+    page = outputs[".html"].read_text(encoding="utf-8")
+    assert all(
+        part in page for part in ("AIRT-wrong", "the reduced log", "timeline, lines 2 to 2 of 2", "OB had to start")
+    )
     assert "0 of 3 requirements" in outputs[".svg"].read_text(encoding="utf-8")
     assert "181 requirements" in outputs[".txt"].read_text(encoding="utf-8")
 
