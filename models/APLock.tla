@@ -26,6 +26,7 @@ AsFunction(a, b, c) ==
 (* Any state in which Invariant holds. *)
 AnyState ==
     /\ on \in BOOLEAN
+    /\ held \in BOOLEAN
     /\ count \in Nat
     /\ perhaps \in SUBSET Classes
     /\ \E a, b, c \in Nat : waiting = AsFunction(a, b, c)
@@ -40,10 +41,10 @@ AnyPerhaps == perhaps' \in SUBSET Classes
 AnyWaiting == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
 
 APNext ==
-    \/ Take \/ GiveBack \/ Leave \/ Stop \/ Restart
+    \/ Take \/ GiveBack \/ Leave \/ Pause \/ Stop \/ Restart
     \/ AnyPerhaps /\ Fade
-    \/ AnyWaiting /\ AnyPerhaps /\ Arrive
-    \/ \E c \in Classes : (AnyPerhaps /\ Enter(c)) \/ Begin(c)
+    \/ AnyWaiting /\ AnyPerhaps /\ (Arrive \/ Withdraw \/ Resume)
+    \/ \E c \in Classes : (AnyWaiting /\ AnyPerhaps /\ Enter(c)) \/ Begin(c)
 
 Steps == HeldStep /\ HighestStep /\ NoneLostStep /\ AtOnceStep
            /\ CountedStep

@@ -13,6 +13,7 @@ Programs == { <<>> } \cup { <<c>> : c \in Classes }
 
 (* CounterLock leaves the arrivals open: TLC tries every next state.       *)
 AnyNext == /\ on' \in BOOLEAN
+           /\ held' \in BOOLEAN
            /\ count' \in 0..Deepest
            /\ running' \in Programs
            /\ perhaps' \in SUBSET Classes
@@ -28,28 +29,32 @@ CountInv == count > 0 => on /\ running # <<>>
 NestedInv ==
     \A i, j \in DOMAIN running : i < j => running[i] < running[j]
 
-OffInv == ~on => running = <<>> /\ \A c \in Classes : waiting[c] = 0
+OffInv == ~on => /\ ~held /\ running = <<>>
+                 /\ \A c \in Classes : waiting[c] = 0
 
 Starts == Len(running') > Len(running)
 
-(* Nothing starts while the lock is held [AIRT-01]. *)
-HeldStep == Starts => count = 0
+(* Nothing starts while the lock is held [AIRT-01], or in HOLD [OBS-45]. *)
+HeldStep == Starts => count = 0 /\ ~held
 
 (* The highest waiting class starts first [OBS-04]. *)
 HighestStep == Starts => \A c \in Held : c <= running'[Len(running')]
 
-(* Only its start and STOP remove a waiting start event [AIRT-02]. *)
+(* Only its start, a call, its deletion and STOP remove a waiting start    *)
+(* event [AIRT-02]; no call while another has to start [AIRT-08].          *)
 NoneLostStep ==
     \A c \in Classes :
       waiting'[c] < waiting[c] =>
         \/ ~on'
         \/ Starts /\ running'[Len(running')] = c
-                  /\ waiting'[c] = waiting[c] - 1
+        \/ Settled /\ UNCHANGED <<on, held, count, running>>
 
-(* When the lock opens, the interrupting class goes first [AIRT-08]. *)
+(* When the lock opens, the interrupting class goes first [AIRT-08]; more  *)
+(* start events may come.                                                  *)
 AtOnceStep ==
-    on /\ count = 0 /\ Held # {} =>
-      Starts \/ ~on' \/ UNCHANGED <<on, count, running, waiting>>
+    on /\ ~held /\ count = 0 /\ Held # {} =>
+      \/ Starts \/ ~on'
+      \/ More /\ UNCHANGED <<on, held, count, running>>
 
 (* One call counts one [AIRT-03]. The end of the program resets the count. *)
 CountedStep ==

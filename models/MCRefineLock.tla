@@ -4,15 +4,15 @@
 (* of-day OB, a hardware OB and OB 80, on an S7-300 and an S7-400, with    *)
 (* start events of every class meanwhile (section 4).                      *)
 (*                                                                         *)
-(* A start event counts as soon as the mode lets its OB run: if deferred   *)
-(* in STARTUP, it arrives in RUN. "Perhaps" counts the start events that   *)
-(* the sources leave open.                                                 *)
+(* A start event counts if its OB is loaded, as soon as the mode lets it   *)
+(* run: if deferred in STARTUP, it arrives in RUN; in HOLD it goes on      *)
+(* waiting. "Perhaps" counts the start events that the sources leave open. *)
 (***************************************************************************)
 EXTENDS MCBase
 
 MCTodObs == {10}
 MCFamilies == TwoFamilies
-MCLoads == {{10, 40, 80, 85, 100}}
+MCLoads == {{10, 40, 80, 85, 100}, {40, 80, 85, 100}}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
 MCMoments == HalfMinutes(0, 2)
 MCPowerOnMoments == {Moment(0, 30000)}
@@ -24,11 +24,13 @@ MCRetVals == {0, 1, 2, NotDelayed}
 MCClasses == 1..28
 
 \* @type: Int => Set($request);
-InClass(c) == { r \in requests : r.class = c /\ ModeAllows(r) }
+InClass(c) == { r \in requests : /\ r.class = c /\ r.ob \in loaded
+                                 /\ ModeAllows(r) \/ mode = "HOLD" }
 
 Lock == INSTANCE CounterLock WITH
             Classes <- MCClasses,
             on      <- mode # "STOP",
+            held    <- mode = "HOLD",
             count   <- delay,
             running <- [i \in DOMAIN stack |-> stack[i].class],
             waiting <- [c \in MCClasses |->
@@ -38,6 +40,6 @@ Lock == INSTANCE CounterLock WITH
 LockSpec == Lock!Spec
 
 (* Behaviours after a STOP are left to MCRestart. *)
-Bounded == /\ Waiting(2)
+Bounded == /\ Waiting(IF mode = "HOLD" THEN 1 ELSE 2)
            /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

@@ -117,11 +117,12 @@ DintOverlapProp ==
            /\ Cardinality({ r \in requests' :
                               r.ob = step'.ob /\ r.follows = 2 }) <= 1 ]_vars
 
-(* [DINT-02] Nothing else asks for the OB. *)
+(* [DINT-02] Nothing else asks for the OB. Its request may move up, if     *)
+(* another of its class is withdrawn.                                      *)
 DintSourceProp ==
     [][ \A o \in DintObs :
-          \/ { r \in requests' : r.ob = o }
-               \subseteq { r \in requests : r.ob = o }
+          \/ { Content(r) : r \in { q \in requests' : q.ob = o } }
+               \subseteq { Content(r) : r \in { q \in requests : q.ob = o } }
           \/ step'.event \in {"elapsed", "start", "missing", "dropped",
                              "end"} ]_vars
 

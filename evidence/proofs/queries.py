@@ -35,7 +35,7 @@ TOGETHER = "Together"
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
 
-Kind = Literal["begins", "step", "follows", "lemma", "letters", "control", "mutant", "claim"]
+Kind = Literal["begins", "step", "follows", "lemma", "refines", "letters", "control", "mutant", "claim"]
 
 
 class ManifestError(ValueError):
@@ -108,11 +108,24 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     lemmas: list[Lemma] = []
 
 
+class Refinement(msgspec.Struct, forbid_unknown_fields=True):
+    """The formulas by which System implements abstract specifications: of its initial states, and of each action.
+
+    `module` extends that of the induction, with a mapping and `constants` of its own.
+    """
+
+    module: str
+    constants: str
+    first: list[str]
+    step: list[str]
+
+
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
     """The whole file."""
 
     version: Literal[1]
     induction: Induction
+    refinement: Refinement
     letters: Letters
     not_proved: list[NotProved]
     mutants: list[Mutant]
@@ -193,7 +206,7 @@ def load(root: Path) -> Proofs:
         if formula not in formulas:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     for mutant in file.mutants:
-        if mutant.action not in actions or mutant.formula not in formulas | stated:
+        if mutant.action not in actions or mutant.formula not in formulas | stated | set(file.refinement.step):
             raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
         if not changes.get(mutant.control):
             raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
@@ -278,19 +291,39 @@ def _queries(
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
     queries += [step(name, "step", some, left) for name, some in groups.items()]
+    refinement = file.refinement
+    refines = replace(anywhere, kind="refines", module=refinement.module, constants=refinement.constants)
+    queries += [
+        replace(refines, name="refines-first", init=base.first, formulas=tuple(refinement.first)),
+        *(
+            replace(
+                refines,
+                name=f"refines-{query.name}",
+                next=query.next,
+                actions=query.actions,
+                length=1,
+                formulas=tuple(refinement.step),
+            )
+            for query in queries
+            if query.kind == "step"
+        ),
+    ]
     beside = {(cell.action, cell.formula) for cell in file.not_proved}
     queries += [
         replace(step(f"letters-{name}", "letters", some, beside), shown=tuple(file.letters.shown))
         for name, some in file.letters.together.items()
     ]
-    one = {
-        action: replace(anywhere, name=f"control-{action}", next=action, actions=(action,), length=1, expect="violated")
+
+    def one(action: str, base: Query) -> Query:
+        return replace(base, next=action, actions=(action,), length=1, expect="violated")
+
+    queries += [
+        replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
         for action in actions
-    }
-    queries += [replace(query, kind="control", formulas=(base.control,)) for query in one.values()]
+    ]
     queries += [
         replace(
-            one[mutant.action],
+            one(mutant.action, refines if mutant.formula in refinement.step else anywhere),
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),

@@ -18,6 +18,7 @@ from evidence.proofs import apalache
 from evidence.proofs.apalache import Answer
 from evidence.proofs.queries import TOGETHER, ManifestError, Query
 from evidence.proofs.text import ANY_LETTERS, definitions, module_text, module_text_of_letters, without_comments
+from evidence.tla.syntax import Module
 
 Kept = Literal["nothing", "claimed", "all"]
 
@@ -67,6 +68,7 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     `evidence.common.processes.InterruptedRunError`.
     """
     text, config = texts(asking.root, query)
+    others = instances(asking.root, query, text)
     arguments = [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
         f"--inv={','.join(query.formulas)}",
@@ -74,7 +76,8 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
         *([AFTER_A_STEP] if query.kind not in ("claim",) and query.length else []),
         f"{query.module}.tla",
     ]
-    key = hashlib.sha256("\0".join([without_comments(text), config, *arguments]).encode()).hexdigest()
+    read = [without_comments(text), *map(without_comments, others.values())]
+    key = hashlib.sha256("\0".join([*read, config, *arguments]).encode()).hexdigest()
     file = asking.build / f"{query.name}.json"
     before = msgspec.json.decode(file.read_bytes(), type=Result) if file.exists() else None
     if before is not None and before.key == key and (kept == "all" or (kept == "claimed" and ok(query, before))):
@@ -84,7 +87,8 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     folder = asking.build / query.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    (folder / f"{query.module}.tla").write_text(text, encoding="utf-8")
+    for name, content in {query.module: text, **others}.items():
+        (folder / f"{name}.tla").write_text(content, encoding="utf-8")
     (folder / "query.cfg").write_text(config, encoding="utf-8")
     done = apalache.run(asking.program, arguments, query.formulas, folder, query.timeout, asking.processes)
     (folder / "log").write_text(done.output, encoding="utf-8")
@@ -119,6 +123,13 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
     constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())
     return text, f"INIT {query.init}\nNEXT {query.next}\n" + (f"CONSTANTS\n{constants}" if constants else "")
+
+
+def instances(root: Path, query: Query, text: str) -> dict[str, str]:
+    """The modules of spec/ of which the query's module has an instance, with their texts. Raises OSError."""
+    imported = Module(query.module, text.encode()).imports
+    paths = {name: root / "spec" / f"{name}.tla" for name in sorted(imported)}
+    return {name: path.read_text(encoding="utf-8") for name, path in paths.items() if path.is_file()}
 
 
 def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:

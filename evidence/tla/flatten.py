@@ -106,9 +106,13 @@ def _part(name: str, text: bytes) -> _Part:
 
 
 def keep_only(flat: Flat, names: Iterable[str]) -> str:
-    """The module's text without the definitions that the names do not need, and without their types."""
+    """The module's text without the definitions that the names do not need, and without their types.
+
+    An instance of a module stays, with the definitions that are put in the places of its parameters.
+    """
     module = Module(flat.name, flat.text.encode())
-    needed = reached(names, {name: references(unit) for name, unit in module.definitions.items()})
+    instances = {name for unit in module.units if unit.type == "module_definition" for name in references(unit)}
+    needed = reached({*names, *instances}, {name: references(unit) for name, unit in module.definitions.items()})
     out, at = bytearray(), 0
     for name, unit in module.definitions.items():
         if name not in needed:
