@@ -15,6 +15,8 @@ Invariant == OffInv /\ ActiveInv /\ waiting >= 0
 (* Any state in which Invariant holds. *)
 AnyState ==
     /\ on \in BOOLEAN
+    /\ doomed \in BOOLEAN
+    /\ loaded \in BOOLEAN
     /\ setting \in Settings
     /\ once \in BOOLEAN
     /\ blocked \in BOOLEAN
@@ -25,13 +27,7 @@ AnyState ==
 
 AnyInit == AnyState /\ Invariant
 
-(* Next of LifeCycle. A variable that it leaves open may take any value of *)
-(* its type.                                                               *)
-APNext ==
-    \/ Set \/ Cancel \/ Activate \/ Lost \/ End \/ Fade
-    \/ Stop \/ Restart
-    \/ perhaps' \in BOOLEAN /\ (Due \/ Start)
-    \/ blocked' \in BOOLEAN /\ BlockOrFree
+APNext == AnyNext
 
 Steps == StartStep /\ OnceStep /\ StaysStep /\ ActivateStep /\ BlockedStep
            /\ RunsOnStep

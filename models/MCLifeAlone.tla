@@ -8,32 +8,35 @@ EXTENDS LifeCycle
 
 Most == 2
 Settings == {"unset", "set", "active", "called"}
-Pasts == {"none", "served", "cancelled", "lost", "cleared"}
+Pasts == {"none", "served", "cancelled", "lost", "missed", "cleared"}
 
-(* LifeCycle leaves some variables open: TLC tries every next state.       *)
-AnyNext == /\ on' \in BOOLEAN
-           /\ setting' \in Settings
-           /\ once' \in BOOLEAN
-           /\ blocked' \in BOOLEAN
-           /\ waiting' \in 0..Most
-           /\ perhaps' \in BOOLEAN
-           /\ running' \in BOOLEAN
-           /\ past' \in Pasts
-           /\ Next
+(* Next of LifeCycle. A variable that it leaves open may take any value of *)
+(* its type.                                                               *)
+AnyNext ==
+    /\ doomed' \in BOOLEAN
+    /\ \/ Set \/ Cancel \/ Activate \/ Lost \/ Excuse \/ End \/ Fade
+       \/ Stop \/ Restart \/ Doom
+       \/ perhaps' \in BOOLEAN /\ (Due \/ Start \/ Miss)
+       \/ blocked' \in BOOLEAN /\ BlockOrFree
+       \/ loaded' \in BOOLEAN /\ LoadOrDelete
+    /\ Fated
+
+AtMost == waiting <= Most
 
 AloneSpec == Init /\ [][AnyNext]_lifeVars
 
 (* Nothing waits and nothing runs in STOP [OBS-41]. *)
-OffInv == ~on => waiting = 0 /\ ~perhaps /\ ~running
+OffInv == ~on => waiting = 0 /\ ~perhaps /\ ~running /\ ~doomed
 
 (* A waiting interrupt is active [TINT-09]. *)
 ActiveInv == waiting > 0 => setting = "active"
 
 Starts == running' /\ ~running
 
-(* An OB starts only if its interrupt is active and waits [TINT-09]        *)
-(* [TINT-23].                                                              *)
-StartStep == Starts => setting = "active" /\ (waiting > 0 \/ perhaps)
+(* An OB starts only if it is loaded, and its interrupt is active and      *)
+(* waits [TINT-09] [TINT-23].                                              *)
+StartStep ==
+    Starts => loaded /\ setting = "active" /\ (waiting > 0 \/ perhaps)
 
 (* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71]. It  *)
 (* is no longer set after its OB ends.                                     *)
@@ -44,11 +47,11 @@ OnceStep ==
     /\ setting = "called" /\ past' = "served" /\ running /\ ~running'
          => setting' = "unset"
 
-(* A start event waits until its OB starts, until its interrupt is         *)
-(* cancelled or set anew, or until STOP.                                   *)
+(* A start event waits until its OB starts or is missing, until its        *)
+(* interrupt is cancelled or set anew, or until STOP.                      *)
 StaysStep ==
     waiting' < waiting =>
-      Starts \/ ~on' \/ setting' \in {"unset", "set"}
+      Starts \/ ~loaded \/ ~on' \/ setting' \in {"unset", "set"}
 
 (* After SET_TINT in RUN a call has to activate the interrupt [TINT-33]. *)
 ActivateStep == on /\ setting' = "active" => setting # "unset"

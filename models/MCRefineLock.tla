@@ -4,17 +4,14 @@
 (* of-day OB, a hardware OB and OB 80, on an S7-300 and an S7-400, with    *)
 (* start events of every class meanwhile (section 4).                      *)
 (*                                                                         *)
-(* A start event counts if its OB is loaded, as soon as the mode lets it   *)
-(* run: if deferred in STARTUP, it arrives in RUN; in HOLD it goes on      *)
-(* waiting. "Perhaps" counts the start events that the sources leave open. *)
 (***************************************************************************)
-EXTENDS MCBase
+EXTENDS MCBase, LockMapping
 
 MCTodObs == {10}
 MCFamilies == TwoFamilies
 MCLoads == {{10, 40, 80, 85, 100}, {40, 80, 85, 100}}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
-MCMoments == HalfMinutes(0, 2)
+MCMoments == HalfMinutes(0, 1)
 MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
@@ -23,19 +20,14 @@ MCRetVals == {0, 1, 2, NotDelayed}
 
 MCClasses == 1..28
 
-\* @type: Int => Set($request);
-InClass(c) == { r \in requests : /\ r.class = c /\ r.ob \in loaded
-                                 /\ ModeAllows(r) \/ mode = "HOLD" }
-
 Lock == INSTANCE CounterLock WITH
             Classes <- MCClasses,
             on      <- mode # "STOP",
             held    <- mode = "HOLD",
             count   <- delay,
             running <- [i \in DOMAIN stack |-> stack[i].class],
-            waiting <- [c \in MCClasses |->
-                          Cardinality({ r \in InClass(c) : ~r.open })],
-            perhaps <- { c \in MCClasses : \E r \in InClass(c) : r.open }
+            waiting <- [c \in MCClasses |-> WaitingIn(c)],
+            perhaps <- { c \in MCClasses : PerhapsIn(c) }
 
 LockSpec == Lock!Spec
 

@@ -2,12 +2,13 @@
 (***************************************************************************)
 (* The life of one time-of-day interrupt (section 1): unset, set or active *)
 (* by SFC 28-30; due, and then waiting, running and served; or cancelled   *)
-(* by a call, lost under DIS_IRT, cleared by STOP.                         *)
+(* by a call, lost under DIS_IRT, missed without its OB, cleared by STOP.  *)
 (*                                                                         *)
-(* An abstract specification: models/MCRefineTod shows that System         *)
-(* implements it.  There is no clock here: an active interrupt may be due  *)
-(* at any time, at its point or since the clock was set past it.           *)
-(* Left out: deselected and missing OBs; which points are served.          *)
+(* An abstract specification: System implements it, see models/APRefine    *)
+(* and models/MCRefineTod.  There is no clock here: an active interrupt    *)
+(* may be due at any time, at its point or since the clock was set past    *)
+(* it.                                                                     *)
+(* Left out: deselected OBs; which points are served.                      *)
 (***************************************************************************)
 EXTENDS Integers
 
@@ -15,6 +16,12 @@ VARIABLES
     (* The CPU is not in STOP. *)
     \* @type: Bool;
     on,
+    (* It is going to stop by a rule: a start event may have no effect.    *)
+    \* @type: Bool;
+    doomed,
+    (* The OB is loaded. *)
+    \* @type: Bool;
+    loaded,
     (* "unset", "set", "active" or, of a once that its run uses up,         *)
     (* "called"; and whether PERIOD is "once".                              *)
     \* @type: Str;
@@ -34,13 +41,15 @@ VARIABLES
     \* @type: Bool;
     running,
     (* The end of the start event that was over last: "none" yet,          *)
-    (* "served", "cancelled", "lost" or "cleared".                         *)
+    (* "served", "cancelled", "lost", "missed" or "cleared".               *)
     \* @type: Str;
     past
 
-lifeVars == <<on, setting, once, blocked, waiting, perhaps, running, past>>
+interruptVars == <<setting, once, blocked, waiting, perhaps, running, past>>
+lifeVars == <<on, doomed, loaded, interruptVars>>
 
-Init == /\ on = FALSE
+Init == /\ on = FALSE /\ doomed = FALSE
+        /\ loaded \in BOOLEAN
         /\ setting = "unset" /\ once = FALSE
         /\ blocked = FALSE
         /\ waiting = 0 /\ perhaps = FALSE
@@ -53,7 +62,7 @@ PastIf(over, how) == IF over THEN how ELSE past
 (* A waiting start event is cancelled; a running program is not [TINT-53]. *)
 Withdrawn == /\ waiting' = 0 /\ perhaps' = FALSE
              /\ past' = PastIf(waiting > 0, "cancelled")
-             /\ UNCHANGED <<on, blocked, running>>
+             /\ UNCHANGED <<on, loaded, blocked, running>>
 
 (* [TINT-30] [TINT-31] *)
 Set == /\ on
@@ -68,57 +77,82 @@ Cancel == /\ on /\ setting # "unset"
 (* [TINT-60] [TINT-61] *)
 Activate == /\ on /\ setting # "unset"
             /\ setting' = IF setting = "called" THEN "called" ELSE "active"
-            /\ UNCHANGED <<on, once, blocked, waiting, perhaps, running, past>>
+            /\ UNCHANGED <<on, loaded, once, blocked, waiting, perhaps,
+                           running, past>>
 
 (* [TINT-05] [TINT-09] Only an active interrupt has a start event.  The    *)
-(* event waits, or is merged with another that waits or runs.              *)
+(* event waits, or perhaps waits, or is merged with another that waits or  *)
+(* runs, or the CPU is going to stop.                                      *)
 Due == /\ on /\ setting = "active" /\ ~blocked
        /\ \/ waiting' = waiting + 1
-          \/ waiting' = waiting /\ (waiting > 0 \/ running)
-       /\ UNCHANGED <<on, setting, once, blocked, running, past>>
+          \/ /\ waiting' = waiting
+             /\ waiting > 0 \/ perhaps \/ perhaps' \/ running \/ doomed'
+       /\ UNCHANGED <<on, loaded, setting, once, blocked, running, past>>
 
 (* [IRT-01] [IRT-04] [IRT-18] A lost start event uses a once up, unless an *)
 (* earlier one still waits.                                                *)
 Lost == /\ on /\ setting = "active" /\ blocked
-        /\ IF once /\ waiting = 0 THEN setting' = "unset" /\ once' = FALSE
-                                  ELSE UNCHANGED <<setting, once>>
+        /\ IF once /\ waiting = 0 /\ ~perhaps
+           THEN setting' = "unset" /\ once' = FALSE
+           ELSE UNCHANGED <<setting, once>>
         /\ past' = "lost"
-        /\ UNCHANGED <<on, blocked, waiting, perhaps, running>>
+        /\ UNCHANGED <<on, loaded, blocked, waiting, perhaps, running>>
 
-(* [TINT-23] [TINT-08] The OB is called for a waiting start event. A once  *)
-(* is no longer set then, or when its OB ends [AMB-71].                    *)
-Start == /\ on /\ ~running /\ running' = TRUE
-         /\ setting = "active"
-         /\ IF once
-            THEN /\ waiting > 0 \/ perhaps
-                 /\ waiting' = 0 /\ perhaps' = FALSE
-                 /\ setting' \in {"unset", "called"}
-                 /\ once' = (setting' = "called")
-            ELSE /\ \/ waiting > 0 /\ waiting' = waiting - 1
-                    \/ perhaps /\ waiting' = waiting
-                 /\ UNCHANGED <<setting, once>>
-         /\ UNCHANGED <<on, blocked, past>>
+(* The OB is called for a waiting start event: a once has no other.        *)
+\* @type: Set(Str) => Bool;
+Taken(after) == /\ on /\ setting = "active"
+                /\ IF once
+                   THEN /\ waiting > 0 \/ perhaps
+                        /\ waiting' = 0 /\ perhaps' = FALSE
+                        /\ setting' \in after
+                        /\ once' = (setting' = "called")
+                   ELSE /\ \/ waiting > 0 /\ waiting' = waiting - 1
+                           \/ perhaps /\ waiting' = waiting
+                        /\ UNCHANGED <<setting, once>>
+
+(* [TINT-23] [TINT-08] A once is no longer set when its OB starts, or when *)
+(* it ends [AMB-71].                                                       *)
+Start == /\ loaded /\ ~running /\ running' = TRUE
+         /\ Taken({"unset", "called"})
+         /\ UNCHANGED <<on, loaded, blocked, past>>
+
+(* [TINT-16] [AMB-46] Its OB is missing. *)
+Miss == /\ ~loaded
+        /\ Taken({"unset"})
+        /\ past' = "missed"
+        /\ UNCHANGED <<on, loaded, blocked, running>>
+
+(* [AMB-45] One OB 85 may be for all start events of missing OBs. *)
+Excuse == /\ on /\ ~loaded /\ waiting > 0
+          /\ waiting' = 0 /\ perhaps' = TRUE
+          /\ UNCHANGED <<on, loaded, setting, once, blocked, running, past>>
 
 End == /\ on /\ running /\ running' = FALSE
        /\ past' = "served"
        /\ IF setting = "called" THEN setting' = "unset" /\ once' = FALSE
                                 ELSE UNCHANGED <<setting, once>>
-       /\ UNCHANGED <<on, blocked, waiting, perhaps>>
+       /\ UNCHANGED <<on, loaded, blocked, waiting, perhaps>>
 
 (* The merged start event has had no effect. *)
 Fade == /\ on /\ perhaps /\ perhaps' = FALSE
-        /\ UNCHANGED <<on, setting, once, blocked, waiting, running, past>>
+        /\ UNCHANGED <<on, loaded, setting, once, blocked, waiting, running,
+                       past>>
 
 (* [IRT-01] [IRT-13] [IRT-16] A start event that waits already stays. *)
 BlockOrFree == /\ on /\ blocked' # blocked
-               /\ UNCHANGED <<on, setting, once, waiting, perhaps, running,
-                              past>>
+               /\ UNCHANGED <<on, loaded, setting, once, waiting, perhaps,
+                              running, past>>
+
+(* [AMB-66] A start event that waits already stays. *)
+LoadOrDelete == loaded' # loaded /\ UNCHANGED <<on, doomed, interruptVars>>
+
+Doom == on /\ doomed' /\ UNCHANGED <<on, loaded, interruptVars>>
 
 (* [OBS-41] *)
-Stop == /\ on /\ on' = FALSE
+Stop == /\ on /\ on' = FALSE /\ ~doomed'
         /\ waiting' = 0 /\ perhaps' = FALSE /\ running' = FALSE
         /\ past' = PastIf(waiting > 0 \/ running, "cleared")
-        /\ UNCHANGED <<setting, once, blocked>>
+        /\ UNCHANGED <<loaded, setting, once, blocked>>
 
 (* [OBS-50] [OBS-53] [OBS-56] STEP 7 sets the interrupt or does not; a     *)
 (* once of the past waits.                                                 *)
@@ -127,11 +161,15 @@ Restart == /\ ~on /\ on' = TRUE
            /\ setting' \in {"unset", "set", "active"} /\ once' \in BOOLEAN
            /\ \/ UNCHANGED waiting
               \/ waiting' = 1 /\ setting' = "active" /\ once'
-           /\ UNCHANGED <<perhaps, running, past>>
+           /\ UNCHANGED <<loaded, perhaps, running, past>>
 
-Next == \/ Set \/ Cancel \/ Activate
-        \/ Due \/ Lost \/ Start \/ End \/ Fade
-        \/ BlockOrFree \/ Stop \/ Restart
+(* [OBS-22] A STOP that has to come comes. *)
+Fated == doomed => doomed' \/ ~on'
+
+Next == /\ Fated
+        /\ \/ Set \/ Cancel \/ Activate
+           \/ Due \/ Lost \/ Start \/ Miss \/ Excuse \/ End \/ Fade
+           \/ BlockOrFree \/ LoadOrDelete \/ Doom \/ Stop \/ Restart
 
 Spec == Init /\ [][Next]_lifeVars
 =============================================================================

@@ -30,7 +30,7 @@ FOLLOWS = "invariants"
 """The query about the properties of states."""
 
 TOGETHER = "Together"
-"""The disjunction of the actions of a query."""
+"""The disjunction of the actions of a query, with its history."""
 
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
@@ -109,15 +109,19 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Refinement(msgspec.Struct, forbid_unknown_fields=True):
-    """The formulas by which System implements abstract specifications: of its initial states, and of each action.
+    """The formulas by which System implements abstract specifications: `begins` and, of each action, `steps`.
 
-    `module` extends that of the induction, with a mapping and `constants` of its own.
+    `module` extends that of the induction, with a mapping, with `constants` and initial predicates of its own. Each
+    action is asked together with the action `history`, of variables that the mapping alone has.
     """
 
     module: str
     constants: str
-    first: list[str]
-    step: list[str]
+    first: str
+    any: str
+    history: str
+    begins: list[str]
+    steps: list[str]
 
 
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
@@ -136,8 +140,9 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
 class Query:
     """What Apalache is asked: `expect` of the formulas from `init` after `length` steps of `next`.
 
-    `actions` are the actions of System whose disjunction is `next`, `mutations` changes of the specification,
-    `constants` the initial predicate of the constants, `instead` the operators that stand in the places of others.
+    `actions` are the actions of System whose disjunction is `next`, with `history`; `mutations` changes of the
+    specification, `constants` the initial predicate of the constants, `instead` the operators that stand in the places
+    of others.
     With `shown` ambiguities are read by any letter, but for these.
     """
 
@@ -150,6 +155,7 @@ class Query:
     formulas: tuple[str, ...]
     timeout: int
     actions: tuple[str, ...] = ()
+    history: str = ""
     constants: str = ""
     instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
     shown: tuple[str, ...] | None = None
@@ -206,7 +212,7 @@ def load(root: Path) -> Proofs:
         if formula not in formulas:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     for mutant in file.mutants:
-        if mutant.action not in actions or mutant.formula not in formulas | stated | set(file.refinement.step):
+        if mutant.action not in actions or mutant.formula not in formulas | stated | set(file.refinement.steps):
             raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
         if not changes.get(mutant.control):
             raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
@@ -292,17 +298,30 @@ def _queries(
 
     queries += [step(name, "step", some, left) for name, some in groups.items()]
     refinement = file.refinement
-    refines = replace(anywhere, kind="refines", module=refinement.module, constants=refinement.constants)
+    refines = replace(
+        anywhere,
+        kind="refines",
+        module=refinement.module,
+        constants=refinement.constants,
+        init=refinement.any,
+        next=TOGETHER,
+        history=refinement.history,
+    )
     queries += [
-        replace(refines, name="refines-first", init=base.first, formulas=tuple(refinement.first)),
+        replace(
+            refines,
+            name="refines-first",
+            init=refinement.first,
+            actions=actions[:1],
+            formulas=tuple(refinement.begins),
+        ),
         *(
             replace(
                 refines,
                 name=f"refines-{query.name}",
-                next=query.next,
                 actions=query.actions,
                 length=1,
-                formulas=tuple(refinement.step),
+                formulas=tuple(refinement.steps),
             )
             for query in queries
             if query.kind == "step"
@@ -315,7 +334,8 @@ def _queries(
     ]
 
     def one(action: str, base: Query) -> Query:
-        return replace(base, next=action, actions=(action,), length=1, expect="violated")
+        following = TOGETHER if base.history else action
+        return replace(base, next=following, actions=(action,), length=1, expect="violated")
 
     queries += [
         replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
@@ -323,7 +343,7 @@ def _queries(
     ]
     queries += [
         replace(
-            one(mutant.action, refines if mutant.formula in refinement.step else anywhere),
+            one(mutant.action, refines if mutant.formula in refinement.steps else anywhere),
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),

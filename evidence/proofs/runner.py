@@ -103,7 +103,7 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError.
     """
     replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
-    words = (query.init, query.next, query.constants, *query.actions, *query.formulas)
+    words = (query.init, query.next, query.constants, query.history, *query.actions, *query.formulas)
     with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
         for change in query.mutations:
             _mutate(root, query.name, change, Path(changed))
@@ -117,7 +117,8 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
             )
     if query.next == TOGETHER:
         either = " \\/ ".join(query.actions)
-        text = text.replace("\n====\n", f"\n{TOGETHER} == {either}\n====\n")
+        following = f"({either}) /\\ {query.history}" if query.history else either
+        text = text.replace("\n====\n", f"\n{TOGETHER} == {following}\n====\n")
     lacking = sorted({query.init, query.next, *query.formulas} - definitions(text))
     if lacking:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")

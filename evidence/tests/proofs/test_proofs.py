@@ -19,7 +19,7 @@ from evidence.proofs import command
 from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions, standing
-from evidence.proofs.runner import Asking, Result, ask, ok, texts
+from evidence.proofs.runner import Asking, Result, ask, instances, ok, texts
 from evidence.proofs.text import (
     all_letters,
     as_action,
@@ -136,6 +136,21 @@ def test_actions_that_are_asked_together(proofs: Proofs) -> None:
     left = {cell.formula for cell in proofs.file.not_proved if cell.action in query.actions}
     assert left
     assert not left & set(query.formulas)
+
+
+def test_each_action_refines(proofs: Proofs) -> None:
+    """Every action is asked the steps of the abstract specifications, with the history, and their initial states."""
+    first, *steps = (query for query in proofs.queries if query.kind == "refines")
+    assert (first.init, first.formulas, first.length) == ("FirstInit", ("LockBegins", "LifeBegins"), 0)
+    assert sorted(action for query in steps for action in query.actions) == sorted(proofs.actions)
+    assert {(q.init, q.formulas, q.length, q.expect) for q in steps} == {
+        ("AnyRefined", ("LockStep", "LifeStep"), 1, "holds")
+    }
+    (query,) = proofs.select(("refines-StartsOb",))
+    text, _ = texts(ROOT, query)
+    assert "\nTogether == (StartsOb) /\\ History\n====" in text
+    assert instances(ROOT, query, text).keys() == {"CounterLock", "LifeCycle"}
+    assert {"InClass", "RunningClasses"} <= definitions(text)
 
 
 def test_one_invariant_for_all(proofs: Proofs) -> None:

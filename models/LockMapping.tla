@@ -1,0 +1,19 @@
+----------------------------- MODULE LockMapping -----------------------------
+(***************************************************************************)
+(* The start events of System that CounterLock knows, for MCRefineLock and *)
+(* APRefine: those whose OB is loaded, as soon as the mode lets it run. If *)
+(* deferred in STARTUP, they arrive in RUN; in HOLD they go on waiting.    *)
+(***************************************************************************)
+EXTENDS Properties
+
+\* @type: Int => Set($request);
+InClass(c) == { r \in requests : /\ r.class = c /\ r.ob \in loaded
+                                 /\ ModeAllows(r) \/ mode = "HOLD" }
+
+\* @type: Int => Int;
+WaitingIn(c) == Cardinality({ r \in InClass(c) : ~r.open })
+
+(* The sources leave open whether a start event of the class waits. *)
+\* @type: Int => Bool;
+PerhapsIn(c) == \E r \in InClass(c) : r.open
+=============================================================================
