@@ -33,7 +33,10 @@ IsStart(e) ==
            /\ e.info.strt_info \in {-1} \cup CycleEvents
            /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ \/ CycleStarts
+              \* The end of the cycle before lies unseen, but not in HOLD
+              \* [OBS-45].
               \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
+                 /\ mode = "RUN"
                  /\ delay' = 0
                  /\ NothingEntered
                  /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars,
