@@ -144,7 +144,8 @@ BlockOrFree == /\ on /\ blocked' # blocked
                               running, past>>
 
 (* [AMB-66] A start event that waits already stays. *)
-LoadOrDelete == loaded' # loaded /\ UNCHANGED <<on, doomed, interruptVars>>
+LoadOrDelete == /\ loaded' # loaded /\ doomed' = doomed
+                /\ UNCHANGED <<on, interruptVars>>
 
 Doom == on /\ doomed' /\ UNCHANGED <<on, loaded, interruptVars>>
 
