@@ -1,9 +1,9 @@
-"""What a CPU offers: programs that need more are skipped."""
+"""What a CPU offers: programs are fitted to it, and those that need more are skipped."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -46,8 +46,24 @@ class Offer:
     modes: frozenset[str] = frozenset(_MODES)
     longest: int = 0
 
+    def fitted(self, program: Program) -> Program:
+        """The program on a CPU of an offered family, without loaded OBs that the CPU lacks and that nothing can start.
+
+        A program has no expected output, so it is one on any CPU. Only families with priority classes that can be set
+        take the place of one.
+        """
+        header = program.header
+        others = sorted(self.cpu & tables.PRIORITY_CPUS if "priority" in header else self.cpu)
+        cpu = header["cpu"] if header["cpu"] in self.cpu or not others else others[0]
+        obs = [ob for ob in header["obs"] if ob in self.obs or ob in _started(program)]
+        if (cpu, obs) == (header["cpu"], header["obs"]):
+            return program
+        changed = {"cpu": cpu, "obs": obs}
+        raw = {**program.raw, "header": program.raw["header"] | changed}
+        return replace(program, header=header | changed, raw=raw)
+
     def lacks(self, program: Program) -> str:
-        """Why the program is skipped; empty if it is not."""
+        """Why the program, which is fitted, is skipped; empty if it is not."""
         header = program.header
         if header["cpu"] not in self.cpu:
             return f"no {header['cpu']}"
@@ -65,6 +81,18 @@ class Offer:
         if self.longest and program.duration > self.longest:
             return f"lasts {program.duration / 1000:g} s, more than {self.longest / 1000:g} s"
         return ""
+
+
+_BY_RULE = frozenset({1, 80, 85})
+"""OBs that start in RUN without an event or a call that names them. A startup OB without a body does nothing."""
+
+
+def _started(program: Program) -> set[int]:
+    """The loaded OBs that may start, or of which the program sees whether they are there."""
+    steps = (step for body in program.bodies for step in body.steps)
+    configured = (int(ob) for part in program.header.get("step7", {}).values() if isinstance(part, dict) for ob in part)
+    named = [event["ob"] for event in (*steps, *program.outside) if "ob" in event]
+    return {*_BY_RULE, *(body.ob for body in program.bodies), *named, *configured}
 
 
 def _named(events: Iterable[dict[str, Any]]) -> Iterator[int]:

@@ -37,8 +37,9 @@ _REDUCING = 10.0
 class Runner:
     """Runs programs on the implementation behind ``command``; ``jobs`` adapters work at a time.
 
-    Programs that ``offer`` lacks something for are skipped. With ``logs`` the log of each program is kept in that
-    folder. ``resume`` is a file of results, to which each new one is added; programs that it has are not run again.
+    Programs are fitted to ``offer``; those that it lacks something for are skipped. With ``logs`` the log of each
+    program is kept in that folder. ``resume`` is a file of results, to which each new one is added; programs that it
+    has are not run again.
     """
 
     def __init__(
@@ -72,7 +73,7 @@ class Runner:
         done = self._kept()
         results: dict[str, Result] = {}
         left = []
-        for program in programs:
+        for program in map(self._offer.fitted, programs):
             kept = done.get(program.name)
             if kept is not None and kept.digest == self._digest(program):
                 results[program.name] = kept

@@ -114,6 +114,19 @@ def test_offers() -> None:
     assert lacks([], {"after": 10, "event": "interrupt", "ob": 40}) == "no OB 40"
 
 
+def test_fitted() -> None:
+    """A program runs on the CPU's own family, and without OBs that nothing can start; it needs the others."""
+    program = read_program(json.dumps(PROGRAM | {"outside": [{"after": 10, "event": "interrupt", "ob": 35}]}).encode())
+    more = read_program(json.dumps(program.raw | {"header": program.header | {"obs": [1, 35, 41, 80]}}).encode())
+    fitted = Offer(cpu=frozenset({"CPU 318"}), obs=frozenset({1, 10})).fitted(more)
+    assert (fitted.header["cpu"], fitted.header["obs"]) == ("CPU 318", [1, 35, 80])
+    assert fitted.raw["header"] == fitted.header
+    assert fitted.header["clock"] == more.header["clock"]
+    assert Offer().fitted(more) is more
+    classes = read_program(json.dumps(more.raw | {"header": more.header | {"priority": {"35": 5}}}).encode())
+    assert Offer(cpu=frozenset({"S7-300"})).lacks(Offer(cpu=frozenset({"S7-300"})).fitted(classes)) == "no S7-400"
+
+
 def test_resume(folder: Path) -> None:
     """What a file has is not run again, but for another command or a changed program."""
     kept = folder / "kept.ndjson"
