@@ -2,9 +2,12 @@
 
 import os
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import reduce
 from typing import Any, Self
+
+import msgspec
 
 from s7check.engine import pool
 from s7check.engine.answer import Decision
@@ -13,11 +16,15 @@ from s7check.judging.check import Judging
 from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.decisions import Decisions, decisions_of
 from s7check.judging.verdict import Report, Verdict
+from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import KINDS
-from s7check.log.reader import Batch, read_log
+from s7check.log.events import OPERANDS
+from s7check.log.header import KINDS, read_header
+from s7check.log.jsonline import decode_object
+from s7check.log.lines import Lines, split_lines
+from s7check.log.reader import LogReader
 from s7check.log.source import open_log
-from s7check.log.values import NOT_LOGGED
+from s7check.log.values import word
 
 COMPLETE = frozenset(KINDS) - {"diag", "state"}
 """The kinds of event that a log may leave out, and then is judged by less."""
@@ -126,35 +133,51 @@ def together(coverages: Iterable[Coverage]) -> Coverage:
     return reduce(Coverage.__or__, coverages, Coverage())
 
 
+class _Said(msgspec.Struct):
+    """The fields of a line that a coverage counts, as they are spelled."""
+
+    event: Any = None
+    ret: Any = None
+    ob: Any = None
+    period: Any = None
+
+
+_said = msgspec.json.Decoder(_Said).decode
+
+
 class _Taken:
-    """The part of a coverage that the lines say themselves."""
+    """The part of a coverage that the lines say themselves; what cannot be read is not counted."""
 
     def __init__(self) -> None:
         self.answers: set[tuple[str, int]] = set()
         self.periods: set[int] = set()
         self.obs: set[int] = set()
         self.left_out: frozenset[str] = frozenset()
+        self._begun = False
 
-    def take(self, batch: Batch) -> None:
-        if batch.header is not None:
-            self.left_out = COMPLETE - frozenset(batch.header["records"])
-        for event in batch.events:
-            self._event(event)
+    def take(self, lines: Lines) -> None:
+        for text in lines.texts:
+            with suppress(UnusableLogError, msgspec.MsgspecError, TypeError):
+                if self._begun:
+                    self._line(_said(text))
+                elif text.strip():
+                    self._begun = True
+                    self.left_out = COMPLETE - frozenset(read_header(decode_object(text))["records"])
 
-    def _event(self, event: dict[str, Any]) -> None:
-        if "ret" in event and event["ret"] != NOT_LOGGED:
-            self.answers.add((event["event"], event["ret"] & 0xFFFF))
-            if event["event"] == "SET_TINT" and event["ret"] == 0:
-                self.periods.add(event["period"])
-        elif event["event"] == "start":
-            self.obs.add(event["ob"])
+    def _line(self, said: _Said) -> None:
+        if said.event == "start":
+            self.obs.add(said.ob)
+        elif said.event in OPERANDS and said.ret is not None:
+            self.answers.add((said.event, word(said.ret) & 0xFFFF))
+            if said.event == "SET_TINT" and word(said.ret) == 0:
+                self.periods.add(word(said.period))
 
 
 def judged(
     log: str | os.PathLike[str] | Iterable[bytes],
     engine: Engine,
     chosen: Chosen = NOTHING,
-    taken: Callable[[Batch], None] = lambda _: None,
+    taken: Callable[[Lines], None] = lambda _: None,
 ) -> Report:
     """The verdict about a log, a file or its lines; ``taken`` gets each part of it. Raises EngineError."""
     judging = Judging("log", engine, chosen)
@@ -163,13 +186,17 @@ def judged(
             with open_log(os.fspath(log)) as source:
                 _take(source.chunks(engine.wait), judging, taken)
         else:
-            _take((line.removesuffix(b"\n") + b"\n" for line in log), judging, taken)
+            _take([b"".join(line.removesuffix(b"\n") + b"\n" for line in log)], judging, taken)
     except UnusableLogError as error:
         judging.refuse(error)
     return judging.report()
 
 
-def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Batch], None]) -> None:
-    for batch in read_log(chunks):
-        judging.take(batch)
-        taken(batch)
+def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Lines], None]) -> None:
+    reader = LogReader()
+    for lines in split_lines(as_utf8(chunks)):
+        judging.take_lines(lines, reader)
+        taken(lines)
+        if judging.refused:
+            return
+    reader.end()
