@@ -30,6 +30,9 @@ from s7check.kit.program import Program
 HELD_OUT = SOFT_PLC / "held_out"
 NOT_FOUND = 1
 
+_LONG = 100
+"""Lines of a log; the longer ones have 99 % of all lines."""
+
 
 @dataclass(frozen=True)
 class Fault:
@@ -45,7 +48,7 @@ class Fault:
 class Found:
     """How a fault shows: in the first ``program`` whose log is rejected, by ``requirements`` or by a ``failure``.
 
-    ``differ`` programs have another log than without the fault; ``judged`` of them were looked at.
+    Of the programs that were run, ``differ`` have another log than without the fault; ``judged`` were looked at.
     """
 
     fault: Fault
@@ -62,15 +65,17 @@ class Found:
 def faults_command(json_path: Path | None, names: tuple[str, ...]) -> int:
     """Run the kit on the soft PLC with each of its faults, or the named ones.
 
-    Logs that are those of the faultless soft PLC tell nothing; of the others the first rejected one counts.
+    Logs that are those of the faultless soft PLC tell nothing; of the others the first rejected one counts. Programs
+    with long logs are run for a fault that the others do not find.
     """
     with session(Processes(), (ValueError, OSError), (AdapterError, EngineError, _BuildError)) as console:
         chosen = _chosen(names)
         programs = programs_of()
-        right = list(soft_plc.run(programs))
+        usual = list(zip(programs, soft_plc.run(programs), strict=True))
+        parts = [[pair for pair in usual if (len(pair[1].log) > _LONG) == long] for long in (False, True)]
         found = []
         for fault in chosen:
-            found.append(_look(fault, programs, right))
+            found.append(_look(fault, parts))
             plain(console, _line(found[-1]))
         missed = [one for one in found if not one.program]
         held_out = [one for one in found if one.fault.held_out]
@@ -104,16 +109,21 @@ def _chosen(names: Sequence[str]) -> list[Fault]:
     return chosen
 
 
-def _look(fault: Fault, programs: Sequence[Program], right: Sequence[Ran]) -> Found:
-    runs = soft_plc.run(programs, *fault.options, command=fault.command)
-    differing = [(program, ran) for program, ran, usual in zip(programs, runs, right, strict=True) if ran != usual]
-    for judged, (program, ran) in enumerate(sorted(differing, key=lambda pair: len(pair[1].log)), 1):
-        if ran.failed:
-            return Found(fault, len(differing), judged, program.name, failure=ran.failed)
-        report = check(ran.log, name=program.name)
-        if report.verdict == "rejected":
-            return Found(fault, len(differing), judged, program.name, tuple(report.requirements))
-    return Found(fault, len(differing), len(differing))
+def _look(fault: Fault, parts: Sequence[Sequence[tuple[Program, Ran]]]) -> Found:
+    """Run the programs, which stand beside their usual runs, part by part until one finds the fault."""
+    differ = judged = 0
+    for part in parts:
+        runs = soft_plc.run([program for program, _ in part], *fault.options, command=fault.command)
+        differing = [(program, ran) for (program, usual), ran in zip(part, runs, strict=True) if ran != usual]
+        differ += len(differing)
+        for program, ran in sorted(differing, key=lambda pair: len(pair[1].log)):
+            judged += 1
+            if ran.failed:
+                return Found(fault, differ, judged, program.name, failure=ran.failed)
+            report = check(ran.log, name=program.name)
+            if report.verdict == "rejected":
+                return Found(fault, differ, judged, program.name, tuple(report.requirements))
+    return Found(fault, differ, judged)
 
 
 def _line(one: Found) -> str:

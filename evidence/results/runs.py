@@ -131,11 +131,18 @@ RUNS = {
         tlc=False,
         told={"kit": "reached"},
     ),
+    "kit-faults": _s7check(
+        "Kit, faults",
+        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7check-faults-fault)).",
+        "faults",
+        summaries.kit_faults,
+        tlc=False,
+    ),
     "kit-mutants": _s7check(
         "Kit, mutants",
         "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
         "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
-        "mutants --against kit --sample 40 --seed 1",
+        "mutants --against kit --sample 60 --seed 1",
         summaries.kit_mutants,
         tlc=False,
         told={"kit": "mutants"},

@@ -132,6 +132,17 @@ def kit(text: str) -> list[Table]:
     return [Table(list(counts), [list(counts.values())])]
 
 
+def kit_faults(text: str) -> list[Table]:
+    """The faults that the kit finds, known and held out."""
+    faults: list[dict[str, Any]] = json.loads(text)["faults"]
+    rows: list[list[Cell]] = []
+    for kind, held_out in (("known", False), ("held out", True)):
+        of = [one for one in faults if one["held_out"] == held_out]
+        missed = ", ".join(one["fault"] for one in of if not one["program"])
+        rows.append([kind, len(of), sum(bool(one["program"]) for one in of), missed or "none"])
+    return [Table(["faults", "number", "found", "not found"], rows)]
+
+
 def kit_mutants(text: str) -> list[Table]:
     """The mutants that the kit's logs show."""
     report: dict[str, Any] = json.loads(text)
