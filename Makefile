@@ -8,7 +8,7 @@ PLC    := examples/soft_plc/build/soft_plc
 AWLSIM := build/awlsim/awlsim/__init__.py
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
+.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz round wheel lint bench results clean site
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -95,6 +95,9 @@ prove: setup  ## the proofs about System and the abstract specifications by Apal
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
 	$(BIN)/python -m tests.fuzz --inputs $(FUZZ)
+
+round: setup  ## all logs that were judged by hand, situation by situation; the tests judge one in 16
+	$(BIN)/python -m tests.by_hand.situations.judge
 
 wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
