@@ -170,12 +170,16 @@ ActAnswers(o) ==
     ELSE IF o \in TodObs /\ CallUsesUp(o) THEN ActAnswersWhenCalled(o)
     ELSE Answers(o, ActErrors(o))
 
+(* [AMB-10] (b) In repeated time an active one is activated anew [AMB-57]. *)
+\* @type: Int => Bool;
+IsActivatedAnew(o) == /\ ActTintComputesAnew /\ ~CallUsesUp(o)
+                      /\ clock.min <= tod[o].repeatTo
+
 (* [TINT-10] [TINT-24] An inactive interrupt gets its next point. An       *)
-(* active one stays [TINT-63], or its next point is computed anew          *)
-(* [AMB-10].                                                               *)
+(* active one stays [TINT-63], or its next point is computed anew.         *)
 \* @type: Int => $tod;
 ActiveSetting(o) ==
-    IF tod[o].active THEN tod[o]
+    IF tod[o].active /\ ~IsActivatedAnew(o) THEN tod[o]
     ELSE WithMemory([tod[o] EXCEPT !.active = TRUE], tod[o])
 
 \* @type: (Int, $cpu) => $tod;
