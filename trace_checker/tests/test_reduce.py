@@ -74,3 +74,17 @@ def test_the_end_of_a_long_log(tmp_path: Path) -> None:
     assert main(["reduce", "-o", str(small), str(log)]) == 0
     assert [json.loads(line)["event"] for line in small.read_bytes().splitlines()[1:]] == ["EN_AIRT"]
     assert json.loads(small.read_bytes().splitlines()[1])["at"].startswith(at(0)[:17])
+
+
+def test_a_restart_forgets_the_lines_before(tmp_path: Path) -> None:
+    """The log begins at it, with the OBs that were loaded then."""
+    before = [event("load", 30, ob=40), *(event("DIS_AIRT", 31, ret=count) for count in range(1, 300))]
+    restarted = [event("stop", 32), event("restart", 33, type="warm"), event("run", 33), event("interrupt", 34, ob=40)]
+    wrong = event("start", 34, ob=40, info={"priority": 9})
+    log, small = tmp_path / "log.ndjson", tmp_path / "small.ndjson"
+    log.write_bytes(log_text(*before, *restarted, wrong, header=RUN | {"obs": [1, 80, 85]}))
+    assert main(["reduce", "-o", str(small), str(log)]) == 0
+    header, *events = (json.loads(line) for line in small.read_bytes().splitlines())
+    assert 40 in header["obs"]
+    assert [one["event"] for one in events][-2:] == ["interrupt", "start"]
+    assert len(events) <= 4

@@ -24,6 +24,21 @@ def reduce_log(lines: Sequence[Fields], engine: Engine, until: float) -> "Reduct
     return reduction
 
 
+_RESTARTS = 4
+"""Restarts at which a shorter log is tried to begin."""
+
+
+def _without_ob(header: Fields, ob: object) -> Fields:
+    """The header without an OB: not loaded, without parameters."""
+    less: dict[str, Any] = {**header, "obs": [one for one in header["obs"] if one != ob]}
+    if "tod" in header.get("step7", {}):
+        tod = {name: value for name, value in header["step7"]["tod"].items() if name != str(ob)}
+        less["step7"] = {**header["step7"], "tod": tod}
+    if "priority" in header:
+        less["priority"] = {name: value for name, value in header["priority"].items() if name != str(ob)}
+    return less
+
+
 def _ob(event: Event) -> object:
     return event.fields.get("ob")
 
@@ -44,6 +59,7 @@ class Reduction:
     def run(self) -> None:
         """Reduces the log. Raises EngineError."""
         try:
+            self._begin_at_a_restart()
             self._take_the_end()
             self._remove_kinds()
             self._remove_lines()
@@ -60,6 +76,20 @@ class Reduction:
             return False
         self.header, self.events = header, list(events)
         return True
+
+    def _begin_at_a_restart(self) -> None:
+        """The log from its last restart on that fits: a restart forgets nearly all that was before."""
+        loaded = set(self.header["obs"])
+        begins = []
+        for place, one in enumerate(self.events[:-1]):
+            if one.fields["event"] == "restart":
+                header = {**self.header, "clock": one.fields["at"], "mode": "STOP", "obs": sorted(loaded)}
+                begins.append((header, self.events[place:]))
+            elif one.fields["event"] in ("load", "delete"):
+                (loaded.add if one.fields["event"] == "load" else loaded.discard)(one.fields["ob"])
+        for header, events in reversed(begins[-_RESTARTS:]):
+            if self._accept(header, events):
+                return
 
     def _take_the_end(self) -> None:
         """The shortest end of the log that fits, twice as long each time: it begins at the time of its first line.
@@ -82,7 +112,9 @@ class Reduction:
         """
         for kind in (_ob, _event_and_ob):
             for name, _ in Counter(map(kind, self.events[:-1])).most_common():
-                self._accept(self.header, [one for one in self.events[:-1] if kind(one) != name] + self.events[-1:])
+                rest = [one for one in self.events[:-1] if kind(one) != name] + self.events[-1:]
+                if not self._accept(self.header, rest) and kind is _ob:
+                    self._accept(_without_ob(self.header, name), rest)
 
     def _remove_lines(self) -> None:
         """Delta debugging: ever smaller pieces are left out, never the last line."""
