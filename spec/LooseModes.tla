@@ -38,7 +38,8 @@ LooseEnd(e) ==
        \/ /\ Running.ob = e.ob /\ Len(stack) > 1
           /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
        \/ /\ e.ob \in {CycleOb} \cup StartupObs
-          /\ ModeKnown => Len(stack) = 1
+          /\ ModeKnown => /\ Len(stack) = 1
+                          /\ mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
           /\ stack' = <<stack[1]>>
     /\ delay' = 0
     /\ NothingEntered

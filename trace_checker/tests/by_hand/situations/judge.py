@@ -17,7 +17,19 @@ from s7check.judging.check import check_log
 from s7check.judging.verdict import Report
 from tests.by_hand.situations.builder import Case, cases
 
-MODULES = ("tod", "delay", "blocking", "modes", "clock", "contract", "combined", "subsets", "later", "letters")
+MODULES = (
+    "tod",
+    "delay",
+    "blocking",
+    "modes",
+    "clock",
+    "contract",
+    "combined",
+    "subsets",
+    "later",
+    "letters",
+    "positions",
+)
 """In this order: ``subsets`` draws from the modules before it."""
 
 
