@@ -29,6 +29,7 @@ MODULES = (
     "later",
     "letters",
     "positions",
+    "windows",
 )
 """In this order: ``subsets`` draws from the modules before it."""
 

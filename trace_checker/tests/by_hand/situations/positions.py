@@ -33,18 +33,24 @@ def positions_calls(v: Variant) -> None:
         call(v.log().hold().wait(9).release().wait(1)).accepted(f"{name} after HOLD")
 
 
-@situation("OBS-45")
-def positions_idle(v: Variant) -> None:
-    lines: dict[str, Callable[[Log], Log]] = {
+def lines_of_obs(v: Variant) -> dict[str, Callable[[Log], Log]]:
+    """Lines that need mode RUN, each with its name."""
+    return {
         "start of OB 1": lambda log: log.start(1),
         "start of OB 35": lambda log: log.start(35),
         "start of a time-of-day OB": lambda log: log.start(),
         "start of a delay OB": lambda log: log.start(v.delay_ob),
+        "end of OB 1": lambda log: log.end(1),
+        "end of OB 35": lambda log: log.end(35),
+    }
+
+
+@situation("OBS-45")
+def positions_idle(v: Variant) -> None:
+    lines = lines_of_obs(v) | {
         "start of OB 80": lambda log: log.start(80, flt_id=1),
         "start of OB 85": lambda log: log.start(85, flt_id=0xA3),
         "start of OB 100": lambda log: log.start(100),
-        "end of OB 1": lambda log: log.end(1),
-        "end of OB 35": lambda log: log.end(35),
         "a call": lambda log: log.tick(),
         "run": lambda log: log.run(),
         "hold": lambda log: log.hold(),
@@ -62,13 +68,7 @@ def positions_idle(v: Variant) -> None:
 
 @situation("OBS-42")
 def positions_in_startup(v: Variant) -> None:
-    lines: dict[str, Callable[[Log], Log]] = {
-        "start of OB 1": lambda log: log.start(1),
-        "start of OB 35": lambda log: log.start(35),
-        "start of a time-of-day OB": lambda log: log.start(),
-        "start of a delay OB": lambda log: log.start(v.delay_ob),
-        "end of OB 1": lambda log: log.end(1),
-        "end of OB 35": lambda log: log.end(35),
+    lines = lines_of_obs(v) | {
         "start of OB 102": lambda log: log.start(102),
         "release": lambda log: log.release(),
     }
