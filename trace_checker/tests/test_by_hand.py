@@ -1,5 +1,6 @@
 """Logs that were judged by hand, from the requirements alone, before the checker saw them."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -7,10 +8,15 @@ import pytest
 
 from s7check.judging.verdict import Report
 from tests.by_hand.shorthand import HandLog, read
-from tests.by_hand.situations.judge import all_cases, differences
+from tests.by_hand.situations.builder import FIRST_TWO
+from tests.by_hand.situations.judge import all_cases, differences, letters_with_effect
 
 ONE_IN = 16
 """One of so many logs of the situations is judged here; `make round` judges them all."""
+
+DOCS = Path(__file__).parents[2] / "docs"
+CONSTANTS = re.compile(r'^\| <a id="(AMB-\d+)"></a>(?:[^|]*\|){3} (\w) \|.*\| constant \(([a-d, ]+)\)', re.MULTILINE)
+"""The rows of readings.md whose letters the specification tells apart: name, default, letters."""
 
 LOGS = list(read(Path(__file__).parent / "by_hand" / "round.txt"))
 
@@ -31,3 +37,13 @@ def test_situations(judge: Callable[[Path], Report], tmp_path: Path) -> None:
     assert len(named) == len({name for name, _ in named})
     found = differences(named[::ONE_IN], judge, tmp_path)
     assert [(name, case.expected, report.verdict, report.line) for name, case, report in found] == []
+
+
+def test_every_letter_has_an_effect(judge: Callable[[Path], Report], tmp_path: Path) -> None:
+    """The verdict of a log hangs on each letter that is no default and that the specification tells apart."""
+    some = [(name, case) for name, case in all_cases() if case.variant < len(FIRST_TWO)]
+    effective = letters_with_effect(some, judge, tmp_path)
+    rows = CONSTANTS.findall((DOCS / "rules" / "readings.md").read_text(encoding="utf-8"))
+    assert len(rows) > 70
+    letters = {(name, letter) for name, default, choice in rows for letter in choice.split(", ") if letter != default}
+    assert letters - effective == {("AMB-04", "c")}  # bit 5 is 0 as under (a): there is no test function

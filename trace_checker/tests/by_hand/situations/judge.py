@@ -8,6 +8,8 @@ import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import click
@@ -34,6 +36,7 @@ MODULES = (
 """In this order: ``subsets`` draws from the modules before it."""
 
 
+@cache
 def all_cases() -> list[tuple[str, Case]]:
     """The logs with their names."""
     for module in MODULES:
@@ -53,6 +56,24 @@ def differences(
         if (report.verdict, report.line) != case.expected:
             found.append((name, case, report))
     return found
+
+
+def letters_with_effect(
+    named: Iterable[tuple[str, Case]], judge: Callable[[Path], Report], folder: Path
+) -> set[tuple[str, str]]:
+    """The letters of readings without which a log that names them gets another verdict or line."""
+    effective = set[tuple[str, str]]()
+    for name, case in named:
+        header = case.lines[0] if case.lines else ""
+        if isinstance(header, str) or case.verdict == "unusable":
+            continue
+        readings = header.get("readings", {})
+        for letter in [letter for letter in readings.items() if letter not in effective]:
+            fewer = {ambiguity: chosen for ambiguity, chosen in readings.items() if ambiguity != letter[0]}
+            without = replace(case, lines=({**header, "readings": fewer}, *case.lines[1:]))
+            if differences([(name, without)], judge, folder):
+                effective.add(letter)
+    return effective
 
 
 @click.command()

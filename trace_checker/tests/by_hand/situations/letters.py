@@ -359,3 +359,42 @@ def letters_mode_1_blocks(v: Variant) -> None:
     b.copy().en_irt(1, 30).qry_tint(0x10).interrupt(40).runs(40).accepted("b: its class alone")
     b.copy().dis_irt(0).en_irt(2, 35).interrupt(35).runs(35).accepted("b: MODE 2 enables")
     b.copy().en_irt(1, 10).qry_tint(0x12).en_irt(0).qry_tint(0x10).accepted("b: MODE 0 enables")
+
+
+@situation("AMB-13")
+def letters_class_26_in_startup(v: Variant) -> None:
+    for letter in ("b", "c"):
+        a = v.log(mode="STARTUP", readings={"AMB-13": letter}).interrupt(80, flt_id="W#16#0001")
+        a.copy().start(80, priority=28).rejected("no class 28 in STARTUP")
+    v.log(mode="STARTUP").interrupt(80, flt_id="W#16#0001").runs(80, priority=28).accepted("the default: 28 in STARTUP")
+
+
+@situation("AMB-52")
+def letters_catch_up_of_its_own(v: Variant) -> None:
+    a = v.log(readings={"AMB-52": "a"}).armed(v.point, 0x201).until(v.point).start().wait(100)
+    a.clock(v.point + MINUTE + 5000 * MS).runs(80, flt_id=5).end()
+    a.copy().runs().accepted("a: a catch-up of its own")
+    a.copy().late("a: a catch-up of its own")
+
+
+@situation("AMB-57", REMEMBERING)
+def letters_memory_stays(v: Variant) -> None:
+    for letter in ("a", "b"):
+        a = v.log(readings={"AMB-57": letter}).armed(v.point, 0x201).until(v.point).runs().wait(5000)
+        a.clock(v.point - 5000 * MS).set_tint(v.point, 0x201).act_tint().until(v.point)
+        if letter == "a":
+            a.copy().late("a: the memory is gone")
+        else:
+            a.copy().start().rejected("b: the memory stays")
+            a.copy().until(v.point + MINUTE).late("b: the next point was never served")
+
+
+@situation("AMB-68")
+def letters_ended_series(v: Variant) -> None:
+    begin = moment("2089-12-31T23:58:30.000")
+    for letter, status in (("a", 0x14), ("b", 0x10)):
+        a = v.log(begin=begin, readings={"AMB-68": letter}).armed("2089-12-31T23:59", 0x401).wait(30000).runs()
+        a.copy().qry_tint(status).accepted("bit 2 of a series without a further point")
+        a.copy().qry_tint(status ^ 4).rejected("bit 2 of a series without a further point")
+        a.copy().state(v.ob, active=status == 0x14).accepted("bit 2 of a series without a further point")
+        a.copy().state(v.ob, active=status != 0x14).rejected("bit 2 of a series without a further point")
