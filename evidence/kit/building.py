@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime, timedelta
 
-from evidence.kit.from_log import Json
+from s7check.kit.from_log import Json
 from s7check.kit.program import FORMAT
 
 SECOND = 1_000

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from datetime import datetime
 
 from evidence.kit.building import DAY, HOUR, MINUTE, PERIODS, SECOND, body, call, header, later, program, set_tint
-from evidence.kit.from_log import Json
+from s7check.kit.from_log import Json
 
 _TURNS = {
     "plain": "2026-11-21T05:59:30",

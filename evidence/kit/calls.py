@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from evidence.kit.building import MINUTE, SECOND, at, body, call, header, program, set_tint, wait
-from evidence.kit.from_log import Json
+from s7check.kit.from_log import Json
 
 _CLOCK = "2028-02-28T05:59:30"
 _PAST, _NEXT = "2028-02-28T05:58", "2028-02-28T06:05"

@@ -12,8 +12,8 @@ from evidence.common.kit_files import PROGRAMS, as_line, kept, unmeasured
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.kit import calendar, calls, meetings, nesting, paths, shipped, waiting
-from evidence.kit.from_log import Json
 from evidence.tlc.process import ToolMissingError
+from s7check.kit.from_log import Json
 from s7check.kit.program import read_program
 
 

@@ -26,7 +26,7 @@ from evidence.kit.building import (
     wait,
 )
 from evidence.kit.covering import Choice, covering
-from evidence.kit.from_log import Json
+from s7check.kit.from_log import Json
 
 _DUE = 30 * SECOND
 """The moment of the start event, with hindrances around it."""

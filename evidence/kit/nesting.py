@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import permutations
 
 from evidence.kit.building import MINUTE, SECOND, at, body, call, header, later, program, set_tint, wait
-from evidence.kit.from_log import Json
+from s7check.kit.from_log import Json
 
 _CLOCK = "2026-11-21T05:59:30"
 _CPUS = ("S7-300", "S7-400", "CPU 318")

@@ -17,9 +17,9 @@ from evidence.behaviours.values import assignments
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.harness.manifest import Model, find_manifest, load
-from evidence.kit.from_log import Json, program_of
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import Workspace
+from s7check.kit.from_log import Json, program_of
 
 MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")
 """Models whose graphs are small enough to be written down."""

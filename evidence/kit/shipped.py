@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from evidence.common.shipped import Shipped, shipped_logs
-from evidence.kit.from_log import Json, program_of
+from s7check.kit.from_log import Json, program_of
 from s7check.log.source import open_log
 
 

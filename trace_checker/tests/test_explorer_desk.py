@@ -12,6 +12,7 @@ from s7check.asking.session import Session
 from s7check.engine.client import Engine
 from s7check.exploring.desk import SESSIONS, Call, Comparison, Desk, Question, Side, Why
 from s7check.exploring.library import Library, read
+from s7check.kit.program import read_program
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import OPERANDS
 from tests.explorer_server import TOKEN, served
@@ -131,6 +132,13 @@ def test_the_answers_to_a_call_and_why_a_line_may_not_come(desk: Desk) -> None:
     start = {"event": "start", "ob": 10, "at": HEADER["clock"]}
     assert desk.why(Why(HEADER, start))["refused"]["because"]
     assert desk.why(Why(HEADER, call | {"ret": "W#16#8080"}))["refused"] is None
+
+
+def test_a_behaviour_as_a_program_and_the_program_as_a_behaviour(desk: Desk) -> None:
+    """The program has the call, and the specification answers it alike."""
+    program = read_program(desk.program(Question(HEADER, [DELAYED]))["text"].encode())
+    assert [step.get("call") for step in program.bodies[0].steps][:1] == ["DIS_AIRT"]
+    assert desk.run(program)["lines"][0]["ret"] == DELAYED["ret"]
 
 
 def test_more_headers_than_sessions(desk: Desk) -> None:

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from s7check.exploring.library import Library
+from s7check.kit.program import read_program
 from tests.explorer_server import TOKEN, served
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -122,6 +123,48 @@ def test_undo_redo_and_branches_by_keyboard(page: Page) -> None:
     page.click("#possible >> text=EN_AIRT ret=W#16#8080")
     expect(page.locator("#branches .tab")).to_have_count(2)
     expect(page.locator("#pictures .picture")).to_have_count(2)
+
+
+def test_a_behaviour_is_built_by_keyboard_alone(page: Page) -> None:
+    """Enter begins it; Tab leads to the buttons, Enter takes one."""
+    page.locator("#new [name=clock]").press("Enter")
+    may_come(page, "DIS_AIRT ret=W#16#0001")
+    for _ in range(200):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.textContent") == "DIS_AIRT ret=W#16#0001":
+            break
+    page.keyboard.press("Enter")
+    expect(page.locator("#lines li")).to_have_count(2)
+
+
+def test_saved_as_a_log_and_as_a_program(page: Page, tmp_path: Path) -> None:
+    """Either is opened again; the specification runs the program, and its log is the same."""
+    page.click("#new >> text=Begin")
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    page.click("#possible >> text=EN_AIRT ret=W#16#0000")
+    expect(page.locator("#lines li")).to_have_count(3)
+    for name in ("save", "program"):
+        with page.expect_download() as saved:
+            page.click(f"#{name}")
+        file = tmp_path / saved.value.suggested_filename
+        saved.value.save_as(file)
+        if name == "program":
+            assert [step.get("call") for step in read_program(file.read_bytes()).bodies[0].steps][:2] == [
+                "DIS_AIRT",
+                "EN_AIRT",
+            ]
+        page.click("#home")
+        page.set_input_files("#file", file)
+        expect(page.locator("#lines")).to_contain_text("EN_AIRT ret=W#16#0000")
+        expect(page.locator("#refused")).to_be_hidden()
+
+
+def test_a_program_of_the_kit_is_opened(page: Page) -> None:
+    """As the log that the specification makes of it."""
+    page.fill("#name", "kit/AIRT-03-nested-delay")
+    page.click("#open")
+    expect(page.locator("#lines")).to_contain_text("DIS_AIRT ret=W#16#0002")
+    expect(page.locator("#refused")).to_be_hidden()
 
 
 def test_another_cpu_forks_the_behaviour(page: Page) -> None:

@@ -20,11 +20,15 @@ from s7check.engine.client import Engine
 from s7check.judging.check import rejection
 from s7check.judging.replay import FOLLOWED
 from s7check.judging.verdict import Report
+from s7check.kit.from_log import program_of
+from s7check.kit.layout import to_text
+from s7check.kit.program import Program, read_program
 from s7check.log.events import OPERANDS
 from s7check.report import words
 from s7check.report.expected import format_allowed
 from s7check.report.markup import as_text
 from s7check.report.timeline import timeline
+from s7check.simulating.simulation import Simulation
 
 SESSIONS = 12
 """Sessions that are kept, each of a header that was asked for lately."""
@@ -125,6 +129,22 @@ class Desk:
         """The timeline of the lines."""
         kept, refusal = self._brought_to(question.header, question.lines)
         return {"timeline": _timeline(kept, refusal, question)}
+
+    def program(self, question: Question) -> Object:
+        """The lines as a program of the kit: its text, laid out."""
+        texts = [msgspec.json.encode(each) for each in (question.header, *question.lines)]
+        raw = program_of(texts, "explored", "Built in the explorer.", [])
+        read_program(msgspec.json.encode(raw))
+        return {"text": to_text(raw)}
+
+    def run(self, program: Program) -> Object:
+        """The log of a program: the specification runs it, and everything comes as early as it may."""
+        simulation = Simulation(self._engine, program)
+        try:
+            header, *lines = simulation.run()
+        finally:
+            simulation.close()
+        return {"name": program.name, "header": header, "lines": lines}
 
     def call(self, question: Call) -> Object:
         """The calls with this event that may come at the time, with operands that stand for all."""

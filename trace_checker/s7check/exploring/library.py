@@ -1,5 +1,6 @@
-"""The logs that the explorer can open: the gallery, those of the command line, and in a checkout the shipped ones."""
+"""What the explorer can open: the gallery, the kit, the log of the command line, and in a checkout the shipped logs."""
 
+import re
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
@@ -7,9 +8,13 @@ from typing import Any
 
 import msgspec
 
+from s7check.kit.program import Program, read_program
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
-from s7check.resources import CHECKOUT, INSTALLED
+from s7check.resources import CHECKOUT, INSTALLED, KIT
+
+_NAME = re.compile(rb'"name": ?"([^"]+)"')
+_OF_KIT = "kit/"
 
 
 class Library:
@@ -19,6 +24,12 @@ class Library:
         self._gallery = _gallery()
         self._first = first
         self._paths: dict[str, Path] = {}
+        self._programs = {
+            _OF_KIT + found[1].decode(): line
+            for path in sorted(KIT.glob("*.ndjson"))
+            for line in path.read_bytes().splitlines()
+            if (found := _NAME.search(line)) is not None
+        }
         traces = CHECKOUT / "traces"
         if not INSTALLED and traces.is_dir():
             self._paths |= {
@@ -26,9 +37,14 @@ class Library:
             }
 
     def contents(self) -> dict[str, Any]:
-        """The gallery's cases and the names of the logs; ``first`` is the log to begin with."""
+        """The gallery's cases, the names of logs and of the kit's programs; ``first`` is the log to begin with."""
         cases = [{name: case[name] for name in ("name", "title", "told", "requirements")} for case in self._gallery]
-        return {"gallery": cases, "logs": list(self._paths), "first": self._opened_first()}
+        return {"gallery": cases, "logs": [*self._paths, *self._programs], "first": self._opened_first()}
+
+    def program(self, name: str) -> Program | None:
+        """The program of the kit with this name of ``contents``; None if it is the name of a log."""
+        line = self._programs.get(name)
+        return None if line is None else read_program(line)
 
     def open(self, name: str) -> dict[str, Any]:
         """The objects of a log's lines: ``header``, ``lines``. Raises UnusableLogError for no such log."""

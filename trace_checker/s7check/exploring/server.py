@@ -20,8 +20,9 @@ from starlette.routing import Mount, Route
 
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.exploring.desk import Call, Comparison, Desk, Question, Why
+from s7check.exploring.desk import Call, Comparison, Desk, Object, Question, Why
 from s7check.exploring.library import Library
+from s7check.kit.program import read_program
 from s7check.log.errors import UnusableLogError
 from s7check.report.clauses import all_clauses
 from s7check.report.markup import as_text
@@ -51,6 +52,10 @@ def application(engine: Engine, library: Library, token: str) -> Starlette:
     desk = Desk(engine)
     one_at_a_time = threading.Lock()
 
+    def opened(name: str) -> Object:
+        program = library.program(name)
+        return library.open(name) if program is None else desk.run(program)
+
     def question(shape: type[Any], answer: Callable[[Any], Any]) -> Callable[[Request], Awaitable[Response]]:
         async def handle(request: Request) -> Response:
             body = await request.body()
@@ -68,7 +73,9 @@ def application(engine: Engine, library: Library, token: str) -> Starlette:
         Route("/answers", question(Why, desk.answers), methods=["POST"]),
         Route("/compare", question(Comparison, desk.compare), methods=["POST"]),
         Route("/why", question(Why, desk.why), methods=["POST"]),
-        Route("/open", question(str, library.open), methods=["POST"]),
+        Route("/program", question(Question, desk.program), methods=["POST"]),
+        Route("/run", question(Object, lambda raw: desk.run(read_program(msgspec.json.encode(raw)))), methods=["POST"]),
+        Route("/open", question(str, opened), methods=["POST"]),
         Route("/start", _json({"clauses": all_clauses(), "legend": as_text(legend()), **library.contents()})),
     ]
     app = Starlette(routes=[Mount(f"/{token}", routes=routes)])

@@ -1,5 +1,5 @@
 // The page: shows what the server answers, and turns clicks into lines of the log.
-import { Model, branch, fromLink, fromText, ndjson, toLink } from "./model.js";
+import { Model, asProgram, branch, fromLink, fromText, ndjson, toLink } from "./model.js";
 
 const $ = (id) => document.getElementById(id);
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
@@ -377,10 +377,9 @@ function showGallery(cases) {
   if (!found.length) $("gallery").append(h("li", {}, "No case has all these words."));
 }
 
-async function openNamed(name) {
-  const found = await ask("open", name);
-  return begin(branch(found.name, found.header, found.lines));
-}
+const opened = ({ name, header, lines }) => branch(name, header, lines);
+const openNamed = async (name) => begin(opened(await ask("open", name)));
+const run = async (program) => opened(await ask("run", program));
 
 function download(name, text) {
   const link = h("a", { href: URL.createObjectURL(new Blob([text])), download: name });
@@ -394,17 +393,23 @@ function wire(contents) {
   $("redo").onclick = safely(() => model.redo() && refresh());
   $("branch").onclick = safely(() => (model.fork(), refresh()));
   $("save").onclick = () => download(`${model.branch.name.replace(/[^\w.-]+/g, "_")}.ndjson`, ndjson(model.branch));
+  $("program").onclick = safely(async () => {
+    const { header, lines } = model.branch;
+    download(`${model.branch.name.replace(/[^\w.-]+/g, "_")}.json`, (await ask("program", { header, lines })).text);
+  });
   $("link").onclick = safely(async () => {
     await navigator.clipboard.writeText(location.href);
     $("where").textContent = "The address is copied.";
   });
   $("find").oninput = () => showGallery(contents.gallery);
-  $("shipped").hidden = !contents.logs.length;
   $("logs").replaceChildren(...contents.logs.map((value) => h("option", { value })));
   $("open").onclick = safely(() => openNamed($("name").value));
   $("file").onchange = safely(async () => {
     const [file] = $("file").files;
-    if (file) await begin(fromText(file.name, await file.text()));
+    if (!file) return;
+    const text = await file.text();
+    const program = asProgram(text);
+    await begin(program ? await run(program) : fromText(file.name, text));
   });
   $("new").onsubmit = safely((submitted) => {
     submitted.preventDefault();

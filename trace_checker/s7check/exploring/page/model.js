@@ -96,6 +96,16 @@ export function fromText(name, text) {
   return branch(name, objects[0], objects.slice(1));
 }
 
+/** A text that is one program of the kit, as an object; null for any other text. */
+export function asProgram(text) {
+  try {
+    const found = JSON.parse(text);
+    return String(found?.format).startsWith("s7-interrupt-program/") ? found : null;
+  } catch {
+    return null;
+  }
+}
+
 const through = async (bytes, stream) =>
   new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 
