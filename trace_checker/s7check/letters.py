@@ -7,7 +7,10 @@ from typing import Any
 import click
 import msgspec
 
+from s7check.judging.chosen import Chosen
 from s7check.log.errors import printable
+from s7check.log.header import PROFILES
+from s7check.log.profile_file import ENDING
 from s7check.log.tables import READINGS
 
 
@@ -41,6 +44,18 @@ class Letters(click.ParamType[dict[str, str]]):
 
 
 _EXAMPLE = '{"AMB-02": "a"}'
+
+
+class Profile(click.ParamType[Chosen]):
+    """An edition of the manual, or a file ``NAME.json`` with the letters of a CPU, as ``s7check decide`` writes it."""
+
+    name = "profile"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Chosen:
+        """The edition, or no edition and the letters."""
+        if not str(value).endswith(ENDING):
+            return Chosen(click.Choice(PROFILES).convert(value, param, ctx))
+        return Chosen("", Letters().convert(f"@{value}", param, ctx))
 
 
 def set_option(explanation: str) -> Callable[[click.decorators.FC], click.decorators.FC]:

@@ -13,13 +13,12 @@ from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
-from s7check.judging.chosen import Chosen
+from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.onward import rejections
 from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
 from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
-from s7check.letters import set_option
-from s7check.log.header import PROFILES
+from s7check.letters import Profile, set_option
 from s7check.names import logs_of
 from s7check.output import echo, output_option, write_whole
 from s7check.report.as_json import to_json
@@ -88,8 +87,11 @@ Over several logs the exit code is the highest of theirs.
 )
 @click.option(
     "--profile",
-    type=click.Choice(PROFILES),
-    help="Judge every log by this edition of the manual; its header has no say.",
+    type=Profile(),
+    default=None,
+    metavar="1997|2006|2010|FILE.json",
+    help="Judge every log by this edition of the manual, or by the letters that `s7check decide` has written to FILE; "
+    "its header has no say.",
 )
 @set_option(
     "Judge every log by this reading of an open question (docs/rules/readings.md); its header has no say, nor "
@@ -106,7 +108,7 @@ def trace_command(
     file: Path | None,
     readings: str,
     budget: float | None,
-    profile: str | None,
+    profile: Chosen | None,
     letters: dict[str, str],
     keep_going: bool,
     logs: tuple[str, ...],
@@ -129,7 +131,9 @@ def trace_command(
             written.append((click.unstyle(piece) if output == "text" else piece).encode() + b"\n")
 
     with Workers(Engine) as workers, ProgressBar(len(names)) as progress:
-        work = _Work(workers, progress, readings, budget, Chosen(profile, letters), output == "html", keep_going)
+        work = _Work(
+            workers, progress, readings, budget, _chosen(profile or NOTHING, letters), output == "html", keep_going
+        )
         for report in work.reports(names):
             if output in _WHOLE:
                 reports.append(report)
@@ -148,6 +152,10 @@ def trace_command(
         except OSError as error:
             raise click.FileError(str(file), hint=error.strerror or str(error)) from error
     return max((report.exit_code for report in reports), default=0)
+
+
+def _chosen(profile: Chosen, letters: dict[str, str]) -> Chosen:
+    return replace(profile, letters={**profile.letters, **letters})
 
 
 class _Work:

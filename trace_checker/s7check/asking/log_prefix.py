@@ -7,6 +7,7 @@ from typing import Any
 
 from s7check.log.errors import UnusableLogError, quote
 from s7check.log.jsonline import decode_object
+from s7check.log.profile_file import folder_of, with_profile_file
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 
@@ -35,7 +36,7 @@ def read_prefix(argument: str) -> Prefix:
         name, last = numbered["log"], int(numbered["line"])
     prefix = Prefix(name)
     with open_log(name) as source:
-        for batch in read_log(source.chunks()):
+        for batch in read_log(source.chunks(), folder_of(name)):
             of_events = {event["line"] for event in batch.events}
             for number, text in enumerate(batch.lines.texts, batch.lines.first):
                 if last is not None and number > last:
@@ -44,7 +45,7 @@ def read_prefix(argument: str) -> Prefix:
                 if number in of_events:
                     prefix.events.append((number, decode_object(text)))
                 elif not prefix.header and batch.header is not None and text.strip():
-                    prefix.header = decode_object(text)
+                    prefix.header = with_profile_file(decode_object(text), folder_of(name))
     if last is not None and last > len(prefix.texts):
         raise UnusableLogError(f"a line 1 to {len(prefix.texts)}", quote(last))
     return prefix

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import reduce
+from pathlib import Path
 from typing import Any, Self
 
 import msgspec
@@ -22,6 +23,7 @@ from s7check.log.events import OPERANDS
 from s7check.log.header import KINDS, read_header
 from s7check.log.jsonline import decode_object
 from s7check.log.lines import Lines, split_lines
+from s7check.log.profile_file import folder_of
 from s7check.log.reader import LogReader
 from s7check.log.source import open_log
 from s7check.log.values import word
@@ -184,16 +186,16 @@ def judged(
     try:
         if isinstance(log, str | os.PathLike):
             with open_log(os.fspath(log)) as source:
-                _take(source.chunks(engine.wait), judging, taken)
+                _take(source.chunks(engine.wait), judging, taken, folder_of(os.fspath(log)))
         else:
-            _take([b"".join(line.removesuffix(b"\n") + b"\n" for line in log)], judging, taken)
+            _take([b"".join(line.removesuffix(b"\n") + b"\n" for line in log)], judging, taken, Path())
     except UnusableLogError as error:
         judging.refuse(error)
     return judging.report()
 
 
-def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Lines], None]) -> None:
-    reader = LogReader()
+def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Lines], None], folder: Path) -> None:
+    reader = LogReader(folder)
     for lines in split_lines(as_utf8(chunks)):
         judging.take_lines(lines, reader)
         taken(lines)

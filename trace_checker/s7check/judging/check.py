@@ -18,6 +18,7 @@ from s7check.judging.verdict import Report
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import Lines, split_lines
+from s7check.log.profile_file import folder_of
 from s7check.log.reader import Batch, LogReader
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
@@ -51,7 +52,7 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
     ``chosen`` takes the place of the header's own choices.
     """
     judging = Judging(click.format_filename(name), engine, chosen)
-    reader = LogReader()
+    reader = LogReader(folder_of(name))
     try:
         with open_log(name) as source:
             for lines in split_lines(as_utf8(source.chunks(engine.wait))):

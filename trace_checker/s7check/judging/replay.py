@@ -13,6 +13,7 @@ from s7check.engine.process import EngineTooSlowError
 from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.verdict import Reading, Report, Verdict
 from s7check.log.errors import UnusableLogError
+from s7check.log.profile_file import folder_of
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 from s7check.log.tables import PRIORITY_CPUS
@@ -39,7 +40,7 @@ class Replay:
         self._events: list[dict[str, Any]] = []
         self._unusable: int | None = None
         try:
-            for batch in read_log([data]):
+            for batch in read_log([data], folder_of(name)):
                 self.lines += batch.lines.texts
                 self.header = batch.header or self.header
                 self._events += batch.events

@@ -1,6 +1,7 @@
 """A log, from bytes to normalised events."""
 
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from s7check.log.elapsed import Clocks
@@ -10,6 +11,10 @@ from s7check.log.events import read_event
 from s7check.log.header import read_header
 from s7check.log.jsonline import decode_object
 from s7check.log.lines import Lines, split_lines
+from s7check.log.profile_file import with_profile_file
+
+HERE = Path()
+"""The folder at work."""
 
 
 class Batch(NamedTuple):
@@ -26,9 +31,10 @@ class Batch(NamedTuple):
 
 
 class LogReader:
-    """Reads the lines of one log; ``clocks`` are its clocks, none before the header."""
+    """Reads the lines of one log in ``folder``; ``clocks`` are its clocks, none before the header."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path = HERE) -> None:
+        self._folder = folder
         self.clocks: Clocks | None = None
 
     def read(self, lines: Lines) -> Batch:
@@ -41,7 +47,7 @@ class LogReader:
                 if not text.strip(b" \t\r"):
                     continue
                 if self.clocks is None:
-                    header = read_header(decode_object(text))
+                    header = read_header(with_profile_file(decode_object(text), self._folder))
                     self.clocks = Clocks(header["clock"], "clock" in header["records"])
                 else:
                     events.append(read_line(number, text, self.clocks))
@@ -64,12 +70,12 @@ def read_line(number: int, text: bytes, clocks: Clocks) -> dict[str, Any]:
     return event
 
 
-def read_log(chunks: Iterable[bytes]) -> Iterator[Batch]:
-    """Yields the log in batches, each as soon as its lines are complete; memory stays constant.
+def read_log(chunks: Iterable[bytes], folder: Path = HERE) -> Iterator[Batch]:
+    """Yields the log in ``folder`` in batches, each as soon as its lines are complete; memory stays constant.
 
     Raises UnusableLogError, with its line, after everything before that line has been yielded.
     """
-    reader = LogReader()
+    reader = LogReader(folder)
     for lines in split_lines(as_utf8(chunks)):
         batch = reader.read(lines)
         yield batch
