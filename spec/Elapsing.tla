@@ -31,6 +31,11 @@ MissingNow ==
 FindMissing ==
     \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
 
+(* [AMB-55] An open request may have come to nothing before the next start *)
+(* point of its OB: a lost point ends a once whose OB does not wait.       *)
+DropsBeforePoint ==
+    \E r \in requests : r.ob \in PointsNow /\ Drop(r) /\ Rewait
+
 -----------------------------------------------------------------------------
 (* Points without effect *)
 
@@ -156,7 +161,9 @@ Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 Towards(e) ==
     /\ UNCHANGED lineVars
     /\ IF PointsNow # {} /\ clock # e.at
-       THEN PointReached(Least(PointsNow)) /\ Rewait /\ UNCHANGED up
+       THEN /\ UNCHANGED up
+            /\ \/ PointReached(Least(PointsNow)) /\ Rewait
+               \/ DropsBeforePoint
        ELSE IF OverNow # {} /\ up # e.up
        THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up
        ELSE \/ FindMissing /\ UNCHANGED up

@@ -58,6 +58,7 @@ HiddenBefore(e) ==
        \/ \E o \in OverBefore(e) :
             (o \in OverNow => ComesBefore(e, o)) /\ DelayElapses(o) /\ Rewait
        \/ FindMissing
+       \/ DropsBeforePoint
        \/ HiddenBoundary /\ Rewait
 
 (* Cheap to evaluate: may a hidden step be possible? *)
