@@ -14,7 +14,7 @@ from typing import Any, TextIO
 import click
 
 from s7check.engine.client import Engine
-from s7check.exploring.desk import Desk, Question
+from s7check.exploring.desk import Desk, Question, warm
 from s7check.exploring.library import Library
 
 _MS = 1000
@@ -47,12 +47,12 @@ def child() -> int:
 @click.command()
 @click.option("--json", "output", type=click.File("w"), default="-", help="Write the table there, not to the output.")
 def main(output: TextIO) -> None:
-    """Measure twice: in an engine that has just begun, and in one that has done it all before."""
+    """Measure twice: in an engine as the explorer begins it, and in one that has done it all before."""
     library = Library()
     logs = [library.open(case["name"]) for case in library.contents()["gallery"]]
     rows = []
     with Engine() as engine:
-        engine.alternatives()
+        warm(engine, library)
         for engine_is in ("new", "warm"):
             measured = steps(Desk(engine), child(), logs)
             seconds, cpu = ([pair[column] for pair in measured] for column in (0, 1))

@@ -30,6 +30,7 @@ def explore_command(port: int, browser: bool, log: str | None) -> int:
     """Serve until Ctrl-C."""
     import uvicorn
 
+    from s7check.exploring.desk import warm
     from s7check.exploring.library import Library
     from s7check.exploring.server import application, new_token
 
@@ -38,7 +39,7 @@ def explore_command(port: int, browser: bool, log: str | None) -> int:
         library = Library(log)
         library.contents()
         with Engine() as engine, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as listening:
-            engine.alternatives()  # a page without an engine would be of no use
+            warm(engine, library)  # and a page without an engine would be of no use
             listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             listening.bind((_LOOPBACK, port))
             address = f"http://{_LOOPBACK}:{listening.getsockname()[1]}/{token}/"

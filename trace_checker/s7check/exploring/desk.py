@@ -17,6 +17,7 @@ from s7check.asking.session import Session, as_answer
 from s7check.asking.variants import Variant
 from s7check.engine.answer import Allowed, Situation, Step
 from s7check.engine.client import Engine
+from s7check.exploring.library import Library
 from s7check.judging.check import rejection
 from s7check.judging.replay import FOLLOWED
 from s7check.judging.verdict import Report
@@ -35,6 +36,9 @@ SESSIONS = 12
 
 SHARE = 16
 """Explanations of a log that are looked at for each line that may come; a log that leaves much open has thousands."""
+
+WARM = 3
+"""Logs that are looked at before the first question."""
 
 _WITH_OPERANDS = frozenset(name for name, operands in OPERANDS.items() if operands)
 
@@ -203,6 +207,14 @@ class Desk:
             refusal = session.why({"at": at, **event})
             if refusal is not None:
                 yield {"event": event, **_refused(refusal)}
+
+
+def warm(engine: Engine, library: Library) -> None:
+    """Looks at some logs: the first answers of an engine take several times as long as the later ones."""
+    desk = Desk(engine)
+    for case in library.contents()["gallery"][:WARM]:
+        log = library.open(case["name"])
+        desk.look(Question(log["header"], log["lines"]))
 
 
 def _timeline(kept: _Kept, refusal: Refusal | None, question: Question) -> str:
