@@ -61,6 +61,13 @@ def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine
     assert departure(one, lines) == ""
 
 
+def test_a_start_event_that_may_come_to_nothing(real_engine: Engine) -> None:
+    """Its OB may start within the latency or not at all, and the point after it brings another."""
+    (one,) = (each for each in programs_of([KIT]) if each.name == "OBS-path-hold-0109")
+    lines = [json.dumps(line).encode() for line in run(real_engine, one, 3)]
+    assert check(lines).verdict == "accepted"
+
+
 def test_as_early_as_may_be(real_engine: Engine) -> None:
     """OB 35 waits for the end of the delay, no longer."""
     assert told(run(real_engine, program())) == [

@@ -146,7 +146,12 @@ class Simulation:
         possible = self._possible()
         ended = [time for time in possible.times if time.due and elapsed(time) <= self._up]
         found: list[Choice] = [
-            line for line in self._now(possible) if line["event"] == "start" and line["ob"] != CYCLE_OB
+            line
+            for line in self._now(possible)
+            if line["event"] == "start"
+            and line["ob"] != CYCLE_OB
+            # Between two times at which it is possible, a start event may have come to nothing.
+            and self._session.why({"at": iso(self._clock), **line}) is None
         ]
         if not self._random or ended or not found:
             due = [one for time in ended for one in time.due if one.event == "stop"]
