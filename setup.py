@@ -11,6 +11,7 @@ from setuptools.modified import newer_group
 
 SPECIFICATION = Path("spec")
 PROGRAMS = Path("kit/programs")
+KNOWN = ("differences.ndjson", "experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
 TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
@@ -31,6 +32,8 @@ class BuildWithData(build_py):
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
         shutil.copytree(PROGRAMS, package / "programs")
+        for name in KNOWN:
+            shutil.copy(PROGRAMS.parent / name, package / name)
         for jar in (JAR, *TARGET.glob("lib/*.jar")):
             copy = package / "jars" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations, permutations
 
-from evidence.differences.kept import Kept, Side, kept
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.program import Program
 from s7check.log.header import CPUS, PROFILES
 from s7check.log.tables import READINGS
+from s7check.simulating.kept import Kept, Side, kept
 from s7check.simulating.search import told_apart
 from s7check.simulating.separation import Separation, log_of, separation, size
 

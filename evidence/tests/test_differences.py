@@ -1,14 +1,14 @@
 """The programs that tell CPUs, editions and readings apart still do, at their line."""
 
-import re
 from collections.abc import Iterator
 
 import pytest
 
-from evidence.differences.kept import DIFFERENCES, EXPERIMENTS, Kept, read_kept
 from evidence.differences.pages import RULES, SOURCES, settled_table, sources, untold, verified
 from s7check.engine.client import Engine
 from s7check.log.tables import READINGS
+from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, Kept, read_gaps, read_kept
+from s7check.simulating.shortest import bounded
 
 ALL = [*read_kept(DIFFERENCES), *read_kept(EXPERIMENTS)]
 
@@ -52,11 +52,38 @@ def test_what_a_run_of_all_experiments_would_settle() -> None:
     experiments = read_kept(EXPERIMENTS)
     text = (RULES / "experiments.md").read_text(encoding="utf-8")
     assert settled_table(experiments) in text
-    told = {one.allowed.letters[0][0] for one in experiments}
     nothing = {line.split("[")[1].split("]")[0] for line in text.splitlines() if line.endswith("| nothing |")}
-    without = set(re.findall(r"\[(AMB-\d+)\]", text.partition("## Without an experiment")[2]))
-    assert nothing == without == READINGS.keys() - told
     left = untold(experiments)
+    assert nothing == READINGS.keys() - {one.allowed.letters[0][0] for one in experiments}
+    assert {(gap.ambiguity, gap.letters) for gap in read_gaps()} == {
+        (name, pair) for name, pairs in left.items() for pair in pairs
+    }
     assert sum(map(len, left.values())) + len(experiments) == sum(
         len(letters) * (len(letters) - 1) // 2 for letters in READINGS.values()
     )
+
+
+def test_what_is_not_told_apart_was_searched_or_has_no_letters(engine: Engine) -> None:
+    """A question that the specification answers by its letters has a bound, or a log for each pair."""
+    letters = {name: set(all_letters) for name, all_letters in engine.alternatives().letters}
+    for gap in read_gaps():
+        assert bool(gap.bounds) == (set(gap.letters) <= letters.get(gap.ambiguity, set()))
+        assert all(bound.complete >= 1 for bound in gap.bounds)
+
+
+def test_shorter_logs_were_searched() -> None:
+    """Of every experiment, and for every two CPUs or editions that differ."""
+    experiments, differences = read_kept(EXPERIMENTS), read_kept(DIFFERENCES)
+    assert all(one.bounds for one in experiments if len(one.lines) > 1)
+    pairs = {(one.allowed, one.refused) for one in differences}
+    shortest = [one for one in differences if one.name.startswith("shortest-")]
+    assert len(shortest) == len(pairs) == len({(one.allowed, one.refused) for one in shortest})
+    assert all(one.bounds for one in shortest if len(one.lines) > 1)
+
+
+@pytest.mark.parametrize("one", read_kept(EXPERIMENTS)[::30], ids=lambda one: one.program["name"])
+def test_no_shorter_log_is_found(one: Kept, engine: Engine) -> None:
+    """A part of the search, done again."""
+    sides = one.allowed.variant, one.refused.variant
+    lines, _ = bounded(engine, one.header, one.lines, *sides, pairs=150)
+    assert lines is None

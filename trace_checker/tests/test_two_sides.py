@@ -11,6 +11,7 @@ from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.kit.program import read_program
 from s7check.simulating.search import smallest, told_apart
+from s7check.simulating.shortest import anywhere
 from tests.shipped import TRACES
 from tests.test_simulating import PROGRAM
 
@@ -98,7 +99,24 @@ def test_distinguish(capsys: pytest.CaptureFixture[str]) -> None:
     steps = [step for body in found["program"]["bodies"] for step in body["steps"]]
     assert [step.get("call") for step in steps] == ["SET_TINT"]
     assert found["line"] == len(found["log"]) == 2
-    assert cli.main([*arguments, "--cpu", "S7-400", "--cpu", "CPU 318"]) == 1
+    assert cli.main([*arguments, "--pairs", "20", "--cpu", "S7-400", "--cpu", "CPU 318"]) == 1
+    text = capsys.readouterr().out
+    assert text.startswith("nothing found that tells cpu S7-400 and cpu CPU 318 apart")
+    assert "none of up to " in text
+
+
+def test_distinguish_by_search(capsys: pytest.CaptureFixture[str]) -> None:
+    """From a log that is known, and from nothing; the answer says what was searched."""
+    known = ["distinguish", "--format", "json", "--pairs", "300", "--reading", "AMB-09=a", "--reading", "AMB-09=b"]
+    assert cli.main(known) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [line["event"] for line in found["log"][1:]] == ["SET_TINT", "CAN_TINT"]
+    assert found["searched"][-1]["complete"] == 1
+    with Engine() as engine:
+        first, second = (Variant(letter, letters=(("AMB-63", letter),)) for letter in "ab")
+        separation, _ = anywhere(engine, first, second, pairs=400)
+    assert separation is not None
+    assert len(separation.log) == 2
 
 
 def test_told_apart_both_ways(real_engine: Engine) -> None:
@@ -140,6 +158,37 @@ def test_decide(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "cpu.json").write_text("[]", encoding="utf-8")
     assert cli.main(["trace", "--set", "@cpu.json", log]) == 2
     assert "expected a JSON object" in capsys.readouterr().err
+
+
+def test_a_profile_that_was_decided(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The file is one for ``--profile``, and for headers of logs beside it; nothing else is read as one."""
+    right = TRACES / "AMB" / "accept" / "AMB-22-edition-2006-number-beside-mode-00-as-printed.ndjson"
+    header, *lines = right.read_text(encoding="utf-8").splitlines()
+    plain = {name: value for name, value in json.loads(header).items() if name not in ("profile", "readings")}
+    logs = folder / "logs"
+    logs.mkdir()
+
+    def verdict(profile: str | None, *options: str) -> int:
+        named = plain if profile is None else plain | {"profile": profile}
+        (logs / "run.ndjson").write_text("\n".join([json.dumps(named), *lines]), encoding="utf-8")
+        return cli.main(["trace", "--readings", "none", *options, str(logs / "run.ndjson")])
+
+    assert cli.main(["decide", "--output", str(logs / "cpu.json"), str(right)]) == 0
+    assert json.loads((logs / "cpu.json").read_bytes())["AMB-22"] == "b"
+    assert verdict(None) == 1
+    assert verdict("cpu.json") == 0
+    assert verdict(None, "--profile", str(logs / "cpu.json")) == 0
+    assert verdict("cpu.json", "--set", "AMB-22=a") == 1
+    assert verdict("cpu.json", "--profile", "2010") == 0  # letters go before an edition
+    capsys.readouterr()
+    for wrong in ("other.json", "../logs/cpu.json", "cpu"):
+        assert verdict(wrong) == 2
+        assert 'field "profile": expected ' in capsys.readouterr().out
+    assert cli.main(["next", str(logs / "run.ndjson")]) == 2
+    assert verdict("cpu.json") == 0
+    assert cli.main(["next", str(logs / "run.ndjson")]) == 0
+    (logs / "cpu.json").write_text('{"AMB-22": "z"}', encoding="utf-8")
+    assert verdict("cpu.json") == 2
 
 
 def test_nothing_explains(capsys: pytest.CaptureFixture[str]) -> None:

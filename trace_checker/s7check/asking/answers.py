@@ -57,3 +57,17 @@ class Possible(msgspec.Struct, frozen=True):
     states: int = 0
     whole: bool = True
     tries: int = 0
+
+
+class Parting(msgspec.Struct, frozen=True):
+    """The shortest log that one session allows and another does not; ``lines`` is None where none was found.
+
+    No shorter one has up to ``complete`` lines. So many ``pairs`` of explanations were followed and lines ``tried``;
+    ``whole`` is false where one of them has too many explanations.
+    """
+
+    complete: int
+    pairs: int
+    tried: int
+    whole: bool
+    lines: list[dict[str, Any]] | None = None

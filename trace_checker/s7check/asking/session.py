@@ -7,7 +7,7 @@ from typing import Any, Self
 
 import msgspec
 
-from s7check.asking.answers import Possible, Refusal
+from s7check.asking.answers import Parting, Possible, Refusal
 from s7check.engine.answer import Answer, Situation
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
@@ -27,6 +27,7 @@ class _Reply(msgspec.Struct, frozen=True):
     refusal: Refusal | None = None
     situations: list[Situation] = []
     possible: Possible | None = None
+    parting: Parting | None = None
 
 
 class Session:
@@ -121,11 +122,31 @@ class Session:
         if at is not None:
             more["when"] = self._event({"event": "hold", "at": at}, copy(self._clocks[-1]))
         if lines is not None:
-            events = [self._event(self._whole(line), copy(self._clocks[-1])) for line in lines]
-            more["lines"] = [{name: each[name] for name in each if name not in _TIMES} for each in events]
+            more["lines"] = self._bare(lines)
         possible = self._ask("possible", **more).possible
         assert possible is not None
         return possible
+
+    def parting(
+        self,
+        other: Self,
+        lines: Iterable[Mapping[str, Any]] = (),
+        *,
+        only: Collection[str] = (),
+        obs: Collection[int] = (),
+        deepest: int,
+        most: int,
+    ) -> Parting:
+        """The search for the shortest log of more lines that this session allows and ``other`` does not.
+
+        Its lines are ``lines`` and those that the specification offers: of the events ``only``, all if it is empty;
+        interrupts, loads and deletions of ``obs`` alone. Their times are those at which something may change. The
+        search ends at the length ``deepest``, or beyond ``most`` pairs of explanations.
+        """
+        bounds = {"only": list(only), "obs": list(obs), "deepest": deepest, "most": most}
+        parting = self._ask("parting", **{"from": other._name}, lines=self._bare(lines), **bounds).parting
+        assert parting is not None
+        return parting
 
     def under(self, changes: Mapping[str, Any]) -> tuple[Self, Refusal | None]:
         """A session with the same lines under a header with other fields, and why it ends before the last of them."""
@@ -147,6 +168,11 @@ class Session:
     def close(self) -> None:
         """Ends the session; nothing else may be called any more."""
         self._ask("close")
+
+    def _bare(self, lines: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
+        """The events of lines, without their times."""
+        events = [self._event(self._whole(line), copy(self._clocks[-1])) for line in lines]
+        return [{name: each[name] for name in each if name not in _TIMES} for each in events]
 
     def _ask(self, message: str, **more: Any) -> _Reply:
         reply = self._engine.ask({"message": message, "session": self._name, **more}, _Reply)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,13 +19,14 @@ from s7check.simulating.simulation import LATENCY, Simulation
 class Separation:
     """``log`` is a log of the program that ``allowed`` explains; ``refused`` does not explain its line ``line``.
 
-    ``grounds`` are the requirements by which the one has the line, ``refusal`` says why the other has not. ``log`` ends
-    with that line.
+    ``header`` is that of the log without what makes the sides. ``grounds`` are the requirements by which the one has
+    the line, ``refusal`` says why the other has not. ``log`` ends with that line.
     """
 
     program: Program
     allowed: Variant
     refused: Variant
+    header: dict[str, Any]
     log: list[dict[str, Any]]
     line: int
     grounds: list[str]
@@ -58,28 +60,39 @@ def separation(
     engine: Engine, program: Program, log: list[dict[str, Any]], allowed: Variant, refused: Variant
 ) -> Separation | None:
     """The same for a log of ``allowed``."""
-    other = Session(engine, refused.of(program.header) | _own(log[0]))
-    for number, line in enumerate(log[1:], 2):
+    header = {"format": log[0]["format"], **program.header, "latency_ms": log[0]["latency_ms"]}
+    return separation_behind(engine, program, header, log[1:], allowed, refused)
+
+
+def separation_behind(
+    engine: Engine,
+    program: Program,
+    header: dict[str, Any],
+    lines: Sequence[dict[str, Any]],
+    allowed: Variant,
+    refused: Variant,
+) -> Separation | None:
+    """The same for the lines of a log of ``allowed`` behind a header, which each side changes."""
+    log = [allowed.of(header), *lines]
+    other = Session(engine, refused.of(header))
+    for number, line in enumerate(lines, 2):
         refusal = other.feed(line)
         if refusal is not None:
-            grounds = _grounds(engine, log[: number - 1], line)
             other.close()
+            grounds = _grounds(engine, log[: number - 1], line)
             if grounds is None:
                 return None
-            return Separation(program, allowed, refused, log[:number], number, grounds, refusal)
+            return Separation(program, allowed, refused, header, log[:number], number, grounds, refusal)
     other.close()
     return None
-
-
-def _own(header: dict[str, Any]) -> dict[str, Any]:
-    return {name: header[name] for name in ("format", "latency_ms")}
 
 
 def _grounds(engine: Engine, before: list[dict[str, Any]], line: dict[str, Any]) -> list[str] | None:
     """By which requirements the line is possible behind the others; None if it is not."""
     session = Session(engine, before[0])
-    for each in before[1:]:
-        session.feed(each)
+    if any(session.feed(each) is not None for each in before[1:]) or session.why(line) is not None:
+        session.close()
+        return None
     possible = session.possible([line], line["at"])
     session.close()
     return sorted({name for one in possible.lines for name in one.requirements}) if possible.lines else None

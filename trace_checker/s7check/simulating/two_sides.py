@@ -6,9 +6,11 @@ from itertools import zip_longest
 from typing import Any
 
 from s7check.asking.line_text import spelled
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
 from s7check.report.expected import format_allowed
 from s7check.report.lines import clause_text
-from s7check.simulating.separation import Separation
+from s7check.simulating.separation import Separation, log_of
 
 _WIDTH = 76
 
@@ -25,6 +27,20 @@ def difference_text(found: Separation, mine: list[dict[str, Any]], other: list[d
         f"  {found.refused.name} does not ({before}: {instead}): {', '.join(found.refusal.requirements)}",
         *(f"    {clause_text(name)}" for name in sorted({*found.grounds, *found.refusal.requirements})),
     ]
+
+
+def log_of_refused(engine: Engine, found: Separation) -> list[dict[str, Any]]:
+    """The log that the other side makes of the program; where it goes another way, what it has in place of the line."""
+    before = found.log[1:-1]
+    try:
+        log = log_of(engine, found.program, found.refused)
+    except EngineError:
+        log = []
+    if len(log) > len(before) + 1 and log[1 : len(before) + 1] == before and log[len(before) + 1] != found.log[-1]:
+        return log
+    instead = ", ".join(format_allowed(one) for one in found.refusal.expected) or "nothing"
+    late = "had to come before: " if found.refusal.late else "in its place: "
+    return [found.header, *before, {"at": found.log[-1]["at"], "event": f"({late}{instead})"}]
 
 
 def side_by_side(

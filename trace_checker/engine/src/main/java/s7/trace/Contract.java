@@ -372,6 +372,19 @@ final class Contract {
     return value(Operator.LIKEWISE, state, event);
   }
 
+  /** The same in all of these states; the line itself if they do not agree. */
+  Value likewise(List<State> states, Value event) {
+    Value kind = null;
+    for (State state : states) {
+      Value here = likewise(state, event);
+      if (kind != null && !kind.equals(here)) {
+        return event;
+      }
+      kind = here;
+    }
+    return kind;
+  }
+
   /** The line at a time, which {@link #present} and the operators below it give. */
   RecordValue dated(Value event, Value time) {
     return (RecordValue) value(Operator.DATED, blank, event, time).toRcd();

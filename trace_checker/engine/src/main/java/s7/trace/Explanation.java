@@ -154,6 +154,14 @@ final class Explanation {
     return some;
   }
 
+  /** The same log after a line that leads to these states, whichever way. */
+  Explanation at(List<State> after) {
+    Explanation next = branch();
+    limit(after.size());
+    next.states = distinct(after, spec::keyAfterLine);
+    return next;
+  }
+
   /** How many states explain the log so far. */
   int size() {
     return states.size();

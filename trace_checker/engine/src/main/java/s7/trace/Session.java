@@ -31,12 +31,6 @@ import tlc2.value.impl.Value;
  * the specification says.
  */
 final class Session {
-  /** Times that are looked at: now, and when something happens by itself. */
-  private static final int MOST_TIMES = 4;
-
-  /** Steps by which time goes on. */
-  private static final int MOST_STEPS = 10_000;
-
   private final Contract spec;
   private final ArrayList<Explanation> after = new ArrayList<>();
 
@@ -94,6 +88,19 @@ final class Session {
     return last().branch().observe(spec.event(event));
   }
 
+  /**
+   * The shortest log of more lines that this session allows and {@code other} does not ({@link Parting}).
+   */
+  JsonObject parting(Session other, Parting.Bounds bounds) {
+    try {
+      return new Parting(spec, last(), other.last(), bounds).search();
+    } catch (NotCovered e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw NotCovered.because("after the last line", e);
+    }
+  }
+
   /** Takes lines back until {@code lines} are left. */
   void back(int lines) {
     after.subList(lines + 1, after.size()).clear();
@@ -129,9 +136,6 @@ final class Session {
       throw new NotCovered(e.getMessage());
     }
   }
-
-  /** A time, and the events that are due by then where nothing may come later. */
-  private record Time(Value clocks, List<JsonElement> due, TreeSet<String> requirements) {}
 
   /** A line that is possible, from one time to another, with its requirements. */
   private static final class Offer {
@@ -179,17 +183,19 @@ final class Session {
     Explanation now = last().sample(question.share);
     whole = now.size() == last().size();
     tries = 0;
-    var times = new TreeMap<String, Time>();
-    boolean endless = question.when != null || times(now.states(), times);
-    if (question.when != null) {
-      Value clocks = spec.timeOf(spec.event(Json.of(question.when.toString())));
-      times.put("", new Time(clocks, List.of(), new TreeSet<>()));
+    List<Times.Time> ordered;
+    boolean endless = true;
+    if (question.when == null) {
+      var times = new Times(spec, now.states(), last().past());
+      endless = times.endless();
+      ordered = times.all();
+    } else {
+      ordered = List.of(new Times.Time(spec.timeOf(spec.event(Json.of(question.when.toString())))));
     }
-    List<Time> ordered = new ArrayList<>(times.values());
     Set<Value> offers = offers(question, now);
     var found = new LinkedHashMap<Value, Offer>();
     for (int i = 0; i < ordered.size(); i++) {
-      Value clocks = ordered.get(i).clocks;
+      Value clocks = ordered.get(i).clocks();
       List<State> arrived = now.arrivals(spec.instant(clocks));
       var ready = new HashMap<Value, List<State>>();
       var enough = new HashSet<String>();
@@ -198,7 +204,7 @@ final class Session {
         if (enough.contains(name)) {
           continue;
         }
-        Value kind = kind(arrived, offer);
+        Value kind = spec.likewise(arrived, offer);
         List<State> states =
             ready.computeIfAbsent(
                 kind,
@@ -237,19 +243,6 @@ final class Session {
     return all.size() <= share ? all : all.subList(0, share);
   }
 
-  /** A line before which the same silent steps are possible as before {@code offer}, in all of the states. */
-  private Value kind(List<State> states, Value offer) {
-    Value kind = null;
-    for (State state : states) {
-      Value here = spec.likewise(state, offer);
-      if (kind != null && !kind.equals(here)) {
-        return offer;
-      }
-      kind = here;
-    }
-    return kind;
-  }
-
   /** Whether the line is possible with one of its answers. */
   private boolean tryIn(
       List<State> ready, Value clocks, Value asked, int index, int share, Map<Value, Offer> found) {
@@ -275,80 +268,15 @@ final class Session {
     return possible;
   }
 
-  /**
-   * The times at which the answer may change, by the time elapsed: now, whenever something happens
-   * by itself, and when something is late.
-   *
-   * @return whether a line may come at any later time
-   */
-  private boolean times(List<State> from, Map<String, Time> times) {
-    var open = new ArrayDeque<State>(from);
-    var seen = new HashSet<Long>();
-    boolean endless = false;
-    int steps = 0;
-    while (!open.isEmpty()) {
-      State state = open.poll();
-      Time present = new Time(spec.present(state), new ArrayList<>(), new TreeSet<>());
-      times.putIfAbsent(sortable(present.clocks), present);
-      if (times.size() >= MOST_TIMES || ++steps > MOST_STEPS) {
-        return true;
-      }
-      RecordValue end = spec.instant(spec.endOfTime(state));
-      if (spec.arrived(state, end)) {
-        endless = true;
-        continue;
-      }
-      List<State> next = spec.elapse(state, end);
-      if (next.isEmpty()) {
-        late(state, times);
-      }
-      for (State each : next) {
-        if (spec.arrived(each, end)) {
-          endless = true;
-        } else if (seen.add(spec.key(each))) {
-          open.add(each);
-        }
-      }
-    }
-    return endless;
-  }
-
-  /** Time cannot go on from {@code state}: something has to come. */
-  private void late(State state, Map<String, Time> times) {
-    Value limit = spec.lastInTime(state);
-    Time time =
-        times.computeIfAbsent(
-            sortable(limit), key -> new Time(limit, new ArrayList<>(), new TreeSet<>()));
-    RecordValue later = spec.instant(spec.tooLateNow(state));
-    for (JsonElement due : spec.expected(Contract.Failing.TOO_LATE, state, later)) {
-      if (!time.due.contains(due)) {
-        time.due.add(due);
-      }
-    }
-    for (JsonElement id : spec.deciding(Contract.Failing.TOO_LATE, state, later, last().past())) {
-      time.requirements.add(id.getAsString());
-    }
-  }
-
-  /** A text by which times are in the order of the time elapsed. */
-  private static String sortable(Value clocks) {
-    var json = Values.toJson(clocks).getAsJsonObject();
-    var up = json.getAsJsonObject("up");
-    var at = json.getAsJsonObject("at");
-    return String.format(
-        "%012d %06d %012d %06d",
-        up.get("min").getAsInt(), up.get("ms").getAsInt(), at.get("min").getAsInt(), at.get("ms").getAsInt());
-  }
-
-  private JsonObject written(List<Time> times, boolean endless, Map<Value, Offer> found) {
+  private JsonObject written(List<Times.Time> times, boolean endless, Map<Value, Offer> found) {
     var answer = new JsonObject();
     var allTimes = new JsonArray();
-    for (Time time : times) {
-      var json = Values.toJson(time.clocks).getAsJsonObject();
+    for (Times.Time time : times) {
+      var json = Values.toJson(time.clocks()).getAsJsonObject();
       var due = new JsonArray();
-      time.due.forEach(due::add);
+      time.due().forEach(due::add);
       json.add("due", due);
-      json.add("requirements", strings(time.requirements));
+      json.add("requirements", strings(time.requirements()));
       allTimes.add(json);
     }
     answer.add("times", allTimes);

@@ -1,5 +1,6 @@
 package s7.trace;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -7,6 +8,7 @@ import java.util.Set;
 
 import com.google.gson.JsonObject;
 import tla.json.Json;
+import tlc2.value.impl.Value;
 
 /**
  * The sessions of an engine, by their names. Each message has one answer:
@@ -20,6 +22,8 @@ import tla.json.Json;
  *   <li>{@code back} with {@code lines}: so many lines are left.
  *   <li>{@code situations} with {@code most}; {@code before} with {@code event} and {@code most}: just before
  *       that line.
+ *   <li>{@code parting} with {@code from}, the name of another session, {@code lines}, {@code only}, {@code obs}, {@code
+ *       deepest} and {@code most}: the shortest log that this session allows and the other does not ({@link Parting}).
  *   <li>{@code possible}, with {@code lines} or for all that the specification offers, or for those of its events
  *       {@code only}, with one line of {@code few}; {@code when} or at all times; in {@code most} states or all.
  * </ul>
@@ -56,10 +60,7 @@ final class Sessions {
       open.put(name, new Session(spec, text(json, "header")));
       return;
     }
-    Session session = open.get(name);
-    if (session == null) {
-      throw new IllegalArgumentException("no session " + name);
-    }
+    Session session = named(name);
     switch (message) {
       case "close" -> open.remove(name);
       case "branch" -> open.put(json.get("to").getAsString(), session.branch());
@@ -68,9 +69,29 @@ final class Sessions {
       case "back" -> session.back(json.get("lines").getAsInt());
       case "situations" -> answer.add("situations", session.situations(json.get(MOST).getAsInt()));
       case "before" -> answer.add("situations", session.before(text(json, EVENT), json.get(MOST).getAsInt()));
+      case "parting" -> answer.add("parting", parting(session, json));
       case "possible" -> answer.add("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
+  }
+
+  private Session named(String name) {
+    Session session = open.get(name);
+    if (session == null) {
+      throw new IllegalArgumentException("no session " + name);
+    }
+    return session;
+  }
+
+  private JsonObject parting(Session session, JsonObject json) {
+    var given = new ArrayList<Value>();
+    json.getAsJsonArray("lines").forEach(line -> given.add(spec.event(Json.of(line.toString()))));
+    var obs = new HashSet<Integer>();
+    json.getAsJsonArray("obs").forEach(ob -> obs.add(ob.getAsInt()));
+    return session.parting(
+        named(json.get("from").getAsString()),
+        new Parting.Bounds(
+            given, names(json, "only"), obs, json.get("deepest").getAsInt(), json.get(MOST).getAsInt()));
   }
 
   private static JsonObject possible(Session session, JsonObject json) {
