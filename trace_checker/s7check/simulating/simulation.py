@@ -134,6 +134,15 @@ class Simulation:
             and (line.last is None or self._up <= elapsed(possible.times[line.last]))
         ]
 
+    def _fits(self, line: dict[str, Any]) -> bool:
+        """Whether the line is possible now, while those OBs run that are at work.
+
+        Between two times at which it is possible, a start event may have come to nothing. A startup OB may end unseen.
+        """
+        before = self._session.before({"at": iso(self._clock), **line})
+        at_work = [frame.ob for frame in self._work.frames]
+        return any(self._mode != "STARTUP" or [one.ob for one in each.running] == at_work for each in before)
+
     def _slack(self) -> int:
         """Milliseconds until something has to have come."""
         ends = [elapsed(time) for time in self._possible().times if time.due]
@@ -148,10 +157,7 @@ class Simulation:
         found: list[Choice] = [
             line
             for line in self._now(possible)
-            if line["event"] == "start"
-            and line["ob"] != CYCLE_OB
-            # Between two times at which it is possible, a start event may have come to nothing.
-            and self._session.why({"at": iso(self._clock), **line}) is None
+            if line["event"] == "start" and line["ob"] != CYCLE_OB and self._fits(line)
         ]
         if not self._random or ended or not found:
             due = [one for time in ended for one in time.due if one.event == "stop"]
