@@ -28,8 +28,58 @@ OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
 MissingNow ==
     { r \in requests : r.ob \notin loaded /\ MayStart(r) }
 
+-----------------------------------------------------------------------------
+(* Missing OBs, where nobody knows which start events wait (Widening) *)
+
+(* [OBS-20] Missing OBs that may have a request. OB 85 may come for each   *)
+(* of them; the request stays, since it may not have been noticed.         *)
+PerhapsMissing ==
+    IF terms.unsure = {} \/ Blocked(ProgramErrorOb) THEN {}
+    ELSE { r \in MissingNow : /\ r.open /\ r.ob \in terms.unsure
+                             /\ r.ob \in ExternalObs \ AsyncErrorObs }
+
+(* A further OB 85 for each of them, unless there are as many already.     *)
+FurtherErrors ==
+    LET error(r) == AsItCame(ProgramError(r))
+        alike(q, e) == Cardinality({ r \in q : AsItCame(r) = e })
+    IN  { [e EXCEPT !.open = TRUE]
+          : e \in { f \in { error(r) : r \in PerhapsMissing } :
+                     alike(requests, f)
+                       < Cardinality({ r \in PerhapsMissing :
+                                         error(r) = f }) } }
+
+PerhapsNoticed ==
+    LET new   == FurtherErrors
+        times == { IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)]
+                                                    ELSE 0
+                   : r \in PerhapsMissing }
+        least == CHOOSE m \in times : \A n \in times : m <= n
+    IN  /\ new # {}
+        /\ requests' = EnterAll(requests, new)
+        /\ entered' = OpenEntries(new)
+        /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                       runVars>>
+        /\ NextEvent
+        /\ waiting' = [ c \in Awaited' |-> IF c \in DOMAIN waiting
+                                           THEN waiting[c] ELSE least ]
+        /\ Report(least)
+
+(* [AMB-45] A certain request of a missing OB beside an OB 85 that may     *)
+(* wait: if it does, it may report this OB, too.                           *)
+\* @type: $request => Bool;
+ReportedByTheSame(r) ==
+    /\ ProgramErrorOb \in terms.unsure /\ ~OneOb85ForEach
+    /\ OpenIn(requests, ProgramErrorOb)
+    /\ ~PendingIn(requests, ProgramErrorOb) /\ ~OnStack(ProgramErrorOb)
+    /\ ~Blocked(ProgramErrorOb) /\ r.ob \notin AsyncErrorObs
+    /\ RequestsBecome(RequestsAfterCall(r))
+    /\ tod' = TodAfterMissing(r)
+    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
+
 FindMissing ==
-    \E r \in MissingNow : Missing(r) /\ RewaitMissing(r)
+    \/ \E r \in MissingNow \ PerhapsMissing :
+         (Missing(r) \/ ReportedByTheSame(r)) /\ RewaitMissing(r)
+    \/ PerhapsNoticed
 
 (* [AMB-55] An open request may have come to nothing before the next start *)
 (* point of its OB: a lost point ends a once whose OB does not wait.       *)

@@ -66,8 +66,7 @@ Crowd ==
 
 (* A start event from outside on which only its own start depends. *)
 \* @type: $request => Bool;
-Outside(r) == /\ r.ob \in ExternalObs \ {ProgramErrorOb}
-              /\ r.late = {} /\ r.follows = 0
+Outside(r) == r.ob \in ExternalObs /\ r.late = {} /\ r.follows = 0
 
 Others == { r \in requests : ~Outside(r) }
 

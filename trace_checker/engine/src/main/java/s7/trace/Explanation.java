@@ -41,6 +41,11 @@ final class Explanation {
   /** From so many states on, those meet that can. */
   private static final int MANY_STATES = 128;
 
+  /** From so many on after states have met, for so many lines: what made them many goes on. */
+  private static final int SOME_STATES = 16;
+
+  private static final int SOON = 16;
+
   /** Each so many lines, and steps of time, a state is asked if there is too much in it. */
   private static final int NOW_AND_THEN = 16;
 
@@ -84,6 +89,7 @@ final class Explanation {
   private boolean loosened;
   private boolean widened;
   private int fewest = MANY_STATES;
+  private int met = -SOON;
   private int lines;
   private int largest;
   private long steps;
@@ -282,7 +288,7 @@ final class Explanation {
       List<State> late = stuck.isEmpty() ? states : stuck;
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
-    List<State> ready = closure(arrived, event);
+    List<State> ready = few(closure(few(arrived), event));
     List<State> after = new ArrayList<>(ready.size());
     for (State state : ready) {
       steps++;
@@ -301,9 +307,7 @@ final class Explanation {
     if (++lines % NOW_AND_THEN == 0) {
       states = distinct(states.stream().map(this::smaller).toList());
     }
-    if (states.size() > fewest) {
-      meet();
-    }
+    states = few(states);
     past.add(event);
     Object ob = spec.startedOb(event);
     if (ob != null && startedObs.add(ob)) {
@@ -318,20 +322,25 @@ final class Explanation {
     return small.isEmpty() ? state : small.get(0);
   }
 
-  private void meet() {
+  /** These states; where there are many of them, those meet that can. */
+  private List<State> few(List<State> from) {
+    if (from.size() <= (lines - met < SOON ? Math.min(fewest, SOME_STATES) : fewest)) {
+      return from;
+    }
     Map<Long, List<State>> places = new LinkedHashMap<>();
-    for (State state : states) {
+    for (State state : from) {
       places.computeIfAbsent(spec.meetingPlace(state), place -> new ArrayList<>()).add(state);
     }
-    List<State> met = new ArrayList<>();
+    List<State> few = new ArrayList<>();
     for (List<State> group : places.values()) {
       List<State> one = group.size() > 1 ? spec.meet(group) : List.of();
       widened |= !one.isEmpty();
-      met.addAll(one.isEmpty() ? group : one);
+      few.addAll(one.isEmpty() ? group : one);
     }
-    states = distinct(met);
+    met = lines;
     // Those that cannot meet are not asked again at once.
-    fewest = Math.max(MANY_STATES, 2 * states.size());
+    fewest = Math.max(MANY_STATES, 2 * few.size());
+    return distinct(few);
   }
 
   /** The states after time has elapsed to the event; states that cannot get there go to {@code stuck}. */
