@@ -85,7 +85,7 @@ def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: 
         began = time.monotonic()
         drawn: list[_Drawn] = []
         refused: Counter[str] = Counter()
-        with Engine(lambda: [*engine_command()[:-1], str(ours)]) as engine:
+        with Engine(lambda: engine_command(ours)) as engine:
             generator = Generator(request.seed, request.soft_plc, engine.alternatives().letters)
             for number in range(1, request.logs + 1):
                 drawn.append(_decided(generator, engine, number, folder / f"{number}.ndjson", refused))

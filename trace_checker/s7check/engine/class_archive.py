@@ -8,22 +8,16 @@ once.
 import hashlib
 import os
 import subprocess
-import sys
 import tempfile
 from contextlib import suppress
 from pathlib import Path
+
+from s7check.engine.cache import cache_folder
 
 _KEPT = 8
 """Archives in the cache; each has some 15 MB."""
 
 _PATIENCE = 60
-
-
-def cache_folder() -> Path:
-    """Where a user's programs keep files that they can make again."""
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "s7check"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "s7check"
 
 
 def archive_options(

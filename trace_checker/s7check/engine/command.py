@@ -5,6 +5,7 @@ from pathlib import Path
 
 from s7check.engine.class_archive import archive_options
 from s7check.engine.java import JavaMissingError, locate_java
+from s7check.engine.kept_specification import kept_specification
 from s7check.resources import ENGINE, REMEDY, SPECIFICATION
 
 _MAIN_CLASS = "s7.trace.Engine"
@@ -35,8 +36,8 @@ class EngineError(Exception):
     """The engine could not do its work; the text gives reason and remedy."""
 
 
-def engine_command() -> list[str]:
-    """The command that starts the engine on the project's specification.
+def engine_command(specification: Path | None = None) -> list[str]:
+    """The command that starts the engine on the project's specification, or on another one in a folder.
 
     TLC is the jar with which the engine was built, or the jar that ``$TLA2TOOLS_JAR`` names. Raises
     EngineError if something of it is missing.
@@ -59,7 +60,10 @@ def engine_command() -> list[str]:
         # Last: releases of TLC bundle an older gson than the engine's.
         libraries.append(Path(own_tlc).resolve())
     jars = [engine, *libraries]
-    program = [_MAIN_CLASS, str(SPECIFICATION)]
+    if specification is None:
+        program = [_MAIN_CLASS, str(SPECIFICATION), *kept_specification(SPECIFICATION, jars)]
+    else:
+        program = [_MAIN_CLASS, str(specification)]
     jvm = [
         java,
         *([] if "-X" in os.environ.get("JDK_JAVA_OPTIONS", "") else _TUNING),

@@ -10,7 +10,6 @@ A requirement has decided something in a log if, on the way of every explanation
 So it is known as exactly as the specification names it: a definition that names three requirements shows all three.
 """
 
-import hashlib
 from collections import defaultdict
 from collections.abc import Collection, Mapping
 from contextlib import suppress
@@ -20,9 +19,10 @@ from weakref import WeakKeyDictionary
 import msgspec
 
 from s7check.engine.answer import Decision
-from s7check.engine.class_archive import cache_folder
+from s7check.engine.cache import cache_folder
 from s7check.engine.client import Engine
 from s7check.engine.command import engine_command
+from s7check.engine.kept_specification import specification_state
 from s7check.judging import usual
 from s7check.log.reader import read_log
 from s7check.output import write_whole
@@ -92,7 +92,7 @@ def decisions_of(engine: Engine) -> Decisions:
 
 
 def _of_the_specification(engine: Engine) -> Decisions:
-    file = cache_folder() / f"{_state()}.decisions"
+    file = cache_folder() / f"{specification_state(SPECIFICATION, [ENGINE / 's7-trace-engine.jar'])}.decisions"
     with suppress(OSError, msgspec.MsgspecError):
         return Decisions(msgspec.msgpack.decode(file.read_bytes(), type=_Kept))
     kept = _found(engine)
@@ -102,13 +102,6 @@ def _of_the_specification(engine: Engine) -> Decisions:
             old.unlink()
         write_whole(file, msgspec.msgpack.encode(kept))
     return Decisions(kept)
-
-
-def _state() -> str:
-    """A text that is another one for each specification and engine."""
-    files = [ENGINE / "s7-trace-engine.jar", *sorted(SPECIFICATION.glob("*.tla"))]
-    states = [(file.name, file.stat().st_size, file.stat().st_mtime_ns) for file in files]
-    return hashlib.sha256(repr((str(SPECIFICATION), states)).encode()).hexdigest()[:32]
 
 
 def _found(engine: Engine) -> _Kept:

@@ -99,11 +99,11 @@ public final class Engine {
   }
 
   /**
-   * @param args the folder of the specification
+   * @param args the folder of the specification, and the file in which it is kept when it has been parsed
    */
   public static void main(String[] args) throws IOException {
-    if (args.length != 1) {
-      System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION");
+    if (args.length < 1 || args.length > 2) {
+      System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION [FILE]");
       System.exit(2);
     }
     endWithParent();
@@ -112,11 +112,14 @@ public final class Engine {
     System.setOut(System.err);
     ToolIO.out = System.err;
     ToolIO.setMode(ToolIO.TOOL);
-    var engine = new Engine(new Contract(new Specification(Path.of(args[0]), Contract.MODULE, Contract.TIMES)), out);
+    Path kept = args.length < 2 ? null : Path.of(args[1]);
+    var spec = new Specification(Path.of(args[0]), Contract.MODULE, Contract.TIMES, kept);
+    var engine = new Engine(new Contract(spec), out);
     var ready = new JsonObject();
     ready.addProperty("engine", "ready");
     ready.addProperty("tlc", jarOfTlc());
     engine.print(ready);
+    spec.keep();
     engine.serve(new FileInputStream(FileDescriptor.in));
     // The input also ends if the parent was killed, and then nobody else removes the folder.
     removeFolder(new File("").getAbsoluteFile());

@@ -2,12 +2,12 @@ package tla.eval;
 
 import java.util.ArrayList;
 
-import tla2sany.semantic.ExprOrOpArgNode;
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpDeclNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.LetInNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpDeclNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
 import tlc2.value.impl.Value;
 import tlc2.value.impl.ValueVec;
 
@@ -74,7 +74,7 @@ final class Actions {
 
   private Act application(OpApplNode node, Scope scope, Act then) {
     ExprOrOpArgNode[] x = node.getArgs();
-    if (node.getOperator() instanceof OpDefNode operator && Builtins.isDefined(operator)) {
+    if (node.getOperator() instanceof OpDefNode operator && operator.isDefined()) {
       Scope.Binding local = scope.find(operator);
       if (local != null && local.operator == null) {
         return compile(local.node, local.scope, then);
@@ -83,7 +83,7 @@ final class Actions {
       Scope inner = compiler.inlined(operator, x, scope, lazy);
       return machine.marks.underWay(operator, entering(lazy, compile(operator.getBody(), inner, then)));
     }
-    return switch (node.getOperator().getName().toString()) {
+    return switch (node.getOperator().getName()) {
       case "$ConjList", "\\land" -> conjunction(x, scope, then);
       case "$DisjList", "\\lor" -> disjunction(x, scope, then);
       case "$IfThenElse" ->
@@ -169,7 +169,7 @@ final class Actions {
           : -1;
     }
     if (node instanceof OpApplNode prime
-        && prime.getOperator().getName().toString().equals("'")
+        && prime.getOperator().getName().equals("'")
         && prime.getArgs()[0] instanceof OpApplNode inner
         && inner.getOperator() instanceof OpDeclNode variable) {
       return machine.numbers.get(variable);
@@ -217,7 +217,7 @@ final class Actions {
         int number = machine.numbers.get(variable);
         return assign(number, f -> machine.now[number], then);
       }
-      if (apply.getOperator().getName().toString().equals("$Tuple")) {
+      if (apply.getOperator().getName().equals("$Tuple")) {
         Act rest = then;
         for (int i = apply.getArgs().length - 1; i >= 0; i--) {
           rest = unchanged(apply.getArgs()[i], scope, rest);
@@ -225,7 +225,7 @@ final class Actions {
         return rest;
       }
       if (apply.getOperator() instanceof OpDefNode operator
-          && Builtins.isDefined(operator)
+          && operator.isDefined()
           && operator.getParams().length == 0) {
         return unchanged(operator.getBody(), scope, then);
       }

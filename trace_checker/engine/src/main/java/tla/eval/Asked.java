@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
-import tla2sany.semantic.SymbolNode;
+import tla.tree.SymbolNode;
 import tlc2.value.impl.StringValue;
 import tlc2.value.impl.Value;
 

@@ -1,10 +1,7 @@
 package tla.eval;
 
 import java.util.Arrays;
-import java.util.Set;
 
-import tla2sany.semantic.ASTConstants;
-import tla2sany.semantic.OpDefNode;
 import tlc2.value.impl.EnumerableValue;
 import tlc2.value.impl.FcnRcdValue;
 import tlc2.value.impl.IntValue;
@@ -20,21 +17,7 @@ import util.UniqueString;
 
 /** The operators of TLA+ and of its standard modules on TLC's values. */
 final class Builtins {
-  /** Modules whose operators are defined here, not by their TLA+ text. */
-  private static final Set<String> STANDARD_MODULES =
-      Set.of("Naturals", "Integers", "Sequences", "FiniteSets", "Reals", "TLC", "Bags");
-
   private Builtins() {}
-
-  /** Whether the specification defines the operator; not TLA+ itself, nor a standard module. */
-  static boolean isDefined(OpDefNode operator) {
-    return operator.getKind() == ASTConstants.UserDefinedOpKind && !isStandard(operator);
-  }
-
-  private static boolean isStandard(OpDefNode operator) {
-    var module = operator.getOriginallyDefinedInModuleNode();
-    return module != null && STANDARD_MODULES.contains(module.getName().toString());
-  }
 
   static boolean equal(Value a, Value b) {
     if (a == b) {

@@ -1,7 +1,7 @@
 package tla.eval;
 
-import tla2sany.semantic.FormalParamNode;
-import tla2sany.semantic.OpDefNode;
+import tla.tree.FormalParamNode;
+import tla.tree.OpDefNode;
 
 /** An operator that is compiled once, when it is first called, and has a frame for each call. */
 final class Called {

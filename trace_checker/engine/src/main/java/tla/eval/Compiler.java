@@ -6,18 +6,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-import tla2sany.semantic.AtNode;
-import tla2sany.semantic.ExprNode;
-import tla2sany.semantic.ExprOrOpArgNode;
-import tla2sany.semantic.FormalParamNode;
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.NumeralNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpDeclNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
-import tla2sany.semantic.StringNode;
-import tla2sany.semantic.SymbolNode;
+import tla.tree.AtNode;
+import tla.tree.ExprNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.FormalParamNode;
+import tla.tree.LetInNode;
+import tla.tree.NumeralNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpDeclNode;
+import tla.tree.OpDefNode;
+import tla.tree.OtherNode;
+import tla.tree.SemanticNode;
+import tla.tree.StringNode;
+import tla.tree.SymbolNode;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.IntervalValue;
@@ -72,7 +73,7 @@ final class Compiler {
       return plain(node, scope);
     }
     boolean definition =
-        apply.getOperator() instanceof OpDefNode operator && Builtins.isDefined(operator);
+        apply.getOperator() instanceof OpDefNode operator && operator.isDefined();
     if (its.constant() || its.size >= LEAST_MEMO && (definition || its.variables.cardinality() == 1)) {
       if (definition && apply.getArgs().length == 0) {
         var key = new Shared((OpDefNode) apply.getOperator(), scope.primed);
@@ -119,7 +120,8 @@ final class Compiler {
       Expr made = application(apply, scope);
       return machine.asked.isWatched(apply.getOperator()) ? noting(apply, made, scope) : made;
     }
-    throw new Unsupported("an expression of the kind " + node.getClass().getSimpleName());
+    String kind = node instanceof OtherNode other ? other.kind() : node.getClass().getSimpleName();
+    throw new Unsupported("an expression of the kind " + kind);
   }
 
   /** An application that tells its last argument. */
@@ -166,7 +168,7 @@ final class Compiler {
       SymbolNode operator = apply.getOperator();
       return operator instanceof FormalParamNode
           || operator instanceof OpDeclNode
-          || operator.getName().toString().equals("$RcdSelect") && isTrivial(apply.getArgs()[0]);
+          || operator.getName().equals("$RcdSelect") && isTrivial(apply.getArgs()[0]);
     }
     return node instanceof NumeralNode || node instanceof StringNode;
   }
@@ -238,7 +240,7 @@ final class Compiler {
     if (operator instanceof FormalParamNode) {
       return reference(operator, scope);
     }
-    if (operator instanceof OpDefNode definition && Builtins.isDefined(definition)) {
+    if (operator instanceof OpDefNode definition && definition.isDefined()) {
       Scope.Binding local = scope.find(definition);
       if (local != null && local.operator == null) {
         return reference(definition, scope);
@@ -248,7 +250,7 @@ final class Compiler {
     if (node.getBdedQuantBounds() != null && node.getBdedQuantBounds().length > 0) {
       return new Quantifiers(this).compile(node, scope);
     }
-    return builtin(operator.getName().toString(), node, scope);
+    return builtin(operator.getName(), node, scope);
   }
 
   private Expr variable(int number, boolean primed) {
@@ -484,7 +486,7 @@ final class Compiler {
   }
 
   private static boolean isOperator(SemanticNode node, String name) {
-    return node instanceof OpApplNode apply && apply.getOperator().getName().toString().equals(name);
+    return node instanceof OpApplNode apply && apply.getOperator().getName().equals(name);
   }
 
   /** Whether a set is empty; a subset need not be built to know. */
@@ -502,7 +504,7 @@ final class Compiler {
     Expr x = compile(element, scope);
     if (set instanceof OpApplNode apply && !facts.of(set).closed()) {
       ExprOrOpArgNode[] parts = apply.getArgs();
-      switch (apply.getOperator().getName().toString()) {
+      switch (apply.getOperator().getName()) {
         case "$SetEnumerate":
           Expr[] each = compile(parts, scope);
           return (Expr.Test) f -> contains(each, x.eval(f), f);

@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
 
-import tla2sany.semantic.FormalParamNode;
-import tla2sany.semantic.OpDeclNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
+import tla.tree.FormalParamNode;
+import tla.tree.OpDeclNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
 import tlc2.value.impl.Value;
 
 /**
@@ -96,14 +96,16 @@ public final class Evaluator {
   }
 
   /**
-   * Has each state tell to which of these expressions the steps to it came ({@link State#commonOutcomes}): mark
+   * Has each state tell to which marked expressions the steps to it came ({@link State#commonOutcomes}): mark
    * k in bit 2k where it was true, or has another value, or is an action that was taken; in bit 2k + 1
    * where it was false.
    *
-   * @param marked expressions and definitions; before the first evaluation
+   * <p>Before the first evaluation.
+   *
+   * @param marks the number of marks ({@link SemanticNode#mark})
    */
-  public void mark(List<? extends SemanticNode> marked) {
-    machine.marks.set(marked);
+  public void mark(int marks) {
+    machine.marks.set(marks);
   }
 
   /** Tells with which strings, its last arguments, an operator is applied; before the first evaluation. */

@@ -1,7 +1,7 @@
 package tla.eval;
 
-import tla2sany.semantic.ExprOrOpArgNode;
-import tla2sany.semantic.OpApplNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.OpApplNode;
 import tlc2.value.impl.Value;
 
 /** {@code [f EXCEPT ![x].y = z, ...]}: the changes one after the other. */

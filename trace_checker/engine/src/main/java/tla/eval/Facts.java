@@ -7,15 +7,15 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
 
-import tla2sany.semantic.AtNode;
-import tla2sany.semantic.FormalParamNode;
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpArgNode;
-import tla2sany.semantic.OpDeclNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
-import tla2sany.semantic.SymbolNode;
+import tla.tree.AtNode;
+import tla.tree.FormalParamNode;
+import tla.tree.LetInNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpArgNode;
+import tla.tree.OpDeclNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
+import tla.tree.SymbolNode;
 
 /** The things that an expression depends on, through all operators that it uses. */
 final class Facts {
@@ -80,7 +80,7 @@ final class Facts {
     }
 
     private void application(Facts facts, OpApplNode node) {
-      String name = node.getOperator().getName().toString();
+      String name = node.getOperator().getName();
       if (name.equals("ENABLED")) {
         facts.add(of(node.getArgs()[0]));
         facts.primes = false;
@@ -111,7 +111,7 @@ final class Facts {
         facts.variables.set(variables.get(declared));
       } else if (symbol instanceof FormalParamNode) {
         facts.free.add(symbol);
-      } else if (symbol instanceof OpDefNode definition && Builtins.isDefined(definition)) {
+      } else if (symbol instanceof OpDefNode definition && definition.isDefined()) {
         facts.add(of(definition));
       }
     }

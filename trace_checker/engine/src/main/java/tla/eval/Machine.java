@@ -6,7 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
-import tla2sany.semantic.OpDeclNode;
+import tla.tree.OpDeclNode;
 import tlc2.value.impl.FcnRcdValue;
 import tlc2.value.impl.Value;
 

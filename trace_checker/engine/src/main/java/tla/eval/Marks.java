@@ -1,12 +1,10 @@
 package tla.eval;
 
 import java.util.Arrays;
-import java.util.IdentityHashMap;
-import java.util.Map;
 
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.SemanticNode;
-import tla2sany.semantic.SymbolNode;
+import tla.tree.OpApplNode;
+import tla.tree.SemanticNode;
+import tla.tree.SymbolNode;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.Value;
 
@@ -19,20 +17,16 @@ import tlc2.value.impl.Value;
 final class Marks {
   private static final long[] NONE = {};
 
-  private final Map<Object, Integer> numbers = new IdentityHashMap<>();
   private long[] now = NONE;
   private long[] path = NONE;
 
   /**
-   * Marks expressions and operators, before anything is compiled.
+   * Has outcomes collected, before anything is compiled.
    *
-   * @param marked nodes of expressions and of definitions; the mark's number is its place in the list
+   * @param marks the number of marks on expressions and definitions
    */
-  void set(Iterable<? extends SemanticNode> marked) {
-    for (SemanticNode node : marked) {
-      numbers.put(node, numbers.size());
-    }
-    now = new long[(2 * numbers.size() + 63) / 64];
+  void set(int marks) {
+    now = new long[(2 * marks + 63) / 64];
     path = now.clone();
   }
 
@@ -79,11 +73,10 @@ final class Marks {
   }
 
   private Expr marked(SemanticNode node, Expr expr) {
-    Integer number = numbers.get(node);
-    if (number == null) {
+    int mark = now.length == 0 ? SemanticNode.UNMARKED : node.mark;
+    if (mark == SemanticNode.UNMARKED) {
       return expr;
     }
-    int mark = number;
     if (expr instanceof Expr.Test) {
       return (Expr.Test) f -> told(mark, expr.test(f));
     }
@@ -133,8 +126,8 @@ final class Marks {
 
   /** The compiled action; if its operator is marked, it is under way while its successors are found. */
   Actions.Act underWay(SymbolNode operator, Actions.Act act) {
-    Integer mark = numbers.get(operator);
-    if (mark == null) {
+    int mark = now.length == 0 ? SemanticNode.UNMARKED : operator.mark;
+    if (mark == SemanticNode.UNMARKED) {
       return act;
     }
     int word = 2 * mark >> 6;

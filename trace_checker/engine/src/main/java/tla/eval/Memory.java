@@ -5,8 +5,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 
-import tla2sany.semantic.OpDeclNode;
+import tla.tree.OpDeclNode;
 import tlc2.value.impl.Value;
+import util.UniqueString;
 
 /**
  * Remembers evaluations of operators by the shape of their inputs, the state and one argument: what
@@ -59,7 +60,7 @@ final class Memory {
     inputs = new Value[variables.length + 1];
     areTimes = new boolean[inputs.length];
     for (int i = 0; i < variables.length; i++) {
-      areTimes[i] = shapes.areTimes(variables[i].getName());
+      areTimes[i] = shapes.areTimes(UniqueString.uniqueStringOf(variables[i].getName()));
     }
   }
 

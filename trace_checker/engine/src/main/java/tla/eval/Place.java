@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-import tla2sany.semantic.ExprOrOpArgNode;
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.LetInNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
 import tlc2.value.impl.Value;
 
 /**

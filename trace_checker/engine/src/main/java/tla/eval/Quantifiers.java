@@ -1,8 +1,8 @@
 package tla.eval;
 
-import tla2sany.semantic.FormalParamNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.SemanticNode;
+import tla.tree.FormalParamNode;
+import tla.tree.OpApplNode;
+import tla.tree.SemanticNode;
 import tlc2.value.impl.SetEnumValue;
 import tlc2.value.impl.Value;
 import tlc2.value.impl.ValueVec;
@@ -47,7 +47,7 @@ final class Quantifiers {
     Expr body = compiler.compile(bodyNode, inner);
     Bound[] all = bounds.toArray(Bound[]::new);
     Bound only = all.length == 1 ? all[0] : null;
-    String name = node.getOperator().getName().toString();
+    String name = node.getOperator().getName();
     if (only == null && !name.equals("$BoundedExists") && !name.equals("$BoundedForall")
         && !name.equals("$SetOfAll")) {
       throw new Unsupported(name + " with several variables");

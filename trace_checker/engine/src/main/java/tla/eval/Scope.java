@@ -1,7 +1,7 @@
 package tla.eval;
 
-import tla2sany.semantic.ExprNode;
-import tla2sany.semantic.OpDefNode;
+import tla.tree.ExprNode;
+import tla.tree.OpDefNode;
 
 /** The names at a place of the specification and their meaning, while it is compiled. */
 final class Scope {

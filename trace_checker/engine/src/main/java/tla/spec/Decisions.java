@@ -6,12 +6,12 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.LevelConstants;
-import tla2sany.semantic.LevelNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
+import tla.tree.ExprNode;
+import tla.tree.LetInNode;
+import tla.tree.Module;
+import tla.tree.OpApplNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
 
 /**
  * The places at which operators decide: the definitions that they use, but for constants, and the
@@ -50,34 +50,45 @@ public final class Decisions {
       String text,
       Set<String> requirements) {}
 
-  /** A decision before anybody asks for its text. */
-  private record Found(Kind kind, OpDefNode definition, SemanticNode node) {}
-
   private final Source source;
-  private final List<Found> found = new ArrayList<>();
+  private final List<Module.Marked> found = new ArrayList<>();
   private final Set<SemanticNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
   private final List<OpDefNode> open = new ArrayList<>();
 
-  Decisions(Source source) {
+  private Decisions(Source source) {
     this.source = source;
   }
 
-  /** Finds the decisions of these operators and of all definitions that they use. */
-  void of(Iterable<OpDefNode> operators) {
+  /**
+   * The decisions of these operators and of all definitions that they use; their nodes are marked in the order of
+   * the decisions.
+   */
+  static Decisions of(Set<String> operators, Module module, Source source) {
+    var decisions = new Decisions(source);
+    if (module.markedFor().equals(operators)) {
+      decisions.found.addAll(module.marked());
+    } else {
+      decisions.find(operators.stream().sorted().map(module::getOpDef).toList());
+      module.mark(operators, decisions.found);
+    }
+    return decisions;
+  }
+
+  /** The number of decisions. */
+  int size() {
+    return found.size();
+  }
+
+  private void find(Iterable<OpDefNode> operators) {
     operators.forEach(this::use);
     while (!open.isEmpty()) {
       OpDefNode operator = open.remove(open.size() - 1);
       boolean acts = isAction(operator.getBody());
-      if (operator.getLevel() > LevelConstants.ConstantLevel || operator.getParams().length > 0) {
-        found.add(new Found(acts ? Kind.ACTION : Kind.DEFINITION, operator, operator));
+      if (!operator.isConstant() || operator.getParams().length > 0) {
+        found(acts ? Kind.ACTION : Kind.DEFINITION, operator, operator);
       }
       within(operator.getBody(), operator, acts ? Kind.GUARD : Kind.CONDITION);
     }
-  }
-
-  /** The nodes of the decisions. */
-  List<SemanticNode> nodes() {
-    return found.stream().map(Found::node).toList();
   }
 
   /** The decisions, in the order of their nodes. */
@@ -85,22 +96,22 @@ public final class Decisions {
     return found.stream().map(this::described).toList();
   }
 
-  private Decision described(Found one) {
-    var at = one.node.getLocation();
-    boolean condition = one.node != one.definition;
-    String text = condition ? source.text(one.node) : "";
+  private Decision described(Module.Marked one) {
+    var at = one.node().getLocation();
+    boolean condition = one.node() != one.definition();
+    String text = condition ? source.text(one.node()) : "";
     return new Decision(
-        one.kind,
+        Kind.values()[one.kind()],
         at.source(),
-        one.definition.getName().toString(),
+        one.definition().getName(),
         at.beginLine(),
         at.beginColumn(),
         text.length() <= LONGEST ? text : text.substring(0, LONGEST - 3) + "...",
-        condition ? source.requirementsIn(one.node) : source.requirementsBefore(one.definition));
+        condition ? source.requirementsIn(one.node()) : source.requirementsBefore(one.definition()));
   }
 
   private static boolean isAction(SemanticNode node) {
-    return node instanceof LevelNode level && level.getLevel() >= LevelConstants.ActionLevel;
+    return node instanceof ExprNode expr && expr.isAction();
   }
 
   private void use(OpDefNode operator) {
@@ -119,7 +130,7 @@ public final class Decisions {
     if (!(node instanceof OpApplNode apply)) {
       return;
     }
-    String name = apply.getOperator().getName().toString();
+    String name = apply.getOperator().getName();
     SemanticNode[] args = apply.getArgs();
     switch (name) {
       case "$ConjList", "\\land", "$DisjList", "\\lor" -> {
@@ -158,13 +169,17 @@ public final class Decisions {
 
   /** Whether a part of a chain of operators is the rest of the chain. */
   private static boolean isNamed(SemanticNode node, String name) {
-    return name.startsWith("\\") && node instanceof OpApplNode apply && apply.getOperator().getName().toString().equals(name);
+    return name.startsWith("\\") && node instanceof OpApplNode apply && apply.getOperator().getName().equals(name);
+  }
+
+  private void found(Kind kind, OpDefNode definition, SemanticNode node) {
+    found.add(new Module.Marked(kind.ordinal(), definition, node));
   }
 
   private void condition(SemanticNode node, OpDefNode definition, Kind kind) {
-    boolean literal = node instanceof OpApplNode apply && LITERALS.contains(apply.getOperator().getName().toString());
+    boolean literal = node instanceof OpApplNode apply && LITERALS.contains(apply.getOperator().getName());
     if (!literal && seen.add(node)) {
-      found.add(new Found(kind, definition, node));
+      found(kind, definition, node);
     }
   }
 }

@@ -9,12 +9,12 @@ import java.util.function.Function;
 
 import tla.eval.Evaluator;
 import tla.eval.Place;
-import tla2sany.semantic.ExprOrOpArgNode;
-import tla2sany.semantic.LetInNode;
-import tla2sany.semantic.OpApplNode;
-import tla2sany.semantic.OpDefNode;
-import tla2sany.semantic.SemanticNode;
-import tla2sany.semantic.SymbolNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.LetInNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpDefNode;
+import tla.tree.SemanticNode;
+import tla.tree.SymbolNode;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
@@ -62,7 +62,7 @@ public final class Guards {
 
   /** The failures of an operator; none if it is enabled, or if the evaluator cannot tell. */
   Set<Failure> of(OpDefNode operator, Place place) {
-    var found = walk(operator.getBody(), place, new Frame(operator, operator.getName().toString(), null));
+    var found = walk(operator.getBody(), place, new Frame(operator, operator.getName(), null));
     return new LinkedHashSet<>(found.subList(0, Math.min(found.size(), MOST)));
   }
 
@@ -79,7 +79,7 @@ public final class Guards {
       return action ? List.of() : leaf(node, place, frame);
     }
     ExprOrOpArgNode[] args = apply.getArgs();
-    switch (apply.getOperator().getName().toString()) {
+    switch (apply.getOperator().getName()) {
       case "$ConjList", "\\land":
         for (ExprOrOpArgNode conjunct : args) {
           List<Failure> failures = walk(conjunct, place, frame);
@@ -108,7 +108,7 @@ public final class Guards {
   private static boolean hasConjuncts(SemanticNode[] disjuncts) {
     for (SemanticNode each : disjuncts) {
       if (each instanceof OpApplNode apply
-          && apply.getOperator().getName().toString().matches("\\$ConjList|\\\\land")) {
+          && apply.getOperator().getName().matches("\\$ConjList|\\\\land")) {
         return true;
       }
     }
@@ -155,7 +155,7 @@ public final class Guards {
       return all;
     }
     SemanticNode bound = apply.getBdedQuantBounds()[0];
-    String variable = apply.getBdedQuantSymbolLists()[0][0].getName().toString();
+    String variable = apply.getBdedQuantSymbolLists()[0][0].getName();
     return List.of(failure(bound, variable + " \\in " + source.text(bound), "the set is empty", frame));
   }
 

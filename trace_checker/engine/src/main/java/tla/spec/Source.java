@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 
-import tla2sany.semantic.SemanticNode;
-import tla2sany.st.Location;
+import tla.tree.SemanticNode;
+import tla.tree.Location;
 
 /** The text of the specification's modules. */
 final class Source {

@@ -1,6 +1,7 @@
 package tla.spec;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -15,11 +16,14 @@ import java.util.function.Supplier;
 import tla.eval.Evaluator;
 import tla.eval.State;
 import tla.eval.Way;
+import tla.tree.FromSany;
+import tla.tree.Kept;
+import tla.tree.Module;
+import tla.tree.OpDefNode;
 import tla2sany.drivers.FrontEndException;
 import tla2sany.drivers.SANY;
 import tla2sany.modanalyzer.SpecObj;
 import tla2sany.semantic.ModuleNode;
-import tla2sany.semantic.OpDefNode;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.TupleValue;
@@ -42,7 +46,9 @@ public final class Specification {
   private final Path folder;
   private final String module;
   private final FilenameToStream resolver;
-  private final ModuleNode root;
+  private final Path kept;
+  private final boolean wasKept;
+  private final Module root;
   private final Source source;
   private final Evaluator evaluator;
   private final Map<String, OpDefNode> operators = new HashMap<>();
@@ -56,10 +62,22 @@ public final class Specification {
    * @throws IllegalArgumentException if the modules cannot be parsed
    */
   public Specification(Path folder, String module, Set<String> times) {
+    this(folder, module, times, null);
+  }
+
+  /**
+   * As the other constructor; nothing is parsed if there is a file of these modules.
+   *
+   * @param kept the file that {@link #keep} writes; it has to have another name for other texts
+   */
+  public Specification(Path folder, String module, Set<String> times, Path kept) {
     this.folder = folder.toAbsolutePath();
     this.module = module;
+    this.kept = kept;
     resolver = new SimpleFilenameToStream(this.folder.toString());
-    root = parsed();
+    Module known = kept == null ? null : Kept.read(kept);
+    wasKept = known != null;
+    root = wasKept ? known : FromSany.of(parsed());
     source = new Source(this.folder);
     evaluator = new Evaluator(times, root.getVariableDecls());
   }
@@ -77,6 +95,17 @@ public final class Specification {
       throw new IllegalArgumentException("Parsing or semantic analysis failed: " + said);
     }
     return parsed;
+  }
+
+  /** Writes the parsed modules for the next time, unless they come from there. */
+  public void keep() {
+    if (kept != null && !wasKept) {
+      try {
+        Kept.write(root, kept);
+      } catch (IOException e) {
+        // Then they are parsed again.
+      }
+    }
   }
 
   /** The only state that satisfies the initial predicate {@code name}. */
@@ -184,9 +213,8 @@ public final class Specification {
    * @return the decisions, in the order of the numbers that {@link Evaluator#mark} gives them
    */
   public Decisions tellDecisions(Set<String> names) {
-    var decisions = new Decisions(source);
-    decisions.of(names.stream().sorted().map(this::operator).toList());
-    evaluator.mark(decisions.nodes());
+    Decisions decisions = Decisions.of(names, root, source);
+    evaluator.mark(decisions.size());
     return decisions;
   }
 

@@ -20,6 +20,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tla.tree.FromSany;
+import tla.tree.Module;
 import tla2sany.semantic.OpDeclNode;
 import tla2sany.semantic.OpDefNode;
 import tlc2.tool.Action;
@@ -42,6 +44,7 @@ import util.UniqueString;
 class EvaluatorTest {
   private static FastTool tool;
   private static State initial;
+  private static Module module;
   private static Evaluator evaluator;
 
   @BeforeAll
@@ -51,7 +54,8 @@ class EvaluatorTest {
     String folder =
         Path.of(EvaluatorTest.class.getResource("/eval/Words.tla").toURI()).getParent().toString();
     tool = new FastTool(folder, "Words", "Words", new SimpleFilenameToStream(folder));
-    evaluator = new Evaluator(Set.of(), variables());
+    module = FromSany.of(tool.getSpecProcessor().getRootModule());
+    evaluator = new Evaluator(Set.of(), module.getVariableDecls());
     initial = ofTlc(tool.getInitStates().elementAt(0));
   }
 
@@ -85,6 +89,11 @@ class EvaluatorTest {
 
   private static OpDefNode operator(String name) {
     return tool.getSpecProcessor().getRootModule().getOpDef(name);
+  }
+
+  /** The operator in the graph that the evaluator knows. */
+  private static tla.tree.OpDefNode ours(String name) {
+    return module.getOpDef(name);
   }
 
   private static OpDeclNode[] variables() {
@@ -145,29 +154,29 @@ class EvaluatorTest {
   }
 
   private static State next() {
-    return evaluator.successors(operator("ActAssign"), initial).get(0);
+    return evaluator.successors(ours("ActAssign"), initial).get(0);
   }
 
   @Test
   @DisplayName("the first states are those of TLC")
   void initialStates() {
-    var found = evaluator.initial(operator("InitSeveral"));
+    var found = evaluator.initial(ours("InitSeveral"));
     assertEquals(4, found.size());
-    assertEquals(asSet(tool.getInitStates()), asSet(evaluator.initial(operator("Init"))));
+    assertEquals(asSet(tool.getInitStates()), asSet(evaluator.initial(ours("Init"))));
   }
 
   @Test
   @DisplayName("values and successors that come again with other times are those of TLC")
   void times() {
-    var remembering = new Evaluator(Set.of("number", "a"), variables());
+    var remembering = new Evaluator(Set.of("number", "a"), module.getVariableDecls());
     State state = initial;
     for (int i = 0; i < 400; i++) {
       Value[] values = {IntValue.gen(i * 7 % 23), new StringValue(i % 3 == 0 ? "x" : "y")};
       UniqueString[] names = {UniqueString.uniqueStringOf("a"), UniqueString.uniqueStringOf("c")};
       var event = new RecordValue(names, values, false);
-      Value value = remembering.value(operator("TimedValue"), state, event);
+      Value value = remembering.value(ours("TimedValue"), state, event);
       assertEquals(byTlc("TimedValue", state, event), value);
-      List<State> found = remembering.successors(operator("ActTimed"), state, event);
+      List<State> found = remembering.successors(ours("ActTimed"), state, event);
       assertEquals(successorsByTlc("ActTimed", state, event), asSet(found));
       state = i % 50 == 0 ? initial : found.get(i % found.size());
     }
@@ -181,7 +190,7 @@ class EvaluatorTest {
     states()
         .forEach(
             state -> {
-              Value value = evaluator.value(operator(name), state);
+              Value value = evaluator.value(ours(name), state);
               assertNotNull(value, "left to TLC");
               assertEquals(byTlc(name, state), value);
               assertEquals(Hash.of(byTlc(name, state)), Hash.of(value));
@@ -195,7 +204,7 @@ class EvaluatorTest {
     states()
         .forEach(
             state -> {
-              List<State> found = evaluator.successors(operator(name), state);
+              List<State> found = evaluator.successors(ours(name), state);
               assertNotNull(found, "left to TLC");
               assertEquals(successorsByTlc(name, state), asSet(found));
             });
@@ -206,38 +215,38 @@ class EvaluatorTest {
   @MethodSource("withoutValue")
   void error(String name) {
     assertThrows(RuntimeException.class, () -> byTlc(name, initial));
-    assertNull(evaluator.value(operator(name), initial));
-    assertNotNull(evaluator.value(operator("Arithmetic"), initial), "the next one is evaluated");
+    assertNull(evaluator.value(ours(name), initial));
+    assertNotNull(evaluator.value(ours("Arithmetic"), initial), "the next one is evaluated");
   }
 
   @ParameterizedTest
   @DisplayName("an action that TLC cannot evaluate is left to TLC")
   @MethodSource("withoutSuccessors")
   void errorInAction(String name) {
-    assertNull(evaluator.successors(operator(name), initial));
-    assertEquals(1, evaluator.successors(operator("ActAssign"), initial).size());
+    assertNull(evaluator.successors(ours(name), initial));
+    assertEquals(1, evaluator.successors(ours("ActAssign"), initial).size());
   }
 
   @ParameterizedTest
   @DisplayName("a construct that is not supported is left to TLC")
   @MethodSource("leftToTlc")
   void unsupported(String name) {
-    assertNull(evaluator.value(operator(name), initial));
+    assertNull(evaluator.value(ours(name), initial));
   }
 
   @Test
   @DisplayName("keys tell states apart by the value of a state function")
   void keys() {
     State next = next();
-    assertNotEquals(evaluator.key(operator("vars"), initial), evaluator.key(operator("vars"), next));
+    assertNotEquals(evaluator.key(ours("vars"), initial), evaluator.key(ours("vars"), next));
     assertEquals(
-        evaluator.key(operator("others"), initial), evaluator.key(operator("others"), next));
+        evaluator.key(ours("others"), initial), evaluator.key(ours("others"), next));
   }
 
   @Test
   @DisplayName("equal functions have the same hash, whatever TLC keeps them in")
   void hashes() {
-    Value[] all = ((TupleValue) evaluator.value(operator("Domains"), initial)).elems;
+    Value[] all = ((TupleValue) evaluator.value(ours("Domains"), initial)).elems;
     assertEquals(Hash.of(all[1]), Hash.of(all[2]));
     assertEquals(Hash.of(all[3]), Hash.of(all[4]));
     assertNotEquals(Hash.of(all[1]), Hash.of(all[3]));

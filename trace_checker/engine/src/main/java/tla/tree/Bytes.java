@@ -1,0 +1,15 @@
+package tla.tree;
+
+import java.io.ByteArrayOutputStream;
+
+/** Bytes that are being written: numbers in as few bytes as they need, seven bits each. */
+final class Bytes extends ByteArrayOutputStream {
+  void number(int number) {
+    int rest = number;
+    while ((rest & ~0x7F) != 0) {
+      write(rest & 0x7F | 0x80);
+      rest >>>= 7;
+    }
+    write(rest);
+  }
+}

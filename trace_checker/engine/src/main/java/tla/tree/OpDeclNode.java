@@ -1,0 +1,8 @@
+package tla.tree;
+
+/** A variable or a constant. */
+public final class OpDeclNode extends SymbolNode {
+  OpDeclNode(Place place, String name) {
+    super(place, name);
+  }
+}
