@@ -19,7 +19,9 @@ import tla.spec.Specification;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.SetEnumValue;
+import tlc2.value.impl.StringValue;
 import tlc2.value.impl.Value;
+import util.UniqueString;
 
 /**
  * The engine's contract with the specification: the module, the operators and the fields that it
@@ -110,7 +112,7 @@ final class Contract {
   private static final int MOST_ALONE = 8;
 
   /** The event by which an OB starts. */
-  private static final String START = "start";
+  private static final UniqueString START = UniqueString.uniqueStringOf("start");
 
   /** The two ways in which a line can have no explanation. */
   enum Failing {
@@ -138,6 +140,7 @@ final class Contract {
   private final Decisions decisions;
   private final State blank;
   private final RecordValue noEvent;
+  private final int kindPlace;
   private final Way alone;
 
   /**
@@ -149,6 +152,7 @@ final class Contract {
     decisions = spec.tellDecisions(EXPLAINING.stream().map(each -> each.tla).collect(Collectors.toSet()));
     blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
+    kindPlace = Values.place(noEvent, KIND.get(0));
     alone = spec.remembered(this::goAlone);
   }
 
@@ -329,7 +333,7 @@ final class Contract {
 
   /** The number of the OB that the event starts; null for another event. */
   Object startedOb(RecordValue event) {
-    return Values.field(event, KIND.get(0)).equals(START) ? Values.field(event, OB) : null;
+    return ((StringValue) event.values[kindPlace]).val == START ? Values.field(event, OB) : null;
   }
 
   /** The priority class that runs. */

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
+import tla.eval.Shaped;
 import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.TupleValue;
@@ -21,7 +22,7 @@ final class Past {
 
   private final ArrayDeque<RecordValue> latest = new ArrayDeque<>();
   /** By kind; the latest line is the last. */
-  private final Map<List<Object>, Value> older = new LinkedHashMap<>(16, 0.75f, true);
+  private final Map<Object, Value> older = new LinkedHashMap<>(16, 0.75f, true);
 
   Past() {}
 
@@ -51,7 +52,11 @@ final class Past {
     return new TupleValue(lines);
   }
 
-  private static List<Object> kind(RecordValue event) {
+  private static Object kind(RecordValue event) {
+    return event instanceof Shaped shaped ? shaped.noted(Past::kindOf) : kindOf(event);
+  }
+
+  private static List<Object> kindOf(RecordValue event) {
     var kind = new Object[Contract.KIND.size()];
     for (int i = 0; i < kind.length; i++) {
       kind[i] = Values.field(event, Contract.KIND.get(i));

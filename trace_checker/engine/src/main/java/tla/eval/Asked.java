@@ -69,6 +69,11 @@ final class Asked {
     now.or(asked);
   }
 
+  /** The collection under way; nothing is ever taken out of it. */
+  BitSet collection() {
+    return now;
+  }
+
   /** The strings since {@link #clear}; null if there may be others. */
   Set<String> all() {
     if (operator == null || incomplete) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 import tla.tree.OpDeclNode;
 import tlc2.value.impl.Value;
@@ -49,10 +50,49 @@ final class Memory {
   }
 
   /** What an evaluation led to, and what it asked. */
-  private record Kept<T>(T outcome, BitSet asks) {}
+  private static final class Kept<T> {
+    final T outcome;
+    final BitSet asks;
 
-  /** A successor: its values, of which some are those of an input, and their shapes. */
-  private record Next(Part[] values, int[] unchanged, long[] shapes, long shape, long[] outcomes) {}
+    /** The collection that has what it asked. */
+    BitSet into;
+
+    Kept(T outcome, BitSet asks) {
+      this.outcome = outcome;
+      this.asks = asks;
+    }
+  }
+
+  /** A successor: the values that are not those of the state before, by their places, and the shapes of all. */
+  private static final class Next {
+    final int[] places;
+    final Part[] values;
+    final long[] shapes;
+    final long shape;
+    final long[] outcomes;
+
+    /** The last union with outcomes, which are the same most times. */
+    long[] before;
+
+    long[] union;
+
+    Next(int[] places, Part[] values, long[] shapes, long[] outcomes) {
+      this.places = places;
+      this.values = values;
+      this.shapes = shapes;
+      this.outcomes = outcomes;
+      shape = all(shapes);
+      union = outcomes;
+    }
+
+    long[] outcomesAfter(long[] outcomesBefore) {
+      if (before != outcomesBefore) {
+        before = outcomesBefore;
+        union = Marks.union(before, outcomes);
+      }
+      return union;
+    }
+  }
 
   Memory(Machine machine, OpDeclNode[] variables, Set<String> times) {
     this.machine = machine;
@@ -146,7 +186,10 @@ final class Memory {
         return null;
       }
       hits++;
-      machine.asked.add(known.asks);
+      if (known.into != machine.asked.collection()) {
+        machine.asked.add(known.asks);
+        known.into = machine.asked.collection();
+      }
       return known.outcome;
     } catch (ArithmeticException e) {
       return null; // TLC has the last word about numbers that are too large.
@@ -177,7 +220,7 @@ final class Memory {
     } finally {
       machine.recording = null;
     }
-    var kept = new Kept<>(outcome, machine.asked.end(outer));
+    var kept = new Kept<T>(outcome, machine.asked.end(outer));
     if (outcome == null || !remembered.add(recording, kept)) {
       remembered.giveUp();
     }
@@ -187,29 +230,26 @@ final class Memory {
     var nexts = new Next[found.size()];
     for (int i = 0; i < nexts.length; i++) {
       Value[] values = found.get(i).values;
-      var parts = new Part[values.length];
-      var unchanged = new int[values.length];
+      int[] places = IntStream.range(0, values.length).filter(k -> recording.input(values[k]) != k).toArray();
+      Part[] parts = IntStream.of(places).mapToObj(k -> recording.part(values[k])).toArray(Part[]::new);
       var its = new long[values.length];
       for (int k = 0; k < values.length; k++) {
-        unchanged[k] = recording.input(values[k]);
-        parts[k] = recording.part(values[k]);
         its[k] = shapes.of(values[k], areTimes[k]);
       }
-      nexts[i] = new Next(parts, unchanged, its, all(its), found.get(i).outcomes);
+      nexts[i] = new Next(places, parts, its, found.get(i).outcomes);
     }
     return nexts;
   }
 
   private State state(Next next, State before) {
-    var values = new Value[next.values.length];
-    for (int i = 0; i < values.length; i++) {
-      int input = next.unchanged[i];
-      values[i] = input < 0 ? next.values[i].built(registers, inputs) : inputs[input];
+    Value[] values = before.values.clone();
+    for (int i = 0; i < next.places.length; i++) {
+      values[next.places[i]] = next.values[i].built(registers, inputs);
     }
     var state = new State(values);
     state.shapes = next.shapes;
     state.shape = next.shape;
-    state.outcomes = Marks.union(before.outcomes, next.outcomes);
+    state.outcomes = next.outcomesAfter(before.outcomes);
     return state;
   }
 }

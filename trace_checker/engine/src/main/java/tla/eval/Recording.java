@@ -3,9 +3,11 @@ package tla.eval;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.FcnRcdValue;
@@ -33,6 +35,8 @@ final class Recording {
   private final List<int[]> places = new ArrayList<>();
   private final Map<Value, int[]> parts = new IdentityHashMap<>();
   private final Map<Integer, Integer> constants = new HashMap<>();
+  private final Map<Step, Integer> results = new HashMap<>();
+  private final Set<Step> comparisons = new HashSet<>();
   private int registers;
 
   Recording(Shapes shapes) {
@@ -124,9 +128,16 @@ final class Recording {
         : new FcnRcdValue(domain == null ? like.domain : domain, values, like.isNormalized());
   }
 
+  /** The register with the result of a step, which is made once. */
   private int step(Operation operation, int a, int b) {
-    add(new Step(operation, a, b, false));
-    return registers++;
+    var step = new Step(operation, a, b, false);
+    Integer known = results.get(step);
+    if (known == null) {
+      add(step);
+      known = registers++;
+      results.put(step, known);
+    }
+    return known;
   }
 
   private void add(Step step) {
@@ -149,7 +160,10 @@ final class Recording {
   boolean compared(Operation comparison, Value a, Value b) {
     boolean outcome = comparison.on(number(a), number(b)) != 0;
     if (a instanceof Sym || b instanceof Sym) {
-      add(new Step(comparison, register(a), register(b), outcome));
+      var step = new Step(comparison, register(a), register(b), outcome);
+      if (comparisons.add(step)) {
+        add(step);
+      }
     }
     return outcome;
   }

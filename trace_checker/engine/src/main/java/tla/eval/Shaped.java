@@ -1,5 +1,7 @@
 package tla.eval;
 
+import java.util.function.Function;
+
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -14,6 +16,7 @@ public final class Shaped extends RecordValue {
     private final RecordValue record;
     private long shape;
     private boolean known;
+    private Object noted;
 
     public Example(RecordValue record) {
       record.normalize();
@@ -38,6 +41,14 @@ public final class Shaped extends RecordValue {
   private Shaped(Example example, Value[] values) {
     super(example.record.names, values, true);
     this.example = example;
+  }
+
+  /** What is noted of the example, at the first call: it must not depend on times. */
+  public Object noted(Function<RecordValue, Object> note) {
+    if (example.noted == null) {
+      example.noted = note.apply(example.record);
+    }
+    return example.noted;
   }
 
   long shape(Shapes shapes) {
