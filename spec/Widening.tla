@@ -102,13 +102,16 @@ Farther(below) ==
 (* Places that contradict none of these queues: a request stands before    *)
 (* another if it does so in some queue and stands behind it in none.       *)
 Places(queues) ==
-    LET known == UNION { UNION { { <<t.tag, u.tag>> :
-                             t \in { v \in q : /\ v.r.class = u.r.class
-                                              /\ v.r.rank <= u.r.rank } }
-                           : u \in q } : q \in queues }
-        tags  == { p[1] : p \in known }
-        once  == [ g \in tags |-> { p[1] : p \in { k \in known : k[2] = g } } ]
-        all   == Farther(Farther(Farther(Farther(Farther(once)))))
+    LET tags  == UNION { { t.tag : t \in q } : q \in queues }
+        upTo(q, u) == { t.tag : t \in { v \in q : /\ v.r.class = u.r.class
+                                                 /\ v.r.rank <= u.r.rank } }
+        once  == [ g \in tags |->
+                     UNION { UNION { upTo(q, u)
+                                     : u \in { t \in q : t.tag = g } }
+                             : q \in queues } ]
+        next  == Farther(once)
+        more  == IF next = once THEN next ELSE Farther(Farther(next))
+        all   == IF more = next THEN more ELSE Farther(Farther(more))
     IN  [ g \in tags |-> Cardinality(all[g]) ]
 
 (* Equal requests have places of their own; otherwise one request stands   *)
@@ -148,8 +151,7 @@ Meet(all) ==
           LET know == { w \in all : r \in DOMAIN w.arrivals }
               came == { w.arrivals[r] : w \in know }
           IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
-    IN  /\ SecondRequestIsOpen
-        /\ requests' = Close({ [ g.of EXCEPT !.rank = places[g],
+    IN  /\ requests' = Close({ [ g.of EXCEPT !.rank = places[g],
                                               !.open = ~certain(g) ]
                                : g \in DOMAIN places })
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->

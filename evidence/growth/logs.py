@@ -257,6 +257,63 @@ def missing_again(count: int) -> Log:
     return book.log
 
 
+def missing_at_once(apart: int, *obs: int) -> Callable[[int], Log]:
+    """Start events of OBs that are missing, so many ms apart, then as many OB 85."""
+
+    def log(count: int) -> Log:
+        book = Book(80, 85, cpu="S7-400")
+        for number in range(count):
+            book.add("interrupt", ob=obs[number % len(obs)])
+            book.now += apart
+        for _ in range(count):
+            book.run(85)
+        return book.log
+
+    return log
+
+
+def missing_later(before: str, after: str, **fields: object) -> Callable[[int], Log]:
+    """Start events of two OBs that are missing, of which none is noticed before a line; then one OB 85."""
+
+    def log(count: int) -> Log:
+        book = Book(80, 85)
+        book.add(before, **(fields and {"ret": "16#0001"}))
+        for number in range(count):
+            book.now += 500
+            book.add("interrupt", ob=(40, 35)[number % 2])
+        book.add(after, **fields)
+        book.run(85)
+        return book.log
+
+    return log
+
+
+def errors_delayed(count: int) -> Log:
+    """Asynchronous errors while SFC 41 delays them, then their OBs."""
+    obs = [(82, 83, 86)[number % 3] for number in range(count)]
+    book = Book(80, 82, 83, 85, 86, cpu="S7-400")
+    book.call("DIS_AIRT", ret="16#0001")
+    for ob in obs:
+        book.now += 5
+        book.add("interrupt", ob=ob)
+    book.call("EN_AIRT")
+    for ob in obs:
+        book.run(ob)
+    return book.log
+
+
+def buffered(count: int) -> Log:
+    """Start events of OBs of one class in one millisecond, each of which is kept or overflows the buffer (AMB-18 b)."""
+    obs = [CYCLIC[number % len(CYCLIC)] for number in range(count)]
+    classes = {str(ob): 20 for ob in CYCLIC}
+    book = Book(80, 85, *CYCLIC, cpu="S7-400", priority=classes, readings={"AMB-18": "b"})
+    for ob in obs:
+        book.add("interrupt", ob=ob)
+    for ob in obs:
+        book.run(ob)
+    return book.log
+
+
 def at_their_end(events: int) -> Log:
     """Four delays are started again at their exact end, over and over."""
     book = Book(*DELAYS, 80, 85)
@@ -309,4 +366,11 @@ def kinds() -> Iterator[Kind]:
     yield Kind("recorded: nothing", recorded(), 1000, LONG, 8, 9, long=True)
     yield Kind("S7-400, clock synchronised once a minute", synchronised, 1000, LONG, 8, 9, long=True)
     yield Kind("missing OB 20, started again by OB 85", missing_again, 50, 100, 8, 9)
+    yield Kind("a missing OB in one millisecond", missing_at_once(0, 40), 4, 16, 260, 40)
+    yield Kind("a missing OB each millisecond", missing_at_once(1, 40), 4, 9, 400, 90)
+    yield Kind("missing OBs of 17 numbers in one millisecond", missing_at_once(0, *CYCLIC, *HARDWARE), 4, 17, 260, 40)
+    yield Kind("missing OBs, delayed by SFC 41", missing_later("DIS_AIRT", "EN_AIRT", ret=RIGHT), 4, 12, 520, 160)
+    yield Kind("missing OBs in HOLD", missing_later("hold", "release"), 4, 64, 260, 40)
+    yield Kind("asynchronous errors, delayed by SFC 41", errors_delayed, 8, 32, 260, 40)
+    yield Kind("AMB-18 (b): OBs of one class in one millisecond", buffered, 4, 16, 520, 40)
     yield Kind("4 delays started again at their end", at_their_end, 1000, 20_000, 24, 28, long=True)

@@ -3,6 +3,7 @@ package s7.trace;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -324,23 +325,42 @@ final class Explanation {
 
   /** These states; where there are many of them, those meet that can. */
   private List<State> few(List<State> from) {
-    if (from.size() <= (lines - met < SOON ? Math.min(fewest, SOME_STATES) : fewest)) {
+    if (from.size() <= most()) {
       return from;
     }
+    List<State> few = new ArrayList<>();
+    for (List<State> group : places(from)) {
+      few.addAll(meeting(group));
+    }
+    met(few.size());
+    return distinct(few);
+  }
+
+  /** So many states are left as they are. */
+  private int most() {
+    return lines - met < SOON ? Math.min(fewest, SOME_STATES) : fewest;
+  }
+
+  /** The states by the places where they can meet. */
+  private Collection<List<State>> places(List<State> from) {
     Map<Long, List<State>> places = new LinkedHashMap<>();
     for (State state : from) {
       places.computeIfAbsent(spec.meetingPlace(state), place -> new ArrayList<>()).add(state);
     }
-    List<State> few = new ArrayList<>();
-    for (List<State> group : places.values()) {
-      List<State> one = group.size() > 1 ? spec.meet(group) : List.of();
-      widened |= !one.isEmpty();
-      few.addAll(one.isEmpty() ? group : one);
-    }
+    return places.values();
+  }
+
+  /** The state that the states of a place become; themselves if they become none. */
+  private List<State> meeting(List<State> group) {
+    List<State> one = group.size() > 1 ? spec.meet(group) : List.of();
+    widened |= !one.isEmpty();
+    return one.isEmpty() ? group : List.of(smaller(one.get(0)));
+  }
+
+  private void met(int left) {
     met = lines;
     // Those that cannot meet are not asked again at once.
-    fewest = Math.max(MANY_STATES, 2 * few.size());
-    return distinct(few);
+    fewest = Math.max(MANY_STATES, 2 * left);
   }
 
   /** The states after time has elapsed to the event; states that cannot get there go to {@code stuck}. */
@@ -412,6 +432,7 @@ final class Explanation {
   List<State> closure(List<State> from, Value event, int most) {
     List<State> closed = from;
     Set<Long> seen = null;
+    int ahead = MANY_STATES;
     for (int i = 0; i < closed.size() && closed.size() <= most; i++) {
       State state = closed.get(i);
       if (!spec.stirs(state, event)) {
@@ -431,9 +452,46 @@ final class Explanation {
           closed.add(next.get(k));
         }
       }
+      if (seen != null && closed.size() > ahead && most == Integer.MAX_VALUE) {
+        List<State> left = new ArrayList<>();
+        i = meetOnTheWay(closed, i + 1, seen, left) - 1;
+        closed = left;
+        // Where what has met comes apart again, it is left so at last.
+        ahead = 2 * Math.max(ahead, closed.size());
+      }
       limit(closed.size());
     }
     return closed;
+  }
+
+  /**
+   * Those meet that can, of states of which the first {@code followed} have been followed.
+   *
+   * @param seen the keys of all states so far
+   * @param left gets the states, those first that have been followed
+   * @return how many of them have been followed
+   */
+  private int meetOnTheWay(List<State> from, int followed, Set<Long> seen, List<State> left) {
+    Set<Long> done = new HashSet<>();
+    for (State state : from.subList(0, followed)) {
+      done.add(spec.key(state));
+    }
+    Map<Long, State> open = new LinkedHashMap<>();
+    for (List<State> group : places(from)) {
+      for (State state : meeting(group)) {
+        long key = spec.key(state);
+        if (done.contains(key)) {
+          left.add(state);
+        } else {
+          open.put(key, state);
+        }
+      }
+    }
+    seen.addAll(open.keySet());
+    int before = left.size();
+    left.addAll(open.values());
+    met(left.size());
+    return before;
   }
 
   /** The states that come nearest to the event, by the specification's own measure. */
