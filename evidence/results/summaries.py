@@ -89,13 +89,15 @@ def left_out(text: str) -> list[Table]:
 
 
 def growth(text: str) -> list[Table]:
-    """What each log costs, ten lines first."""
+    """What each log costs, ten lines first, and how many times as much CPU as these."""
     report: dict[str, Any] = json.loads(text)
-    columns = ("lines", "verdict", "largest", "followed", "cpu", "memory")
+    usual = report["usual"]
+    columns = ("lines", "verdict", "largest", "followed", "cpu")
     rows: list[list[Cell]] = [
-        [cost["kind"], *(cost[column] for column in columns)] for cost in (report["usual"], *report["costs"])
+        [cost["kind"], *(cost[column] for column in columns), round(cost["cpu"] / usual["cpu"], 1), cost["memory"]]
+        for cost in (usual, *report["costs"])
     ]
-    return [Table(["log", "lines", "verdict", "states at a time", "steps", "CPU, s", "MB"], rows)]
+    return [Table(["log", "lines", "verdict", "states at a time", "steps", "CPU, s", "times ten lines", "MB"], rows)]
 
 
 def logs(text: str) -> list[Table]:
