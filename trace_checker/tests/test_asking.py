@@ -61,6 +61,22 @@ def test_what_is_due_has_its_time(real_engine: Engine) -> None:
     assert iso_of(due.at) == "2026-11-21T06:00:00.010"
 
 
+def test_what_may_come_to_nothing_has_an_end(real_engine: Engine) -> None:
+    """A catch-up after HOLD comes within the latency or not at all: at 4 ms there are 6 left."""
+    session = begun(
+        real_engine,
+        event("hold"),
+        event("release", at="2026-11-21T06:00:30.000"),
+        event("start", at="2026-11-21T06:00:30.000", ob=80, info={"flt_id": 6}),
+        event("end", at="2026-11-21T06:00:30.000", ob=80),
+        event("EN_AIRT", at="2026-11-21T06:00:30.004", ret=0x8080),
+        step7={"tod": {"10": {"execution": "once", "start": "2026-11-21T06:00", "active": True}}},
+    )
+    assert lines_of(session)["10"] == ("2026-11-21T06:00:30.004", "2026-11-21T06:00:30.010")
+    for ms, may in (("010", True), ("011", False)):
+        assert (session.why(event("start", at=f"2026-11-21T06:00:30.{ms}", ob=10)) is None) is may
+
+
 def test_a_case_of_the_review(real_engine: Engine) -> None:
     """The clock goes over a start point while delays are on and OB 80 is missing: nothing, then a STOP."""
     session = begun(

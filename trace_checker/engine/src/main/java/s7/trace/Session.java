@@ -193,7 +193,7 @@ final class Session {
       ordered = List.of(new Times.Time(spec.timeOf(spec.event(Json.of(question.when.toString())))));
     }
     Set<Value> offers = offers(question, now);
-    var found = new LinkedHashMap<Value, Offer>();
+    var found = new LinkedHashMap<Value, ArrayDeque<Offer>>();
     for (int i = 0; i < ordered.size(); i++) {
       Value clocks = ordered.get(i).clocks();
       List<State> arrived = now.arrivals(spec.instant(clocks));
@@ -245,18 +245,21 @@ final class Session {
 
   /** Whether the line is possible with one of its answers. */
   private boolean tryIn(
-      List<State> ready, Value clocks, Value asked, int index, int share, Map<Value, Offer> found) {
+      List<State> ready, Value clocks, Value asked, int index, int share, Map<Value, ArrayDeque<Offer>> found) {
     Value past = last().past();
     boolean possible = false;
     for (State state : ready) {
       for (Value line : part(spec.withAnswers(state, asked), share)) {
         RecordValue dated = spec.dated(line, clocks);
-        Offer known = found.get(line);
+        Offer known = found.containsKey(line) ? found.get(line).getLast() : null;
         boolean news = known == null || known.until < index;
         possible |= !news;
         tries++;
         if ((news || known.from == index) && !spec.observe(state, dated).isEmpty()) {
-          Offer offer = found.computeIfAbsent(line, each -> new Offer(index));
+          Offer offer = known == null || known.until < index - 1 ? new Offer(index) : known;
+          if (offer != known) {
+            found.computeIfAbsent(line, each -> new ArrayDeque<>()).add(offer);
+          }
           offer.until = index;
           possible = true;
           if (offer.from == index) {
@@ -268,7 +271,7 @@ final class Session {
     return possible;
   }
 
-  private JsonObject written(List<Times.Time> times, boolean endless, Map<Value, Offer> found) {
+  private JsonObject written(List<Times.Time> times, boolean endless, Map<Value, ArrayDeque<Offer>> found) {
     var answer = new JsonObject();
     var allTimes = new JsonArray();
     for (Times.Time time : times) {
@@ -283,14 +286,16 @@ final class Session {
     answer.addProperty("endless", endless);
     var lines = new JsonArray();
     found.forEach(
-        (line, offer) -> {
-          var json = new JsonObject();
-          json.add("event", spec.given(line));
-          json.addProperty("first", offer.from);
-          boolean ends = offer.until < times.size() - 1 || !endless;
-          json.add("last", ends ? new JsonPrimitive(offer.until) : JsonNull.INSTANCE);
-          json.add("requirements", strings(offer.requirements));
-          lines.add(json);
+        (line, offers) -> {
+          for (Offer offer : offers) {
+            var json = new JsonObject();
+            json.add("event", spec.given(line));
+            json.addProperty("first", offer.from);
+            boolean ends = offer.until < times.size() - 1 || !endless;
+            json.add("last", ends ? new JsonPrimitive(offer.until) : JsonNull.INSTANCE);
+            json.add("requirements", strings(offer.requirements));
+            lines.add(json);
+          }
         });
     answer.add("lines", lines);
     answer.addProperty("key", key());

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import tla.eval.State;
+import tla.json.Json;
 import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
@@ -18,6 +19,8 @@ import tlc2.value.impl.Value;
 final class Times {
   /** Times that are looked at: now, and when something happens by itself. */
   private static final int MOST = 4;
+
+  private static final int MS_PER_MINUTE = 60_000;
 
   /** Steps by which time goes on. */
   private static final int MOST_STEPS = 10_000;
@@ -33,6 +36,7 @@ final class Times {
   private final Value past;
   private final TreeMap<String, Time> found = new TreeMap<>();
   private final TreeMap<String, Value> behind = new TreeMap<>();
+  private final TreeMap<String, Value> ends = new TreeMap<>();
   private final List<State> stuck = new ArrayList<>();
   private final boolean endless;
 
@@ -48,9 +52,13 @@ final class Times {
     endless = look(from);
   }
 
-  /** Now, whenever something happens by itself, and when something is late; in their order. */
+  /**
+   * Now, whenever something happens by itself, when something is late, and when something comes to nothing, its last
+   * moment and the next one; in their order.
+   */
   List<Time> all() {
     stuck.forEach(this::late);
+    ends.forEach((key, clocks) -> found.putIfAbsent(key, new Time(clocks)));
     return new ArrayList<>(found.values());
   }
 
@@ -93,6 +101,9 @@ final class Times {
       if (next.isEmpty()) {
         stuck.add(state);
       }
+      if (standsStill(state, next)) {
+        comesToNothing(state);
+      }
       for (State each : next) {
         if (spec.arrived(each, end)) {
           goesOn = true;
@@ -102,6 +113,51 @@ final class Times {
       }
     }
     return goesOn;
+  }
+
+  /** Whether a step of time takes none: something comes to nothing on the way. */
+  private boolean standsStill(State state, List<State> next) {
+    Value present = spec.present(state);
+    return next.stream().anyMatch(each -> spec.present(each).equals(present));
+  }
+
+  /** Looks for the last moment before that, and adds it and the next one. */
+  private void comesToNothing(State state) {
+    Value present = spec.present(state);
+    int last = 0;
+    int gone = elapsed(spec.tooLateNow(state)) - elapsed(present);
+    while (gone - last > 1) {
+      int middle = (last + gone) / 2;
+      if (standsStill(state, spec.elapse(state, spec.instant(later(present, middle))))) {
+        gone = middle;
+      } else {
+        last = middle;
+      }
+    }
+    if (last == 0) {
+      return; // a start point or a missing OB: it takes no time at all
+    }
+    for (int ms : new int[] {last, gone}) {
+      Value clocks = later(present, ms);
+      ends.put(sortable(clocks), clocks);
+    }
+  }
+
+  private static int elapsed(Value clocks) {
+    JsonObject up = Values.toJson(clocks).getAsJsonObject().getAsJsonObject(Contract.UP);
+    return part(up, Contract.MINUTES) * MS_PER_MINUTE + part(up, Contract.MILLISECONDS);
+  }
+
+  /** Both clocks so many milliseconds later. */
+  private Value later(Value clocks, int ms) {
+    JsonObject json = Values.toJson(clocks).getAsJsonObject();
+    for (String name : List.of(Contract.AT, Contract.UP)) {
+      JsonObject moment = json.getAsJsonObject(name);
+      int sum = part(moment, Contract.MILLISECONDS) + ms;
+      moment.addProperty(Contract.MINUTES, part(moment, Contract.MINUTES) + sum / MS_PER_MINUTE);
+      moment.addProperty(Contract.MILLISECONDS, sum % MS_PER_MINUTE);
+    }
+    return spec.timeOf(spec.event(Json.of(json.toString())));
   }
 
   /** Time cannot go on from {@code state}: something has to come. */
@@ -122,10 +178,13 @@ final class Times {
   /** A text by which times are in the order of the time elapsed. */
   private static String sortable(Value clocks) {
     var json = Values.toJson(clocks).getAsJsonObject();
-    var up = json.getAsJsonObject("up");
-    var at = json.getAsJsonObject("at");
-    return String.format(
-        "%012d %06d %012d %06d", part(up, "min"), part(up, "ms"), part(at, "min"), part(at, "ms"));
+    var text = new StringBuilder();
+    for (String name : List.of(Contract.UP, Contract.AT)) {
+      JsonObject moment = json.getAsJsonObject(name);
+      text.append(
+          String.format("%012d %06d ", part(moment, Contract.MINUTES), part(moment, Contract.MILLISECONDS)));
+    }
+    return text.toString();
   }
 
   private static int part(JsonObject moment, String name) {
