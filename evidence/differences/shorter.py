@@ -22,6 +22,9 @@ from s7check.simulating.separation import Separation, separation_behind
 from s7check.simulating.shortest import STANDARD, anywhere, bounded, program_behind, shortened
 from s7check.simulating.simulation import LATENCY
 
+_BEGINNINGS = 3
+"""Logs of two sides behind whose headers a shorter one is searched."""
+
 SHORTEST = "shortest-"
 """The names of the programs of `shortest_of_sides` begin with it."""
 
@@ -57,9 +60,10 @@ def shortest_of_sides(engine: Engine, all_kept: Sequence[Kept], say: Say) -> Ite
     for sides in ([Side(cpu=cpu) for cpu in CPUS], [Side(profile=name) for name in PROFILES]):
         for pair in permutations(sides, 2):
             these = [one for one in all_kept if (one.allowed, one.refused) == pair]
-            for one in shorter(engine, sorted(these, key=_length)[:1], say):
+            best = min(shorter(engine, sorted(these, key=_length)[:_BEGINNINGS], say), default=None, key=_length)
+            if best is not None:
                 name = f"{SHORTEST}{'-'.join(side.variant.name.replace(' ', '-') for side in pair)}"
-                yield msgspec.structs.replace(one, program=one.program | {"name": name})
+                yield msgspec.structs.replace(best, program=best.program | {"name": name})
 
 
 def _length(one: Kept) -> int:
