@@ -76,17 +76,16 @@ class AwlAdapter(Adapter):
 
     def happen(self):
         """All that is due: events from outside, then OBs, one in the other."""
-        while True:
+        idle = False
+        while not idle:
             if self.outside and self.outside[0]["after"] <= self.now:
                 event = self.outside.pop(0)
                 self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
             elif self.begun:
                 self.execute(self.begun.pop())
-                continue
             else:
                 self.cpu.poll()
-                if not self.begun and not self.cpu.dispatch():
-                    return
+                idle = not self.begun and not self.cpu.dispatch()
             if self.stopped and self.inside:
                 raise StoppedError
 
