@@ -89,6 +89,10 @@ final class Explanation {
   private int most = LOOSE_STATES;
   private boolean loosened;
   private boolean widened;
+
+  /** Whether states meet early, and on the way through a moment: certain facts alone are no way out. */
+  private boolean crowded;
+
   private int fewest = MANY_STATES;
   private int met = -SOON;
   private int lines;
@@ -142,6 +146,7 @@ final class Explanation {
     states = other.states;
     most = other.most;
     loosened = other.loosened;
+    crowded = other.crowded;
   }
 
   /** An explanation of the same log that goes on by itself. */
@@ -270,6 +275,7 @@ final class Explanation {
     }
     if (loose.isEmpty()) {
       most = MOST_STATES;
+      crowded = true;
     } else {
       states = distinct(loose);
       loosened = true;
@@ -289,7 +295,7 @@ final class Explanation {
       List<State> late = stuck.isEmpty() ? states : stuck;
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
-    List<State> ready = few(closure(few(arrived), event));
+    List<State> ready = crowded ? few(closure(few(arrived), event)) : closure(arrived, event);
     List<State> after = new ArrayList<>(ready.size());
     for (State state : ready) {
       steps++;
@@ -338,7 +344,7 @@ final class Explanation {
 
   /** So many states are left as they are. */
   private int most() {
-    return lines - met < SOON ? Math.min(fewest, SOME_STATES) : fewest;
+    return lines - met < SOON && crowded ? Math.min(fewest, SOME_STATES) : fewest;
   }
 
   /** The states by the places where they can meet. */
@@ -452,7 +458,7 @@ final class Explanation {
           closed.add(next.get(k));
         }
       }
-      if (seen != null && closed.size() > ahead && most == Integer.MAX_VALUE) {
+      if (seen != null && closed.size() > ahead && most == Integer.MAX_VALUE && crowded) {
         List<State> left = new ArrayList<>();
         i = meetOnTheWay(closed, i + 1, seen, left) - 1;
         closed = left;
