@@ -27,6 +27,7 @@ AsFunction(a, b, c) ==
 AnyState ==
     /\ on \in BOOLEAN
     /\ held \in BOOLEAN
+    /\ asked \in BOOLEAN
     /\ count \in Nat
     /\ perhaps \in SUBSET Classes
     /\ \E a, b, c \in Nat : waiting = AsFunction(a, b, c)
@@ -37,14 +38,15 @@ AnyInit == AnyState /\ Invariant
 
 (* Next of CounterLock. It leaves the arrivals open: any number, of any    *)
 (* classes.                                                                *)
-AnyPerhaps == perhaps' \in SUBSET Classes
-AnyWaiting == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
+AnyNumbers == \E a, b, c \in Nat : waiting' = AsFunction(a, b, c)
 
 APNext ==
-    \/ Take \/ GiveBack \/ Leave \/ Pause \/ Stop \/ Restart
-    \/ AnyPerhaps /\ Fade
-    \/ AnyWaiting /\ AnyPerhaps /\ (Arrive \/ Withdraw \/ Resume)
-    \/ \E c \in Classes : (AnyWaiting /\ AnyPerhaps /\ Enter(c)) \/ Begin(c)
+    /\ asked' \in BOOLEAN
+    /\ \/ Take \/ GiveBack \/ Leave \/ Pause \/ Stop \/ Restart \/ Nothing
+       \/ AnyPerhaps /\ Fade
+       \/ AnyNumbers /\ AnyPerhaps /\ (Arrive \/ Withdraw \/ Resume)
+       \/ \E c \in Classes :
+            (AnyNumbers /\ AnyPerhaps /\ Enter(c)) \/ Begin(c)
 
 Steps == HeldStep /\ HighestStep /\ NoneLostStep /\ AtOnceStep
            /\ CountedStep

@@ -34,7 +34,8 @@ Lock == INSTANCE CounterLock WITH
             count   <- delay,
             running <- RunningClasses,
             waiting <- [c \in APClasses |-> WaitingIn(c)],
-            perhaps <- { c \in APClasses : PerhapsIn(c) }
+            perhaps <- { c \in APClasses : PerhapsIn(c) },
+            asked   <- MayWithdraw
 
 StartsAnother == /\ Len(stack') > Len(stack)
                  /\ stack'[Len(stack')].class # AnyClass

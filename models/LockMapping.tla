@@ -16,4 +16,8 @@ WaitingIn(c) == Cardinality({ r \in InClass(c) : ~r.open })
 (* The sources leave open whether a start event of the class waits. *)
 \* @type: Int => Bool;
 PerhapsIn(c) == \E r \in InClass(c) : r.open
+
+(* The last step may have withdrawn start events. *)
+MayWithdraw == step.event \in { "SET_TINT", "CAN_TINT", "SRT_DINT",
+                                "CAN_DINT", "delete" }
 =============================================================================

@@ -8,17 +8,21 @@ EXTENDS CounterLock
 
 Deepest == 2
 Most    == 2
-Programs == { <<>> } \cup { <<c>> : c \in Classes }
-              \cup { <<c, d>> : c, d \in Classes }
 
-(* CounterLock leaves the arrivals open: TLC tries every next state.       *)
-AnyNext == /\ on' \in BOOLEAN
-           /\ held' \in BOOLEAN
-           /\ count' \in 0..Deepest
-           /\ running' \in Programs
-           /\ perhaps' \in SUBSET Classes
-           /\ waiting' \in [Classes -> 0..Most]
-           /\ Next
+(* Next of CounterLock. It leaves the arrivals open: any number, of any    *)
+(* classes.                                                                *)
+AnyPerhaps == perhaps' \in SUBSET Classes
+AnyWaiting == waiting' \in [Classes -> 0..Most]
+
+AnyNext ==
+    /\ asked' \in BOOLEAN
+    /\ \/ Take \/ GiveBack \/ Leave \/ Pause \/ Stop \/ Restart \/ Nothing
+       \/ AnyPerhaps /\ Fade
+       \/ AnyWaiting /\ AnyPerhaps /\ (Arrive \/ Withdraw \/ Resume)
+       \/ \E c \in Classes :
+            (AnyWaiting /\ AnyPerhaps /\ Enter(c)) \/ Begin(c)
+
+AtMost == count <= Deepest
 
 AloneSpec == Init /\ [][AnyNext]_lockVars
 
@@ -47,7 +51,7 @@ NoneLostStep ==
       waiting'[c] < waiting[c] =>
         \/ ~on'
         \/ Starts /\ running'[Len(running')] = c
-        \/ Settled /\ UNCHANGED <<on, held, count, running>>
+        \/ Settled /\ asked' /\ UNCHANGED <<on, held, count, running>>
 
 (* When the lock opens, the interrupting class goes first [AIRT-08]; more  *)
 (* start events may come.                                                  *)

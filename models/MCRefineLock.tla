@@ -27,7 +27,8 @@ Lock == INSTANCE CounterLock WITH
             count   <- delay,
             running <- [i \in DOMAIN stack |-> stack[i].class],
             waiting <- [c \in MCClasses |-> WaitingIn(c)],
-            perhaps <- { c \in MCClasses : PerhapsIn(c) }
+            perhaps <- { c \in MCClasses : PerhapsIn(c) },
+            asked   <- MayWithdraw
 
 LockSpec == Lock!Spec
 

@@ -38,9 +38,13 @@ VARIABLES
     (* ... and the classes in which a program may start without one that is *)
     (* sure to wait.                                                        *)
     \* @type: Set(Int);
-    perhaps
+    perhaps,
+    (* The last step was a call that withdraws start events, or a deletion. *)
+    \* @type: Bool;
+    asked
 
-lockVars == <<on, held, count, running, waiting, perhaps>>
+lock == <<on, held, count, running, waiting, perhaps>>
+lockVars == <<lock, asked>>
 
 RunningClass == IF running = <<>> THEN 0 ELSE running[Len(running)]
 
@@ -59,6 +63,7 @@ Init == /\ on = FALSE /\ held = FALSE
         /\ running = <<>>
         /\ waiting = [c \in Classes |-> 0]
         /\ perhaps = {}
+        /\ asked = FALSE
 
 (* [AIRT-03] *)
 Take == /\ Working /\ running # <<>>
@@ -75,7 +80,7 @@ Arrive == on /\ More /\ UNCHANGED <<on, held, count, running>>
 
 (* [TINT-50] [DINT-14] A call withdraws start events, or their program is  *)
 (* deleted.                                                                *)
-Withdraw == /\ Settled
+Withdraw == /\ Settled /\ asked'
             /\ \A c \in Classes : waiting'[c] <= waiting[c]
             /\ perhaps' \subseteq perhaps
             /\ UNCHANGED <<on, held, count, running>>
@@ -130,8 +135,11 @@ Stop == /\ on /\ on' = FALSE
 Restart == /\ ~on /\ on' = TRUE
            /\ UNCHANGED <<held, count, running, waiting, perhaps>>
 
+(* A step of which the lock sees nothing. *)
+Nothing == UNCHANGED lock
+
 Next == \/ Take \/ GiveBack \/ Arrive \/ Withdraw \/ Leave \/ Fade
-        \/ Pause \/ Resume \/ Stop \/ Restart
+        \/ Pause \/ Resume \/ Stop \/ Restart \/ Nothing
         \/ \E c \in Classes : Enter(c) \/ Begin(c)
 
 Spec == Init /\ [][Next]_lockVars

@@ -66,13 +66,20 @@ AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
 Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
               THEN { AfterStop(r) : r \in reports } ELSE reports
 
+(* [OBS-26] The cycle time was exceeded twice in a cycle: the STOP has an   *)
+(* entry, which the log may show before or after it.                       *)
+ExceededTwice == overruns = 2
+EntriesOfCycleTime ==
+    IF ExceededTwice /\ mode # "STOP" /\ mode' = "STOP"
+    THEN {[id |-> NoTimeErrorOb, of |-> NoRequest, open |-> TRUE]} ELSE {}
+
 (* The entries of this step have to be shown; their cause was `age' ms     *)
 (* ago. Entries that an unseen event may have caused are not kept.         *)
 \* @type: Int => Bool;
 Report(age) ==
     LET shown == { m \in entered' : /\ m.id \in JudgedEntries
                                      /\ ~CauseUnseen(m.id) }
-        new == { AsReported(n) : n \in shown }
+        new == { AsReported(n) : n \in shown \cup EntriesOfCycleTime }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1
@@ -107,7 +114,9 @@ IsEntry(e) ==
     LET fits == { r \in reports : FitsEntry(r.entry, e) }
     IN  /\ UNCHANGED cpuVars
         /\ NothingEntered
-        /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
+        /\ IF \/ e.id \notin JudgedEntries
+              \/ e.id = NoTimeErrorOb /\ ExceededTwice /\ fits = {}
+           THEN UNCHANGED reports
            ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
                   reports' = (reports \ {r}) \cup
                                IF OneLess(r.times) = 0 THEN {}
