@@ -27,13 +27,15 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 -----------------------------------------------------------------------------
 (* Data for later lines *)
 
-(* [OBS-26] OB 1 starts or ends, a restart begins, the cycle time is       *)
-(* exceeded.                                                               *)
+(* [OBS-26] OB 1 starts or ends, a restart begins, OB 80 is called since   *)
+(* the cycle time is exceeded. A blocked one is not called [IRT-01].       *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == stack = <<>> /\ OnStack(CycleOb)'
         ends     == OnStack(CycleOb) /\ stack' = <<>>
-        exceeded == \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
+        exceeded ==
+          /\ ~Blocked(TimeErrorOb)
+          /\ \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
     IN  /\ first' = IF restarts THEN startup'
                     ELSE IF begins THEN "none" ELSE first
         /\ overruns' = IF restarts \/ begins \/ ends THEN 0
