@@ -179,8 +179,8 @@ LooseShows(e) ==
          [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
                                       ELSE IsEntry(e)
          [] e.event = "state"      -> LooseState(e)
-    /\ IF e.event = "diag" THEN TRUE ELSE Report(0)
     /\ UNCHANGED <<terms, up, waiting, eventVars>>
+    /\ IF e.event = "diag" THEN TRUE ELSE Report(0)
 
 -----------------------------------------------------------------------------
 (* Time *)

@@ -55,10 +55,22 @@ OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
 \* @type: Int => Int;
 OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
 
+(* [OBS-26] The cycle time was exceeded twice in a cycle: the CPU may stop, *)
+(* and the STOP has one entry, which the log may show before or after it.  *)
+ExceededTwice    == overruns = 2
+EntryOfCycleTime == [id |-> NoTimeErrorOb, of |-> NoRequest, open |-> TRUE]
+
+EntriesOfCycleTime ==
+    IF ~ExceededTwice /\ ExceededTwice' THEN {EntryOfCycleTime} ELSE {}
+
 (* [AMB-49] The entry of a STOP that waits for the end of a delay comes    *)
-(* with the STOP; not at all if the CPU is stopped before.                 *)
+(* with the STOP; not at all if the CPU is stopped before. [OBS-26] So     *)
+(* does the entry of a STOP by the cycle time.                             *)
 \* @type: $report => Bool;
-WaitsWithStop(r) == r.entry.id = stopCause /\ ~StopIsDue
+WaitsWithStop(r) ==
+    \/ r.entry.id = stopCause /\ ~StopIsDue
+    \/ /\ r.entry = AsReported(EntryOfCycleTime)
+       /\ ExceededTwice /\ mode # "STOP"
 
 \* @type: $report => $report;
 AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
@@ -66,20 +78,13 @@ AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
 Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
               THEN { AfterStop(r) : r \in reports } ELSE reports
 
-(* [OBS-26] The cycle time was exceeded twice in a cycle: the STOP has an   *)
-(* entry, which the log may show before or after it.                       *)
-ExceededTwice == overruns = 2
-EntriesOfCycleTime ==
-    IF ExceededTwice /\ mode # "STOP" /\ mode' = "STOP"
-    THEN {[id |-> NoTimeErrorOb, of |-> NoRequest, open |-> TRUE]} ELSE {}
-
 (* The entries of this step have to be shown; their cause was `age' ms     *)
 (* ago. Entries that an unseen event may have caused are not kept.         *)
 \* @type: Int => Bool;
 Report(age) ==
-    LET shown == { m \in entered' : /\ m.id \in JudgedEntries
-                                     /\ ~CauseUnseen(m.id) }
-        new == { AsReported(n) : n \in shown \cup EntriesOfCycleTime }
+    LET shown == { m \in entered' \cup EntriesOfCycleTime :
+                     m.id \in JudgedEntries /\ ~CauseUnseen(m.id) }
+        new == { AsReported(n) : n \in shown }
         a   == IF DiagRecorded THEN age ELSE 0
         same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1
@@ -114,9 +119,7 @@ IsEntry(e) ==
     LET fits == { r \in reports : FitsEntry(r.entry, e) }
     IN  /\ UNCHANGED cpuVars
         /\ NothingEntered
-        /\ IF \/ e.id \notin JudgedEntries
-              \/ e.id = NoTimeErrorOb /\ ExceededTwice /\ fits = {}
-           THEN UNCHANGED reports
+        /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
            ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
                   reports' = (reports \ {r}) \cup
                                IF OneLess(r.times) = 0 THEN {}
