@@ -28,6 +28,8 @@ static const struct {
            "a once interrupt is over: when its OB starts, or when it ends"),
     CHOICE("AMB-79", "b", "a", wrong_seconds_are_ignored,
            "seconds 60 to 99 of SDT: 8091, or ignored"),
+    CHOICE("OBS-26", "stop", "again", cycle_is_retriggered,
+           "a second excess of the cycle time in a cycle, without or with SFC 43"),
     CHOICE("OBS-10", "event", "call", info_has_time_of_call,
            "the time in the start information"),
 #undef CHOICE

@@ -33,8 +33,9 @@ enum {
     RET_PAST = 0x80A1
 };
 
-/* Fault ids of OB 80 and 85 that the rules make. */
+/* Fault ids of OB 80 and 85: of an event from outside, and those that the rules make. */
 enum {
+    FLT_CYCLE_TIME = 0x01,
     FLT_OVERLAP = 0x02,
     FLT_SKIPPED = 0x05,
     FLT_SKIPPED_IN_HOLD = 0x06,
@@ -202,6 +203,9 @@ bool s7_may_start(const struct s7cpu *cpu, const struct s7cpu_request *r);
 void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r);
 /* An OB that is running already when the CPU begins: it has no event. */
 void s7_enter(struct s7cpu *cpu, int ob);
+/* The cycle time is exceeded: true where that stops the CPU, since OB 80 was called for it in this
+ * cycle already [OBS-26]. */
+bool s7_cycle_exceeded_again(struct s7cpu *cpu);
 
 /* errors.c: OB 80, OB 85, and the STOP where those are missing */
 /* Fault 02: the OB fell due while it is still processed [TINT-14, DINT-10]; `z1` is byte 6-7 of

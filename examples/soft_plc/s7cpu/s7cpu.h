@@ -101,6 +101,9 @@ struct s7cpu_choices {
     bool once_ends_with_its_ob;
     /* AMB-79: seconds 60 to 99 of SDT are ignored; else 8091. */
     bool wrong_seconds_are_ignored;
+    /* OBS-26: SFC 43 has re-triggered the cycle monitoring in every cycle, so that a second excess of
+     * the cycle time calls OB 80 again; else it stops the CPU. */
+    bool cycle_is_retriggered;
     /* OBS-10: start information shows the time of the call; else that of the event. */
     bool info_has_time_of_call;
 };
@@ -255,6 +258,7 @@ struct s7cpu {
     struct s7cpu_frame stack[S7CPU_DEPTH];
     int depth;
     uint32_t runs[S7CPU_OBS];
+    bool cycle_exceeded; /* in the cycle of OB 1 that runs, with OB 80 called for it [OBS-26] */
 };
 
 /* ---- the CPU -------------------------------------------------------------------------------- */

@@ -28,6 +28,7 @@ static void push(struct s7cpu *cpu, int ob, int rank)
 {
     cpu->stack[cpu->depth++] =
         (struct s7cpu_frame){.ob = ob, .rank = rank, .run = ++cpu->runs[ob]};
+    cpu->cycle_exceeded &= ob != 1;
 }
 
 void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
@@ -44,6 +45,17 @@ void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
 void s7_enter(struct s7cpu *cpu, int ob)
 {
     push(cpu, ob, s7_ob_class(cpu, ob));
+}
+
+/* In STARTUP and HOLD, and between two cycles, there is no cycle time. */
+bool s7_cycle_exceeded_again(struct s7cpu *cpu)
+{
+    const bool again = cpu->cycle_exceeded;
+    if (cpu->mode != S7CPU_RUN || !s7_ob_is_running(cpu, 1) ||
+        cpu->config.choices.cycle_is_retriggered)
+        return false;
+    cpu->cycle_exceeded = true;
+    return again;
 }
 
 /* AMB-06 and AMB-44: a missing OB is noticed when it would be called. */

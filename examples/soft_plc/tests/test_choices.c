@@ -18,6 +18,11 @@
 /* OB 10 waits from 06:00 on. */
 #define WAITING_ONCE(calls)                                                                        \
     CPU("S7-300") ONCE_10 "ob 1 run 1 {\nDIS_AIRT\nbusy 31s\n" calls "EN_AIRT\n}\n"
+/* One second after the other, while the first cycle runs `calls`. */
+#define EXCEEDED_TWICE(calls)                                                                      \
+    CPU("S7-300") "at +1s interrupt 80 16#01\nat +2s interrupt 80 16#01\nob 1 run 1 {\n" calls "}\n"
+#define STOPS "\"cause\":\"16#4568\""
+#define OB_80 "\"ob\":80,\"info\""
 
 static const struct {
     const char *first, *second;
@@ -73,6 +78,16 @@ static const struct {
      CPU("S7-300") "ob 1 run 1 {\nSET_TINT 10 2026-11-21T06:00:99 16#0201\n}\n", RET("8091"), 1, 0},
     {"AMB-79=b", "AMB-79=a",
      CPU("S7-300") "ob 1 run 1 {\nSET_TINT 10 2026-11-21T06:60:99 16#0201\n}\n", RET("8091"), 1, 1},
+    /* The cycle time is exceeded twice in the first cycle; in two cycles; once blocked by SFC 39,
+     * with no OB 80; under SFC 41. */
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("busy 3s\n"), STOPS, 1, 0},
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("busy 3s\n"), OB_80, 1, 2},
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("busy 1500ms\n"), STOPS, 0, 0},
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("busy 1500ms\n"), OB_80, 2, 2},
+    {"OBS-26=stop", "OBS-26=again",
+     EXCEEDED_TWICE("DIS_IRT 16#02 80\nbusy 1500ms\nEN_IRT 16#02 80\nbusy 1500ms\n"), STOPS, 0, 0},
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("DIS_AIRT\nbusy 3s\n"), STOPS, 1, 0},
+    {"OBS-26=stop", "OBS-26=again", EXCEEDED_TWICE("DIS_AIRT\nbusy 3s\n"), OB_80, 0, 2},
     {"OBS-10=event", "OBS-10=call", WAITING_DELAY(""), "\"time\":\"2026-11-21T05:59:31.000\"", 1, 0},
     {"OBS-10=event", "OBS-10=call", WAITING_DELAY(""), "\"time\":\"2026-11-21T05:59:32.000\"", 0, 1},
     /* The time of a catch-up is that of the point that was skipped first [CLK-07]. */
