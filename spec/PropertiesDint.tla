@@ -89,9 +89,9 @@ CanWaitingProp ==
            /\ cpu'.readings["AMB-11"]
                 = (IF step'.value = 0 THEN "b" ELSE "c") ]_vars
 
-(* [DINT-03] [DINT-06] [DINT-20] A delay ends when it has elapsed, at most *)
-(* 1 ms early, and leads to its OB, with DTIME and SIGN, unless it is      *)
-(* blocked.                                                                *)
+(* [DINT-03] [DINT-06] [DINT-20] [OBS-10] A delay ends when it has         *)
+(* elapsed, at most 1 ms early, and leads to its OB, with DTIME, SIGN and  *)
+(* the time at which it ends, unless it is blocked.                        *)
 ElapsedProp ==
     [][ Did("elapsed") =>
           LET o == step'.ob
@@ -103,7 +103,8 @@ ElapsedProp ==
               /\ /\ o \notin irt.blocked /\ ~Deselected(o) /\ ~OnStack(o)
                  /\ { q \in requests : q.ob = o } = {}
                  => \E r \in new : /\ r.word = dint[o].sign
-                                  /\ r.dtime = dint[o].dtime ]_vars
+                                  /\ r.dtime = dint[o].dtime
+                                  /\ r.since = clock ]_vars
 
 (* [DINT-10] [AMB-47] The delay ends while its OB runs: a time error, and  *)
 (* at most one more run.                                                   *)

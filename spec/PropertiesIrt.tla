@@ -96,11 +96,13 @@ NothingNewProp ==
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
 (* [IRT-18] [AMB-12] A lost point is used up; so is a once, unless a       *)
-(* certain or open request of its OB waits.                                *)
+(* certain or open request of its OB waits [AMB-71].                       *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
-          /\ tod[step'.ob].period = Once /\ tod'[step'.ob].active
-               => \E r \in requests : r.ob = step'.ob
+          /\ LET waits == \E r \in requests : r.ob = step'.ob
+             IN  tod[step'.ob].period = Once =>
+                   /\ tod'[step'.ob].active => waits
+                   /\ waits => tod'[step'.ob].active \/ OnceUsedUpAtItsPoint
           /\ ~Before(At(tod'[step'.ob].next - 1), clock) ]_vars
 
 -----------------------------------------------------------------------------

@@ -160,7 +160,8 @@ AtOnceProp ==
                              "switch"} ]_vars
 
 (* [OBS-03] An end takes the top OB off the stack. All else stays, also a  *)
-(* setting that the OB has made for itself [TINT-65].                      *)
+(* setting that the OB has made for itself [TINT-65]; OB 85 may have       *)
+(* reported start events of missing OBs [AMB-45], of no others.            *)
 EndProp ==
     [][ Did("end") => /\ stack # <<>>
                       /\ step'.ob = Top(stack).ob
@@ -169,7 +170,11 @@ EndProp ==
                       /\ \A o \in TodObs \ {step'.ob} : tod'[o] = tod[o]
                       /\ step'.ob \in TodObs /\ ~tod[step'.ob].called
                          => UNCHANGED tod
-                      /\ step'.ob # ProgramErrorOb => UNCHANGED requests ]_vars
+                      /\ step'.ob # ProgramErrorOb => UNCHANGED requests
+                      /\ \A r \in requests :
+                           r.ob \in loaded \cup AsyncErrorObs =>
+                             \E q \in requests' : /\ Content(q) = Content(r)
+                                                  /\ q.open = r.open ]_vars
 
 (* [OBS-01] OB 1 starts where nothing runs. *)
 CycleProp == [][Started(CycleOb) => mode = "RUN" /\ stack = <<>>]_vars
