@@ -28,7 +28,7 @@ MODULES = (
     "contract",
     "combined",
     "subsets",
-    "later",
+    "edges",
     "letters",
     "positions",
     "windows",

@@ -1,4 +1,4 @@
-"""Situations that were added after the first ones were judged."""
+"""At the edge of a rule: what is just as old, equal to the clock, set by STEP 7 alone, lost, or comes twice."""
 
 from typing import Any
 
