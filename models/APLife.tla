@@ -30,5 +30,5 @@ AnyInit == AnyState /\ Invariant
 APNext == AnyNext
 
 Steps == StartStep /\ OnceStep /\ StaysStep /\ ActivateStep /\ BlockedStep
-           /\ RunsOnStep
+           /\ RunsOnStep /\ LostStep
 =============================================================================

@@ -49,5 +49,5 @@ APNext ==
             (AnyNumbers /\ AnyPerhaps /\ Enter(c)) \/ Begin(c)
 
 Steps == HeldStep /\ HighestStep /\ NoneLostStep /\ AtOnceStep
-           /\ CountedStep
+           /\ CountedStep /\ EndStep
 =============================================================================

@@ -62,7 +62,34 @@ BlockedStep == on /\ blocked => waiting' <= waiting
 (* A call or a point does not end a running OB [TINT-53]. *)
 RunsOnStep == running /\ ~running' => past' \in {"served", "cleared"}
 
+(* A start event of a blocked interrupt is lost; it uses a once up unless  *)
+(* another one waits [IRT-18], and nothing else [IRT-01].                  *)
+LostStep ==
+    past # "lost" /\ past' = "lost" =>
+      /\ blocked /\ setting = "active"
+      /\ setting' = IF once /\ waiting = 0 /\ ~perhaps THEN "unset"
+                                                        ELSE "active"
+
+(* A life that forbids too much violates no step. A call may set, activate *)
+(* and cancel; a point may be due; what waits starts; an OB ends; STOP may *)
+(* come, and has to where the CPU is doomed [OBS-22] [OBS-47].             *)
+PossibleInv ==
+    /\ ENABLED (AnyNext /\ on' # on)
+    /\ on =>
+         /\ ENABLED (AnyNext /\ setting' = "set")
+         /\ setting = "set" => ENABLED (AnyNext /\ setting' = "active")
+         /\ setting # "unset" => ENABLED (AnyNext /\ on' /\ setting' = "unset")
+         /\ setting = "active" /\ ~blocked =>
+              ENABLED (AnyNext /\ waiting' > waiting)
+         /\ setting = "active" /\ blocked =>
+              ENABLED (AnyNext /\ past' = "lost")
+         /\ (waiting > 0 \/ perhaps) /\ setting = "active" =>
+              IF loaded THEN running \/ ENABLED (AnyNext /\ Starts)
+                        ELSE ENABLED (AnyNext /\ past' = "missed")
+         /\ running => ENABLED (AnyNext /\ past' = "served" /\ ~running')
+
 StartProp    == [][StartStep]_lifeVars
+LostProp     == [][LostStep]_lifeVars
 OnceProp     == [][OnceStep]_lifeVars
 StaysProp    == [][StaysStep]_lifeVars
 ActivateProp == [][ActivateStep]_lifeVars

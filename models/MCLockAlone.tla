@@ -66,7 +66,30 @@ CountedStep ==
       \/ count' \in {count - 1, count + 1} /\ running' = running
       \/ count' = 0 /\ (Len(running') < Len(running))
 
+(* A program ends by itself, not in HOLD [OBS-45] and not while another    *)
+(* has to start [AIRT-08]; it takes no start event along.                  *)
+EndStep ==
+    on' /\ Len(running') < Len(running) =>
+      /\ Working
+      /\ running' = SubSeq(running, 1, Len(running) - 1)
+      /\ waiting' = waiting
+
+(* A lock that forbids too much violates no step. The program may take it  *)
+(* and give it back, and end; what is held starts; STOP may come.          *)
+PossibleInv ==
+    /\ Working /\ running # <<>> =>
+         /\ ENABLED (AnyNext /\ count' = count + 1)
+         /\ ENABLED (AnyNext /\ on' /\ Len(running') < Len(running))
+    /\ Working /\ count > 0 =>
+         ENABLED (AnyNext /\ count' = count - 1 /\ running' = running)
+    /\ Working /\ running = <<>> => ENABLED (AnyNext /\ Starts)
+    /\ Working => ENABLED (AnyNext /\ held')
+    /\ on /\ held => ENABLED (AnyNext /\ on' /\ ~held')
+    /\ on /\ ~held /\ count = 0 /\ Held # {} => ENABLED (AnyNext /\ Starts)
+    /\ ENABLED (AnyNext /\ on' # on)
+
 HeldProp     == [][HeldStep]_lockVars
+EndProp      == [][EndStep]_lockVars
 HighestProp  == [][HighestStep]_lockVars
 NoneLostProp == [][NoneLostStep]_lockVars
 AtOnceProp   == [][AtOnceStep]_lockVars

@@ -8,11 +8,13 @@
 (*                                                                         *)
 (* The CPU is in STOP and nothing happens: each state is a CPU.            *)
 (***************************************************************************)
-EXTENDS MCBase
+EXTENDS MCEffects
 
 MCLoads == {{}}
-MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
-MCPowerOnMoments == {Moment(0, 0)}
+MCStep7Settings ==
+    { [ o \in TodObs |-> [NotConfigured EXCEPT !.deselected = (o = 17)] ] }
+MCPriorities == { [o \in {57} |-> 0] }
+MCPowerOnMoments == {Moment(0, 30000)}
 \* @type: Set(Str);
 NoRestartTypes == {}
 
@@ -26,13 +28,16 @@ MCReadingSets ==
 
 -----------------------------------------------------------------------------
 
+Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
+Questions == { "AMB-" \o d \o e : d, e \in Digits }
+
 (* 79 questions, of which no formula asks five.  A default is a letter     *)
 (* that a header may name.  A profile names a letter where the default     *)
 (* rejects what its edition prints.                                        *)
 LettersAgree ==
     /\ FourLetters \cap ThreeLetters = {}
     /\ (FourLetters \cup ThreeLetters) \cap TwoLetters = {}
-    /\ Cardinality(Ambiguities) = 79 - 5
+    /\ Cardinality(Ambiguities) = 79 - 5 /\ Ambiguities \subseteq Questions
     /\ ReadByB \cap ReadByC = {} /\ (ReadByB \cup ReadByC) \cap ReadByD = {}
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
@@ -40,14 +45,14 @@ LettersAgree ==
          /\ p[2] \in Letters(p[1]) \/ p = <<"AMB-06", "delay">>
     /\ Profile("") = {}
 
-(* [OBS-04] Table 7.1. *)
+(* [OBS-04] Table 7.1; [OBS-05] OB 57 has the class that is set. *)
 ClassesInv ==
     /\ ClassOf(1) = 1
     /\ \A o \in 10..17 : ClassOf(o) = 2
     /\ \A i \in 1..4 : ClassOf(19 + i) = <<3, 4, 5, 6>>[i]
     /\ \A i \in 1..9 : ClassOf(29 + i) = <<7, 8, 9, 10, 11, 12, 13, 14, 15>>[i]
     /\ \A i \in 1..8 : ClassOf(39 + i) = <<16, 17, 18, 19, 20, 21, 22, 23>>[i]
-    /\ \A o \in 55..57 : ClassOf(o) = 2
+    /\ ClassOf(55) = 2 /\ ClassOf(56) = 2 /\ ClassOf(57) = 0
     /\ ClassOf(60) = 25 /\ ClassOf(70) = 25 /\ ClassOf(72) = 28
     /\ ClassOf(80) = 26
     /\ \A o \in 81..87 : ClassOf(o) = IF cpu.family = "S7-300" THEN 26 ELSE 25
@@ -63,6 +68,7 @@ ClassNumbers == {10, 20, 30, 40, 50, 60, 70, 80}
 (* [IRT-06] .. [IRT-09] [IRT-13] What SFC 39 and 40 take, and whom they    *)
 (* mean, where nothing else is read than by default.                       *)
 NumbersInv ==
+    /\ TodObs = 10..17 /\ DintObs = 20..23  \* [TINT-01] [DINT-01]
     /\ UNION { OfClass(n) : n \in ClassNumbers } = Blockable
     /\ ExternalObs = UNION { OfClass(n) : n \in ClassNumbers \ {10, 20} }
     /\ \A o \in Blockable : o \in OfClass(ClassNumber(o))
@@ -92,19 +98,15 @@ MonthsAgree ==
            = DaysBeforeMonth(1990, m) + (IF m > 2 THEN 1 ELSE 0)
 
 (* TLC takes only formulas that depend on the state for an invariant. *)
+(* A letter that is named counts, and it alone. *)
+NamedInv == \A a \in Ambiguities : \A letter \in Letters(a) :
+              ReadingOf(ReadAs(a, letter, cpu), a) = letter
+
 LettersInv == mode = "STOP" => LettersAgree
 MonthsInv  == mode = "STOP" => MonthsAgree
 
 -----------------------------------------------------------------------------
 (* Readings *)
-
-(* The answer holds under these letters of the question; `usual' is the    *)
-(* letter where none is named.                                             *)
-\* @type: (Str, Str, Set(Str), Bool) => Bool;
-Holds(question, usual, letters, answer) ==
-    LET letter == IF question \in DOMAIN cpu.readings
-                  THEN cpu.readings[question] ELSE usual
-    IN  question \in Ambiguities /\ (answer <=> letter \in letters)
 
 \* @type: (Set(Set(Int)), Set(Int)) => Bool;
 MayBe(parts, part) == part \in parts

@@ -1,0 +1,29 @@
+------------------------------ MODULE MCOnceShown ----------------------------
+(***************************************************************************)
+(* On an S7-400 the clock passes the new point of a once while its OB runs *)
+(* for an earlier setting, so that the catch-up may merge [AMB-52].  Then  *)
+(* the clock is set back before the point: the CPU has to show whether it  *)
+(* is over [AMB-56] (sections 1 and 6).                                    *)
+(***************************************************************************)
+EXTENDS MCBase
+
+MCTodObs == {10}
+MCFamilies == {"S7-400"}
+MCLoads == {{10, 80}}
+MCStep7Settings == {[o \in TodObs |-> Activated("once", 1)]}
+MCObNumbers == {10}
+MCSdts == {Date(2)}
+MCWords == {Once}
+MCMoments == {Moment(1, 0)}
+MCPowerOnMoments == {Moment(0, 30000)}
+(* Behaviours in STARTUP are left to MCRestart. *)
+MCClockTargets == IF mode = "RUN" THEN {Moment(1, 30000), Moment(3, 0)}
+                  ELSE {}
+MCRestartTypes == {"warm"}
+MCRetVals == {OK, NotSet}
+
+(* Behaviours after a STOP are left to MCRestart. *)
+Bounded == /\ delay = 0
+           /\ Waiting(1)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================
