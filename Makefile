@@ -75,7 +75,7 @@ kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU
 	mkdir -p build/kit
 	$(BIN)/s7check kit run --output build/kit/soft_plc.html --output build/kit/soft_plc.json -- $(PLC) --kit
 	-$(TOY_RUN) --output build/kit/toy.html --output build/kit/toy.json -- $(BIN)/python examples/adapters/template.py
-	-PYTHONPATH=build/awlsim $(TOY_RUN) --output build/kit/awlsim.html --output build/kit/awlsim.json -- $(BIN)/python examples/adapters/awlsim_adapter.py
+	-PYTHONPATH=build/awlsim $(BIN)/s7check kit run --offer examples/adapters/awlsim_offer.json --output build/kit/awlsim.html --output build/kit/awlsim.json -- $(BIN)/python examples/adapters/awlsim_adapter.py
 	$(BIN)/s7check kit matrix --output docs/checking/kit-results.md soft_PLC=build/kit/soft_plc.json toy_CPU=build/kit/toy.json awlsim=build/kit/awlsim.json
 
 REV ?= HEAD^

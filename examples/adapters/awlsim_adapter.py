@@ -1,7 +1,7 @@
 """Runs the kit's programs as AWL in awlsim, a simulator of S7 in Python that others have written.
 
-awlsim has no interrupts. The bodies of OBs are translated to AWL and run in awlsim's CPU; SFC 32 to 34, 41 and 42 and
-the start of OBs come from outside: from `toy_cpu.py`, by entries in awlsim's table of system functions. An OB is
+awlsim has no interrupts. The bodies of OBs are translated to AWL and run in awlsim's CPU; SFC 28 to 34, 39 to 42 and
+the start of OBs come from outside: from `supplied_cpu.py`, by entries in awlsim's table of system functions. An OB is
 interrupted between two instructions that call an SFC or work. Needs `pip install -r requirements-awlsim.txt`.
 """
 
@@ -14,22 +14,34 @@ from awlsim.common.sources import AwlSource
 from awlsim.common.util import Logging
 from awlsim.core.blockinterface import BlockInterfaceField
 from awlsim.core.datatypes import wordToSignedPyInt
-from awlsim.core.memory import AwlMemoryObject_asScalar, make_AwlMemoryObject_fromScalar
+from awlsim.core.memory import (
+    AwlMemoryObject_asBytes,
+    AwlMemoryObject_asScalar,
+    make_AwlMemoryObject_fromScalar,
+)
 from awlsim.core.systemblocks.systemblocks import SFC
 from awlsim.core.systemblocks.tables import SFC_table
+from supplied_cpu import SuppliedCpu
 from template import Adapter, main
 from toy_cpu import UnsupportedError
 
 IN, OUT = BlockInterfaceField.FTYPE_IN, BlockInterfaceField.FTYPE_OUT
 OB_NR = (("OB_NR", "INT"),)
+MASK = (("MODE", "BYTE"), *OB_NR)
 SFCS = {
+    "SET_TINT": (28, (*OB_NR, ("SDT", "DATE_AND_TIME"), ("PERIOD", "WORD")), ()),
+    "CAN_TINT": (29, OB_NR, ()),
+    "ACT_TINT": (30, OB_NR, ()),
+    "QRY_TINT": (31, OB_NR, (("STATUS", "WORD"),)),
     "SRT_DINT": (32, (*OB_NR, ("DTIME", "TIME"), ("SIGN", "WORD")), ()),
     "CAN_DINT": (33, OB_NR, ()),
     "QRY_DINT": (34, OB_NR, (("STATUS", "WORD"),)),
+    "DIS_IRT": (39, MASK, ()),
+    "EN_IRT": (40, MASK, ()),
     "DIS_AIRT": (41, (), ()),
     "EN_AIRT": (42, (), ()),
 }
-OPERANDS = {"OB_NR": "ob", "DTIME": "dtime", "SIGN": "sign"}
+OPERANDS = {"OB_NR": "ob", "SDT": "sdt", "PERIOD": "period", "DTIME": "dtime", "SIGN": "sign", "MODE": "mode"}
 BUSY, RUN = 201, 202
 """SFCs of this adapter: the OB is at work for DTIME ms; which run of the OB this is."""
 
@@ -41,6 +53,7 @@ class StoppedError(Exception):
 class AwlAdapter(Adapter):
     """The bodies as AWL, an OB at a time on awlsim's CPU."""
 
+    cpu_type = SuppliedCpu
     current = None
 
     def __init__(self, program):
@@ -79,6 +92,7 @@ class AwlAdapter(Adapter):
         idle = False
         while not idle:
             if self.outside and self.outside[0]["after"] <= self.now:
+                self.cpu.poll()  # what is due by now was due before the event
                 event = self.outside.pop(0)
                 self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
             elif self.begun:
@@ -122,19 +136,37 @@ class AwlAdapter(Adapter):
         return ()
 
 
-def number(block, name):
-    """An operand as a number with its sign."""
+def operand(block, name):
+    """An operand: a number with its sign, or a date as a program has it."""
+    if name == "SDT":
+        return date_of(AwlMemoryObject_asBytes(block.fetchInterfaceFieldByName(name)))
     value = AwlMemoryObject_asScalar(block.fetchInterfaceFieldByName(name))
     if name == "DTIME":
         return value - (1 << 32) if value >= 1 << 31 else value
     return wordToSignedPyInt(value) if name == "OB_NR" else value
 
 
+def date_of(octets):
+    """The date in the BCD digits of a DATE_AND_TIME, whether it exists or not."""
+    digits = octets.hex()
+    century = "19" if digits[:2] >= "90" else "20"
+    month, day, hour, minute, second = (digits[place : place + 2] for place in range(2, 12, 2))
+    return f"{century}{digits[:2]}-{month}-{day}T{hour}:{minute}:{second}.{digits[12:15]}"
+
+
+def digits_of(date):
+    """The other way round: the two double words of a DATE_AND_TIME, without the day of the week."""
+    if not "1990" <= date[:4] < "2090":
+        raise UnsupportedError("no year outside of 1990 to 2089 in a DATE_AND_TIME")
+    digits = "".join(filter(str.isdigit, date))[2:] + "0"
+    return digits[:8], digits[8:]
+
+
 def system_function(name, sfc, inputs, outputs, behaviour):
     """A class for awlsim's table; `behaviour` gets the operands and returns values of the outputs."""
 
     def run(self):
-        values = behaviour({field: number(self, field) for field, _ in inputs})
+        values = behaviour({field: operand(self, field) for field, _ in inputs})
         for field, value in zip((field for field, _ in outputs), values, strict=False):
             self.storeInterfaceFieldByName(field, make_AwlMemoryObject_fromScalar(value & 0xFFFF, 16))
         self.cpu.statusWord.BIE = 1
@@ -148,7 +180,7 @@ def system_function(name, sfc, inputs, outputs, behaviour):
 
 
 def called(name):
-    """The behaviour of a system function that the toy CPU has."""
+    """The behaviour of a system function that the supplied CPU has."""
 
     def behaviour(values):
         adapter = AwlAdapter.current
@@ -168,6 +200,22 @@ def install():
     SFC_table[RUN] = system_function("RUN", RUN, OB_NR, (("RET_VAL", "INT"),), of_ob)
 
 
+DATE = """DATA_BLOCK DB 1
+STRUCT
+  SDT : DATE_AND_TIME;
+END_STRUCT;
+BEGIN
+END_DATA_BLOCK
+"""
+"""An operand of this type stands in a data block, so that it need not exist."""
+
+
+def dated(step):
+    """Statements that put the date of a step into the data block."""
+    halves = digits_of(step["sdt"]) if "sdt" in step else ()
+    return "".join(f"    L DW#16#{half}\n    T DB1.DBD {4 * place}\n" for place, half in enumerate(halves))
+
+
 def statement(step):
     """A step as a statement in AWL."""
     if "call" not in step:
@@ -175,20 +223,22 @@ def statement(step):
     if step["call"] not in SFCS:
         raise UnsupportedError(f"no {step['call']}")
     sfc, inputs, outputs = SFCS[step["call"]]
-    given = {"OB_NR": "{}", "DTIME": "L#{}", "SIGN": "W#16#{:04X}"}
+    given = {"OB_NR": "{}", "DTIME": "L#{}", "MODE": "B#16#{:02X}"}
+    given |= {"SDT": "DB1.SDT", "SIGN": "W#16#{:04X}", "PERIOD": "W#16#{:04X}"}
     operands = [f"{field} := {given[field].format(step[OPERANDS[field]])}" for field, _ in inputs]
     results = [f"{field} := MW {10 + 2 * place}" for place, (field, _) in enumerate((("RET_VAL", ""), *outputs))]
-    return f"    CALL SFC {sfc} ( {', '.join([*operands, *results])} )"
+    return dated(step) + f"    CALL SFC {sfc} ( {', '.join([*operands, *results])} )"
 
 
 def source(program):
     """The program as AWL: an FC for each body, OBs that choose by their run."""
-    blocks, choices = [], {}
+    blocks, choices = [DATE], {}
+    loaded = {event["ob"] for event in program["outside"] if event["event"] == "load"}
     for place, body in enumerate(program["bodies"], 1):
         steps = "\n".join(statement(step) for step in body["steps"] if "end" not in step)
         blocks.append(f"FUNCTION FC {place} : VOID\nBEGIN\n{steps}\nEND_FUNCTION\n")
         choices.setdefault(body["ob"], []).append((body.get("run", 0), place))
-    for ob in sorted({1, 100, 102, *program["header"]["obs"], *choices}):
+    for ob in sorted({1, 100, 102, *program["header"]["obs"], *loaded, *choices}):
         lines = [f"    CALL SFC {RUN} ( OB_NR := {ob}, RET_VAL := MW 0 )"]
         for run, place in sorted(choices.get(ob, []), reverse=True):
             if run:

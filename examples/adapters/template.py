@@ -12,11 +12,13 @@ HEADER = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7")
 class Adapter:
     """Runs one program: it owns the time, the CPU and the bodies of the OBs that run."""
 
+    cpu_type = ToyCpu
+
     def __init__(self, program):
         self.program = program
         self.now, self.started, self.stack = 0, {}, []
         self.clock = datetime.fromisoformat(program["header"]["clock"])
-        self.cpu = ToyCpu(program["header"], self)
+        self.cpu = self.cpu_type(program["header"], self)
 
     def log(self, event, **fields):
         """Called by the CPU for everything that the log format has a line for."""

@@ -22,8 +22,11 @@ class UnsupportedError(Exception):
 class ToyCpu:
     """Tells `adapter` by `log`, `start` and `stop` what happens, and reads the time from its `now`."""
 
+    lacks = ("priority", "step7", "cycle")
+    """Fields of a header that it cannot keep."""
+
     def __init__(self, header, adapter):
-        for field in ("priority", "step7", "cycle"):
+        for field in self.lacks:
             if header.get(field):
                 raise UnsupportedError(f"no {field} in the header")
         self.adapter = adapter
