@@ -7,6 +7,7 @@ import pytest
 
 import s7check
 from s7check.cli import main
+from s7check.reducing.candidate import Judge
 from tests.logs import HEADER, at, event, log_text
 
 RUN = HEADER | {"mode": "RUN", "latency_ms": 20, "x_site": "mill"}
@@ -35,8 +36,9 @@ def test_fewer_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert capsys.readouterr().err.startswith(f"{log}:203: 3 of 203 lines, ")
 
 
-def test_no_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Without time the log itself is written, up to the rejected line, and the message says so."""
+def test_no_time(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without time the log itself is written, up to the rejected line, and the message says so: it is judged once."""
+    monkeypatch.delattr(Judge, "answer")
     log = tmp_path / "log.ndjson"
     log.write_bytes(log_text(event("DIS_AIRT", ret=1), event("EN_AIRT", ret=7), event("hold"), header=RUN))
     assert main(["reduce", "--budget", "0", str(log)]) == 0

@@ -150,7 +150,7 @@ class Runner:
         if self._letters:
             header["readings"] = header.get("readings", {}) | self._letters
         with pool.engine() as engine, suppress(EngineError):
-            reduction = reduce_log([header, *events], engine, time.monotonic() + _REDUCING)
+            reduction = reduce_log([header, *events], report, engine, time.monotonic() + _REDUCING)
             return as_text(reduction.header, reduction.events).decode()
         return ""
 

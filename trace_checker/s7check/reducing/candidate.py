@@ -11,6 +11,7 @@ from s7check.asking.session import Session
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
+from s7check.judging.verdict import Report
 from s7check.log.elapsed import Clocks
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import read_event
@@ -18,11 +19,8 @@ from s7check.log.header import read_header
 
 Fields = Mapping[str, Any]
 
-_LONGEST = 600.0
-"""Seconds for the log itself."""
-
-_LEAST, _MOST = 1.0, 3.0
-"""Seconds for a candidate: twice those of the log itself, within these limits."""
+_PATIENCE = 2.0
+"""Seconds for a candidate. Where much is open a whole log may take minutes, and what is left of it is to be small."""
 
 
 class OutOfTimeError(Exception):
@@ -48,17 +46,12 @@ class Judge:
     which is the first requirement that decided there.
     """
 
-    def __init__(self, engine: Engine, header: Fields, events: Sequence[Event], until: float) -> None:
-        """Raises EngineError, and ValueError if the log is not rejected."""
+    def __init__(self, engine: Engine, rejection: Report, until: float) -> None:
+        """``rejection`` is the report of the log itself, which is not judged again: that may take minutes."""
         self._engine = engine
+        self._late = bool(rejection.late)
+        self._decided = set(rejection.requirements[:1])
         self._until = until
-        self._patience = _LONGEST
-        begun = time.monotonic()
-        answer = self.answer(header, events)
-        self._patience = min(max(_LEAST, 2 * (time.monotonic() - begun)), _MOST)
-        if answer is None or answer.verdict != "rejected":
-            raise ValueError("the log is not rejected")
-        self.first = answer
 
     def fits(self, header: Fields, events: Sequence[Event]) -> bool:
         """Whether the log is rejected alike. Raises EngineError, and OutOfTimeError."""
@@ -69,8 +62,8 @@ class Judge:
             answer is not None
             and answer.verdict == "rejected"
             and answer.line == len(events) + 1
-            and answer.late == self.first.late
-            and set(self.first.requirements[:1]) <= set(answer.requirements)
+            and answer.late == self._late
+            and self._decided <= set(answer.requirements)
         )
 
     def explained(self, header: Fields, events: Sequence[Event]) -> list[Event]:
@@ -97,7 +90,7 @@ class Judge:
         except UnusableLogError:
             return None
         try:
-            self._engine.begin(normalised, until=time.monotonic() + self._patience)
+            self._engine.begin(normalised, until=time.monotonic() + _PATIENCE)
             self._engine.send(stamped)
             return self._engine.finish()
         except EngineTooSlowError:

@@ -45,20 +45,19 @@ no verdict.
     type=click.FloatRange(min=0),
     default=_BUDGET,
     show_default=True,
-    help="Seconds to try; then the smallest log so far is written.",
+    help="Seconds to try smaller logs once LOG is judged; then the smallest so far is written.",
     metavar="SECONDS",
 )
 @click.argument("log", metavar="LOG", shell_complete=complete_files)
 def reduce_command(file: Path | None, budget: float, log: str) -> int:
     """Reduce and write."""
-    until = time.monotonic() + budget
     with Engine() as engine:
         report = check_log(log, engine, lambda _, __: None)
         if report.verdict != "rejected":
             click.echo(f"{place(report)}: {report.verdict}: {message(report)}", err=True)
             return _NOT_REJECTED if report.verdict == "accepted" else EXIT_CODES[report.verdict]
         try:
-            reduction = reduce_log(_lines(log, report), engine, until)
+            reduction = reduce_log(_lines(log, report), report, engine, time.monotonic() + budget)
         except EngineError as error:
             click.echo(f"Error: {error}", err=True)
             return EXIT_CODES["no verdict"]

@@ -6,6 +6,7 @@ from datetime import datetime
 from typing import Any
 
 from s7check.engine.client import Engine
+from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError
 from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
 
@@ -13,13 +14,12 @@ _NEEDED = ("format", "cpu", "obs", "clock", "mode")
 """Fields that each header keeps; ``mode`` may be left out, but nobody knows its default by heart."""
 
 
-def reduce_log(lines: Sequence[Fields], engine: Engine, until: float) -> "Reduction":
+def reduce_log(lines: Sequence[Fields], rejection: Report, engine: Engine, until: float) -> "Reduction":
     """The reduction of a log, header first, that is rejected at its last line, at the time ``until`` of
-    ``time.monotonic`` at the latest. Raises EngineError, UnusableLogError, and ValueError if it is not rejected.
+    ``time.monotonic`` at the latest. Raises EngineError and UnusableLogError.
     """
     header, *fields = lines
-    events = list(map(Event, fields))
-    reduction = Reduction(Judge(engine, header, events, until), header, events)
+    reduction = Reduction(Judge(engine, rejection, until), header, list(map(Event, fields)))
     reduction.run()
     return reduction
 
