@@ -12,6 +12,8 @@ MCFamilies == TwoFamilies
 MCLoads == {{10, 40, 80, 85, 100}, {40, 80, 85, 100}}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
 MCMoments == HalfMinutes(0, 1)
+(* The full lane. *)
+WideMoments == HalfMinutes(0, 2)
 MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
