@@ -24,7 +24,7 @@ class Processes:
         self._running: set[subprocess.Popen[str]] = set()
         self._closed = False
 
-    def start(self, command: list[str], directory: Path) -> subprocess.Popen[str]:
+    def start(self, command: list[str], directory: Path, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[str]:
         """Start a process in a group of its own. Raises `InterruptedRunError` after `close`."""
         with self._lock:
             if self._closed:
@@ -32,7 +32,7 @@ class Processes:
             process = subprocess.Popen(
                 command,
                 cwd=directory,
-                stdin=subprocess.DEVNULL,
+                stdin=stdin,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
                 text=True,
@@ -57,6 +57,17 @@ class Processes:
 
         Raises `InterruptedRunError` after the block if `close` was called meanwhile.
         """
+        try:
+            with self.watched(process, seconds) as expired:
+                yield expired
+        finally:
+            self.end(process)
+        if self.closed:
+            raise InterruptedRunError
+
+    @contextlib.contextmanager
+    def watched(self, process: subprocess.Popen[str], seconds: float) -> Iterator[threading.Event]:
+        """Kill a process after so many seconds in the block; the event says that its time was up."""
         expired = threading.Event()
 
         def expire() -> None:
@@ -70,9 +81,6 @@ class Processes:
             yield expired
         finally:
             watchdog.cancel()
-            self.end(process)
-        if self.closed:
-            raise InterruptedRunError
 
     def close(self) -> None:
         """Kill all and start no more."""

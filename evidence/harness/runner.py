@@ -17,6 +17,7 @@ from evidence.harness.mutate import StaleMutationError, prepare
 from evidence.tlc import cfg
 from evidence.tlc import process as tlc
 from evidence.tlc.messages import Message, Outcome, progress
+from evidence.tlc.resident import Residents
 
 
 @dataclass(frozen=True)
@@ -47,12 +48,17 @@ class _Running:
 
 @dataclass(frozen=True)
 class Harness:
-    """Shared by all runs. `workers` are the TLC workers of a model that allows several (None: its own number)."""
+    """Shared by all runs.
+
+    `workers` are the TLC workers of a model that allows several (None: its own number); `residents` run the negative
+    controls of a model one after the other in one JVM (None: each run has its own).
+    """
 
     manifest: Manifest
     tools: tlc.Toolchain
     processes: Processes
     workers: int | None = None
+    residents: Residents | None = None
 
     def workers_of(self, model: Model) -> int:
         """Return the TLC workers of a model: 1 where the manifest says 1, even if the user asked for more."""
@@ -62,8 +68,11 @@ class Harness:
 def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
     """Run one model and judge it. Raises `InterruptedRunError`.
 
-    A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants.
+    A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants. What a
+    JVM says that ran TLC before counts only if it is as pinned: else the control has a JVM of its own.
     """
+    if harness.residents is not None and not _may_share(harness, model):
+        harness = replace(harness, residents=None)
     narrow = model
     if model.kind == "negative" and model.expect.property in model.checked("PROPERTY"):
         narrow = _only(model, model.expect.property)
@@ -72,7 +81,16 @@ def check(harness: Harness, model: Model, listen: Callable[[Message], None] = la
     except StaleMutationError as stale:
         return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
     outcome = _attribute(harness, narrow, run)
-    return judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
+    result = judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
+    if harness.residents is None or (result.ok and not outcome.liveness_checked):
+        return result
+    return check(replace(harness, residents=None), model, listen)
+
+
+def _may_share(harness: Harness, model: Model) -> bool:
+    """Whether a JVM may run this after another control of the same model: TLC checks no liveness twice in a JVM."""
+    base = next((m for m in harness.manifest.models if m.name == model.base), None)
+    return model.kind == "negative" and model.brief and base is not None and base.kind == "model"
 
 
 def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> tlc.TlcRun:
@@ -86,7 +104,8 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
     )
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
         space = prepare(Path(temporary).resolve(), harness.manifest.spec, harness.manifest.directory, model)
-        return tlc.run(harness.tools, space, options, harness.processes, listen)
+        shared = harness.residents and harness.residents.run(model.base, harness.tools, space, options, listen)
+        return shared or tlc.run(harness.tools, space, options, harness.processes, listen)
 
 
 def _only(model: Model, name: str) -> Model:
@@ -118,7 +137,8 @@ def run_all(harness: Harness, models: list[Model], jobs: int, tell: Callable[[Ev
     A model takes as many cores as it has TLC workers. `tell` is called in this thread. Whatever ends this call early,
     Ctrl-C too, kills all that runs.
     """
-    waiting = sorted(models, key=lambda m: -sum(m.seconds))
+    # The controls of a model stand together, so that they find a JVM that ran the one before.
+    waiting = sorted(models, key=lambda m: (-sum(m.seconds), m.base))
     events: queue.Queue[Event | BaseException] = queue.Queue()
     results: dict[str, Result] = {}
     free = jobs

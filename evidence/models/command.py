@@ -5,11 +5,12 @@ Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 
 
 from __future__ import annotations
 
+import contextlib
 import re
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -26,6 +27,7 @@ from evidence.harness.runner import Event, Harness, run_all
 from evidence.models import canaries, distributed, report
 from evidence.models.update import update
 from evidence.tlc import process as tlc
+from evidence.tlc.resident import Residents
 
 DRIFT = 1
 
@@ -139,7 +141,8 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
             drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
     with Progress(console, len(selected)) as progress:
         if request.cluster is None:
-            results = run_all(harness, selected, request.jobs, progress)
+            with contextlib.closing(Residents(processes, request.jobs)) as residents:
+                results = run_all(replace(harness, residents=residents), selected, request.jobs, progress)
         else:
             results = _run_distributed(harness, selected, request.cluster, progress)
     if request.update:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import os
+import subprocess
+import threading
 import time
 import zipfile
 from collections.abc import Callable
@@ -102,21 +104,33 @@ class Options:
 
 
 def command_line(tools: Toolchain, space: Workspace, options: Options) -> list[str]:
-    """Return the command. Fingerprint function and seed are fixed, so that a run does the same each time."""
-    liveness = () if "-lncheck" in options.args else ("-lncheck", "final")
+    """Return the command of a run by itself."""
+    return [
+        *java(tools, options, space.scratch),
+        f"-DTLA-Library={os.pathsep.join(str(path) for path in space.library)}",
+        *("-cp", str(tools.jar), MAIN_CLASS),
+        *arguments(tools, space, options),
+        space.module,
+    ]
+
+
+def java(tools: Toolchain, options: Options, scratch: Path) -> list[str]:
+    """Return Java and its options. TLC unpacks its standard modules in `scratch`, which two JVMs must not share."""
     return [
         tools.java,
         *tools.sharing,
         "-XX:+UseSerialGC" if options.workers == 1 else "-XX:+UseParallelGC",
         *(("-XX:TieredStopAtLevel=1",) if options.brief else ()),
         f"-Xmx{options.heap}m",
-        # TLC unpacks its standard modules here; two runs at a time must not share it.
-        f"-Djava.io.tmpdir={space.scratch}",
-        f"-DTLA-Library={os.pathsep.join(str(path) for path in space.library)}",
+        f"-Djava.io.tmpdir={scratch}",
         f"-Dtlc2.TLC.progressInterval={PROGRESS_SECONDS}",
-        "-cp",
-        str(tools.jar),
-        MAIN_CLASS,
+    ]
+
+
+def arguments(tools: Toolchain, space: Workspace, options: Options) -> list[str]:
+    """Return TLC's arguments but the module. Fingerprint function and seed are fixed: a run does the same each time."""
+    liveness = () if "-lncheck" in options.args else ("-lncheck", "final")
+    return [
         "-tool",
         *tools.flags,
         *("-fp", "0", "-seed", "1"),
@@ -126,7 +140,6 @@ def command_line(tools: Toolchain, space: Workspace, options: Options) -> list[s
         *liveness,
         *options.args,
         *("-config", space.config.name),
-        space.module,
     ]
 
 
@@ -138,18 +151,42 @@ def run(
     listen: Callable[[Message], None] = lambda _: None,
 ) -> TlcRun:
     """Run TLC once. `listen` has each message as it comes. Raises `InterruptedRunError` if the harness is ending."""
-    began = time.monotonic()
     process = processes.start(command_line(tools, space, options), space.directory)
+    with processes.limited(process, options.timeout) as expired:
+        done = follow(process, space, expired, options, listen)
+    assert done is not None
+    return done
+
+
+def follow(
+    process: subprocess.Popen[str],
+    space: Workspace,
+    expired: threading.Event,
+    options: Options,
+    listen: Callable[[Message], None],
+    until: str | None = None,
+) -> TlcRun | None:
+    """Read the output of a run to the end of the process, or to the line that begins with `until` and the exit code.
+
+    None: the process ended before that line, within its time.
+    """
+    began = time.monotonic()
     parser = Parser()
     lines: list[str] = []
-    with processes.limited(process, options.timeout) as expired:
-        assert process.stdout is not None
-        for said in process.stdout:
-            line = space.located(said)
-            lines.append(line)
-            for message in parser.feed(line):
-                listen(message)
+    code: int | None = None
+    assert process.stdout is not None
+    for said in process.stdout:
+        if until is not None and said.startswith(until):
+            code = int(said.removeprefix(until))
+            break
+        line = space.located(said)
+        lines.append(line)
+        for message in parser.feed(line):
+            listen(message)
+    if code is None:
         code = process.wait()
+        if until is not None and not expired.is_set():
+            return None
     seconds = time.monotonic() - began
     parser.finish()
     outcome = interpret(parser, code)
