@@ -61,6 +61,11 @@ Settings ==
              : period \in {Once, Minutely},
                next \in {Never} \cup (Six..Six + 2) }
 
+(* Enough for negative controls that are not about settings. *)
+FewSettings ==
+    { NoSetting, [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,
+                                    !.start = Six + 1, !.period = Once ] }
+
 \* @type: (Int, Int, Int, Bool) => $request;
 Waits(o, class, rank, open) ==
     [ NoRequest EXCEPT !.ob = o, !.class = class, !.rank = rank,

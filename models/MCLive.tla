@@ -35,7 +35,10 @@ DelayRetVals == {OK}
 OneFamily == {"S7-300"}
 
 MCBudget == 2
-(* Enough for the negative controls. *)
+TwoEvents == 2
+(* Enough for the negative controls. MCLivePoint.cfg has it, too: its      *)
+(* states are those of MCLive.cfg, and a second event, for which TLC takes *)
+(* longer than for any other model, is left to the full lane.              *)
 OneEvent == 1
 
 VARIABLE
