@@ -1,5 +1,7 @@
 """Puts the specification, the engine and the programs of the kit into the wheel; all else is said in pyproject.toml."""
 
+import os
+import runpy
 import shutil
 import subprocess
 from pathlib import Path
@@ -13,6 +15,7 @@ SPECIFICATION = Path("spec")
 PROGRAMS = Path("kit/programs")
 KNOWN = ("differences.ndjson", "experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
+CONTENTS = "trace_checker/s7check/engine/contents.py"
 TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
 
@@ -38,6 +41,20 @@ class BuildWithData(build_py):
             copy = package / "jars" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(jar, copy)
+        parse_specification(package)
+
+
+def parse_specification(package: Path) -> None:
+    """Has the engine parse the specification, which it would do at its first use; without Java it still does then."""
+    java = shutil.which("java")
+    if java is None:
+        return
+    jars = [package / "jars" / JAR.name, *sorted((package / "jars" / "lib").glob("*.jar"))]
+    contents = runpy.run_path(CONTENTS)["contents"]
+    parsed = (package / "parsed" / f"{contents([*(package / 'spec').glob('*.tla'), *jars])}.tree").resolve()
+    parsed.parent.mkdir()
+    engine = [java, "-cp", os.pathsep.join(map(str, jars)), "s7.trace.Engine", package / "spec", parsed]
+    subprocess.run(engine, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False)
 
 
 def build_engine() -> None:

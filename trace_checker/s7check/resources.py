@@ -17,6 +17,9 @@ SPECIFICATION = _IN_WHEEL if INSTALLED else CHECKOUT / "spec"
 ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
 
+PARSED = _PACKAGE / "parsed"
+"""The folder of the parsed specification, which only a wheel has."""
+
 KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "kit" / "programs"
 """The programs of the conformance kit, in files of a program a line."""
 

@@ -106,6 +106,22 @@ def test_logs_are_judged(s7check: Path) -> None:
     assert second.startswith(f"{rejected}:3: rejected: ")
 
 
+def test_the_specification_comes_parsed(s7check: Path, bare: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is parsed at the first use; a module that was changed is."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(bare))
+    log = TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson"
+    subprocess.run([s7check, "trace", log], capture_output=True, check=True)
+    assert not list(bare.rglob("*.tree"))
+    module = next(s7check.parents[1].rglob("spec/Trace.tla"))
+    text = module.read_bytes()
+    module.write_bytes(text + b"\n")
+    try:
+        subprocess.run([s7check, "trace", log], capture_output=True, check=True)
+    finally:
+        module.write_bytes(text)
+    assert len(list(bare.rglob("*.tree"))) == 1
+
+
 def test_import(s7check: Path, bare: Path) -> None:
     """What a CPU recorded becomes a log."""
     (bare / "rows.csv").write_text("when,what\n2026-11-21T06:00:00,run\n", encoding="utf-8")

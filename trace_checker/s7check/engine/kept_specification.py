@@ -1,6 +1,7 @@
-"""The parsed specification in the cache: the engine reads it in a tenth of the time that the parser of TLC takes.
+"""The parsed specification in a file: the engine reads it in a tenth of the time that the parser of TLC takes.
 
-The engine writes it at its first use, and again when a module, the engine or TLC is another one.
+A wheel has the file. Where that is not of these modules and jars, and in a checkout, it is in the cache: the engine
+writes it at its first use, and again when a module, the engine or TLC is another one.
 """
 
 import hashlib
@@ -8,6 +9,8 @@ from contextlib import suppress
 from pathlib import Path
 
 from s7check.engine.cache import cache_folder
+from s7check.engine.contents import contents
+from s7check.resources import INSTALLED, PARSED
 
 _KEPT = 8
 """Parsed specifications in the cache; each has 0.4 MB."""
@@ -23,6 +26,10 @@ def specification_state(specification: Path, jars: list[Path]) -> str:
 def kept_specification(specification: Path, jars: list[Path]) -> list[str]:
     """The engine's argument for the file with the parsed specification; none where no file can be."""
     with suppress(OSError):
+        if INSTALLED:
+            shipped = PARSED / f"{contents([*specification.glob('*.tla'), *jars])}.tree"
+            if shipped.is_file():
+                return [str(shipped)]
         file = cache_folder() / f"{specification_state(specification, jars)}.tree"
         if not file.exists():
             file.parent.mkdir(parents=True, exist_ok=True)
