@@ -18,7 +18,7 @@ Holds(question, usual, letters, answer) ==
                   THEN cpu.readings[question] ELSE usual
     IN  question \in Ambiguities /\ (answer <=> letter \in letters)
 
-(* 06:00 on this day; midnight begins day n. *)
+(* The minute of 06:00 on this day. *)
 \* @type: (Int, Int, Int) => Int;
 SixOn(y, m, d) == DayNumber(y, m, d) * MinutesADay + 360
 

@@ -56,6 +56,10 @@ LiveNext == /\ Next
             /\ budget' = budget - Taken
             /\ budget' >= 0
 
+(* [DINT-03] [DINT-10] A delay that is over may end, also in its own OB.   *)
+MayEndInv ==
+    \A o \in Jobs : Settled /\ dint[o].left <= 1 => ENABLED DelayElapses(o)
+
 (* For properties that need all of Fairness, fairness of the CPU and its   *)
 (* programs, or of dispatch alone.                                         *)
 LiveSpec     == LiveInit /\ [][LiveNext]_liveVars /\ Fairness
