@@ -10,7 +10,7 @@ EXTENDS Conservation
 Most == 2
 
 WithAnother(s) ==
-    s \cup { [f EXCEPT ![o] = OneMore(f[o], g)]
+    s \cup { [f EXCEPT ![o][g] = @ + 1]
              : f \in s, o \in Obs, g \in Fates }
 Nobody == [o \in Obs |-> [f \in Fates |-> 0]]
 AllFates == WithAnother(WithAnother({Nobody}))
@@ -22,29 +22,42 @@ AnyNext == /\ fates' \in AllFates
 
 AloneSpec == Init /\ [][AnyNext]_tokenVars
 
-Changes(o, f) == fates'[o][f] - fates[o][f]
-
 (* A fate at its end stays. *)
-Over == {"served", "lost", "withdrawn", "cleared", "merged"}
-OverProp == [][ \A o \in Obs, f \in Over : Changes(o, f) >= 0 ]_tokenVars
+Over == {"served", "lost", "missed", "withdrawn", "cleared", "merged"}
+OverProp == [][ \A o \in Obs, f \in Over : Change(o, f) >= 0 ]_tokenVars
 
 (* Only a running start event is served. *)
 ServedProp ==
     [][ \A o \in Obs :
-          Changes(o, "served") > 0 =>
-            Changes(o, "running") = -Changes(o, "served") ]_tokenVars
+          Change(o, "served") > 0 =>
+            Change(o, "running") = -Change(o, "served") ]_tokenVars
 
 (* Only a waiting or open start event runs, one at a time. *)
 RunsProp ==
     [][ \A o \in Obs :
-          Changes(o, "running") > 0 =>
-            /\ Changes(o, "running") = 1
-            /\ Changes(o, "waiting") + Changes(o, "open") < 0 ]_tokenVars
+          Change(o, "running") > 0 =>
+            /\ Change(o, "running") = 1
+            /\ Change(o, "waiting") + Change(o, "open") < 0 ]_tokenVars
+
+(* A missing OB was to run, or an error without its OB occurs [OBS-20].    *)
+MissedProp ==
+    [][ \A o \in Obs :
+          Change(o, "missed") > 0 =>
+            \/ occurred'[o] > occurred[o]
+            \/ Change(o, "waiting") + Change(o, "open") < 0 ]_tokenVars
+
+(* An open start event never waited before, but for an OB that another may *)
+(* have reported [AMB-45].                                                 *)
+OpenProp ==
+    [][ \A o \in Obs :
+          Change(o, "open") > 0 =>
+            \/ occurred'[o] > occurred[o]
+            \/ \E p \in Obs : Change(p, "served") > 0 ]_tokenVars
 
 (* A lost start event never waited: DIS_IRT takes nothing back [IRT-16]. *)
 LostProp ==
     [][ \A o \in Obs :
-          Changes(o, "lost") > 0 => occurred'[o] > occurred[o] ]_tokenVars
+          Change(o, "lost") > 0 => occurred'[o] > occurred[o] ]_tokenVars
 
 (* At most two start events of an OB at a time, and none disappears.       *)
 OccurProp == [][ \A o \in Obs : occurred'[o] - occurred[o] \in 0..2 ]_tokenVars

@@ -4,19 +4,22 @@
 (* exactly one of                                                          *)
 (*   waiting    until its OB starts [OBS-07]                               *)
 (*   open       the sources leave open whether it has an effect of its own *)
-(*              [AMB-18] [AMB-77]                                          *)
+(*              [AMB-18] [AMB-45] [AMB-77]                                 *)
 (*   running, and when its OB has ended, served                            *)
-(*   lost       under DIS_IRT [IRT-04]                                     *)
-(*   withdrawn  by a call that cancels the interrupt [TINT-50], or by the  *)
-(*              call of the OB of a once interrupt [TINT-08]               *)
+(*   lost       under DIS_IRT [IRT-04], of its OB or of the OB 80 that     *)
+(*              reports it [AMB-48]                                        *)
+(*   missed     since its OB is missing [OBS-20]                           *)
+(*   withdrawn  by a call that cancels the interrupt [TINT-50], by the     *)
+(*              call of the OB of a once interrupt [TINT-08], or with its  *)
+(*              OB [AMB-66]                                                *)
 (*   cleared    by STOP [OBS-41]                                           *)
 (*   merged     with a start event that waited, was open or ran            *)
 (*                                                                         *)
-(* An abstract specification: models/MCRefineEvents shows that System      *)
-(* implements it.  `fates' is a multiset for each OB: how many start       *)
-(* events have each fate.                                                  *)
-(* Left out: missing OBs, HOLD, a blocked OB 80 (which may take the runs   *)
-(* that follow it along [AMB-48]).                                         *)
+(* An abstract specification: System implements it (models/FatesMapping).  *)
+(* `fates' is a multiset for each OB: how many start events have each      *)
+(* fate.                                                                   *)
+(* Left out: why an event is lost, missed or cleared when it occurs. The   *)
+(* mapping says it.                                                        *)
 (***************************************************************************)
 EXTENDS Integers
 
@@ -34,12 +37,12 @@ VARIABLES
 
 tokenVars == <<occurred, fates>>
 
-Fates == { "waiting", "open", "running", "served", "lost", "withdrawn",
-           "cleared", "merged" }
+Fates == { "waiting", "open", "running", "served", "lost", "missed",
+           "withdrawn", "cleared", "merged" }
 
 \* @type: (Str -> Int) => Int;
 Total(b) == b["waiting"] + b["open"] + b["running"] + b["served"] + b["lost"]
-              + b["withdrawn"] + b["cleared"] + b["merged"]
+              + b["missed"] + b["withdrawn"] + b["cleared"] + b["merged"]
 
 (* Every start event has one fate. *)
 Conserved == \A o \in Obs : occurred[o] = Total(fates[o])
@@ -48,81 +51,94 @@ Init == /\ occurred = [o \in Obs |-> 0]
         /\ fates = [o \in Obs |-> [f \in Fates |-> 0]]
 
 -----------------------------------------------------------------------------
-(* The fates of one OB's start events, b, after a step *)
+(* What a step does to the start events of one OB *)
 
-\* @type: (Str -> Int, Str) => (Str -> Int);
-OneMore(b, f) == [g \in Fates |-> IF g = f THEN b[g] + 1 ELSE b[g]]
+\* @type: (Int, Str) => Int;
+Change(o, f) == fates'[o][f] - fates[o][f]
 
-\* @type: (Str -> Int, Str, Str, Int) => (Str -> Int);
-Moved(b, f, g, n) == [ h \in Fates |-> IF h = f THEN b[h] - n
-                                       ELSE IF h = g THEN b[h] + n ELSE b[h] ]
+\* @type: (Int, Str) => Bool;
+More(o, f) == Change(o, f) > 0
 
-(* Any number of open start events may turn out to have had no effect. *)
-\* @type: (Str -> Int) => Set(Str -> Int);
-Faded(b) == { Moved(b, "open", "merged", n) : n \in 0..b["open"] }
+\* @type: Int => Bool;
+Busy(o) == fates[o]["waiting"] + fates[o]["open"] + fates[o]["running"] > 0
 
-(* One start event occurs.  It is merged only with another one. *)
-\* @type: (Str -> Int) => Set(Str -> Int);
-WithOneMore(b) ==
-    { OneMore(c, "waiting") : c \in Faded(b) }
-      \cup { OneMore(b, "open"), OneMore(b, "lost") }
-      \cup (IF b["waiting"] + b["open"] + b["running"] > 0
-            THEN { OneMore(b, "merged") } ELSE {})
+(* So many start events occur, and only these fates change. *)
+\* @type: (Int, Int, Set(Str)) => Bool;
+Moves(o, n, some) == /\ occurred'[o] = occurred[o] + n
+                     /\ Total(fates'[o]) = Total(fates[o]) + n
+                     /\ \A f \in Fates \ some : Change(o, f) = 0
 
-(* By the start of the OB of a once interrupt the others are withdrawn. *)
-\* @type: (Str -> Int) => Set(Str -> Int);
-WithStart(b) ==
-    { Moved(b, f, "running", 1)
-      : f \in { g \in {"waiting", "open"} : b[g] > 0 } }
-\* @type: (Str -> Int) => Set(Str -> Int);
-WithLastStart(b) ==
-    { Moved(Moved(c, "waiting", "withdrawn", c["waiting"]),
-            "open", "merged", c["open"]) : c \in WithStart(b) }
+(* Open start events may turn out to have had no effect. *)
+\* @type: Int => Bool;
+Fades(o) == Moves(o, 0, {"open", "merged"}) /\ ~More(o, "open")
+
+(* One or two start events occur: a time error may be reported in two      *)
+(* ways. One is merged only with another one. If one waits, open ones may  *)
+(* turn out to have had no effect.                                         *)
+\* @type: Int => Bool;
+Occurs(o) ==
+    LET new == {"waiting", "lost", "missed", "cleared", "merged"}
+    IN  \E n \in 1..2 :
+          /\ Moves(o, n, new \cup {"open"})
+          /\ \A f \in new : Change(o, f) >= 0
+          /\ Change(o, "open") < 0 => More(o, "waiting")
+          /\ More(o, "merged") => Busy(o) \/ Busy(o)'
+
+(* One start event that waits or is open is taken to be run or missed.     *)
+(* Open ones may turn out to have had no effect; or, of a once interrupt,  *)
+(* all others are withdrawn.                                               *)
+\* @type: (Int, Str) => Bool;
+Taken(o, fate) ==
+    /\ Moves(o, 0, {"waiting", "open", fate, "withdrawn", "merged"})
+    /\ Change(o, fate) = 1
+    /\ Change(o, "merged") >= 0
+    /\ \/ /\ Change(o, "waiting") \in {-1, 0}
+          /\ ~More(o, "open")
+          /\ Change(o, "withdrawn") = 0
+       \/ /\ fates'[o]["waiting"] = 0 /\ fates'[o]["open"] = 0
+          /\ Change(o, "withdrawn") >= 0
+          /\ Change(o, "withdrawn") + Change(o, "waiting") \in {-1, 0}
+
+\* @type: Int => Bool;
+Ends(o) == /\ Moves(o, 0, {"running", "served"})
+           /\ Change(o, "running") = -1
+
+(* [AMB-45] Another OB may have reported that this one is missing. *)
+\* @type: Int => Bool;
+Excused(o) == Moves(o, 0, {"waiting", "open"}) /\ ~More(o, "waiting")
+
+\* @type: Int => Bool;
+Withdraws(o) ==
+    /\ Moves(o, 0, {"waiting", "open", "withdrawn", "merged"})
+    /\ fates'[o]["waiting"] = 0 /\ fates'[o]["open"] = 0
+    /\ Change(o, "withdrawn") = fates[o]["waiting"]
+
+\* @type: Int => Bool;
+Clears(o) ==
+    /\ Moves(o, 0, {"waiting", "open", "running", "cleared", "merged"})
+    /\ fates'[o]["waiting"] = 0 /\ fates'[o]["open"] = 0
+    /\ fates'[o]["running"] = 0
+    /\ Change(o, "merged") = fates[o]["open"]
 
 -----------------------------------------------------------------------------
 
-(* One or two start events of an OB occur at a time: a time error may be   *)
-(* reported in two ways.                                                   *)
-Occur == \A o \in Obs :
-           LET one == WithOneMore(fates[o])
-           IN  \/ occurred'[o] = occurred[o] /\ fates'[o] = fates[o]
-               \/ occurred'[o] = occurred[o] + 1 /\ fates'[o] \in one
-               \/ /\ occurred'[o] = occurred[o] + 2
-                  /\ \E c \in one : fates'[o] \in WithOneMore(c)
+Occur == \A o \in Obs : Occurs(o) \/ Fades(o)
 
 \* @type: Int => Bool;
-Start(o) == /\ \A p \in Obs :
-                 fates'[p] \in
-                   IF p = o
-                   THEN UNION { Faded(c) : c \in WithStart(fates[p]) }
-                          \cup WithLastStart(fates[p])
-                   ELSE Faded(fates[p])
-            /\ UNCHANGED occurred
+Start(o) == Taken(o, "running") /\ \A p \in Obs \ {o} : Fades(p)
 
 \* @type: Int => Bool;
-End(o) == /\ fates[o]["running"] > 0
-          /\ fates' = [fates EXCEPT ![o] =
-                         Moved(fates[o], "running", "served", 1)]
-          /\ UNCHANGED occurred
+End(o) == Ends(o) /\ \A p \in Obs \ {o} : Excused(p)
 
+(* An OB that is missing, or no longer waits, may be reported by another.  *)
 \* @type: Int => Bool;
-Withdraw(o) == /\ fates' = [fates EXCEPT ![o] =
-                    Moved(Moved(fates[o],
-                      "waiting", "withdrawn", fates[o]["waiting"]),
-                      "open", "merged", fates[o]["open"])]
-               /\ UNCHANGED occurred
+Vanish(o) == /\ Withdraws(o) \/ Taken(o, "missed")
+             /\ \A p \in Obs \ {o} : Occurs(p) \/ Fades(p)
 
-Fade == (\A o \in Obs : fates'[o] \in Faded(fates[o])) /\ UNCHANGED occurred
+Stop == \A o \in Obs : Clears(o)
 
-Stop == /\ fates' = [o \in Obs |->
-                      Moved(Moved(Moved(fates[o],
-                        "waiting", "cleared", fates[o]["waiting"]),
-                        "running", "cleared", fates[o]["running"]),
-                        "open", "merged", fates[o]["open"])]
-        /\ UNCHANGED occurred
-
-Next == \/ Occur \/ Fade \/ Stop
-        \/ \E o \in Obs : Start(o) \/ End(o) \/ Withdraw(o)
+Next == \/ Occur \/ Stop
+        \/ \E o \in Obs : Start(o) \/ End(o) \/ Vanish(o)
 
 Spec == Init /\ [][Next]_tokenVars
 =============================================================================

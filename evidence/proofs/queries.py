@@ -111,7 +111,7 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
 class Refinement(msgspec.Struct, forbid_unknown_fields=True):
     """The formulas by which System implements abstract specifications: `begins` and, of each action, `steps`.
 
-    `module` extends that of the induction, with a mapping, with `constants` and initial predicates of its own. Each
+    Its `module` extends that of the induction, with a mapping, with `constants` and initial predicates of its own. Each
     action is asked together with the action `history`, of variables that the mapping alone has.
     """
 
@@ -129,7 +129,8 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
 
     version: Literal[1]
     induction: Induction
-    refinement: Refinement
+    refinements: dict[str, Refinement]
+    """By the first word of the names of their queries."""
     letters: Letters
     not_proved: list[NotProved]
     mutants: list[Mutant]
@@ -199,6 +200,7 @@ def load(root: Path) -> Proofs:
     steps, states = properties(modules)
     stated = {name for names in states.values() for name in names}
     formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
+    refined = {formula for refinement in file.refinements.values() for formula in refinement.steps}
     changes = _changes(root / MODELS)
     joined = [action for some in file.induction.together.values() for action in some]
     if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
@@ -212,7 +214,7 @@ def load(root: Path) -> Proofs:
         if formula not in formulas:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     for mutant in file.mutants:
-        if mutant.action not in actions or mutant.formula not in formulas | stated | set(file.refinement.steps):
+        if mutant.action not in actions or mutant.formula not in formulas | stated | refined:
             raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
         if not changes.get(mutant.control):
             raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
@@ -297,36 +299,14 @@ def _queries(
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
     queries += [step(name, "step", some, left) for name, some in groups.items()]
-    refinement = file.refinement
-    refines = replace(
-        anywhere,
-        kind="refines",
-        module=refinement.module,
-        constants=refinement.constants,
-        init=refinement.any,
-        next=TOGETHER,
-        history=refinement.history,
-    )
-    queries += [
-        replace(
-            refines,
-            name="refines-first",
-            init=refinement.first,
-            actions=actions[:1],
-            formulas=tuple(refinement.begins),
-        ),
-        *(
-            replace(
-                refines,
-                name=f"refines-{query.name}",
-                actions=query.actions,
-                length=1,
-                formulas=tuple(refinement.steps),
-            )
-            for query in queries
-            if query.kind == "step"
-        ),
-    ]
+    refines = {word: _refines(anywhere, refinement) for word, refinement in file.refinements.items()}
+    stepping = [query for query in queries if query.kind == "step"]
+    for word, refinement in file.refinements.items():
+        first = replace(refines[word], name=f"{word}-first", init=refinement.first, actions=actions[:1])
+        queries.append(replace(first, formulas=tuple(refinement.begins)))
+        for query in stepping:
+            after = replace(refines[word], name=f"{word}-{query.name}", actions=query.actions, length=1)
+            queries.append(replace(after, formulas=tuple(refinement.steps)))
     beside = {(cell.action, cell.formula) for cell in file.not_proved}
     queries += [
         replace(step(f"letters-{name}", "letters", some, beside), shown=tuple(file.letters.shown))
@@ -341,9 +321,10 @@ def _queries(
         replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
         for action in actions
     ]
+    of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
         replace(
-            one(mutant.action, refines if mutant.formula in refinement.steps else anywhere),
+            one(mutant.action, of.get(mutant.formula, anywhere)),
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),
@@ -352,6 +333,19 @@ def _queries(
         for mutant in file.mutants
     ]
     return [*queries, *(_claim(claim, base.timeout) for claim in file.claims)]
+
+
+def _refines(anywhere: Query, refinement: Refinement) -> Query:
+    """What the queries of a refinement have in common."""
+    return replace(
+        anywhere,
+        kind="refines",
+        module=refinement.module,
+        constants=refinement.constants,
+        init=refinement.any,
+        next=TOGETHER,
+        history=refinement.history,
+    )
 
 
 def _claim(claim: Claim, timeout: int) -> Query:

@@ -138,19 +138,41 @@ def test_actions_that_are_asked_together(proofs: Proofs) -> None:
     assert not left & set(query.formulas)
 
 
-def test_each_action_refines(proofs: Proofs) -> None:
+@pytest.mark.parametrize(
+    ("word", "any_state", "begins", "steps", "history", "abstract", "needed"),
+    [
+        (
+            "refines",
+            "AnyRefined",
+            ("LockBegins", "LifeBegins"),
+            ("LockStep", "LifeStep"),
+            "History",
+            {"CounterLock", "LifeCycle"},
+            {"InClass", "RunningClasses"},
+        ),
+        ("conserves", "AnyCounted", ("EventsBegin",), ("EventsStep",), "Counted", {"Conservation"}, {"FatesOf"}),
+    ],
+)
+def test_each_action_refines(
+    proofs: Proofs,
+    word: str,
+    any_state: str,
+    begins: tuple[str, ...],
+    steps: tuple[str, ...],
+    history: str,
+    abstract: set[str],
+    needed: set[str],
+) -> None:
     """Every action is asked the steps of the abstract specifications, with the history, and their initial states."""
-    first, *steps = (query for query in proofs.queries if query.kind == "refines")
-    assert (first.init, first.formulas, first.length) == ("FirstInit", ("LockBegins", "LifeBegins"), 0)
-    assert sorted(action for query in steps for action in query.actions) == sorted(proofs.actions)
-    assert {(q.init, q.formulas, q.length, q.expect) for q in steps} == {
-        ("AnyRefined", ("LockStep", "LifeStep"), 1, "holds")
-    }
-    (query,) = proofs.select(("refines-StartsOb",))
+    first, *others = (q for q in proofs.queries if q.kind == "refines" and q.name.startswith(f"{word}-"))
+    assert (first.formulas, first.length) == (begins, 0)
+    assert sorted(action for query in others for action in query.actions) == sorted(proofs.actions)
+    assert {(q.init, q.formulas, q.length, q.expect) for q in others} == {(any_state, steps, 1, "holds")}
+    (query,) = proofs.select((f"{word}-StartsOb",))
     text, _ = texts(ROOT, query)
-    assert "\nTogether == (StartsOb) /\\ History\n====" in text
-    assert instances(ROOT, query, text).keys() == {"CounterLock", "LifeCycle"}
-    assert {"InClass", "RunningClasses"} <= definitions(text)
+    assert f"\nTogether == (StartsOb) /\\ {history}\n====" in text
+    assert instances(ROOT, query, text).keys() == abstract
+    assert needed <= definitions(text)
 
 
 def test_one_invariant_for_all(proofs: Proofs) -> None:

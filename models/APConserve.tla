@@ -1,0 +1,46 @@
+----------------------------- MODULE APConserve -----------------------------
+(***************************************************************************)
+(* System implements Conservation, for Apalache: from any state in which   *)
+(* Ind holds, in the world of APSystem, each action is a step of it or     *)
+(* changes nothing of it. An asynchronous error has a fault id.            *)
+(*                                                                         *)
+(* Two OBs are counted here, and each is any. That is enough for all: Next *)
+(* of Conservation speaks of one OB that starts, ends, is missing or loses *)
+(* its start events, and of each other by itself. That one is the first    *)
+(* here, since another is another case of the same query.                  *)
+(* The history begins at 0: Conservation speaks of what a step adds.       *)
+(***************************************************************************)
+EXTENDS APSystem, FatesMapping
+
+CONSTANTS
+    \* @type: Int;
+    ActingOb,
+    \* @type: Int;
+    OtherOb
+
+APCounted == {ActingOb, OtherOb}
+
+ConserveConstants == /\ AnyConstants
+                     /\ AnyFault # 0
+                     /\ ActingOb \in {10, 11, 20, 40, 80, 85}
+                     /\ OtherOb \in {10, 11, 20, 40, 80, 85}
+
+AnotherActs == /\ step'.event \in { "start", "end", "missing", "delete",
+                                    "SET_TINT", "CAN_TINT",
+                                    "SRT_DINT", "CAN_DINT" }
+               /\ step'.ob # ActingOb
+
+AnyCounted ==
+    /\ AnyInit
+    /\ occurred = [o \in CountedObs |-> Waits(o) + Opens(o) + Runs(o)]
+    /\ served = NoneYet /\ lost = NoneYet /\ missed = NoneYet
+    /\ withdrawn = NoneYet /\ cleared = NoneYet
+FirstCounted ==
+    /\ Init
+    /\ occurred = NoneYet
+    /\ served = NoneYet /\ lost = NoneYet /\ missed = NoneYet
+    /\ withdrawn = NoneYet /\ cleared = NoneYet
+
+EventsBegin == Events!Init
+EventsStep == AnotherActs \/ Events!Next \/ UNCHANGED Events!tokenVars
+=============================================================================
