@@ -8,7 +8,8 @@
 (* of Conservation speaks of one OB that starts, ends, is missing or loses *)
 (* its start events, and of each other by itself. That one is the first    *)
 (* here, since another is another case of the same query.                  *)
-(* The history begins at 0: Conservation speaks of what a step adds.       *)
+(* The history begins at 0: Conservation speaks of what a step adds. The   *)
+(* fates are a variable, since Apalache copies what stands for a variable. *)
 (***************************************************************************)
 EXTENDS APSystem, FatesMapping
 
@@ -30,17 +31,24 @@ AnotherActs == /\ step'.event \in { "start", "end", "missing", "delete",
                                     "SRT_DINT", "CAN_DINT" }
                /\ step'.ob # ActingOb
 
+VARIABLE
+    \* @type: Int -> (Str -> Int);
+    counts
+
+CountsBegin == /\ served = NoneYet /\ lost = NoneYet /\ missed = NoneYet
+               /\ withdrawn = NoneYet /\ cleared = NoneYet
+               /\ counts = AllFates
+
 AnyCounted ==
     /\ AnyInit
     /\ occurred = [o \in CountedObs |-> Waits(o) + Opens(o) + Runs(o)]
-    /\ served = NoneYet /\ lost = NoneYet /\ missed = NoneYet
-    /\ withdrawn = NoneYet /\ cleared = NoneYet
-FirstCounted ==
-    /\ Init
-    /\ occurred = NoneYet
-    /\ served = NoneYet /\ lost = NoneYet /\ missed = NoneYet
-    /\ withdrawn = NoneYet /\ cleared = NoneYet
+    /\ CountsBegin
+FirstCounted == Init /\ occurred = NoneYet /\ CountsBegin
 
-EventsBegin == Events!Init
-EventsStep == AnotherActs \/ Events!Next \/ UNCHANGED Events!tokenVars
+CountedOn == Counted /\ counts' = AllFates'
+
+Tokens == INSTANCE Conservation WITH Obs <- CountedObs, fates <- counts
+
+EventsBegin == Tokens!Init
+EventsStep == AnotherActs \/ Tokens!Next \/ UNCHANGED Tokens!tokenVars
 =============================================================================

@@ -148,6 +148,5 @@ FatesOf(o) ==
               [] f = "cleared"   -> cleared[o]
               [] OTHER           -> rest ]
 
-Events == INSTANCE Conservation WITH
-              Obs <- CountedObs, fates <- [o \in CountedObs |-> FatesOf(o)]
+AllFates == [o \in CountedObs |-> FatesOf(o)]
 =============================================================================

@@ -34,16 +34,9 @@ PastAfter ==
 
 IsSet10 == tod[10].set /\ ~Deselected(10)
 
-Life == INSTANCE LifeCycle WITH
-            on      <- mode # "STOP",
-            doomed  <- stopCause # NoCause,
-            loaded  <- 10 \in loaded,
-            setting <- IF ~IsSet10 THEN "unset"
-                       ELSE IF tod[10].called THEN "called"
-                       ELSE IF tod[10].active THEN "active" ELSE "set",
-            once    <- IsSet10 /\ tod[10].period = Once,
-            blocked <- Blocked(10),
-            waiting <- Cardinality({ r \in requests : r.ob = 10 /\ ~r.open }),
-            perhaps <- OpenIn(requests, 10),
-            running <- OnStack(10)
+Setting10 == IF ~IsSet10 THEN "unset"
+             ELSE IF tod[10].called THEN "called"
+             ELSE IF tod[10].active THEN "active" ELSE "set"
+Once10    == IsSet10 /\ tod[10].period = Once
+Waiting10 == Cardinality({ r \in requests : r.ob = 10 /\ ~r.open })
 =============================================================================

@@ -39,6 +39,8 @@ EventsInit == /\ Init
 EventsNext == Next /\ Counted
 EventsSpec == EventsInit /\ [][EventsNext]_<<vars, history>>
 
+Events == INSTANCE Conservation WITH Obs <- CountedObs, fates <- AllFates
+
 ConservationSpec == Events!Spec
 
 EventsView == <<cpuVars, history>>

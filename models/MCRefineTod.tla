@@ -34,6 +34,17 @@ LifeInit == Init /\ past = "none"
 LifeNext == Next /\ past' = PastAfter
 LifeSpec == LifeInit /\ [][LifeNext]_LifeVars
 
+Life == INSTANCE LifeCycle WITH
+            on      <- mode # "STOP",
+            doomed  <- stopCause # NoCause,
+            loaded  <- 10 \in loaded,
+            setting <- Setting10,
+            once    <- Once10,
+            blocked <- Blocked(10),
+            waiting <- Waiting10,
+            perhaps <- OpenIn(requests, 10),
+            running <- OnStack(10)
+
 CycleSpec == Life!Spec
 
 LifeView == <<cpuVars, past>>

@@ -80,6 +80,14 @@ LaterDelayInv ==
       Cardinality({ r \in requests :
                       r.ob = o /\ r.follows = StillRunning }) <= 1
 
+(* [OBS-02] Two start events of an OB have two places. Two time errors may *)
+(* share one.                                                              *)
+OwnPlaceInv ==
+    \A r, s \in requests :
+      /\ r.ob = s.ob /\ r.ob # TimeErrorOb
+      /\ r.class = s.class /\ r.rank = s.rank
+      => r = s
+
 Ind == /\ IndInv
        /\ IsMoment(clock)
        /\ JobInv
@@ -88,6 +96,7 @@ Ind == /\ IndInv
        /\ CalledInv
        /\ OnceInv
        /\ RequestDataInv
+       /\ OwnPlaceInv
        /\ FrameDataInv
        /\ DueInv
        /\ OverlapInv

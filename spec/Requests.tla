@@ -55,15 +55,17 @@ OfOnePoint(r, s) ==
        \/ /\ r.ob = TimeErrorOb /\ s.ob = TimeErrorOb
           /\ r.cause \in TodObs /\ s.cause \in TodObs /\ r.cause # s.cause
 
-(* The place of a start event that occurs now. *)
+(* The place of a start event that occurs now. It shares no place with an  *)
+(* earlier one of its OB, or of its OB 80 for the same cause.              *)
 \* @type: (Set($request), $request) => Int;
 PlaceIn(q, new) ==
-    LET class == { r \in q : r.class = new.class }
-        last  == Cardinality({ r.rank : r \in class })
-        same  == { r \in class : /\ r.rank = last
-                                 /\ OfOnePoint(r, new) }
-    IN  IF same = {} \/ [new EXCEPT !.rank = last] \in q
-        THEN last + 1 ELSE last
+    LET class  == { r \in q : r.class = new.class }
+        last   == Cardinality({ r.rank : r \in class })
+        beside == { r \in class : r.rank = last }
+    IN  IF /\ \E r \in beside : OfOnePoint(r, new)
+           /\ \A r \in beside :
+                r.ob = new.ob => r.ob = TimeErrorOb /\ r.cause # new.cause
+        THEN last ELSE last + 1
 
 (* Start events that occur together share a place. *)
 \* @type: (Set($request), Set($request)) => Set($request);

@@ -8,6 +8,7 @@ so that none is forgotten; models/proofs.json lists the exceptions from the clai
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -211,7 +212,7 @@ def load(root: Path) -> Proofs:
             continue
         if action not in actions:
             raise ManifestError(f"{path}: {action} is no action of System")
-        if formula not in formulas:
+        if formula not in formulas | refined:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
     for mutant in file.mutants:
         if mutant.action not in actions or mutant.formula not in formulas | stated | refined:
@@ -293,12 +294,14 @@ def _queries(
     joined = {action for some in base.together.values() for action in some}
     groups = {**{action: [action] for action in actions if action not in joined}, **base.together}
 
-    def step(name: str, kind: Kind, some: list[str], left: set[tuple[str, str]]) -> Query:
-        formulas = tuple(formula for formula in whole if not left & {(action, formula) for action in some})
+    def claimed(formulas: Iterable[str], some: Iterable[str], left: set[tuple[str, str]] = left) -> tuple[str, ...]:
+        return tuple(formula for formula in formulas if not left & {(action, formula) for action in some})
+
+    def step(name: str, kind: Kind, some: list[str], formulas: tuple[str, ...]) -> Query:
         following = some[0] if len(some) == 1 else TOGETHER
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
-    queries += [step(name, "step", some, left) for name, some in groups.items()]
+    queries += [step(name, "step", some, claimed(whole, some)) for name, some in groups.items()]
     refines = {word: _refines(anywhere, refinement) for word, refinement in file.refinements.items()}
     stepping = [query for query in queries if query.kind == "step"]
     for word, refinement in file.refinements.items():
@@ -306,10 +309,10 @@ def _queries(
         queries.append(replace(first, formulas=tuple(refinement.begins)))
         for query in stepping:
             after = replace(refines[word], name=f"{word}-{query.name}", actions=query.actions, length=1)
-            queries.append(replace(after, formulas=tuple(refinement.steps)))
+            queries.append(replace(after, formulas=claimed(refinement.steps, query.actions)))
     beside = {(cell.action, cell.formula) for cell in file.not_proved}
     queries += [
-        replace(step(f"letters-{name}", "letters", some, beside), shown=tuple(file.letters.shown))
+        replace(step(f"letters-{name}", "letters", some, claimed(whole, some, beside)), shown=tuple(file.letters.shown))
         for name, some in file.letters.together.items()
     ]
 

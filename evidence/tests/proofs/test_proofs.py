@@ -150,7 +150,7 @@ def test_actions_that_are_asked_together(proofs: Proofs) -> None:
             {"CounterLock", "LifeCycle"},
             {"InClass", "RunningClasses"},
         ),
-        ("conserves", "AnyCounted", ("EventsBegin",), ("EventsStep",), "Counted", {"Conservation"}, {"FatesOf"}),
+        ("conserves", "AnyCounted", ("EventsBegin",), ("EventsStep",), "CountedOn", {"Conservation"}, {"FatesOf"}),
     ],
 )
 def test_each_action_refines(
