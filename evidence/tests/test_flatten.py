@@ -99,3 +99,9 @@ def test_a_module_that_is_not_there_is_named(tmp_path: Path) -> None:
     """The message has its name."""
     with pytest.raises(SyntaxTreeError, match="None"):
         flatten("None", [tmp_path])
+
+
+def test_a_name_of_an_instance_is_no_name_of_the_module() -> None:
+    """Next of an abstract specification does not bring the next-state relation of the module along."""
+    text = b"---- MODULE M ----\nA == Lock!Next \\/ UNCHANGED Lock!lockVars \\/ Lock!Foo(Bar, 2) \\/ Own(Baz)\n====\n"
+    assert references(Module("M", text).definitions["A"]) == {"Lock", "Bar", "Own", "Baz"}
