@@ -161,6 +161,14 @@ RUNS = {
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
     ),
+    "compare": Run(
+        "Beside an earlier revision",
+        "CPU seconds of this checkout and of the revision before the work on the cost of logs began, on the same logs; "
+        "none where there was no verdict in time ([benchmark](../../bench/README.md#beside-another-revision)).",
+        "bench/compare.py",
+        (sys.executable, "bench/compare.py", "--json", _REPORT),
+        summaries.bench,
+    ),
     "explorer": Run(
         "Steps of the explorer",
         "All that the page asks after each line of the gallery's logs. CPU is that of the engine's and the server's "
