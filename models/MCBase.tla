@@ -160,6 +160,14 @@ SeenProp ==
 PassedProp ==
     [][Did("reached") => ~(tod'[step'.ob].next <= clock.min)]_vars
 
+(* [OBS-07] A start event that waits for sure stays when another OB starts *)
+(* or is missing, also behind one of its class.                            *)
+StartKeepsProp ==
+    [][ step'.event \in {"start", "missing"} =>
+          \A r \in requests :
+            ~r.open /\ r.ob # step'.ob =>
+              \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
+
 (* [OBS-44] [AMB-53] [AMB-35] A point that the clock skips in STARTUP has  *)
 (* one run, later; or there is a STOP.                                     *)
 DeferProp ==
