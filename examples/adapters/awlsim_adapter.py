@@ -23,7 +23,7 @@ from awlsim.core.systemblocks.systemblocks import SFC
 from awlsim.core.systemblocks.tables import SFC_table
 from supplied_cpu import SuppliedCpu
 from template import Adapter, main
-from toy_cpu import UnsupportedError
+from toy_cpu import NEVER, UnsupportedError
 
 IN, OUT = BlockInterfaceField.FTYPE_IN, BlockInterfaceField.FTYPE_OUT
 OB_NR = (("OB_NR", "INT"),)
@@ -60,6 +60,7 @@ class AwlAdapter(Adapter):
         AwlAdapter.current = self
         self.begun = []
         self.outside = list(program["outside"])
+        self.cycles = [body for body in program["bodies"] if body["ob"] == 1]
         if any("every" in event for event in self.outside):
             raise UnsupportedError("no events that come again")
         if any("event" in step for body in program["bodies"] for step in body["steps"]):
@@ -117,6 +118,8 @@ class AwlAdapter(Adapter):
             for name, value in kept.items():
                 setattr(cpu, name, value)
         self.cpu.ended(ob)
+        if ob == 1 and all(0 < body.get("run", 0) <= self.started[1] for body in self.cycles):
+            self.cpu.cycle = NEVER  # empty cycles, which no log shows
 
     def pass_time(self, most=sys.maxsize):
         """Lets time pass until something happens; how much has passed."""
