@@ -14,7 +14,7 @@ import util.UniqueString;
  * Remembers evaluations of operators by the shape of their inputs, the state and one argument: what
  * differs between two inputs of one shape are times, and of those it knows how they decide.
  *
- * <p>An operator is recorded when a shape comes for the second time. A construct that the recording
+ * <p>An operator is recorded when a shape has come some times. A construct that the recording
  * does not know ends it; the shape is then evaluated as usual.
  */
 final class Memory {

@@ -17,6 +17,9 @@ final class Remembered<T> {
   /** The most ways through an operator that are kept. */
   private static final int MOST_WAYS = 64;
 
+  /** So often inputs come before a way is recorded: to record costs as much as some evaluations. */
+  private static final int OFTEN = 5;
+
   /** Steps, and after them a comparison or an outcome. */
   private static final class Node<T> {
     Recording.Step[] steps;
@@ -39,7 +42,7 @@ final class Remembered<T> {
 
   /** Whether these inputs are worth recording: they come again, and nothing has failed. */
   boolean worthRecording() {
-    return !given && ++seen > 1 && ways < MOST_WAYS;
+    return !given && ++seen >= OFTEN && ways < MOST_WAYS;
   }
 
   /** No more is recorded. */

@@ -95,7 +95,7 @@ class DecisionsTest {
   @Test
   @DisplayName("remembered steps tell the same")
   void remembered() {
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 12; i++) {
       State seven = spec.successors("Silent", begin(7), event("{'at': " + i + "}")).get(0);
       assertEquals(Set.of("Begin", "Silent", "count < 8"), outcomes(seven));
     }
