@@ -46,7 +46,8 @@ class Processes:
     def end(self, process: subprocess.Popen[str]) -> None:
         """Kill the rest of the process's group, close its output, and forget it."""
         kill(process)
-        with process:
+        # What was not read yet cannot be delivered any more.
+        with contextlib.suppress(BrokenPipeError), process:
             pass
         with self._lock:
             self._running.discard(process)
