@@ -54,10 +54,10 @@ class CheckFailedError(RuntimeError):
 class BriefProcesses(Processes):
     """Java processes that live for seconds: the second compiler would cost more than it saves."""
 
-    def start(self, command: list[str], directory: Path) -> subprocess.Popen[str]:
+    def start(self, command: list[str], directory: Path, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[str]:
         """Start a process in a group of its own. Raises `InterruptedRunError` after `close`."""
         quick = ["-XX:TieredStopAtLevel=1"] if "tlc2.TLC" in command else []
-        return super().start([command[0], *quick, *command[1:]], directory)
+        return super().start([command[0], *quick, *command[1:]], directory, stdin)
 
 
 class Check(Protocol):
