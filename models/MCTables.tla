@@ -97,11 +97,11 @@ MonthsAgree ==
       /\ DaysBeforeMonth(1992, m)
            = DaysBeforeMonth(1990, m) + (IF m > 2 THEN 1 ELSE 0)
 
-(* TLC takes only formulas that depend on the state for an invariant. *)
 (* A letter that is named counts, and it alone. *)
 NamedInv == \A a \in Ambiguities : \A letter \in Letters(a) :
               ReadingOf(ReadAs(a, letter, cpu), a) = letter
 
+(* TLC takes only formulas that depend on the state for an invariant. *)
 LettersInv == mode = "STOP" => LettersAgree
 MonthsInv  == mode = "STOP" => MonthsAgree
 
