@@ -39,7 +39,17 @@ PORT = 10997
 PATIENCE = 3.0
 """How long the server may go on without any worker, in seconds: it would wait for ever."""
 
+_EXCEPTION = "@!@!@STARTMSG 1000:1 "
+"""Message code and class: the server ended by an exception."""
+
 VIOLATED = "something is violated; TLC's server does not name it: run the model without --distributed"
+
+TRIES = 3
+"""How often a model is run whose server ends by an exception of its own.
+
+When the work is done, the server tells each worker to exit, and does not expect every way in which the connection
+to one that exits can end.
+"""
 
 SLACK = 4
 """A distributed run may take this many times the model's longest time: every block of states goes over the network."""
@@ -98,6 +108,21 @@ def server_command(tools: tlc.Toolchain, space: Workspace, model: Model, cluster
 
 def check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None] = lambda _: None) -> Result:
     """Run one model and judge it; `tell` has lines for the user. Raises `InterruptedRunError`."""
+    for again in range(TRIES):
+        result = _check_once(harness, model, cluster, tell)
+        if not _server_broke(result) or again == TRIES - 1:
+            break
+        tell("TLC's server ended by an exception: the model is run again")
+    return result
+
+
+def _server_broke(result: Result) -> bool:
+    """Whether the server ended by an exception, with nothing found: neither a violation nor a count."""
+    outcome = result.outcome
+    return outcome.kind == "broken" and not outcome.trace and _EXCEPTION in result.output
+
+
+def _check_once(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None]) -> Result:
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
         root = Path(temporary).resolve()

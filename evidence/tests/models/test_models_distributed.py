@@ -58,6 +58,24 @@ def test_violation_fails(spread: Project) -> None:
     assert "something is violated" in output
 
 
+@pytest.mark.parametrize(("failures", "exit_code", "runs"), [(2, 0, 3), (3, 1, 3)])
+def test_server_that_breaks(
+    spread: Project, monkeypatch: pytest.MonkeyPatch, failures: int, exit_code: int, runs: int
+) -> None:
+    """A server that ends by an exception says nothing about the model, which is run again, but not for ever."""
+    started: list[list[str]] = []
+    breaks = ["sh", "-c", "echo @!@!@STARTMSG 1000:1 @!@!@; exit 1"]
+    command = distributed.server_command
+
+    def server(*arguments: Any) -> list[str]:
+        started.append(breaks if len(started) < failures else command(*arguments))
+        return started[-1]
+
+    monkeypatch.setattr(distributed, "server_command", server)
+    code, output, _ = spread.run("--distributed", "2", "safe")
+    assert (code, len(started)) == (exit_code, runs), output
+
+
 @pytest.mark.parametrize(("name", "why"), [("counter", "ignores liveness"), ("neg-step", "only models that must pass")])
 def test_what_it_cannot_check_is_not_run(spread: Project, name: str, why: str) -> None:
     """A model that was named and cannot be run fails the command."""
