@@ -1,19 +1,20 @@
 ---------------------------- MODULE MCFatesAlone ---------------------------
 (***************************************************************************)
-(* Conservation by itself, with two OBs and two start events in all: every *)
-(* step from every state. System refines Conservation (MCRefineEvents),    *)
-(* but Conservation allows more than System. This model checks all that it *)
-(* allows.                                                                 *)
+(* Conservation by itself, with two OBs and two start events in all, or    *)
+(* with one OB and four: every step from every state. System refines       *)
+(* Conservation (MCRefineEvents), but Conservation allows more than        *)
+(* System. This model checks all that it allows.                           *)
 (***************************************************************************)
 EXTENDS Conservation
 
-Most == 2
+CONSTANT Most    \* start events in all
 
 WithAnother(s) ==
     s \cup { [f EXCEPT ![o][g] = @ + 1]
              : f \in s, o \in Obs, g \in Fates }
 Nobody == [o \in Obs |-> [f \in Fates |-> 0]]
-AllFates == WithAnother(WithAnother({Nobody}))
+UpTo[n \in 0..Most] == IF n = 0 THEN {Nobody} ELSE WithAnother(UpTo[n - 1])
+AllFates == UpTo[Most]
 
 (* Conservation leaves open some next states: each is tried.               *)
 AnyNext == /\ fates' \in AllFates
@@ -59,6 +60,6 @@ LostProp ==
     [][ \A o \in Obs :
           Change(o, "lost") > 0 => occurred'[o] > occurred[o] ]_tokenVars
 
-(* At most two start events of an OB at a time, and none disappears.       *)
-OccurProp == [][ \A o \in Obs : occurred'[o] - occurred[o] \in 0..2 ]_tokenVars
+(* At most three start events of an OB at a time, and none disappears.     *)
+OccurProp == [][ \A o \in Obs : occurred'[o] - occurred[o] \in 0..3 ]_tokenVars
 =============================================================================

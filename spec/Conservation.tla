@@ -72,13 +72,14 @@ Moves(o, n, some) == /\ occurred'[o] = occurred[o] + n
 \* @type: Int => Bool;
 Fades(o) == Moves(o, 0, {"open", "merged"}) /\ ~More(o, "open")
 
-(* One or two start events occur: a time error may be reported in two      *)
-(* ways. One is merged only with another one. If one waits, open ones may  *)
-(* turn out to have had no effect.                                         *)
+(* One start event occurs, or up to three: a time error may be reported in *)
+(* two ways, and an OB 80 from outside may come beside both. One is merged *)
+(* only with another one. If one waits, open ones may turn out to have had *)
+(* no effect.                                                              *)
 \* @type: Int => Bool;
 Occurs(o) ==
     LET new == {"waiting", "lost", "missed", "cleared", "merged"}
-    IN  \E n \in 1..2 :
+    IN  \E n \in 1..3 :
           /\ Moves(o, n, new \cup {"open"})
           /\ \A f \in new : Change(o, f) >= 0
           /\ Change(o, "open") < 0 => More(o, "waiting")

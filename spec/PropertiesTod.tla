@@ -184,12 +184,13 @@ OverlapProp ==
 
 (* [TINT-23] [OBS-44] Otherwise a point leads to its OB, in STARTUP as     *)
 (* well. If the OB may already wait, the point may be a time error, which  *)
-(* stops a CPU without OB 80 [OBS-22].                                     *)
+(* stops a CPU without OB 80 [OBS-22]: the first cause of a STOP stays.    *)
 OrdinaryProp ==
     [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Idle(step'.ob)
         => \/ PendingIn(requests', step'.ob)
            \/ /\ OpenIn(requests, step'.ob) /\ 80 \notin loaded
-              /\ stopCause' = \h4568 ]_vars
+              /\ stopCause' = IF stopCause = NoCause THEN \h4568
+                              ELSE stopCause ]_vars
 
 (* [TINT-15] The run that follows comes after its OB 80. *)
 AfterTimeErrorProp ==

@@ -183,7 +183,7 @@ Reported(r) ==
     r.follows # 0 =>
       \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
 
-(* [AMB-44] (b) A missing OB is noticed when it would start. *)
+(* [AMB-44] (a) A missing OB is noticed although it could not start.       *)
 \* @type: $request => Bool;
 NoticedAtOnce(r) == r.ob \notin loaded /\ MissingNoticedWhenDue
 

@@ -17,8 +17,9 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.proofs import report
 from evidence.proofs.apalache import ApalacheMissingError, find_apalache
+from evidence.proofs.kept import Result
 from evidence.proofs.queries import ManifestError, Query, load
-from evidence.proofs.runner import Asking, Kept, Result, ask, ok
+from evidence.proofs.runner import Asking, Kept, ask, ok
 from evidence.tla.syntax import SyntaxTreeError
 
 DIFFERENT = 1

@@ -7,8 +7,9 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from evidence.proofs.kept import Result
 from evidence.proofs.queries import FOLLOWS, Proofs, Query
-from evidence.proofs.runner import Result, ok
+from evidence.proofs.runner import ok
 
 Answers = list[tuple[Query, Result]]
 

@@ -1,21 +1,19 @@
-"""Asking a query: its module and configuration, the run, and the result that is kept for the next time."""
+"""Asking a query: its module and configuration, the run, and the answers that are kept for the next time."""
 
 from __future__ import annotations
 
-import hashlib
 import re
 import shutil
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
-
-import msgspec
 
 from evidence.common.processes import Processes
 from evidence.harness.manifest import Mutation
 from evidence.proofs import apalache
-from evidence.proofs.apalache import Answer
+from evidence.proofs import kept as keeping
+from evidence.proofs.kept import Result, Run
 from evidence.proofs.queries import TOGETHER, ManifestError, Query
 from evidence.proofs.text import ANY_LETTERS, definitions, module_text, module_text_of_letters, without_comments
 from evidence.tla.syntax import Module
@@ -26,21 +24,6 @@ AFTER_A_STEP = "--tuning-options=search.invariantFilter=1->.*"
 """Formulas about states are checked after the step, not before, where they are assumed."""
 
 _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
-
-
-class Result(msgspec.Struct, frozen=True):
-    """What came of a query.
-
-    `key` is the hash of all that Apalache read, but comments; `megabytes` the most memory that it had.
-    """
-
-    query: str
-    key: str
-    answer: Answer
-    seconds: float
-    megabytes: int
-    version: str
-    kept: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,42 +42,61 @@ def ok(query: Query, result: Result) -> bool:
 
 
 def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
-    """Ask a query, or take the result that is kept of the same text.
+    """Ask a query, or take the answers that are kept of the same texts.
 
-    Of `kept` answers, "claimed" takes the answers that are as claimed and asks for the others; "all" takes any, and
-    asks nothing: without one the outcome is "not asked".
+    Of `kept` answers, "claimed" takes those that are as claimed and asks for the other formulas; "all" takes any, and
+    asks nothing: where a formula has none, the outcome is "not asked".
 
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
     `evidence.common.processes.InterruptedRunError`.
     """
+    now = _keys(asking.root, query)
+    file = asking.build / f"{query.name}.json"
+    runs = [] if kept == "nothing" else keeping.read(file, now)
+    if kept == "claimed":
+        runs = [run for run in runs if run.answer.outcome == query.expect]
+    answered = {name for run in runs for name in run.keys}
+    lacking = tuple(name for name in query.formulas if name not in answered)
+    if kept == "all" or not lacking:
+        return keeping.together(query.name, query.formulas, runs, kept=True)
+    run = _run(asking, replace(query, formulas=lacking), now)
+    keeping.write(file, [*runs, run])
+    return keeping.together(query.name, query.formulas, [*runs, run], kept=False)
+
+
+def _run(asking: Asking, query: Query, now: dict[str, str]) -> Run:
+    """Ask Apalache all formulas of the query."""
     text, config = texts(asking.root, query)
-    others = instances(asking.root, query, text)
-    arguments = [
+    folder = asking.build / query.name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name, content in {query.module: text, **instances(asking.root, query, text)}.items():
+        (folder / f"{name}.tla").write_text(content, encoding="utf-8")
+    (folder / "query.cfg").write_text(config, encoding="utf-8")
+    arguments = [f"--inv={','.join(query.formulas)}", *_arguments(query)]
+    done = apalache.run(asking.program, arguments, query.formulas, folder, query.timeout, asking.processes)
+    (folder / "log").write_text(done.output, encoding="utf-8")
+    asked = {name: now[name] for name in query.formulas}
+    return Run(asked, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
+
+
+def _arguments(query: Query) -> list[str]:
+    """The arguments of Apalache that are the same for each formula."""
+    return [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
-        f"--inv={','.join(query.formulas)}",
         *([f"--cinit={query.constants if query.shown is None else ANY_LETTERS}"] if query.constants else []),
         *([AFTER_A_STEP] if query.kind not in ("claim",) and query.length else []),
         f"{query.module}.tla",
     ]
-    read = [without_comments(text), *map(without_comments, others.values())]
-    key = hashlib.sha256("\0".join([*read, config, *arguments]).encode()).hexdigest()
-    file = asking.build / f"{query.name}.json"
-    before = msgspec.json.decode(file.read_bytes(), type=Result) if file.exists() else None
-    if before is not None and before.key == key and (kept == "all" or (kept == "claimed" and ok(query, before))):
-        return msgspec.structs.replace(before, kept=True)
-    if kept == "all":
-        return Result(query.name, key, Answer("not asked", 0), 0, 0, "")
-    folder = asking.build / query.name
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    for name, content in {query.module: text, **others}.items():
-        (folder / f"{name}.tla").write_text(content, encoding="utf-8")
-    (folder / "query.cfg").write_text(config, encoding="utf-8")
-    done = apalache.run(asking.program, arguments, query.formulas, folder, query.timeout, asking.processes)
-    (folder / "log").write_text(done.output, encoding="utf-8")
-    result = Result(query.name, key, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
-    file.write_bytes(msgspec.json.encode(result))
-    return result
+
+
+def _keys(root: Path, query: Query) -> dict[str, str]:
+    """The key of each formula of the query: all that Apalache reads for it."""
+    text, config = texts(root, query)
+    others = [without_comments(other) for other in instances(root, query, text).values()]
+    replaced = [word for pair in _REPLACED.findall(config) for word in pair]
+    roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
+    return keeping.keys(text, query.formulas, roots, [*others, config, *_arguments(query)])
 
 
 def texts(root: Path, query: Query) -> tuple[str, str]:

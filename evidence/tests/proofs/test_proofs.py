@@ -17,9 +17,10 @@ from evidence.harness.manifest import MANIFEST as MODELS
 from evidence.harness.manifest import Mutation
 from evidence.proofs import command
 from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
+from evidence.proofs.kept import Result, Run, keys, read, together, write
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions, standing
-from evidence.proofs.runner import Asking, Result, ask, instances, ok, texts
+from evidence.proofs.runner import Asking, ask, instances, ok, texts
 from evidence.proofs.text import (
     all_letters,
     as_action,
@@ -349,6 +350,59 @@ def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs) -> 
     assert ask(violated, query, "all").answer.outcome == "violated"
 
 
+def test_the_key_of_a_formula_is_its_text() -> None:
+    """A change counts for the formulas that need what changed, and a comment for none."""
+    text = (
+        "---- MODULE M ----\nEXTENDS Integers\nVARIABLE\n  \\* @type: Int;\n  x\n\nInit == x = 0\n\n"
+        "Step == x + 1\n\n\\* @type: Bool;\nP == Step > 0\n\nQ == x > 0\n====\n"
+    )
+    before = keys(text, ["P", "Q"], ["Init"], ["length 1"])
+    assert before["P"] != before["Q"]
+    changes = {
+        "x + 1": ("x + 2", "P"),
+        "x > 0": ("x > 1", "Q"),
+        "x = 0": ("x = 1", "PQ"),
+        "EXTENDS Integers": ("EXTENDS Naturals", "PQ"),
+        "type: Bool": ("type: Int", "P"),
+        "Q ==": ("(* why *)\nQ ==", ""),
+    }
+    for old, (new, changed) in changes.items():
+        after = keys(text.replace(old, new, 1), ["P", "Q"], ["Init"], ["length 1"])
+        assert {name for name in "PQ" if before[name] != after[name]} == set(changed), new
+    assert keys(text, ["P"], ["Init"], ["length 2"])["P"] != before["P"]
+
+
+def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
+    """Of a run whose formulas hold those stay that did not change; a refuted run stays whole or not at all."""
+    file = tmp_path / "query.json"
+    held = Run({"P": "1", "Q": "2"}, Answer("holds", 6, taken=2), 8.0, 100, "0.62.1")
+    refuted = Run({"R": "3", "S": "4"}, Answer("violated", 1, "R"), 2.0, 300, "0.62.1")
+    assert read(file, {"P": "1"}) == []
+    write(file, [held, refuted])
+    assert read(file, {"P": "1", "Q": "2", "R": "3", "S": "4"}) == [held, refuted]
+    (left,) = read(file, {"P": "1", "Q": "new", "R": "3", "S": "new"})
+    assert left.keys == {"P": "1"}
+    some = together("query", ["P", "Q"], [left], kept=True)
+    assert (some.answer.outcome, some.answer.detail) == ("not asked", "not asked: Q")
+    more = Run({"Q": "new"}, Answer("holds", 3, taken=2), 5.0, 200, "0.62.1")
+    whole = together("query", ["P", "Q"], [left, more], kept=False)
+    assert (whole.answer, whole.seconds, whole.megabytes) == (Answer("holds", 9, taken=2), 13.0, 200)
+    assert together("query", ["P", "R"], [left, refuted], kept=True).answer.outcome == "violated"
+
+
+def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs) -> None:
+    """A query with a formula more asks for this one."""
+    query = claim(proofs)
+    asking = Asking(ROOT, tmp_path / "build", program(tmp_path, recorded("holds"), 0), Processes())
+    assert ok(query, ask(asking, query))
+    more = dataclasses.replace(query, formulas=(*query.formulas, "Invariant"))
+    output = recorded("holds").replace("the invariant Steps", "the invariant Invariant")
+    asked_for_both = program(tmp_path, output, 0)
+    result = ask(dataclasses.replace(asking, program=asked_for_both), more, "claimed")
+    assert (result.answer.outcome, result.answer.checked) == ("holds", 72)
+    assert "Steps ==" not in (asking.build / query.name / f"{query.module}.tla").read_text()
+
+
 def test_too_long(tmp_path: Path, proofs: Proofs) -> None:
     """A query that does not end in its time is ended."""
     path = Path(program(tmp_path, "", 0))
@@ -410,8 +464,7 @@ def test_a_property_stands_as_its_queries_do(proofs: Proofs) -> None:
 
     def rows(*names: str) -> dict[str, dict[str, Any]]:
         answers = [
-            (q, Result(q.name, "", Answer("holds" if q.name in names else "timeout", 1), 1, 1, ""))
-            for q in proofs.queries
+            (q, Result(q.name, Answer("holds" if q.name in names else "timeout", 1), 1, 1, "")) for q in proofs.queries
         ]
         return {row["formula"]: row for row in standing(proofs, answers)}
 
