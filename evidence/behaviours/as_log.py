@@ -11,6 +11,8 @@ from datetime import datetime, timedelta
 from itertools import pairwise
 from typing import Any
 
+from evidence.behaviours.values import assignments
+
 State = dict[str, Any]
 Line = dict[str, Any]
 
@@ -19,6 +21,16 @@ _BEGIN = datetime(1990, 1, 1)
 _ERROR_OBS = (80, 85)
 _UNSEEN = ("time", "reached", "elapsed", "missing", "dropped", "power on")
 _NO_STATUS = -1
+
+
+def behaviour(trace: Sequence[str]) -> list[State]:
+    """The states of a trace as TLC prints them, each below its heading. Raises `UnreadableValueError`."""
+    return [assignments(text.partition("\n")[2]) for text in trace]
+
+
+def of_system(state: State) -> bool:
+    """Whether it is a state of System, or of a model that extends it."""
+    return {"cpu", "clock", "loaded", "mode", "requests", "step"} <= state.keys()
 
 
 def as_log(states: Sequence[State]) -> list[Line]:

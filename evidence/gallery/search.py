@@ -7,8 +7,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from evidence.behaviours.as_log import Line, State, as_log
-from evidence.behaviours.values import assignments
+from evidence.behaviours.as_log import Line, as_log, behaviour
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.gallery.cases import Case
@@ -46,7 +45,7 @@ class Search:
         if outcome.kind != "invariant" or not outcome.trace:
             said = outcome.errors[0] if outcome.errors else outcome.detail
             raise NotFoundError(f"{case.name}: no behaviour found: {outcome.kind}: {said}")
-        return as_log([_state(text) for text in outcome.trace])
+        return as_log(behaviour(outcome.trace))
 
 
 def module(case: Case) -> str:
@@ -64,8 +63,3 @@ def configuration(case: Case, text: str) -> str:
         text = text.replace(f"<- Gallery{name}\n", f"<- CaseGallery{name}\n")
     own = "\n".join(f"    {name} <- Case{name}" for name in ("MayHappen", "Budget", "Middle", "Goal"))
     return text.replace("CONSTANTS\n", f"CONSTANTS\n{own}\n")
-
-
-def _state(text: str) -> State:
-    """Read the state behind TLC's heading."""
-    return assignments(text.partition("\n")[2])

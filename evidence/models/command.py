@@ -47,6 +47,7 @@ class Request:
     names: tuple[str, ...]
     cluster: distributed.Cluster | None = None
     shard: tuple[int, int] = (1, 1)
+    logs: Path | None = None
 
 
 def _part(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
@@ -67,6 +68,12 @@ def _part(_context: click.Context, _option: click.Parameter, value: str) -> tupl
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
 @click.option("--update", is_flag=True, help="Pin the new counts (nothing else), and name the changes.")
 @json_option
+@click.option(
+    "--logs",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="FOLDER",
+    help="Write the behaviour of each violation as a log, FOLDER/NAME.ndjson.",
+)
 @click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
 @click.option(
     "--distributed",
@@ -92,6 +99,7 @@ def models_command(
     jobs: int,
     update: bool,
     json_path: Path | None,
+    logs: Path | None,
     verbose: bool,
     spread: int | None,
     host: str | None,
@@ -113,7 +121,7 @@ def models_command(
     processes = Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
         path = manifest or find_manifest()
-        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster, shard)
+        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster, shard, logs)
         sys.exit(run_request(request, processes, console))
 
 
@@ -148,6 +156,8 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     if request.update:
         results = _update(manifest, results, request, console)
     seconds = time.monotonic() - began
+    if request.logs is not None:
+        report.write_logs(request.logs, results)
     _show(results, drift, request, console)
     lane = None if request.names else _lane(request)
     report.show_tables(console, results, answers.version, lane, seconds)

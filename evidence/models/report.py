@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from evidence.behaviours.as_log import as_log, behaviour, of_system
 from evidence.common.console import plain
 from evidence.harness.judge import Result, exit_codes, expectation
 from evidence.harness.manifest import Mutation, expected_kinds
@@ -167,3 +170,15 @@ def _limit(text: str, lines: int | None) -> str:
     if lines is None or len(split) <= lines:
         return text
     return "\n".join([*split[:lines], f"... {len(split) - lines} lines left out, -v shows them ..."])
+
+
+def write_logs(folder: Path, results: list[Result]) -> None:
+    """Write the behaviour of each violation as a log; not of a lasso, and not of a model without System. OSError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for result in results:
+        if result.outcome.kind not in ("invariant", "action"):
+            continue
+        states = behaviour(result.outcome.trace)
+        if all(map(of_system, states)):
+            lines = [json.dumps(line) for line in as_log(states)]
+            (folder / f"{result.model.name}.ndjson").write_text("\n".join(lines) + "\n", encoding="utf-8")

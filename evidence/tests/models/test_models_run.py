@@ -14,12 +14,35 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from click.testing import CliRunner
 
 from evidence.models import canaries
+from evidence.models.command import models_command
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 from tests.processes import heed_ctrl_c
 
 if TYPE_CHECKING:
     from evidence.tests.models.conftest import Project
+
+
+def test_a_violation_becomes_a_log(tmp_path: Path, jar: Path) -> None:
+    """A control that changes a property: System has the behaviour, so that the trace checker accepts its log."""
+    name = "neg-waiting-error-cancelled"
+    ran = CliRunner().invoke(models_command, ["--tlc", str(jar), "--logs", str(tmp_path / "logs"), name])
+    assert ran.exit_code == 0, ran.output
+    (log,) = (tmp_path / "logs").iterdir()
+    assert log.name == f"{name}.ndjson"
+    assert [json.loads(line).get("event") for line in log.read_text().splitlines()][-1] == "CAN_DINT"
+    with Engine() as engine:
+        assert check_log(str(log), engine, lambda *_: None).verdict == "accepted"
+
+
+def test_a_violation_without_a_log(project: Project) -> None:
+    """States of another specification, a lasso, a deadlock: no log, and no failure."""
+    folder = project.root / "logs"
+    assert project.run("--logs", str(folder))[0] == 0
+    assert list(folder.iterdir()) == []
 
 
 def test_all_as_pinned(project: Project) -> None:
