@@ -7,7 +7,10 @@
 (***************************************************************************)
 EXTENDS Conservation
 
-CONSTANT Most    \* start events in all
+CONSTANT
+    (* Start events in all. *)
+    \* @type: Int;
+    Most
 
 WithAnother(s) ==
     s \cup { [f EXCEPT ![o][g] = @ + 1]
