@@ -159,8 +159,8 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
         return 0 if ok else UNEXPLAINED
     explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing), stated=stated)
     report.show(console, explained)
-    document = report.as_json(explained, time.monotonic() - began)
-    write_json(request.json, document)
+    asked = {"against": request.against, "lane": request.lane, "sample": request.sample, "seed": request.seed}
+    write_json(request.json, asked | report.as_json(explained, time.monotonic() - began))
     return 0 if explained.ok else UNEXPLAINED
 
 

@@ -54,9 +54,18 @@ class Explained:
 def explain(
     verdicts: list[Verdict], reasons: Iterable[Reason], existing: Iterable[str], *, stated: bool = False
 ) -> Explained:
-    """Find the reason of each survivor. `existing` are the ids of all mutants, judged or not."""
-    survivors = [v.mutant.id for v in verdicts if v.how == "survived"]
-    found, gone, needless = assign(reasons, existing, survivors, [v.mutant.id for v in verdicts])
+    """Find the reason of each survivor. `existing` are the ids of all mutants, judged or not.
+
+    A count makes no reason stale why a mutant is equivalent: TLC also counts a step that two formulas allow.
+    """
+    entries = list(reasons)
+    same = [reason for reason in entries if reason.equivalent]
+    lacking = [
+        v.mutant.id
+        for v in verdicts
+        if v.how == "survived" or (v.how == "count" and any(reason.fits(v.mutant.id) for reason in same))
+    ]
+    found, gone, needless = assign(entries, existing, lacking, [v.mutant.id for v in verdicts])
     stale = [f"{reason.id}: there is no such mutant" for reason in gone]
     stale += [f"{reason.id}: does not survive" for reason in needless]
     return Explained(verdicts, found, [] if stated else stale, stated)

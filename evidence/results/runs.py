@@ -108,6 +108,7 @@ RUNS = {
         "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
         "mutants --against all --lane smoke --sample 600 --seed 1",
         summaries.mutants,
+        told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
     ),
     "mutation-properties": _s7check(
         "Mutation, properties alone",
@@ -115,6 +116,7 @@ RUNS = {
         "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
         "mutants --against properties --lane smoke --sample 100 --seed 1",
         summaries.mutants,
+        told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
     ),
     "witnesses": _s7check(
         "Witnesses",

@@ -232,6 +232,15 @@ def test_stale_reasons(spec: Path) -> None:
     assert explain([], [Reason(killed, "not in this sample")], ids).stale == []
 
 
+def test_a_count_makes_no_equivalence_stale(spec: Path) -> None:
+    """TLC may count the steps of an equivalent mutant otherwise; any other reason is stale then."""
+    verdicts = list(judged(spec, FakeCheck("c", {"x + 2": "count"})).values())
+    ids = [v.mutant.id for v in verdicts]
+    counted = next(v.mutant.id for v in verdicts if v.how == "count")
+    assert explain(verdicts, [Reason(counted, "the same steps", equivalent=True)], ids).stale == []
+    assert explain(verdicts, [Reason(counted, "nobody asks")], ids).stale == [f"{counted}: does not survive"]
+
+
 def test_reasons_file(tmp_path: Path) -> None:
     """No file holds no reasons; an empty reason is none."""
     path = tmp_path / "survivors.json"
