@@ -80,11 +80,12 @@ class Generator:
                 done.append(chosen.what)
         return Generated(_text(random, log), log.header["cpu"], tuple(dict.fromkeys(done)) or (UNCHANGED,))
 
-    def written(self, random: Random) -> Log:
-        """A log as the soft PLC writes it, without a mistake. Raises `SoftPlcError`."""
+    def written(self, random: Random, events: int | None = None) -> Log:
+        """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`."""
         options = ["--up"] if random.random() < 0.5 else []
-        header, *events = map(json.loads, self._run(*options, "-", stdin=setups.scenario(random)).splitlines())
-        return Log(header, events)
+        program = setups.scenario(random, events)
+        header, *lines = map(json.loads, self._run(*options, "-", stdin=program).splitlines())
+        return Log(header, lines)
 
     def _written(self, random: Random) -> tuple[Log, list[str]]:
         scenario = setups.scenario(random)

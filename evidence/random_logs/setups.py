@@ -37,8 +37,11 @@ _EVER = 36525 * 86_400_000
 """Milliseconds that no program lasts."""
 
 
-def scenario(random: Random) -> str:
-    """The text of a program: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, 9 to 59 events."""
+def scenario(random: Random, events: int | None = None) -> str:
+    """The text of a program: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, so many events.
+
+    By default 9 to 59.
+    """
     family = random.choice(FAMILIES)
     loaded = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
     clock = _clock(random)
@@ -58,7 +61,7 @@ def scenario(random: Random) -> str:
     if family != "S7-300" and random.random() < 0.7:
         header["priority"] = _classes(random)
     header["step7"] = {"tod": _step7(random, clock, loaded)}
-    own["random"] = {"seed": random.randrange(1 << 31), "events": random.randint(_FEWEST, _MOST)}
+    own["random"] = {"seed": random.randrange(1 << 31), "events": events or random.randint(_FEWEST, _MOST)}
     program = {
         "format": FORMAT,
         "name": "random",

@@ -94,6 +94,15 @@ RUNS = {
         "left-out --logs 1000",
         summaries.left_out,
         tlc=False,
+        told={"logs": 1000, "subsets": 63, "events": None, "seed": 1},
+    ),
+    "left-out-sample": _s7check(
+        "Kinds left out, more logs",
+        "Other logs, each with some of these subsets, drawn by the seed.",
+        "left-out --logs 10000 --subsets 6 --seed 2",
+        summaries.left_out,
+        tlc=False,
+        told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
     ),
     "growth": _s7check(
         "Logs that leave much open",

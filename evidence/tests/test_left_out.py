@@ -44,3 +44,20 @@ def test_a_log_that_gets_worse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert run.exit_code == command.WORSE
     assert "2 accepted logs, 126 with kinds left out: 2 got worse" in run.output
     assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_some_subsets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """So many are drawn for each log, the same ones for the same seed, and none twice."""
+    files: list[str] = []
+
+    def judge(file: Path, _engine: object) -> Report:
+        files.append(file.name)
+        return Report(str(file), "accepted", "")
+
+    monkeypatch.setattr(command, "_judge", judge)
+    for _ in range(2):
+        run = CliRunner().invoke(command.left_out_command, ["--logs", "1", "--subsets", "5", "--keep", str(tmp_path)])
+        assert "1 accepted logs, 5 with kinds left out: 0 got worse" in run.output
+    drawn = [file for file in files if file.startswith("1-1-")]
+    assert drawn[:5] == drawn[5:]
+    assert len(set(drawn)) == 5
