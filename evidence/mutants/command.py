@@ -136,6 +136,18 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     why = read(manifest.directory / "survivors.json", reasons.Reason)
     began = time.monotonic()
     findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
+    if request.against == "kit":
+
+        def judge(check: Check, left: list[Mutant]) -> list[Verdict]:
+            trial = Bench(manifest.spec, modules, findings)
+            trial.calibrate([check], left, lambda line: plain(console, line))
+            return trial.judge_all(left, request.jobs, report.Progress(console, len(left)))
+
+        found = kit.before_the_kit([check for stage in stages for check in stage], chosen, judge)
+        report.show_kit(console, found)
+        ok = found["share"] is not None and found["share"] >= kit.LEAST
+        write_json(request.json, {"kit": "mutants", "ok": ok, "seconds": time.monotonic() - began, **found})
+        return 0 if ok else UNEXPLAINED
     stated = request.against == "properties"
     bench = Bench(manifest.spec, modules, findings, request.thorough, stated)
     verdicts: dict[str, Verdict] = {}
@@ -151,12 +163,6 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
             left = [mutant for mutant in left if not any(reason.fits(mutant.id) for reason in why)]
         if not left:
             break
-    if request.against == "kit":
-        found = kit.score([verdicts[m.id] for m in chosen])
-        ok = found["share"] is not None and found["share"] >= kit.LEAST
-        report.show_kit(console, found)
-        write_json(request.json, {"kit": "mutants", "ok": ok, "seconds": time.monotonic() - began, **found})
-        return 0 if ok else UNEXPLAINED
     explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing), stated=stated)
     report.show(console, explained)
     asked = {"against": request.against, "lane": request.lane, "sample": request.sample, "seed": request.seed}
@@ -169,9 +175,11 @@ def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], proce
     stages: list[list[Check]] = []
     if request.against == "kit":
         build = manifest.directory.parent / "build" / "mutants"
+        first, rest = kit.kit_logs(build / "kit")
         folders = {
-            kit.KIT: kit.kit_logs(build / "kit"),
+            kit.KIT: first,
             kit.SHIPPED: kit.accepted_logs(manifest.directory.parent / "traces", build / "accepted"),
+            kit.REST: rest,
         }
         return [
             [LogsCheck(folder, logs.fingerprint(folder), spec, processes, name)] for name, folder in folders.items()

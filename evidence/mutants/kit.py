@@ -7,7 +7,7 @@ shows: a log of the kit, or a shipped one that records everything and needs no r
 from __future__ import annotations
 
 import shutil
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +16,13 @@ import msgspec
 from evidence.common import soft_plc
 from evidence.common.shipped import Shipped, header_of, shipped_logs
 from evidence.mutants.bench import Verdict
+from evidence.mutants.checks import Check
+from evidence.mutants.listing import Mutant
 from s7check.coverage.measure import COMPLETE
 from s7check.kit.collection import programs_of
 
-KIT, SHIPPED = "kit", "accepted logs"
-"""The names of the two checks."""
+KIT, SHIPPED, REST = "kit", "accepted logs", "rest of the kit"
+"""The names of the checks, in their order."""
 
 _LONGEST = 100
 """Lines of a log. A sixth of the programs has longer ones, nearly all of it cycles of OB 1, and 99 % of all lines.
@@ -31,28 +33,29 @@ LEAST = 0.95
 """Of the mutants that some accepted log shows."""
 
 
-def kit_logs(folder: Path) -> Path:
-    """The logs of the soft PLC running the kit, but for long ones, as a folder of shipped logs.
+def kit_logs(folder: Path) -> tuple[Path, Path]:
+    """The logs of the soft PLC running the kit, but for long ones, as two folders of shipped logs.
 
-    First come those of programs that were measured to reach guards: together they reach all that the kit reaches, so
-    most mutants need no other logs. Raises AdapterError, OSError.
+    In the first are those of programs that were measured to reach guards: together they reach all that the kit
+    reaches, so most mutants need no other logs. Raises AdapterError, OSError.
     """
-    area = _emptied(folder) / "KIT"
+    folders = folder / "first", folder / "rest"
+    areas = [_emptied(one) for one in folders]
     programs = programs_of()
-    files, first = [], set()
+    files: tuple[list[str], list[str]] = [], []
     for program, ran in zip(programs, soft_plc.run(programs), strict=True):
         if 0 < len(ran.log) <= _LONGEST:
-            files.append(f"{program.name}.ndjson")
-            (area / files[-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
-            if program.raw.get("reaches", {}).get("guards"):
-                first.add(files[-1])
-    _index(area, files, first)
-    return folder
+            part = 0 if program.raw.get("reaches", {}).get("guards") else 1
+            files[part].append(f"{program.name}.ndjson")
+            (areas[part] / files[part][-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
+    for area, its in zip(areas, files, strict=True):
+        _index(area, its)
+    return folders
 
 
 def accepted_logs(traces: Path, folder: Path) -> Path:
     """The shipped logs that a CPU as the kit's could have written, in a folder of their own. Raises OSError."""
-    area = _emptied(folder) / "KIT"
+    area = _emptied(folder)
     files = []
     for log in shipped_logs(traces):
         if log.verdict == "accepted" and _plain(header_of(traces / log.file)):
@@ -68,27 +71,50 @@ def _plain(header: dict[str, Any]) -> bool:
 
 
 def _emptied(folder: Path) -> Path:
+    """The only area of a new folder of logs."""
     shutil.rmtree(folder, ignore_errors=True)
-    (folder / "KIT").mkdir(parents=True)
-    return folder
+    area = folder / "KIT"
+    area.mkdir(parents=True)
+    return area
 
 
-def _index(area: Path, files: Sequence[str], first: Collection[str] = ()) -> None:
-    """The smallest logs come first, but behind those of ``first``."""
-    ordered = sorted(files, key=lambda name: (name not in first, (area / name).stat().st_size))
+def _index(area: Path, files: Sequence[str]) -> None:
+    """The smallest logs come first."""
+    ordered = sorted(files, key=lambda name: (area / name).stat().st_size)
     index = [Shipped(name, "accepted", [], "", None) for name in ordered]
     (area / "index.json").write_bytes(msgspec.json.encode(index))
+
+
+def before_the_kit(
+    checks: Sequence[Check], chosen: list[Mutant], judge: Callable[[Check, list[Mutant]], list[Verdict]]
+) -> dict[str, Any]:
+    """The score of the kit by the three checks: the rest of the kit is tried where only a shipped log notices.
+
+    ``judge`` tries one check, whatever another one said.
+    """
+    verdicts: dict[str, Verdict] = {}
+    left = chosen
+    for check in checks:
+        if not left:
+            break
+        for verdict in judge(check, left):
+            if verdict.how != "survived" or verdict.mutant.id not in verdicts:
+                verdicts[verdict.mutant.id] = verdict
+        noticed_by = SHIPPED if check.name == SHIPPED else ""
+        left = [mutant for mutant in left if verdicts[mutant.id].by == noticed_by]
+    return score([verdicts[mutant.id] for mutant in chosen])
 
 
 def score(verdicts: Sequence[Verdict]) -> dict[str, Any]:
     """Of the mutants that an accepted log shows, how many a log of the kit shows."""
     shown = [verdict for verdict in verdicts if verdict.how not in ("survived", "invalid")]
-    missed = [verdict.mutant.id for verdict in shown if verdict.by != KIT]
+    missed = [verdict.mutant.id for verdict in shown if verdict.by == SHIPPED]
     return {
         "mutants": len(verdicts),
         "invalid": sum(verdict.how == "invalid" for verdict in verdicts),
         "shown": len(shown),
         "by_kit": len(shown) - len(missed),
+        "by_time": sum(verdict.how == "timeout" and verdict.by != SHIPPED for verdict in shown),
         "share": round(1 - len(missed) / len(shown), 4) if shown else None,
         "missed": missed,
         "shown_by_none": sum(verdict.how == "survived" for verdict in verdicts),

@@ -154,6 +154,7 @@ def kit_mutants(text: str) -> list[Table]:
         "shown by no accepted log": report["shown_by_none"],
         "shown by one": report["shown"],
         "by the kit": report["by_kit"],
+        "of these by time": report["by_time"],
         "%": round(100 * (report["share"] or 0), 1),
     }
     return [Table(list(counts), [list(counts.values())])]

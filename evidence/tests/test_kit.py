@@ -13,10 +13,12 @@ from evidence.kit import meetings, nesting, paths
 from evidence.kit.paths import Graph, cover
 from evidence.mutants import kit as kit_mutants
 from evidence.mutants.bench import Verdict
-from evidence.mutants.listing import mutants
+from evidence.mutants.checks import Check
+from evidence.mutants.listing import Mutant, mutants
 from evidence.reached.command import REASONS
 from evidence.reached.findings import findings
 from evidence.reached.measuring import Reached, reach
+from evidence.tests.test_mutants_bench import FakeCheck
 from evidence.tla.syntax import Module
 from s7check.engine.client import Engine
 from s7check.judging.decisions import decisions_of
@@ -141,3 +143,22 @@ def test_mutants_that_an_accepted_log_shows(tmp_path: Path) -> None:
     (folder / "index.json").write_bytes(msgspec.json.encode([{"file": f"accept/{n}.ndjson", **entry} for n in logs]))
     chosen = kit_mutants.accepted_logs(tmp_path / "traces", tmp_path / "out")
     assert [file.name for file in (chosen / "KIT").glob("*.ndjson")] == ["a.ndjson"]
+
+
+def test_the_rest_of_the_kit_only_where_a_shipped_log_notices() -> None:
+    """Whatever neither the first logs nor a shipped one notices, and whatever the first ones do, is not tried again."""
+    some = mutants({"A": Module("A", b"---- MODULE A ----\nF(x) == x + 1\nG(x) == x - 1 /\\ x = 2\n====\n")}, ["A"])[:4]
+    kills = {kit_mutants.KIT: some[:1], kit_mutants.SHIPPED: some[1:3], kit_mutants.REST: some[2:]}
+    tried: dict[str, list[Mutant]] = {}
+
+    def judge(check: Check, left: list[Mutant]) -> list[Verdict]:
+        tried[check.name] = left
+        killed = kills[check.name]
+        return [
+            Verdict(m, "log", check.name, "", 0.0, ()) if m in killed else Verdict(m, "survived", "", "", 0.0, ())
+            for m in left
+        ]
+
+    score = kit_mutants.before_the_kit([FakeCheck(name, {}) for name in kills], some, judge)
+    assert list(tried.values()) == [some, some[1:], some[1:3]]
+    assert (score["shown"], score["by_kit"], score["missed"]) == (3, 2, [some[1].id])
