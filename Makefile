@@ -20,10 +20,10 @@ engine: $(ENGINE)  ## build the trace checker's engine
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7check verify
 
-test: lint test-checker test-evidence test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
+test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
 test-checker: setup $(AWLSIM)
-	$(BIN)/python -m pytest -q trace_checker/tests
+	$(BIN)/python -m pytest -q -n logical --dist loadfile trace_checker/tests
 
 test-evidence: setup
 	$(BIN)/python -m pytest -q evidence/tests

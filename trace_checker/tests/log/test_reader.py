@@ -239,8 +239,12 @@ def test_gzip(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     "content",
     [
-        *(b"", b"plain text", b"\0\0", gzip.compress(b"text")[:-1], gzip.compress(b"text")[:5]),
-        *(gzip.compress(b"text") + b"garbage", zlib.compress(b"text"), gzip.compress(b"text")[:-8] + b"12345678"),
+        *(b"", b"plain text", b"\0\0", gzip.compress(b"text", mtime=0)[:-1], gzip.compress(b"text", mtime=0)[:5]),
+        *(
+            gzip.compress(b"text", mtime=0) + b"garbage",
+            zlib.compress(b"text"),
+            gzip.compress(b"text", mtime=0)[:-8] + b"12345678",
+        ),
     ],
 )
 def test_broken_gzip(tmp_path: Path, content: bytes) -> None:
