@@ -41,8 +41,9 @@ class UnsoundBaselineError(RuntimeError):
 class Verdict:
     """The verdict about a mutant: `by` names the check that killed it, `evaluating` the checks that it got past.
 
-    A check that does not evaluate the changed expression is not among them. `seconds` is the time of the checks, now
-    or when they were run.
+    A check that does not evaluate the changed expression is not among them. The `detail` of a survivor names the checks
+    that noticed it otherwise, where only properties kill. `seconds` is the time of the checks, now or when they were
+    run.
     """
 
     mutant: Mutant
@@ -130,17 +131,19 @@ class Bench:
         seconds = 0.0
         weak: Verdict | None = None
         past: list[str] = []
+        otherwise: list[str] = []
         for check in self._promising(mutant):
             finding = self._find(check, mutant.id, changed)
             seconds += finding.seconds
             if finding.how == "survived" or (self.stated and finding.how not in STATED | {"invalid"}):
                 past.append(check.name)
+                otherwise += [] if finding.how == "survived" else [f"{finding.how} {check.name}"]
                 continue
             verdict = Verdict(mutant, finding.how, check.name, finding.detail, seconds, tuple(past))
             if self.decided(verdict):
                 return verdict
             weak = weak or verdict
-        return weak or Verdict(mutant, "survived", "", "", seconds, tuple(past))
+        return weak or Verdict(mutant, "survived", "", ", ".join(otherwise), seconds, tuple(past))
 
     def _promising(self, mutant: Mutant) -> list[Check]:
         def value(check: Check) -> float:

@@ -172,6 +172,8 @@ def _show_survivor(console: Console, verdict: Verdict, explained: Explained) -> 
     plain(console, f"survivor {verdict.mutant.id}", style=None if reason or explained.stated else "red")
     plain(console, f"  {change(verdict.mutant)}")
     plain(console, f"  not noticed by {past}" if past else "  no check evaluates it")
+    if verdict.detail:
+        plain(console, f"  but {verdict.detail}")
     if reason:
         plain(console, f"  {'equivalent: ' if reason.equivalent else ''}{reason.reason}")
     elif not explained.stated:

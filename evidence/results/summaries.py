@@ -40,7 +40,7 @@ def models(text: str) -> list[Table]:
 
 
 def mutants(text: str) -> list[Table]:
-    """The score, by module, and how mutants were killed."""
+    """The score, by module, and how mutants were killed; of properties alone, also each survivor that counts."""
     report: dict[str, Any] = json.loads(text)
     unevaluated = ("unevaluated",) if report["properties_alone"] else ()
     columns = ("mutants", "invalid", "equivalent", *unevaluated, "killed", "survived", "score")
@@ -48,7 +48,15 @@ def mutants(text: str) -> list[Table]:
     score: list[list[Cell]] = [[name, *(numbers[column] for column in columns)] for name, numbers in groups.items()]
     counted = {*columns, "counted", "unevaluated"}
     kills: list[list[Cell]] = [[how, number] for how, number in report["all"].items() if how not in counted]
-    return [Table(["module", *columns], score), Table(["killed by", "mutants"], kills)]
+    tables = [Table(["module", *columns], score), Table(["killed by", "mutants"], kills)]
+    survivors: list[list[Cell]] = [
+        [mutant["id"], mutant["detail"] or "nothing", mutant["reason"]]
+        for mutant in report["mutants"]
+        if mutant["how"] == "survived" and mutant["got_past"] and not mutant["equivalent"]
+    ]
+    if report["properties_alone"]:
+        tables.append(Table(["survivor", "noticed otherwise by", "reason"], survivors, "Each survivor"))
+    return tables
 
 
 def witnesses(text: str) -> list[Table]:

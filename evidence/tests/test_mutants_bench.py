@@ -142,6 +142,8 @@ def test_only_what_is_stated_kills(spec: Path) -> None:
     assert (verdicts["x + 1 -> x - 1"].how, verdicts["x + 1 -> x - 1"].by) == ("property", "second")
     for change in ("1 -> 2", "x < 5 -> x >= 5"):
         assert (verdicts[change].how, set(verdicts[change].evaluating)) == ("survived", {"first", "second"})
+    assert verdicts["1 -> 2"].detail == "error first"
+    assert verdicts["x < 5 -> x >= 5"].detail == "timeout first"
 
 
 def test_marks_that_a_temporal_formula_does_not_bear_are_left_out(spec: Path) -> None:
