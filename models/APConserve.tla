@@ -21,15 +21,18 @@ CONSTANTS
 
 APCounted == {ActingOb, OtherOb}
 
+WorldObs == {10, 11, 20, 40, 80, 85}
+
 ConserveConstants == /\ AnyConstants
                      /\ AnyFault # 0
-                     /\ ActingOb \in {10, 11, 20, 40, 80, 85}
-                     /\ OtherOb \in {10, 11, 20, 40, 80, 85}
+                     /\ ActingOb \in WorldObs
+                     /\ OtherOb \in WorldObs
 
-AnotherActs == /\ step'.event \in { "start", "end", "missing", "delete",
-                                    "SET_TINT", "CAN_TINT",
-                                    "SRT_DINT", "CAN_DINT" }
-               /\ step'.ob # ActingOb
+(* What a call withdraws, or the deletion of the OB. *)
+Withdrawals == { "SET_TINT", "CAN_TINT", "SRT_DINT", "CAN_DINT", "delete" }
+
+AnotherActs == /\ step'.event \in {"start", "end", "missing"} \cup Withdrawals
+               /\ step'.ob \in WorldObs \ {ActingOb}
 
 VARIABLE
     \* @type: Int -> (Str -> Int);
@@ -50,5 +53,15 @@ CountedOn == Counted /\ counts' = AllFates'
 Tokens == INSTANCE Conservation WITH Obs <- CountedObs, fates <- counts
 
 EventsBegin == Tokens!Init
-EventsStep == AnotherActs \/ Tokens!Next \/ UNCHANGED Tokens!tokenVars
+
+(* The part of Next of Conservation that the event is. *)
+PartOfNext ==
+    LET acts(some) == step'.event \in some /\ step'.ob = ActingOb
+    IN  IF acts({"start"}) THEN Tokens!Start(ActingOb)
+        ELSE IF acts({"end"}) THEN Tokens!End(ActingOb)
+        ELSE IF acts({"missing"} \cup Withdrawals) THEN Tokens!Vanish(ActingOb)
+        ELSE IF step'.event \in {"stop", "switch"} THEN Tokens!Stop
+        ELSE Tokens!Occur
+
+EventsStep == AnotherActs \/ UNCHANGED Tokens!tokenVars \/ PartOfNext
 =============================================================================

@@ -79,11 +79,12 @@ Fades(o) == Moves(o, 0, {"open", "merged"}) /\ ~More(o, "open")
 \* @type: Int => Bool;
 Occurs(o) ==
     LET new == {"waiting", "lost", "missed", "cleared", "merged"}
-    IN  \E n \in 1..3 :
-          /\ Moves(o, n, new \cup {"open"})
-          /\ \A f \in new : Change(o, f) >= 0
-          /\ Change(o, "open") < 0 => More(o, "waiting")
-          /\ More(o, "merged") => Busy(o) \/ Busy(o)'
+        n   == occurred'[o] - occurred[o]
+    IN  /\ n \in 1..3
+        /\ Moves(o, n, new \cup {"open"})
+        /\ \A f \in new : Change(o, f) >= 0
+        /\ Change(o, "open") < 0 => More(o, "waiting")
+        /\ More(o, "merged") => Busy(o) \/ Busy(o)'
 
 (* One start event that waits or is open is taken to be run or missed.     *)
 (* Open ones may turn out to have had no effect; or, of a once interrupt,  *)
