@@ -8,6 +8,7 @@ struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
     int class = s7_ob_class(cpu, ob);
     return (struct s7cpu_request){.ob = ob,
                                   .rank = class,
+                                  .up = cpu->up,
                                   .info = {.priority = class,
                                            .strt_info = s7_ob_strt_info(ob),
                                            .period = S7CPU_NONE,
@@ -52,13 +53,28 @@ bool s7_queue_has(const struct s7cpu *cpu, int ob)
     return false;
 }
 
+/* Whether it is so young that a lower class may still start before it [OBS-03], AMB-69. */
+static bool can_yield(const struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    return cpu->config.choices.lowest_of_a_moment_first && r->up == cpu->up &&
+           s7_ob_kind(r->ob) != OB_ASYNC_ERROR;
+}
+
+static bool comes_before(const struct s7cpu *cpu, const struct s7cpu_request *r,
+                         const struct s7cpu_request *other)
+{
+    if (can_yield(cpu, r) != can_yield(cpu, other))
+        return can_yield(cpu, other);
+    return can_yield(cpu, r) ? r->rank < other->rank : r->rank > other->rank;
+}
+
 /* The highest class, within it the oldest request [OBS-02, OBS-03]. */
 int s7_queue_choose(const struct s7cpu *cpu)
 {
     int best = -1;
     for (int i = 0; i < cpu->queue_length; i++)
         if (s7_may_start(cpu, &cpu->queue[i]) &&
-            (best < 0 || cpu->queue[i].rank > cpu->queue[best].rank))
+            (best < 0 || comes_before(cpu, &cpu->queue[i], &cpu->queue[best])))
             best = i;
     return best;
 }

@@ -88,6 +88,11 @@ struct s7cpu_choices {
     bool waiting_delay_is_withdrawn;
     /* DINT-16: STATUS bit 2 of a delay interrupt that waits is 1; else 0. */
     bool waiting_delay_is_active;
+    /* DINT-06: a delay ends 1 ms early; else in its millisecond. */
+    bool delay_ends_early;
+    /* OBS-03, AMB-69 (a): of interrupts that occurred in this moment the lowest class starts
+     * first, to be interrupted at once; else the highest. */
+    bool lowest_of_a_moment_first;
     /* AMB-34: STATUS bit 2 of a once interrupt is 0 from its request on; else 1 until it starts. */
     bool waiting_once_is_inactive;
     /* AMB-49: a missing OB stops the CPU when SFC 42 ends the delay; else at once. */
@@ -229,6 +234,7 @@ struct s7cpu_mask {
 struct s7cpu_request {
     int ob;
     int rank; /* the class it is dispatched in */
+    int64_t up; /* elapsed time when it occurred */
     bool keeps_time; /* info.time is not the time of the call, whatever the choice of OBS-10 */
     struct s7cpu_info info;
 };

@@ -21,6 +21,11 @@
 /* One second after the other, while the first cycle runs `calls`. */
 #define EXCEEDED_TWICE(calls)                                                                      \
     CPU("S7-300") "at +1s interrupt 80 16#01\nat +2s interrupt 80 16#01\nob 1 run 1 {\n" calls "}\n"
+/* OB 20 and OB 21 fall due in one moment; NESTED: OB 21 has interrupted OB 20. */
+#define TOGETHER(calls)                                                                            \
+    "cpu S7-400\nobs 1 20 21 85 100\nclock 2026-11-21T05:59:30\nmode RUN\nduration 5s\n"          \
+    "ob 1 run 1 {\nSRT_DINT 20 1s 16#0001\nSRT_DINT 21 1s 16#0001\n" calls "busy 2s\n}\n"
+#define NESTED "\"ob\":21}\n{\"event\":\"end\""
 #define STOPS "\"cause\":\"16#4568\""
 #define OB_80 "\"ob\":80,\"info\""
 
@@ -37,6 +42,16 @@ static const struct {
      ":\"start\"", 1, 0},
     {"DINT-16=0", "DINT-16=1", WAITING_DELAY("QRY_DINT 20\n"), STATUS("0014"), 0, 1},
     {"DINT-16=0", "DINT-16=1", WAITING_DELAY("state 20\n"), "\"active\":true", 0, 1},
+    {"DINT-06=exact", "DINT-06=early", WAITING_DELAY("SRT_DINT 20 5s 16#0002\nstate 20\n"),
+     "\"left\":5000", 1, 0},
+    {"DINT-06=exact", "DINT-06=early", WAITING_DELAY("SRT_DINT 20 5s 16#0002\nstate 20\n"),
+     "\"left\":4999", 0, 1},
+    {"DINT-06=exact", "DINT-06=early", WAITING_DELAY(""),
+     "\"time\":\"2026-11-21T05:59:30.999\"", 0, 1},
+    {"OBS-03=highest", "OBS-03=lowest", TOGETHER(""), NESTED, 0, 1},
+    /* Older than this moment, the highest class goes first. */
+    {"OBS-03=highest", "OBS-03=lowest", TOGETHER("DIS_AIRT\nbusy 2s\nEN_AIRT\n"),
+     NESTED, 0, 0},
     {"AMB-34=a", "AMB-34=b", WAITING_ONCE("QRY_TINT 10\n"), STATUS("0014"), 1, 0},
     {"AMB-34=a", "AMB-34=b", WAITING_ONCE("state 10\n"), "\"active\":true,\"blocked\"", 1, 0},
     {"AMB-34=a", "AMB-34=b", WAITING_ONCE("CAN_TINT 10\n"), ":\"start\"", 0, 0},
