@@ -19,6 +19,7 @@ from evidence.mutants.bench import Verdict
 from evidence.mutants.checks import Check
 from evidence.mutants.listing import Mutant
 from s7check.coverage.measure import COMPLETE
+from s7check.kit.adapter import Ran
 from s7check.kit.collection import programs_of
 
 KIT, SHIPPED, REST = "kit", "accepted logs", "rest of the kit"
@@ -37,17 +38,28 @@ def kit_logs(folder: Path) -> tuple[Path, Path]:
     """The logs of the soft PLC running the kit, but for long ones, as two folders of shipped logs.
 
     In the first are those of programs that were measured to reach guards: together they reach all that the kit
-    reaches, so most mutants need no other logs. Raises AdapterError, OSError.
+    reaches, so most mutants need no other logs. In the rest are also those that the choices of the soft PLC change,
+    where every reading allows both. Raises AdapterError, OSError.
     """
     folders = folder / "first", folder / "rest"
     areas = [_emptied(one) for one in folders]
-    programs = programs_of()
     files: tuple[list[str], list[str]] = [], []
-    for program, ran in zip(programs, soft_plc.run(programs), strict=True):
-        if 0 < len(ran.log) <= _LONGEST:
-            part = 0 if program.raw.get("reaches", {}).get("guards") else 1
-            files[part].append(f"{program.name}.ndjson")
-            (areas[part] / files[part][-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
+
+    def keep(part: int, name: str, ran: Ran) -> None:
+        files[part].append(f"{name}.ndjson")
+        (areas[part] / files[part][-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
+
+    everything = programs_of()
+    ran_all = zip(everything, soft_plc.run(everything), strict=True)
+    short = [(program, ran) for program, ran in ran_all if 0 < len(ran.log) <= _LONGEST]
+    for program, ran in short:
+        keep(0 if program.raw.get("reaches", {}).get("guards") else 1, program.name, ran)
+    for choice in soft_plc.choices():
+        if not choice.startswith("AMB-"):
+            otherwise = soft_plc.run([program for program, _ in short], "--choose", choice)
+            for (program, usual), ran in zip(short, otherwise, strict=True):
+                if ran != usual:
+                    keep(1, f"{program.name}-{choice}", ran)
     for area, its in zip(areas, files, strict=True):
         _index(area, its)
     return folders
