@@ -26,7 +26,7 @@ int faulty_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
     if (ret != RET_OK)
         return ret;
     d->dtime = (int)dtime;
-    d->end += dtime - limited(cpu, dtime);
+    d->end = cpu->up + dtime;
     if (has(cpu, FAULT_DINT_COARSE))
         d->end -= dtime % COARSE_MS;
     if (before.started && has(cpu, FAULT_DINT_KEEPS_SIGN))

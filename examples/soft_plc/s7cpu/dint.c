@@ -18,10 +18,7 @@ int s7_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
         s7_queue_withdraw(cpu, ob_nr);
     /* [DINT-07]: a job that is started already begins anew, with its SIGN (AMB-74, reading a). */
     cpu->dint[ob_nr - S7CPU_DINT_FIRST] = (struct s7cpu_dint){
-        .started = true,
-        .end = cpu->up + dtime - cpu->config.choices.delay_ends_early, /* [DINT-06] */
-        .dtime = (int)dtime,
-        .sign = sign};
+        .started = true, .end = cpu->up + dtime, .dtime = (int)dtime, .sign = sign};
     return RET_OK;
 }
 

@@ -88,8 +88,9 @@ struct s7cpu_choices {
     bool waiting_delay_is_withdrawn;
     /* DINT-16: STATUS bit 2 of a delay interrupt that waits is 1; else 0. */
     bool waiting_delay_is_active;
-    /* DINT-06: a delay ends 1 ms early; else in its millisecond. */
-    bool delay_ends_early;
+    /* DINT-17, as exact as DINT-06: SZL 16#0222 shows a millisecond less than is left of a
+     * delay; else what is left. */
+    bool shows_less_time_left;
     /* OBS-03, AMB-69 (a): of interrupts that occurred in this moment the lowest class starts
      * first, to be interrupted at once; else the highest. */
     bool lowest_of_a_moment_first;

@@ -37,7 +37,10 @@ static int left(const struct s7cpu *cpu, int ob)
 {
     const struct s7cpu_dint *d = &cpu->dint[ob - S7CPU_DINT_FIRST];
     int64_t now = cpu->mode == S7CPU_HOLD ? cpu->hold_began : cpu->up;
-    return d->started ? (int)(d->end - now) : S7CPU_NONE;
+    int64_t rest = d->end - now;
+    if (rest > 0 && cpu->config.choices.shows_less_time_left)
+        rest--;
+    return d->started ? (int)rest : S7CPU_NONE;
 }
 
 struct s7cpu_state s7_state(const struct s7cpu *cpu, int ob)
