@@ -19,7 +19,6 @@ from evidence.mutants.bench import Verdict
 from evidence.mutants.checks import Check
 from evidence.mutants.listing import Mutant
 from s7check.coverage.measure import COMPLETE
-from s7check.kit.adapter import Ran
 from s7check.kit.collection import programs_of
 
 KIT, SHIPPED, REST = "kit", "accepted logs", "rest of the kit"
@@ -39,30 +38,46 @@ def kit_logs(folder: Path) -> tuple[Path, Path]:
 
     In the first are those of programs that were measured to reach guards: together they reach all that the kit
     reaches, so most mutants need no other logs. In the rest are also those that the choices of the soft PLC change,
-    where every reading allows both. Raises AdapterError, OSError.
+    where every reading allows both, and the first ones as another implementation may write them. Raises AdapterError,
+    OSError.
     """
     folders = folder / "first", folder / "rest"
     areas = [_emptied(one) for one in folders]
     files: tuple[list[str], list[str]] = [], []
 
-    def keep(part: int, name: str, ran: Ran) -> None:
+    def keep(part: int, name: str, log: Sequence[bytes]) -> None:
         files[part].append(f"{name}.ndjson")
-        (areas[part] / files[part][-1]).write_bytes(b"".join(line + b"\n" for line in ran.log))
+        (areas[part] / files[part][-1]).write_bytes(b"".join(line + b"\n" for line in log))
 
     everything = programs_of()
     ran_all = zip(everything, soft_plc.run(everything), strict=True)
     short = [(program, ran) for program, ran in ran_all if 0 < len(ran.log) <= _LONGEST]
     for program, ran in short:
-        keep(0 if program.raw.get("reaches", {}).get("guards") else 1, program.name, ran)
+        if program.raw.get("reaches", {}).get("guards"):
+            keep(0, program.name, ran.log)
+            if (brief := without_startup_obs(ran.log)) != ran.log:
+                keep(1, f"{program.name}-brief", brief)
+        else:
+            keep(1, program.name, ran.log)
     for choice in soft_plc.choices():
         if not choice.startswith("AMB-"):
             otherwise = soft_plc.run([program for program, _ in short], "--choose", choice)
             for (program, usual), ran in zip(short, otherwise, strict=True):
                 if ran != usual:
-                    keep(1, f"{program.name}-{choice}", ran)
+                    keep(1, f"{program.name}-{choice}", ran.log)
     for area, its in zip(areas, files, strict=True):
         _index(area, its)
     return folders
+
+
+def without_startup_obs(log: Sequence[bytes]) -> tuple[bytes, ...]:
+    """The log without the lines of startup OBs, which may be left out; the soft PLC always writes them."""
+
+    def may_be_left_out(line: bytes) -> bool:
+        fields = msgspec.json.decode(line)
+        return fields.get("event") in ("start", "end") and fields["ob"] in (100, 101, 102)
+
+    return tuple(line for line in log if not may_be_left_out(line))
 
 
 def accepted_logs(traces: Path, folder: Path) -> Path:

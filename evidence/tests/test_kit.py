@@ -139,6 +139,8 @@ def test_mutants_that_an_accepted_log_shows(tmp_path: Path) -> None:
     logs = {"a": plain, "b": plain | {"records": ["mode"]}, "c": plain | {"readings": {"AMB-01": "a"}}}
     for name, header in logs.items():
         (folder / "accept" / f"{name}.ndjson").write_text(json.dumps(header) + "\n")
+    startup = [b'{"event":"restart"}', b'{"event":"start","ob":100}', b'{"event":"end","ob":100}', b'{"event":"run"}']
+    assert kit_mutants.without_startup_obs(startup) == (startup[0], startup[3])
     entry = {"verdict": "accepted", "requirements": [], "reason": ""}
     (folder / "index.json").write_bytes(msgspec.json.encode([{"file": f"accept/{n}.ndjson", **entry} for n in logs]))
     chosen = kit_mutants.accepted_logs(tmp_path / "traces", tmp_path / "out")
