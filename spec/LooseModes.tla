@@ -222,10 +222,10 @@ LooseElapse(e) ==
 
 (* From this line on only certain facts count. Earlier calls and start     *)
 (* events count as unseen, and a running OB may have ended.                *)
-Loosen ==
-    /\ Partial /\ ~terms.loose
-    /\ terms' = [ terms EXCEPT !.loose = TRUE,
-                                !.records = @ \ {"call", "interrupt"} ]
+\* @type: Set(Str) => Bool;
+OnlyFacts(records) ==
+    /\ ~terms.loose
+    /\ terms' = [terms EXCEPT !.loose = TRUE, !.records = records]
     /\ tod' = [o \in TodObs |-> NoSetting]
     /\ dint' = NoJobs /\ irt' = NoneBlocked
     /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0
@@ -239,4 +239,11 @@ Loosen ==
                 ELSE stack
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
+
+(* A log without some kinds has many explanations.                         *)
+Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})
+
+(* Any log that nobody can follow. What an OB that is loaded now was       *)
+(* missing for may still have to be reported.                              *)
+LastResort == OnlyFacts(terms.records \ {"call", "interrupt", "load"})
 =============================================================================

@@ -272,6 +272,20 @@ def missing_at_once(apart: int, *obs: int) -> Callable[[int], Log]:
     return log
 
 
+def missing_due(count: int) -> Log:
+    """Time-of-day and delay OBs that are missing and due in one moment, then as many OB 85."""
+    tods, dints = TIME_OF_DAY[: count - count // 3], DELAYS[: count // 3]
+    book = Book(80, 85)
+    for ob in tods:
+        book.each_minute(ob)
+    for ob in dints:
+        book.call("SRT_DINT", ob=ob, dtime=30_000, sign=ob)
+    book.now = 30_000
+    for _ in range(count):
+        book.run(85)
+    return book.log
+
+
 def missing_later(before: str, after: str, **fields: object) -> Callable[[int], Log]:
     """Start events of two OBs that are missing, of which none is noticed before a line; then one OB 85."""
 
@@ -369,6 +383,8 @@ def kinds() -> Iterator[Kind]:
     yield Kind("a missing OB in one millisecond", missing_at_once(0, 40), 4, 16, 1100, 180)
     yield Kind("a missing OB each millisecond", missing_at_once(1, 40), 4, 9, 1100, 220)
     yield Kind("missing OBs of 17 numbers in one millisecond", missing_at_once(0, *CYCLIC, *HARDWARE), 4, 17, 1100, 80)
+    # Nobody can follow so many: certain facts are left.
+    yield Kind("missing OBs, due in one moment", missing_due, 4, 8, 20_020, 400)
     yield Kind("missing OBs, delayed by SFC 41", missing_later("DIS_AIRT", "EN_AIRT", ret=RIGHT), 4, 12, 1100, 280)
     yield Kind("missing OBs in HOLD", missing_later("hold", "release"), 4, 64, 1100, 40)
     yield Kind("asynchronous errors, delayed by SFC 41", errors_delayed, 8, 32, 260, 60)

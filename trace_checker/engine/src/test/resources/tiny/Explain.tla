@@ -41,6 +41,7 @@ Observe(e) ==
 
 (* There is nothing uncertain to give up. *)
 Loosen == FALSE /\ UNCHANGED <<count, time>>
+LastResort == Loosen
 
 (* Nor anything that many states share. *)
 Crowd == FALSE /\ UNCHANGED <<count, time>>

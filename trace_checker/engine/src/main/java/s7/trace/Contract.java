@@ -49,6 +49,7 @@ final class Contract {
     SILENT("Silent", 1),
     OBSERVE("Observe", 1),
     LOOSEN("Loosen", 0),
+    LAST_RESORT("LastResort", 0),
     CROWD("Crowd", 0),
     MEETING_PLACE("MeetingPlace", 0),
     WAITS("Waits", 0),
@@ -134,7 +135,13 @@ final class Contract {
 
   /** The operators that explain a log. */
   private static final List<Operator> EXPLAINING =
-      List.of(Operator.BEGIN, Operator.ELAPSE, Operator.SILENT, Operator.OBSERVE, Operator.LOOSEN);
+      List.of(
+          Operator.BEGIN,
+          Operator.ELAPSE,
+          Operator.SILENT,
+          Operator.OBSERVE,
+          Operator.LOOSEN,
+          Operator.LAST_RESORT);
 
   private final Specification spec;
   private final Decisions decisions;
@@ -277,6 +284,11 @@ final class Contract {
   /** The state with its certain facts alone; none where everything has to be followed. */
   List<State> loosen(State state) {
     return successors(Operator.LOOSEN, state);
+  }
+
+  /** As {@link #loosen}, also where nobody can follow everything. */
+  List<State> lastResort(State state) {
+    return successors(Operator.LAST_RESORT, state);
   }
 
   /** The state with less in it, which allows at least as much; none if there is nothing to gain. */

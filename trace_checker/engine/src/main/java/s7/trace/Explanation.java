@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.function.ToLongFunction;
 
 import com.google.gson.Gson;
@@ -255,31 +256,40 @@ final class Explanation {
   }
 
   private Refusal observed(RecordValue event) {
-    try {
-      return followed(event);
-    } catch (TooMany e) {
-      loosen();
-    }
-    try {
-      return followed(event);
-    } catch (TooMany e) {
-      throw new NotCovered(e.getMessage());
+    while (true) {
+      try {
+        return followed(event);
+      } catch (TooMany e) {
+        loosen(e);
+      }
     }
   }
 
-  /** Goes on with certain facts, or with more states than before where all have to be followed. */
-  void loosen() {
-    List<State> loose = new ArrayList<>();
-    for (State state : states) {
-      loose.addAll(spec.loosen(state));
-    }
-    if (loose.isEmpty()) {
+  /**
+   * Goes on with certain facts, or with more states than before where all have to be followed; at last
+   * with certain facts whatever the log.
+   *
+   * @throws NotCovered if there is nothing to give up
+   */
+  void loosen(TooMany why) {
+    List<State> facts = facts(crowded ? spec::lastResort : spec::loosen);
+    if (!facts.isEmpty()) {
+      states = distinct(facts);
+      loosened = true;
+    } else if (!crowded) {
       most = MOST_STATES;
       crowded = true;
     } else {
-      states = distinct(loose);
-      loosened = true;
+      throw new NotCovered(why.getMessage());
     }
+  }
+
+  private List<State> facts(Function<State, List<State>> of) {
+    List<State> facts = new ArrayList<>();
+    for (State state : states) {
+      facts.addAll(of.apply(state));
+    }
+    return facts;
   }
 
   private Refusal followed(RecordValue event) {

@@ -166,11 +166,12 @@ final class Session {
   /** The lines that may come next, each with the first and the last time at which it may. */
   JsonObject possible(Question question) {
     try {
-      try {
-        return answer(question);
-      } catch (Explanation.TooMany e) {
-        last().loosen();
-        return answer(question);
+      while (true) {
+        try {
+          return answer(question);
+        } catch (Explanation.TooMany e) {
+          last().loosen(e);
+        }
       }
     } catch (NotCovered e) {
       throw e;
