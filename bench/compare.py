@@ -32,13 +32,16 @@ PLOTS = ROOT / "bench" / "growth"
 SMALL_LOG = 100
 """Lines of a small log."""
 
+LONG_LIMIT = 60.0
+"""Seconds for a million events, and for many logs."""
+
 LONG_RUN = 4.0
 """CPU seconds of a run after which it is not repeated: other work on the machine hardly changes it."""
 
 VISIBLE = 0.2
 """CPU seconds above those of a start, which are not always the same."""
 
-PARTS = (0.125, 0.25, 0.5, 1.0)
+PARTS = (0.25, 0.5, 1.0)
 """Of the largest size, for a curve."""
 
 WIDTH, HEIGHT, MARGIN = 460, 300, 56
@@ -150,8 +153,9 @@ def rows(folder: Path, measured: Callable[..., float | None], other: Path, event
         logs[kind.name] = ([written(folder, kind, kind.large)], ())
         if kind.rejected:
             logs[f"{kind.name}, with other readings"] = (logs[kind.name][0], ("--readings", "auto"))
-    for name, (paths, options) in logs.items():
-        row = Row(name, measured(other, paths, *options), measured(ROOT, paths, *options))
+    for number, (name, (paths, options)) in enumerate(logs.items()):
+        limit = LONG_LIMIT if number < 2 else None
+        row = Row(name, *(measured(project, paths, *options, limit=limit) for project in (other, ROOT)))
         tell(line(row))
         yield row
 
@@ -165,8 +169,10 @@ def curves(folder: Path, measured: Callable[..., float | None], events: int) -> 
             sources[kind.name] = (kind.large, lambda size, kind=kind: written(folder, kind, size))  # type: ignore[misc]
     for name, (largest, log) in sources.items():
         sizes = sorted({max(1, round(part * largest)) for part in PARTS})
-        found = [(size, measured(ROOT, [log(size)])) for size in sizes]
+        found = [(size, measured(ROOT, [log(size)], runs=1)) for size in sizes]
         ended = [(size, seconds - start) for size, seconds in found if seconds is not None]
+        if not ended:
+            continue
         curve = Curve(name, [size for size, _ in ended], [max(0.0, seconds) for _, seconds in ended])
         tell(f"{name}: exponent {spelled(curve.exponent)}")
         yield curve
@@ -214,18 +220,20 @@ def drawn(curve: Curve) -> str:
 @click.command()
 @click.option("--rev", "revision", default=START, show_default=True, help="The other revision.")
 @click.option("--events", default=1_000_000, show_default=True, help="Events of the longest log.")
-@click.option("--limit", default=20.0, show_default=True, help="Seconds for a call.")
-@click.option("--runs", default=2, show_default=True, help="Runs of each call; the one with the least CPU counts.")
+@click.option("--limit", "shortest", default=10.0, show_default=True, help="Seconds for a log that leaves much open.")
+@click.option("--runs", default=2, show_default=True, help="Runs beside the revision; the least CPU counts.")
 @click.option("--plots", type=click.Path(path_type=Path), default=PLOTS, help="Folder of the plots.")
 @click.option("--json", "output", type=click.File("w"), default="-", help="Write the tables there, not to the output.")
-def main(revision: str, events: int, limit: float, runs: int, plots: Path, output: TextIO) -> None:
+def main(revision: str, events: int, shortest: float, runs: int, plots: Path, output: TextIO) -> None:
     """Measure, and write the tables and the plots."""
     plots.mkdir(parents=True, exist_ok=True)
     machine = f"{platform.machine()}, {os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}"
     tell(f"{revision} before, this checkout now, CPU seconds; {machine}")
 
-    def measured(project: Path, logs: list[Path], *options: str) -> float | None:
-        return cpu(project, logs, limit, runs, *options)
+    def measured(
+        project: Path, logs: list[Path], *options: str, limit: float | None = None, runs: int = runs
+    ) -> float | None:
+        return cpu(project, logs, limit or shortest, runs, *options)
 
     with tempfile.TemporaryDirectory() as name, checkout(revision) as other:
         folder = Path(name)
