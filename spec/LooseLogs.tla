@@ -185,6 +185,21 @@ UnseenRequest(o, fault, class) ==
 ClassesOf(o, fault) ==
     IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
 
+(* [OBS-20] OB 85 may still wait for an OB that was missing and is loaded. *)
+\* @type: Int => Bool;
+LooseLoad(o) ==
+    /\ loaded'   = loaded \cup {o}
+    /\ requests' = IF o \notin loaded \cup AsyncErrorObs /\ MayBeRequested(o)
+                   THEN requests \cup { [ Mark(ProgramErrorOb, UnknownFault)
+                                         EXCEPT !.cause = o ] }
+                   ELSE requests
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, modeVars, clock, settingVars, stopCause, runVars>>
+
+LoadedTooLate ==
+    { IF r.cause \in TodObs \cup DintObs THEN r.cause ELSE 0
+      : r \in { q \in requests : q.ob = ProgramErrorOb /\ q.cause # 0 } }
+
 (* The OBs that may have caused OB 80 or OB 85. 0 stands for all causes    *)
 (* but time-of-day and time-delay interrupts.                              *)
 \* @type: (Int, Int) => Set(Int);
@@ -201,8 +216,9 @@ MayCause(o, fault) ==
                \cup (IF \/ outside \/ others
                         \/ skipped /\ Timed \cap TodObs # {}
                      THEN {0} ELSE {})
-        ELSE (IF told(ObNotLoaded) THEN { c \in Timed : MayBeMissing(c) }
-                                   ELSE {})
+        ELSE (IF told(ObNotLoaded)
+              THEN { c \in Timed : MayBeMissing(c) } \cup LoadedTooLate
+              ELSE {})
                \cup (IF outside \/ (told(ObNotLoaded) /\ MissingMayBeRequested)
                      THEN {0} ELSE {})
 

@@ -169,7 +169,7 @@ LooseShows(e) ==
          [] e.event = "end"        -> LooseEnd(e)
          [] e.event = "interrupt"  -> LooseEvent(e)
          [] e.event = "clock"      -> LooseClock(e)
-         [] e.event = "load"       -> LoadedAre(loaded \cup {e.ob})
+         [] e.event = "load"       -> LooseLoad(e.ob)
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> LooseRestart(e)
          [] e.event = "run"        -> LooseRun(e)
