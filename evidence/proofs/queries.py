@@ -61,6 +61,14 @@ class Mutant(msgspec.Struct, forbid_unknown_fields=True):
     formula: str
 
 
+class ClaimMutant(msgspec.Struct, forbid_unknown_fields=True):
+    """A negative control of models/manifest.json: with its change the formula no longer holds in the query `claim`."""
+
+    control: str
+    claim: str
+    formula: str
+
+
 class Claim(msgspec.Struct, forbid_unknown_fields=True):
     """A query about an abstract specification: from `init`, after `length` steps, the formula holds."""
 
@@ -136,6 +144,7 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
     not_proved: list[NotProved]
     mutants: list[Mutant]
     claims: list[Claim]
+    claim_mutants: list[ClaimMutant]
 
 
 @dataclass(frozen=True)
@@ -219,6 +228,12 @@ def load(root: Path) -> Proofs:
             raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
         if not changes.get(mutant.control):
             raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
+    named_claims = {claim.name for claim in file.claims}
+    for changed in file.claim_mutants:
+        if changed.claim not in named_claims:
+            raise ManifestError(f"{path}: claim_mutants: expected the name of a claim, not {changed}")
+        if not changes.get(changed.control):
+            raise ManifestError(f"{path}: claim_mutants: {changed.control} is no control of {MODELS}")
     return Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
 
 
@@ -335,7 +350,19 @@ def _queries(
         )
         for mutant in file.mutants
     ]
-    return [*queries, *(_claim(claim, base.timeout) for claim in file.claims)]
+    claims = {claim.name: _claim(claim, base.timeout) for claim in file.claims}
+    changed = [
+        replace(
+            claims[mutant.claim],
+            name=f"mutant-{mutant.control.removeprefix('neg-')}",
+            kind="mutant",
+            formulas=(mutant.formula,),
+            expect="violated",
+            mutations=changes[mutant.control],
+        )
+        for mutant in file.claim_mutants
+    ]
+    return [*queries, *changed, *claims.values()]
 
 
 def _refines(anywhere: Query, refinement: Refinement) -> Query:

@@ -121,12 +121,25 @@ def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
 
 def test_mutants_of_many_actions(proofs: Proofs) -> None:
     """At least thirty changed guards, each asked of one action and one property, with the change of its control."""
-    mutants = [query for query in proofs.queries if query.kind == "mutant"]
+    mutants = [query for query in proofs.queries if query.kind == "mutant" and query.actions]
     assert len({query.name for query in mutants}) == len(mutants) >= 30
     assert len({query.actions for query in mutants}) > 15
     assert all((len(q.actions), len(q.formulas), q.expect) == (1, 1, "violated") and q.mutations for q in mutants)
     (query,) = proofs.select(("mutant-end-keeps-the-delay",))
     assert query.mutations[0].by in texts(ROOT, query)[0]
+
+
+def test_mutants_of_the_abstract_specifications(proofs: Proofs) -> None:
+    """The controls of each abstract specification, asked as its claim is, with one formula and their change."""
+    claims = {query.name: query for query in proofs.queries if query.kind == "claim"}
+    mutants = {q.name: q for q in proofs.queries if q.kind == "mutant" and not q.actions}
+    assert {query.module for query in mutants.values()} == {"APLock", "APLife", "APFates"}
+    for mutant in proofs.file.claim_mutants:
+        query, claim = mutants[f"mutant-{mutant.control.removeprefix('neg-')}"], claims[mutant.claim]
+        assert (query.init, query.length, query.formulas) == (claim.init, claim.length, (mutant.formula,))
+        text, unchanged = texts(ROOT, query)[0], texts(ROOT, dataclasses.replace(query, mutations=()))[0]
+        assert query.expect == "violated"
+        assert text != unchanged
 
 
 def test_actions_that_are_asked_together(proofs: Proofs) -> None:
@@ -224,6 +237,11 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"not_proved": [{"action": "EndsOb", "formula": "EndProp", "tried": "no"}]}, "tried"),
         ({"mutants": [{"control": "neg-airt-en-ends-all", "action": "EndsOb", "formula": "No"}]}, "a property"),
         ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
+        (
+            {"claim_mutants": [{"control": "neg-lock-alone-ends-in-hold", "claim": "no", "formula": "EndStep"}]},
+            "a claim",
+        ),
+        ({"claim_mutants": [{"control": "lock-alone", "claim": "lock-steps", "formula": "EndStep"}]}, "no control"),
     ],
 )
 def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> None:
