@@ -17,7 +17,8 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
-                loose |-> FALSE, endless |-> {}, unsure |-> {}]
+                loose |-> FALSE, endless |-> {}, unsure |-> {},
+                early |-> {}]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
     /\ arrivals = [r \in {} |-> At(0)]
@@ -85,7 +86,8 @@ Begin(h) ==
     /\ NothingEntered
     /\ terms'  = [latency |-> h.latency, records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
-                  loose |-> LooseBy(h), endless |-> {}, unsure |-> {}]
+                  loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
+                  early |-> {}]
     /\ up'     = At(0)
     /\ waiting' = [c \in {} |-> 0]
     /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"

@@ -13,7 +13,8 @@ VARIABLES
     (* that the log has completely. loose: the log does not tell when an OB *)
     (* has to start (LooseLogs). After Widening: endless, open requests     *)
     (* that stand for any number; unsure, OBs for which some explanations   *)
-    (* had a request and others had none.                                   *)
+    (* had a request and others had none. early: the delays that were over  *)
+    (* 1 ms before their time, and the moments when they were.              *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)
@@ -70,4 +71,8 @@ Unseen(kind) == kind \notin terms.records
 
 Partial == ~(Kinds \subseteq terms.records)
 DiagRecorded == "diag" \in terms.records
+
+(* [DINT-06] The early delays whose start events may still wait.           *)
+EarlyDelays ==
+    { d \in terms.early : \E r \in requests : r.since = d.since }
 =============================================================================

@@ -74,6 +74,13 @@ JustBefore(time, e) ==
              /\ ~Before(c.from, time)
              /\ Within(time, c.from, terms.latency - ago)
 
+(* [DINT-06] The end of a delay may have been 1 ms early, though no line   *)
+(* of that millisecond made it so.                                         *)
+\* @type: $request => Bool;
+MayBeEarlier(r) ==
+    LET o == IF r.ob \in DintObs THEN r.ob ELSE r.cause
+    IN  o \in DintObs /\ [ob |-> o, since |-> r.since] \notin terms.early
+
 (* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80    *)
 (* for skipped points the new time. Another start shows the moment of its  *)
 (* start event or a later one [OBS-10]. A clock that was set back may be   *)
@@ -83,10 +90,11 @@ FitsTime(r, e) ==
     LET time  == e.info.time
         exact == IF r.ob \in TodObs THEN r.follows \in Skips
                                     ELSE r.fault \in Skips /\ r.late # {}
+        shown == IF MayBeEarlier(r) THEN After(time, 1) ELSE time
     IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
         \/ /\ ~exact
-           /\ \/ ~Before(time, r.since) /\ ~Before(Latest(e), time)
+           /\ \/ ~Before(shown, r.since) /\ ~Before(Latest(e), time)
               \/ /\ changes # {} \/ Before(clock, r.since)
                  /\ JustBefore(time, e)
 

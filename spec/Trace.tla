@@ -51,15 +51,26 @@ HiddenBoundary ==
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
 
+(* [DINT-06] *)
+\* @type: $event => Bool;
+EndsEarly(e) ==
+    \E o \in OverBefore(e) \ OverNow :
+      /\ DelayElapses(o) /\ Rewait
+      /\ terms' = [ terms EXCEPT !.early =
+                       EarlyDelays \cup {[ob |-> o, since |-> clock]} ]
+
 \* @type: $event => Bool;
 HiddenBefore(e) ==
-    /\ UNCHANGED <<lineVars, up>>
-    /\ \/ \E o \in PointsNow : ComesBefore(e, o) /\ PointReached(o) /\ Rewait
-       \/ \E o \in OverBefore(e) :
-            (o \in OverNow => ComesBefore(e, o)) /\ DelayElapses(o) /\ Rewait
-       \/ FindMissing
-       \/ DropsBeforePoint
-       \/ HiddenBoundary /\ Rewait
+    /\ UNCHANGED <<pace, up>>
+    /\ \/ EndsEarly(e)
+       \/ /\ UNCHANGED terms
+          /\ \/ \E o \in PointsNow :
+                  ComesBefore(e, o) /\ PointReached(o) /\ Rewait
+             \/ \E o \in OverNow :
+                  ComesBefore(e, o) /\ DelayElapses(o) /\ Rewait
+             \/ FindMissing
+             \/ DropsBeforePoint
+             \/ HiddenBoundary /\ Rewait
 
 (* Cheap to evaluate: may a hidden step be possible? *)
 \* @type: $event => Bool;
@@ -73,7 +84,8 @@ HidesBefore(e) == \/ stack = <<>>
 (* Two explanations of a log differ if these values differ.                *)
 Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               requests, stack, delay, stopCause, up, waiting, first, overruns,
-              arrivals, changes, reports, terms.endless, terms.unsure>>
+              arrivals, changes, reports, terms.endless, terms.unsure,
+              EarlyDelays>>
 
 (* ... between two lines. If loading is not recorded, an OB is loaded or   *)
 (* deleted unseen as soon as something depends on it. So the loaded OBs do *)
@@ -83,5 +95,5 @@ DistinctAfterLine ==
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
       mode, startup, clock, tod, dint, irt, requests, stack, delay, stopCause,
       up, waiting, first, overruns, arrivals, changes, reports, terms.endless,
-      terms.unsure>>
+      terms.unsure, EarlyDelays>>
 =============================================================================
