@@ -195,7 +195,7 @@ class _Work:
 
         def found(first: Report, engine: Engine) -> list[Report]:
             with suppress(EngineError):
-                return list(rejections(name, first, engine, self._chosen))
+                return [one.report for one in rejections(name, first, engine, self._chosen)]
             return []
 
         return self._workers.submit(report, found).result()

@@ -47,6 +47,28 @@ def test_no_time(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
     assert "not everything was tried (see --budget)" in captured.err
 
 
+def test_every_rejection(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """With --keep-going each rejection has a log of its own, also one behind a line that was judged as another."""
+    log, small = tmp_path / "log.ndjson", tmp_path / "small.ndjson"
+    wrong = [event("DIS_AIRT", 31, ret=2), event("EN_AIRT", 32, ret=0), event("EN_AIRT", 33, ret=7)]
+    log.write_bytes(log_text(*wrong, event("CAN_DINT", 34, ob=20, ret=0), event("hold", 42), header=RUN))
+    assert main(["reduce", "--keep-going", "-o", str(small), str(log)]) == 0
+    said = capsys.readouterr().err.splitlines()
+    files = [small, tmp_path / "small-2.ndjson", tmp_path / "small-3.ndjson"]
+    assert sorted(tmp_path.glob("small*")) == sorted(files)
+    for file, line, text in zip(files, (2, 4, 5), said, strict=True):
+        report = s7check.check(file)
+        assert report.verdict == "rejected"
+        assert text.startswith(f"{log}:{line}: 2 of {line} lines, {report.requirements[0]}")
+
+
+@pytest.mark.parametrize("arguments", [["log.ndjson"], ["-o", "small.ndjson", "-"]])
+def test_keep_going_needs_files(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    """Several logs need several files, and a log that can be read again."""
+    assert main(["reduce", "--keep-going", *arguments]) == 2
+    assert "expected --output FILE, and a log that can be read again" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("text", "code", "words"),
     [

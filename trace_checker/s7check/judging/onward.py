@@ -7,7 +7,7 @@ in front of it, or nothing at all. Of these the one is taken with which most of 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from s7check.asking.answers import Refusal
 from s7check.asking.session import Session, as_answer
@@ -51,8 +51,17 @@ class _Tried:
     explained: int
 
 
-def rejections(name: str, report: Report, engine: Engine, chosen: Chosen) -> Iterator[Report]:
-    """The rejections of a log behind the first one, of which ``report`` tells; each says how the judging went on.
+class Onward(NamedTuple):
+    """A rejection behind the first one: the report, which says how the judging went on, and the log as judged."""
+
+    report: Report
+    header: Line
+    lines: Sequence[Line]
+    """The events up to the rejected one, with those that were taken in place of rejected ones."""
+
+
+def rejections(name: str, report: Report, engine: Engine, chosen: Chosen) -> Iterator[Onward]:
+    """The rejections of a log behind the first one, of which ``report`` tells.
 
     A line that is not of the format ends them. Raises EngineError.
     """
@@ -74,9 +83,9 @@ def rejections(name: str, report: Report, engine: Engine, chosen: Chosen) -> Ite
             continue
         found += 1
         if found > 1:
-            yield replace(
-                rejection(report.log, as_answer(refusal, number), text, []), events=len(session.lines), after=said
-            )
+            rejected = rejection(report.log, as_answer(refusal, number), text, [])
+            rejected = replace(rejected, events=len(session.lines), after=said)
+            yield Onward(rejected, session.header, [*session.lines, line])
         best = _best(session, refusal, read, place - 1)
         session.close()
         session, passed = best.session, best.way.passed

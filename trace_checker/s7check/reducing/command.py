@@ -1,6 +1,7 @@
 """``s7check reduce``."""
 
 import time
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import click
@@ -9,13 +10,15 @@ from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
+from s7check.judging.chosen import NOTHING
+from s7check.judging.onward import rejections
 from s7check.judging.verdict import EXIT_CODES, Report
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
 from s7check.log.objects import objects
 from s7check.output import echo, write_whole
 from s7check.reducing.candidate import Fields, as_text
-from s7check.reducing.reduction import reduce_log
+from s7check.reducing.reduction import Reduction, reduce_log
 from s7check.report.lines import message, place
 
 _NOT_REJECTED = 1
@@ -45,22 +48,45 @@ no verdict.
     type=click.FloatRange(min=0),
     default=_BUDGET,
     show_default=True,
-    help="Seconds to try smaller logs once LOG is judged; then the smallest so far is written.",
+    help="Seconds to try smaller logs for a rejection once LOG is judged; then the smallest is written.",
     metavar="SECONDS",
 )
+@click.option(
+    "--keep-going",
+    is_flag=True,
+    help="Also a log for each rejection behind the first: for --output FILE.ndjson, FILE-2.ndjson and so on.",
+)
 @click.argument("log", metavar="LOG", shell_complete=complete_files)
-def reduce_command(file: Path | None, budget: float, log: str) -> int:
+def reduce_command(file: Path | None, budget: float, keep_going: bool, log: str) -> int:
     """Reduce and write."""
+    if keep_going and (file is None or log == "-"):
+        raise click.UsageError("--keep-going: expected --output FILE, and a log that can be read again")
     with Engine() as engine:
         report = check_log(log, engine, lambda _, __: None)
         if report.verdict != "rejected":
             click.echo(f"{place(report)}: {report.verdict}: {message(report)}", err=True)
             return _NOT_REJECTED if report.verdict == "accepted" else EXIT_CODES[report.verdict]
         try:
-            reduction = reduce_log(_lines(log, report), report, engine, time.monotonic() + budget)
+            _write(file, report, reduce_log(_lines(log, report), report, engine, time.monotonic() + budget))
+            if file is not None and keep_going:
+                for number, (behind, lines) in enumerate(_behind(log, report), 2):
+                    reduction = reduce_log(lines, behind, engine, time.monotonic() + budget)
+                    _write(file.with_stem(f"{file.stem}-{number}"), behind, reduction)
         except EngineError as error:
             click.echo(f"Error: {error}", err=True)
             return EXIT_CODES["no verdict"]
+    return 0
+
+
+def _behind(log: str, report: Report) -> Iterator[tuple[Report, Sequence[Fields]]]:
+    """The rejections behind the first one, each with the log as it was judged up to there."""
+    with Engine() as engine:  # the other engine ends where a smaller log takes too long
+        for one in rejections(log, report, engine, NOTHING):
+            yield one.report, [one.header, *one.lines]
+
+
+def _write(file: Path | None, report: Report, reduction: Reduction) -> None:
+    """Writes the log, and says how many lines are left of those up to the rejected one."""
     text = as_text(reduction.header, reduction.events)
     if file is None:
         echo(text)
@@ -71,8 +97,8 @@ def reduce_command(file: Path | None, budget: float, log: str) -> int:
             raise click.FileError(str(file), hint=error.strerror or str(error)) from error
     more = "" if reduction.done else "; not everything was tried (see --budget)"
     lines = len(reduction.events) + 1
-    click.echo(f"{place(report)}: {lines} of {report.line} lines, {', '.join(report.requirements)}{more}", err=True)
-    return 0
+    said = f"{lines} of {report.line} lines, {', '.join(report.requirements)}"
+    click.echo(f"{place(report)}: {said}{more}", err=True)
 
 
 def _lines(log: str, report: Report) -> list[Fields]:
