@@ -150,15 +150,12 @@ final class Actions {
     Scope inner = new Quantifiers(compiler).bind(node, scope, bounds);
     Act body = compile(node.getArgs()[0], inner, then);
     var all = bounds.toArray(Quantifiers.Bound[]::new);
-    return f ->
-        Quantifiers.each(
-            all,
-            0,
-            f,
-            g -> {
-              body.run(g);
-              return true;
-            });
+    Quantifiers.Step each =
+        f -> {
+          body.run(f);
+          return true;
+        };
+    return f -> Quantifiers.each(all, 0, f, each);
   }
 
   /** The number of the variable if the expression is a variable's next value, else -1. */

@@ -65,7 +65,7 @@ public final class Evaluator {
       act.run(frame);
       long[] outcomes = machine.marks.end(outer);
       for (State found : machine.found()) {
-        found.outcomes = Marks.union(state.outcomes, Marks.union(found.outcomes, outcomes));
+        found.outcomes = Marks.union(found.outcomes, outcomes);
       }
       return machine.found();
     }

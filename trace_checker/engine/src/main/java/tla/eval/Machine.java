@@ -30,6 +30,9 @@ final class Machine {
   private final OpDeclNode[] variables;
   private List<State> found;
 
+  /** The outcomes on the way to the current state. */
+  private long[] before;
+
   Machine(OpDeclNode[] variables) {
     this.variables = variables;
     for (int i = 0; i < variables.length; i++) {
@@ -42,6 +45,7 @@ final class Machine {
   /** Takes {@code state} as the current one. */
   void load(State state) {
     load(state.values);
+    before = state.outcomes;
   }
 
   /** Takes the first {@code values} as those of the current state. */
@@ -86,7 +90,7 @@ final class Machine {
       }
     }
     var state = new State(next.clone());
-    state.outcomes = marks.path();
+    state.outcomes = marks.pathAfter(before);
     found.add(state);
   }
 

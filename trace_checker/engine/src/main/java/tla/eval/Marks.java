@@ -45,16 +45,43 @@ final class Marks {
     return own;
   }
 
-  /** Adds the outcomes of an evaluation whose value was kept. */
-  void add(long[] outcomes) {
+  private void add(long[] outcomes) {
     for (int i = 0; i < outcomes.length; i++) {
       now[i] |= outcomes[i];
     }
   }
 
-  /** The actions that are under way, as a successor is found. */
-  long[] path() {
-    return path.clone();
+  /** The outcomes of an evaluation whose value is kept: a few of all that there are. */
+  static final class Some {
+    private final int[] places;
+    private final long[] words;
+
+    Some(long[] outcomes) {
+      int count = 0;
+      for (long each : outcomes) {
+        count += each == 0 ? 0 : 1;
+      }
+      places = new int[count];
+      words = new long[count];
+      for (int i = outcomes.length - 1; count > 0; i--) {
+        if (outcomes[i] != 0) {
+          places[--count] = i;
+          words[count] = outcomes[i];
+        }
+      }
+    }
+  }
+
+  /** Adds the outcomes of an evaluation whose value was kept. */
+  void add(Some outcomes) {
+    for (int i = 0; i < outcomes.places.length; i++) {
+      now[outcomes.places[i]] |= outcomes.words[i];
+    }
+  }
+
+  /** The actions that are under way, as a successor is found, with the outcomes before them; null for none. */
+  long[] pathAfter(long[] before) {
+    return before == null ? path.clone() : union(before, path);
   }
 
   /** No action is under way. */

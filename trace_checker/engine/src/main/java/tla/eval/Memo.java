@@ -13,7 +13,7 @@ final class Memo implements Expr {
   private final Expr expr;
   private final Value[] last;
   private Value value;
-  private long[] outcomes;
+  private Marks.Some outcomes;
   private BitSet asks;
 
   /**
@@ -40,7 +40,7 @@ final class Memo implements Expr {
       try {
         value = expr.eval(frame);
       } finally {
-        outcomes = marks.end(outer);
+        outcomes = new Marks.Some(marks.end(outer));
         asks = asked.end(before);
       }
       for (int i = 0; i < variables.length; i++) {

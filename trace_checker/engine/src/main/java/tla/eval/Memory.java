@@ -127,7 +127,7 @@ final class Memory {
       known = outcome(remembered);
     }
     if (known == null) {
-      return operator.successors(state, of);
+      return shaped(operator.successors(state, of), state);
     }
     var found = new State[known.length];
     for (int i = 0; i < found.length; i++) {
@@ -156,11 +156,7 @@ final class Memory {
       steps = 0;
     }
     if (state.shapes == null) {
-      state.shapes = new long[state.values.length];
-      for (int i = 0; i < state.shapes.length; i++) {
-        state.shapes[i] = shapes.of(state.values[i], areTimes[i]);
-      }
-      state.shape = all(state.shapes);
+      shape(state, null);
     }
     System.arraycopy(state.values, 0, inputs, 0, state.values.length);
     inputs[state.values.length] = of;
@@ -169,6 +165,27 @@ final class Memory {
       argumentShape = of instanceof Shaped shaped ? shaped.shape(shapes) : shapes.of(of, false);
     }
     return Hash.mix(Hash.mix(state.shape + operator.number()) + argumentShape);
+  }
+
+  /** These states, whose shapes are known: most of their values are those of the state before. */
+  private List<State> shaped(List<State> found, State before) {
+    for (State each : found) {
+      if (each.shapes == null) {
+        shape(each, before);
+      }
+    }
+    return found;
+  }
+
+  private void shape(State state, State before) {
+    state.shapes = new long[state.values.length];
+    for (int i = 0; i < state.shapes.length; i++) {
+      state.shapes[i] =
+          before != null && state.values[i] == before.values[i]
+              ? before.shapes[i]
+              : shapes.of(state.values[i], areTimes[i]);
+    }
+    state.shape = all(state.shapes);
   }
 
   private static long all(long[] shapes) {

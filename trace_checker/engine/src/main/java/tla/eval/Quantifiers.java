@@ -53,8 +53,11 @@ final class Quantifiers {
       throw new Unsupported(name + " with several variables");
     }
     return switch (name) {
-      case "$BoundedExists" -> (Expr.Test) f -> !each(all, 0, f, g -> !body.test(g));
-      case "$BoundedForall" -> (Expr.Test) f -> each(all, 0, f, body::test);
+      case "$BoundedExists" -> some(all, body);
+      case "$BoundedForall" -> {
+        Step each = body::test;
+        yield (Expr.Test) f -> each(all, 0, f, each);
+      }
       case "$SetOfAll" -> f -> image(all, body, f);
       case "$SubsetOf" -> f -> subset(only, body, f);
       case "$BoundedChoose" -> f -> choose(only, body, f);
@@ -68,8 +71,12 @@ final class Quantifiers {
     var bounds = new java.util.ArrayList<Bound>();
     Scope inner = bind(node, scope, bounds);
     Expr body = compiler.compile(node.getArgs()[0], inner);
-    Bound[] all = bounds.toArray(Bound[]::new);
-    return (Expr.Test) f -> !each(all, 0, f, g -> !body.test(g));
+    return some(bounds.toArray(Bound[]::new), body);
+  }
+
+  private static Expr some(Bound[] all, Expr body) {
+    Step none = f -> !body.test(f);
+    return (Expr.Test) f -> !each(all, 0, f, none);
   }
 
   /** Takes the step for every assignment, until a step returns false. */
