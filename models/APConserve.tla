@@ -4,10 +4,10 @@
 (* Ind holds, in the world of APSystem, each action is a step of it or     *)
 (* changes nothing of it. An asynchronous error has a fault id.            *)
 (*                                                                         *)
-(* Two OBs are counted here, and each is any. That is enough for all: Next *)
-(* of Conservation speaks of one OB that starts, ends, is missing or loses *)
-(* its start events, and of each other by itself. That one is the first    *)
-(* here, since another is another case of the same query.                  *)
+(* One OB is counted here, and it is any. That is enough for all: Next of  *)
+(* Conservation says of each OB by itself what a step does to it. Which    *)
+(* part of Next that is depends on the event, and on whether it is of the  *)
+(* OB, of another one of the world, or of none (EventsStep).               *)
 (* The history begins at 0: Conservation speaks of what a step adds. The   *)
 (* fates are a variable, since Apalache copies what stands for a variable. *)
 (***************************************************************************)
@@ -15,24 +15,18 @@ EXTENDS APSystem, FatesMapping
 
 CONSTANTS
     \* @type: Int;
-    ActingOb,
-    \* @type: Int;
-    OtherOb
+    TheOb
 
-APCounted == {ActingOb, OtherOb}
+APCounted == {TheOb}
 
 WorldObs == {10, 11, 20, 40, 80, 85}
 
 ConserveConstants == /\ AnyConstants
                      /\ AnyFault # 0
-                     /\ ActingOb \in WorldObs
-                     /\ OtherOb \in WorldObs
+                     /\ TheOb \in WorldObs
 
 (* What a call withdraws, or the deletion of the OB. *)
 Withdrawals == { "SET_TINT", "CAN_TINT", "SRT_DINT", "CAN_DINT", "delete" }
-
-AnotherActs == /\ step'.event \in {"start", "end", "missing"} \cup Withdrawals
-               /\ step'.ob \in WorldObs \ {ActingOb}
 
 VARIABLE
     \* @type: Int -> (Str -> Int);
@@ -54,14 +48,18 @@ Tokens == INSTANCE Conservation WITH Obs <- CountedObs, fates <- counts
 
 EventsBegin == Tokens!Init
 
-(* The part of Next of Conservation that the event is. *)
-PartOfNext ==
-    LET acts(some) == step'.event \in some /\ step'.ob = ActingOb
-    IN  IF acts({"start"}) THEN Tokens!Start(ActingOb)
-        ELSE IF acts({"end"}) THEN Tokens!End(ActingOb)
-        ELSE IF acts({"missing"} \cup Withdrawals) THEN Tokens!Vanish(ActingOb)
+(* The part of Next of Conservation that the event is. A call that answers *)
+(* an error withdraws nothing: then the step is Occur, in which an OB may  *)
+(* stay as it is.                                                          *)
+EventsStep ==
+    LET own(some)    == step'.event \in some /\ step'.ob = TheOb
+        others(some) == step'.event \in some /\ step'.ob \in WorldObs \ {TheOb}
+    IN  IF own({"start"}) THEN Tokens!Start(TheOb)
+        ELSE IF others({"start"}) THEN Tokens!Fades(TheOb)
+        ELSE IF own({"end"}) THEN Tokens!End(TheOb)
+        ELSE IF others({"end"}) THEN Tokens!Excused(TheOb)
+        ELSE IF own({"missing"} \cup Withdrawals)
+        THEN Tokens!Vanish(TheOb) \/ UNCHANGED Tokens!tokenVars
         ELSE IF step'.event \in {"stop", "switch"} THEN Tokens!Stop
         ELSE Tokens!Occur
-
-EventsStep == AnotherActs \/ UNCHANGED Tokens!tokenVars \/ PartOfNext
 =============================================================================
