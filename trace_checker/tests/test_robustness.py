@@ -13,6 +13,8 @@ from pathlib import Path
 import pytest
 
 from s7check import cli
+from s7check.engine.command import engine_command
+from s7check.engine.process import EngineProcess
 from s7check.judging import check
 from s7check.log.lines import Lines
 from tests import fuzz
@@ -161,7 +163,7 @@ def test_killed_parent(tmp_path: Path) -> None:
         run.stdin.write(log_text(event("restart", type="warm")))
         run.stdin.flush()
         limit = time.monotonic() + 60
-        while not list(tmp_path.glob("*/*.tla")) and time.monotonic() < limit:
+        while not children(run.pid) and time.monotonic() < limit:
             time.sleep(0.05)
         time.sleep(1)
         run.kill()
@@ -170,6 +172,17 @@ def test_killed_parent(tmp_path: Path) -> None:
             break
         time.sleep(0.05)
     assert left == []
+
+
+def test_ended_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A signal that ends it, as a terminal sends to all its processes, leaves no folder although nobody else clears."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    process = EngineProcess(engine_command())
+    assert b"ready" in process.line()
+    os.kill(process._process.pid, signal.SIGTERM)
+    process._process.wait(60)
+    assert list(tmp_path.iterdir()) == []
+    process.end()
 
 
 @pytest.mark.parametrize("old", [None, "old"])

@@ -106,6 +106,8 @@ public final class Engine {
       System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION [FILE]");
       System.exit(2);
     }
+    // However it ends: the parent, which removes the folder too, may have been ended with it.
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> removeFolder(new File("").getAbsoluteFile())));
     endWithParent();
     // Standard output belongs to the protocol; TLC's own messages go elsewhere.
     var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
@@ -121,23 +123,11 @@ public final class Engine {
     engine.print(ready);
     spec.keep();
     engine.serve(new FileInputStream(FileDescriptor.in));
-    // The input also ends if the parent was killed, and then nobody else removes the folder.
-    removeFolder(new File("").getAbsoluteFile());
   }
 
   /** Ends with the parent, since an engine at work on an event does not see its input end. */
   private static void endWithParent() {
-    ProcessHandle.current()
-        .parent()
-        .ifPresent(
-            parent ->
-                parent
-                    .onExit()
-                    .thenRun(
-                        () -> {
-                          removeFolder(new File("").getAbsoluteFile());
-                          System.exit(NOBODY_LEFT);
-                        }));
+    ProcessHandle.current().parent().ifPresent(parent -> parent.onExit().thenRun(() -> System.exit(NOBODY_LEFT)));
   }
 
   /** Removes the folder of temporary files that the parent would have removed. */
