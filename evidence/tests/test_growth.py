@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from evidence.growth.logs import Kind, kinds
+from evidence.growth.logs import Kind, kinds, missing_due
 from evidence.growth.measure import answer_of
+from s7check.asking.session import Session
 from s7check.engine.client import Engine
 
 KINDS = {kind.name: kind for kind in kinds()}
@@ -27,3 +28,25 @@ def test_states(engine: Engine, kind: Kind) -> None:
     assert answer.line == (len(log.events) + 1 if kind.rejected else None)
     assert answer.largest <= kind.states
     assert answer.followed <= kind.followed * len(log.events)
+
+
+def test_certain_facts_are_left(engine: Engine) -> None:
+    """A wrong line is rejected, and a right one accepted, behind lines that more states explain than are followed."""
+    log = missing_due(6)
+    session = Session(engine, log.header)
+    for line in log.events:
+        assert session.feed(line) is None
+    # No line loads OB 40 or asks for it: all states would rule it out, and certain facts do not.
+    assert session.why({"event": "start", "ob": 40}) is None
+    for status in ("16#0000", "16#0004"):
+        assert session.why({"event": "QRY_TINT", "ob": 10, "ret": "16#0000", "status": status}) is None
+    for wrong, rule in (
+        ({"event": "end", "ob": 85}, "OBS-01"),
+        ({"event": "release"}, "OBS-40"),
+        ({"event": "EN_AIRT", "ret": "16#8090"}, "AIRT-04"),
+        ({"event": "QRY_TINT", "ob": 10, "ret": "16#0000", "status": "16#00FF"}, "TINT-79"),
+    ):
+        refusal = session.why(wrong)
+        assert refusal is not None
+        assert rule in refusal.requirements
+    session.close()
