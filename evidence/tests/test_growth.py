@@ -1,13 +1,17 @@
 """No log costs more than its length: the states that it leads to, counted."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
-from evidence.growth.logs import Kind, kinds, missing_due
+from evidence.growth.logs import Kind, kinds, missing_due, text, wrong_at_the_end
 from evidence.growth.measure import answer_of
 from s7check.asking.session import Session
+from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
+from s7check.judging.check import check_log
+from s7check.judging.replay import Replay, with_readings
 
 KINDS = {kind.name: kind for kind in kinds()}
 
@@ -30,9 +34,36 @@ def test_states(engine: Engine, kind: Kind) -> None:
     assert answer.followed <= kind.followed * len(log.events)
 
 
+class Counting(Engine):
+    """An engine that counts the logs that it judges, and their steps."""
+
+    logs = 0
+    followed = 0
+
+    def finish(self) -> Answer:
+        """Counts."""
+        answer = super().finish()
+        self.logs += 1
+        self.followed += answer.followed
+        return answer
+
+
+def test_other_readings(tmp_path: Path) -> None:
+    """A rejected log is judged again under the readings that some step of it asked for alone, with few steps each."""
+    log = tmp_path / "wrong.ndjson"
+    log.write_text(text(wrong_at_the_end(7)))
+    with Counting() as engine:
+        report = check_log(str(log), engine, lambda _source, _events: None)
+        report = with_readings(report, engine, Replay(str(log), report.lines))
+    assert (report.verdict, report.line) == ("rejected", 26)
+    assert len(report.readings or ()) > 100
+    assert engine.logs <= 32
+    assert engine.followed <= 40 * engine.logs
+
+
 def test_certain_facts_are_left(engine: Engine) -> None:
     """A wrong line is rejected, and a right one accepted, behind lines that more states explain than are followed."""
-    log = missing_due(6)
+    log = missing_due(8)
     session = Session(engine, log.header)
     for line in log.events:
         assert session.feed(line) is None
