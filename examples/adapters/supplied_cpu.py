@@ -250,8 +250,8 @@ class SuppliedCpu(ToyCpu):
         """An event from outside."""
         kind = event["event"]
         if kind in ("load", "delete"):
-            if (event["ob"] in self.obs) != (kind == "load"):
-                self.obs ^= {event["ob"]}
+            if kind == "load" or event["ob"] in self.obs:  # a loaded block may be loaded again
+                self.obs ^= {event["ob"]} - (self.obs if kind == "load" else set())
                 self.adapter.log(kind, ob=event["ob"])
         elif kind == "restart":
             self.to_stop()
