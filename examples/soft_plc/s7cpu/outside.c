@@ -49,8 +49,8 @@ void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state)
 /* AMB-66: an OB that runs goes on, one that waits will be missing. */
 static void set_loaded(struct s7cpu *cpu, int ob, bool loaded)
 {
-    if (cpu->loaded[ob] == loaded)
-        return;
+    if (!loaded && !cpu->loaded[ob])
+        return; /* a loaded block may be loaded again */
     cpu->loaded[ob] = loaded;
     s7_emit(cpu, (struct s7cpu_event){.kind = loaded ? S7CPU_LOAD : S7CPU_DELETE, .ob = ob});
 }
