@@ -49,8 +49,8 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
     action: str
     formula: str
     tried: Annotated[str, msgspec.Meta(min_length=10)]
-    letter: str = ""
-    """The ambiguity and the letter, such as "AMB-49 b", where it is not claimed of every letter alone."""
+    letter: Annotated[str, msgspec.Meta(pattern=r"^(AMB-\d\d [a-d])?$")] = ""
+    """The ambiguity and the letter, such as "AMB-49 b", where it is claimed of the other letters."""
 
 
 class Mutant(msgspec.Struct, forbid_unknown_fields=True):
@@ -154,7 +154,8 @@ class Query:
     `actions` are the actions of System whose disjunction is `next`, with `history`; `mutations` changes of the
     specification, `constants` the initial predicate of the constants, `instead` the operators that stand in the places
     of others.
-    With `shown` ambiguities are read by any letter, but for these.
+    With `shown` ambiguities are read by any letter, but for these; a formula is not asked of the letters that `unless`
+    has for it.
     """
 
     name: str
@@ -170,6 +171,7 @@ class Query:
     constants: str = ""
     instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
     shown: tuple[str, ...] | None = None
+    unless: tuple[tuple[str, tuple[str, ...]], ...] = ()
     expect: Literal["holds", "violated"] = "holds"
     mutations: tuple[Mutation, ...] = ()
 
@@ -309,7 +311,7 @@ def _queries(
     joined = {action for some in base.together.values() for action in some}
     groups = {**{action: [action] for action in actions if action not in joined}, **base.together}
 
-    def claimed(formulas: Iterable[str], some: Iterable[str], left: set[tuple[str, str]] = left) -> tuple[str, ...]:
+    def claimed(formulas: Iterable[str], some: Iterable[str]) -> tuple[str, ...]:
         return tuple(formula for formula in formulas if not left & {(action, formula) for action in some})
 
     def step(name: str, kind: Kind, some: list[str], formulas: tuple[str, ...]) -> Query:
@@ -325,9 +327,18 @@ def _queries(
         for query in stepping:
             after = replace(refines[word], name=f"{word}-{query.name}", actions=query.actions, length=1)
             queries.append(replace(after, formulas=claimed(refinement.steps, query.actions)))
-    beside = {(cell.action, cell.formula) for cell in file.not_proved}
+
+    def unless(some: list[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        cells = [cell for cell in file.not_proved if cell.letter and cell.action in some]
+        of = {cell.formula: tuple(sorted({c.letter for c in cells if c.formula == cell.formula})) for cell in cells}
+        return tuple(of.items())
+
     queries += [
-        replace(step(f"letters-{name}", "letters", some, claimed(whole, some, beside)), shown=tuple(file.letters.shown))
+        replace(
+            step(f"letters-{name}", "letters", some, claimed(whole, some)),
+            shown=tuple(file.letters.shown),
+            unless=unless(some),
+        )
         for name, some in file.letters.together.items()
     ]
 

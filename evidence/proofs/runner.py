@@ -115,7 +115,13 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
             text = module_text(query.module, folders, roots, dict(query.instead))
         else:
             text = module_text_of_letters(
-                query.module, folders, roots, dict(query.instead), shown=query.shown, constants=query.constants
+                query.module,
+                folders,
+                roots,
+                dict(query.instead),
+                shown=query.shown,
+                unless=dict(query.unless),
+                constants=query.constants,
             )
     if query.next == TOGETHER:
         either = " \\/ ".join(query.actions)

@@ -54,6 +54,19 @@ def read_by_any(text: str, shown: Iterable[str]) -> str:
     return _READING.sub(lambda found: found[0] if found[1] in shown else f"LetterOf{found[1][4:]}", text)
 
 
+def unless_read(text: str, formula: str, letters: Iterable[str]) -> str:
+    """The text in which the formula says nothing where an ambiguity is read by one of the letters, as "AMB-49 b".
+
+    The columns of the formula stay. Raises `SyntaxTreeError` if the text does not define it.
+    """
+    found = re.search(rf"^{formula} ==", text, re.MULTILINE)
+    if found is None:
+        raise SyntaxTreeError(f"no definition of {formula} that letters may be left out of")
+    read = " \\/ ".join(f'LetterOf{letter[4:6]} = "{letter[7:]}"' for letter in letters)
+    column = found.end() - found.start()
+    return f"{text[: found.end()]}\n  IF {read} THEN TRUE ELSE\n{' ' * column}{text[found.end() :]}"
+
+
 def with_letters(text: str, letters: Mapping[str, str], constants: str) -> str:
     """The text with its constants for letters declared, and with `ANY_LETTERS`: these and the other `constants`."""
     numbers = sorted(set(_LETTER.findall(text)))
@@ -109,11 +122,17 @@ def module_text_of_letters(
     instead: Mapping[str, Sequence[str]],
     *,
     shown: Sequence[str],
+    unless: Mapping[str, Sequence[str]],
     constants: str,
 ) -> str:
-    """As `module_text`, of any letter of each ambiguity but the `shown` ones, and with `ANY_LETTERS`."""
+    """As `module_text`, of any letter of each ambiguity but the `shown` ones, and with `ANY_LETTERS`.
+
+    Formulas say nothing of the letters that `unless` has for them.
+    """
     flat = flatten(module, folders)
     text = _of_flat(replace(flat, text=read_by_any(flat.text, shown)), roots, instead)
+    for formula, letters in unless.items():
+        text = unless_read(text, formula, letters)
     return with_letters(text, all_letters(flat.text), constants)
 
 

@@ -29,6 +29,7 @@ from evidence.proofs.text import (
     put_in_place,
     read_by_any,
     read_by_default,
+    unless_read,
     with_letters,
     without_comments,
 )
@@ -103,7 +104,7 @@ def test_apalache_fails() -> None:
 
 def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
     """All thirty actions, with the invariant and every property of steps but those that the manifest lists."""
-    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved}
+    left = {(cell.action, cell.formula) for cell in proofs.file.not_proved if not cell.letter}
     properties = {name for names in proofs.steps.values() for name in names}
     assert len(proofs.actions) == len(set(proofs.actions)) >= 30
     assert len(properties) > 70
@@ -147,7 +148,7 @@ def test_actions_that_are_asked_together(proofs: Proofs) -> None:
     query = next(q for q in proofs.queries if q.name == "calls-irt")
     text, _ = texts(ROOT, query)
     assert "\nTogether == " + " \\/ ".join(query.actions) + "\n====" in text
-    left = {cell.formula for cell in proofs.file.not_proved if cell.action in query.actions}
+    left = {cell.formula for cell in proofs.file.not_proved if cell.action in query.actions and not cell.letter}
     assert left
     assert not left & set(query.formulas)
 
@@ -236,6 +237,14 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"not_proved": [{"action": "EndsOb", "formula": "NoProp", "tried": "ten characters"}]}, "neither a property"),
         ({"not_proved": [{"action": "EndsOb", "formula": "EndProp", "tried": "no"}]}, "tried"),
         ({"mutants": [{"control": "neg-airt-en-ends-all", "action": "EndsOb", "formula": "No"}]}, "a property"),
+        (
+            {
+                "not_proved": [
+                    {"action": "EndsOb", "formula": "EndProp", "letter": "AMB-49b", "tried": "ten characters"}
+                ]
+            },
+            "letter",
+        ),
         ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
         (
             {"claim_mutants": [{"control": "neg-lock-alone-ends-in-hold", "claim": "no", "formula": "EndStep"}]},
@@ -280,6 +289,30 @@ def test_a_text_of_any_letter() -> None:
     assert 'F == LetterOf02 = "a" /\\ Reading("AMB-11") = "b"' in said
     assert "EXTENDS A\nCONSTANTS\n    \\* @type: Str;\n    LetterOf02\n" in said
     assert said.endswith('AnyLetters ==\n    /\\ Any\n    /\\ LetterOf02 \\in {"a", "b", "c"}\n====\n')
+
+
+def test_a_formula_says_nothing_of_some_letters() -> None:
+    """Its columns stay, so that a list of conjuncts stays one."""
+    text = "P == x\nQ == /\\ a\n     /\\ b => c\n"
+    said = unless_read(text, "Q", ["AMB-21 b", "AMB-42 c"])
+    condition = 'LetterOf21 = "b" \\/ LetterOf42 = "c"'
+    assert said == f"P == x\nQ ==\n  IF {condition} THEN TRUE ELSE\n     /\\ a\n     /\\ b => c\n"
+    with pytest.raises(SyntaxTreeError, match="no definition of R"):
+        unless_read(text, "R", ["AMB-21 b"])
+
+
+def test_letters_that_are_left_out(proofs: Proofs, tmp_path: Path) -> None:
+    """A formula that is not claimed of a letter is asked of the others, in the query about letters alone."""
+    cell = {"action": "CallEnIrt", "formula": "SilentProp", "letter": "AMB-21 b", "tried": "ten characters"}
+    (tmp_path / "models").mkdir()
+    (tmp_path / "spec").symlink_to(ROOT / "spec")
+    (tmp_path / MODELS).symlink_to(ROOT / MODELS)
+    (tmp_path / MANIFEST).write_text(json.dumps(json.loads((ROOT / MANIFEST).read_bytes()) | {"not_proved": [cell]}))
+    asked = {query.name: query for query in load(tmp_path).queries}
+    assert asked["letters-calls-irt"].unless == (("SilentProp", ("AMB-21 b",)),)
+    assert "SilentProp" in asked["letters-calls-irt"].formulas
+    assert "SilentProp" in asked["calls-irt"].formulas
+    assert not [name for name, query in asked.items() if query.unless and name != "letters-calls-irt"]
 
 
 def test_an_operator_is_put_in_the_place_of_another() -> None:
@@ -492,6 +525,6 @@ def test_a_property_stands_as_its_queries_do(proofs: Proofs) -> None:
     assert some["StackInv"]["proved"] == 0
     assert rows("StartsOb", "first", "invariants")["StackInv"]["proved"] == 1
     every = rows(*(q.name for q in proofs.queries))
-    for cell in proofs.file.not_proved:
+    for cell in filter(lambda cell: not cell.letter, proofs.file.not_proved):
         assert cell.action.replace("invariants", "any state") in every[cell.formula]["not claimed"]
     assert [row for row in every.values() if row["unknown"]] == []
