@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
@@ -18,6 +19,9 @@ from evidence.proofs.text import without_comments
 from evidence.tla.flatten import definition_span
 from evidence.tla.modules import reached
 from evidence.tla.syntax import Module, references
+
+_ALIAS = re.compile(r"\(\*\s*@typeAlias:\s*(\w+)\s*=([^;]*);\s*\*\)")
+_USED_ALIAS = re.compile(r"\$(\w+)")
 
 
 class Run(msgspec.Struct, frozen=True):
@@ -47,7 +51,8 @@ class Result(msgspec.Struct, frozen=True):
 def keys(text: str, formulas: Iterable[str], roots: Iterable[str], rest: Sequence[str]) -> dict[str, str]:
     """The key of each formula: the hash of what it and the roots need of a module's text, and of the `rest`.
 
-    Comments other than types do not count. Raises `evidence.tla.syntax.SyntaxTreeError`.
+    Comments other than types do not count, and no type alias that nothing of it uses. Raises
+    `evidence.tla.syntax.SyntaxTreeError`.
     """
     module = Module("flat", text.encode())
     uses = {name: references(unit) for name, unit in module.definitions.items()}
@@ -58,12 +63,17 @@ def keys(text: str, formulas: Iterable[str], roots: Iterable[str], rest: Sequenc
         outside += module.text[at:start]
         at = stop
     around = without_comments((bytes(outside) + module.text[at:]).decode())
+    aliases = dict(_ALIAS.findall(around))
+    around = without_comments(_ALIAS.sub("", around))
+    within = {name: _USED_ALIAS.findall(said) for name, said in aliases.items()}
     instances = [name for unit in module.units if unit.type == "module_definition" for name in references(unit)]
     common = [*roots, *instances]
 
     def key(formula: str) -> str:
         needed = reached([formula, *common], uses)
         said = [formula, around, *(text for name, text in stated.items() if name in needed), *rest]
+        types = reached(_USED_ALIAS.findall("\n".join(said)), within)
+        said += [f"{name} = {alias}" for name, alias in aliases.items() if name in types]
         return hashlib.sha256(json.dumps(said).encode()).hexdigest()
 
     return {formula: key(formula) for formula in formulas}

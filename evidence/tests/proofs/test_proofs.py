@@ -423,6 +423,18 @@ def test_the_key_of_a_formula_is_its_text() -> None:
     assert keys(text, ["P"], ["Init"], ["length 2"])["P"] != before["P"]
 
 
+def test_a_type_that_nothing_uses_does_not_count() -> None:
+    """Of the aliases of Typedefs a query needs some; another one may change."""
+    text = (
+        "---- MODULE M ----\nEXTENDS Integers\n(*  @typeAlias: inner = { a: Int };    *)\n"
+        "(*  @typeAlias: used = { b: $inner,   *)\n(*                   c: Int };    *)\n"
+        "(*  @typeAlias: other = { d: Int };    *)\nVARIABLE\n  \\* @type: $used;\n  x\n\nP == x.c = 0\n====\n"
+    )
+    (before,) = keys(text, ["P"], [], []).values()
+    for old, new, changed in (("d: Int", "d: Str", False), ("c: Int }", "c: Str }", True), ("a: Int", "a: Str", True)):
+        assert (keys(text.replace(old, new), ["P"], [], []) != {"P": before}) == changed
+
+
 def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
     """Of a run whose formulas hold those stay that did not change; a refuted run stays whole or not at all."""
     file = tmp_path / "query.json"
