@@ -93,7 +93,8 @@ _UP = ("--up",)
 def reach(programs: Sequence[Program], engine: Engine, tell: Callable[[str], None]) -> Reached:
     """Run the programs, the smallest first. Raises AdapterError, EngineError, OSError."""
     reached = Reached(decisions_of(engine))
-    ordered = sorted(programs, key=lambda one: (len(one.line()), one.name))
+    # Without what was measured before: a run would name other programs than the one before it.
+    ordered = sorted(programs, key=lambda one: (len(one.plain_line()), one.name))
     usual = list(soft_plc.run(ordered))
     for program, ran in zip(ordered, usual, strict=True):
         reached.programs += not ran.skipped
