@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* Logs that do not tell when an OB has to start, because they may miss    *)
 (* calls, changes of the mode or of the clock, or both OBs and start       *)
-(* events; and logs with too many explanations (Loosen).                   *)
+(* events; and logs with too many explanations (Widening).                 *)
 (*                                                                         *)
 (* Judged are facts that hold whatever happened unseen: answers that no    *)
 (* setting allows, OBs that nothing can have started, classes, modes,      *)

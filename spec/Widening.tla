@@ -11,8 +11,11 @@
 (* outside become one. A start event is open afterwards unless all of them *)
 (* have it for sure.                                                       *)
 (*                                                                         *)
+(* Loosen, LastResort: of one explanation certain facts are left, where    *)
+(* nobody can follow all of them.                                          *)
+(*                                                                         *)
 (* Source: docs/checking/log-format.md, fine points 9 and 11.              *)
-(* Left out: logs that do not tell when an OB has to start (Loosen).       *)
+(* Left out: what is judged by certain facts (LooseLogs).                  *)
 (***************************************************************************)
 EXTENDS PartialLogs
 
@@ -169,4 +172,34 @@ Meet(all) ==
                          !.endless = @ \cup
                            { g.of : g \in { h \in DOMAIN places :
                                              ~Apart(h, places) } } ]
+
+-----------------------------------------------------------------------------
+(* Certain facts alone *)
+
+(* From this line on only certain facts count. Earlier calls and start     *)
+(* events count as unseen, and a running OB may have ended.                *)
+\* @type: Set(Str) => Bool;
+OnlyFacts(records) ==
+    /\ ~terms.loose
+    /\ terms' = [terms EXCEPT !.loose = TRUE, !.records = records]
+    /\ tod' = [o \in TodObs |-> NoSetting]
+    /\ dint' = NoJobs /\ irt' = NoneBlocked
+    /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0
+    /\ waiting' = [c \in {} |-> 0] /\ reports' = {}
+    /\ first' = "unknown" /\ overruns' = 0 /\ changes' = {}
+    /\ arrivals' = [r \in {} |-> up]
+    /\ stack' = IF mode = "STOP" THEN <<>>
+                ELSE IF Unseen("ob") \/ stack = <<>>
+                THEN << IF mode = "STARTUP" THEN Frame(100, 27)
+                        ELSE Frame(CycleOb, 1) >>
+                ELSE stack
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
+
+(* A log without some kinds has many explanations.                         *)
+Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})
+
+(* Any log that nobody can follow. What an OB that is loaded now was       *)
+(* missing for may still have to be reported.                              *)
+LastResort == OnlyFacts(terms.records \ {"call", "interrupt", "load"})
 =============================================================================
