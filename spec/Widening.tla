@@ -181,7 +181,8 @@ Meet(all) ==
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
     /\ ~terms.loose
-    /\ terms' = [terms EXCEPT !.loose = TRUE, !.records = records]
+    /\ terms' = [ terms EXCEPT !.loose = TRUE, !.records = records,
+                                !.endless = {}, !.unsure = {}, !.early = {} ]
     /\ tod' = [o \in TodObs |-> NoSetting]
     /\ dint' = NoJobs /\ irt' = NoneBlocked
     /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0

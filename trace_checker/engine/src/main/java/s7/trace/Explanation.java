@@ -48,6 +48,15 @@ final class Explanation {
 
   private static final int SOON = 16;
 
+  /** So many steps of states among {@link #WIDE} and more are done for a log, and so many for each line. */
+  private static final int WORK = 30_000;
+
+  private static final int WORK_OF_A_LINE = 10;
+  private static final int WIDE = 32;
+
+  /** What a state costs that meets others, in steps. */
+  private static final int MEETING = 4;
+
   /** Each so many lines, and steps of time, a state is asked if there is too much in it. */
   private static final int NOW_AND_THEN = 16;
 
@@ -99,6 +108,7 @@ final class Explanation {
   private int lines;
   private int largest;
   private long steps;
+  private long work;
   private Set<String> asked;
   private boolean refused;
 
@@ -106,8 +116,8 @@ final class Explanation {
   static final class TooMany extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    TooMany(int most) {
-      super("more than " + most + " states explain the log; choose readings in the header");
+    TooMany(String why) {
+      super(why + "; choose readings in the header");
     }
   }
 
@@ -148,6 +158,8 @@ final class Explanation {
     most = other.most;
     loosened = other.loosened;
     crowded = other.crowded;
+    lines = other.lines;
+    work = other.work;
   }
 
   /** An explanation of the same log that goes on by itself. */
@@ -307,6 +319,7 @@ final class Explanation {
     }
     List<State> ready = crowded ? few(closure(few(arrived), event)) : closure(arrived, event);
     List<State> after = new ArrayList<>(ready.size());
+    work(ready.size(), ready.size());
     for (State state : ready) {
       steps++;
       after.addAll(spec.observe(state, event));
@@ -368,6 +381,7 @@ final class Explanation {
 
   /** The state that the states of a place become; themselves if they become none. */
   private List<State> meeting(List<State> group) {
+    work(group.size() > 1 ? MEETING * group.size() : 0, Integer.MAX_VALUE);
     List<State> one = group.size() > 1 ? spec.meet(group) : List.of();
     widened |= !one.isEmpty();
     return one.isEmpty() ? group : List.of(smaller(one.get(0)));
@@ -395,6 +409,7 @@ final class Explanation {
         continue;
       }
       steps++;
+      work(1, open.size());
       List<State> next = spec.elapse(state, event);
       if (next.size() == 0) {
         stuck.add(state);
@@ -455,6 +470,7 @@ final class Explanation {
         continue;
       }
       steps++;
+      work(1, closed.size());
       List<State> next = spec.silent(state, event);
       if (next.size() > 0 && seen == null) {
         closed = new ArrayList<>(closed);
@@ -616,7 +632,22 @@ final class Explanation {
   private void limit(int size) {
     largest = Math.max(largest, size);
     if (size > most) {
-      throw new TooMany(most);
+      throw new TooMany("more than " + most + " states explain the log");
+    }
+  }
+
+  /**
+   * Counts so much work with one of so many states. A log may have few states at a time, and so many of them at each
+   * line that nobody waits for the verdict: then it is as with too many states.
+   */
+  private void work(int more, int among) {
+    if (among < WIDE) {
+      return;
+    }
+    work += more;
+    long most = (crowded ? 2 : 1) * WORK + (long) WORK_OF_A_LINE * lines;
+    if (work > most && !loosened) {
+      throw new TooMany("following many states took more than " + most + " steps");
     }
   }
 }

@@ -145,6 +145,23 @@ class ExplanationTest {
   }
 
   @Test
+  @DisplayName("many states at each line are too much work at last, few are not")
+  void work() {
+    var few = begin("{}");
+    for (int line = 0; line < 800; line++) {
+      assertNull(observe(few, "{'event': 'any', 'value': 30}"));
+    }
+    assertEquals(30, few.size());
+    var many = begin("{}");
+    var error = assertThrows(NotCovered.class, () -> {
+      for (int line = 0; line < 800; line++) {
+        assertNull(observe(many, "{'event': 'any', 'value': 100}"));
+      }
+    });
+    assertTrue(error.getMessage().contains("steps"));
+  }
+
+  @Test
   @DisplayName("an event that the specification does not have is named")
   void foreignEvent() {
     var error = assertThrows(NotCovered.class, () -> observe(begin("{}"), "{'event': 'hold'}"));
