@@ -139,7 +139,7 @@ LooseEvent(e) ==
 (* STOP is 4568, too, though OB 80 is loaded.                              *)
 CycleMayBeExceeded ==
     \/ Unseen("interrupt")
-    \/ \E r \in requests : r.ob = TimeErrorOb /\ r.fault = CycleTimeExceeded
+    \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
 
 (* An unseen event may have caused this entry.                             *)
 \* @type: $event => Bool;
