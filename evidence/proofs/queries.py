@@ -36,7 +36,7 @@ TOGETHER = "Together"
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
 
-Kind = Literal["begins", "step", "follows", "lemma", "refines", "letters", "control", "mutant", "claim"]
+Kind = Literal["begins", "step", "follows", "lemma", "refines", "letters", "letter", "control", "mutant", "claim"]
 
 
 class ManifestError(ValueError):
@@ -49,8 +49,9 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
     action: str
     formula: str
     tried: Annotated[str, msgspec.Meta(min_length=10)]
-    letter: Annotated[str, msgspec.Meta(pattern=r"^(AMB-\d\d [a-d])?$")] = ""
-    """The ambiguity and the letter, such as "AMB-49 b", where it is claimed of the other letters."""
+    letter: Annotated[str, msgspec.Meta(pattern=r"^(AMB-\d\d [a-d](, AMB-\d\d [a-d])*)?$")] = ""
+    """The ambiguity and the letter, such as "AMB-49 b", where it is claimed of the other letters; or several that are
+    meant together. The query called letter- asks for the counterexample: these letters alone, the others by default."""
 
 
 class Mutant(msgspec.Struct, forbid_unknown_fields=True):
@@ -155,7 +156,7 @@ class Query:
     specification, `constants` the initial predicate of the constants, `instead` the operators that stand in the places
     of others.
     With `shown` ambiguities are read by any letter, but for these; a formula is not asked of the letters that `unless`
-    has for it.
+    has for it. With letters in `alone`, such as "AMB-21 b", by these, and the others by default.
     """
 
     name: str
@@ -172,6 +173,7 @@ class Query:
     instead: tuple[tuple[str, tuple[str, ...]], ...] = ()
     shown: tuple[str, ...] | None = None
     unless: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    alone: str = ""
     expect: Literal["holds", "violated"] = "holds"
     mutations: tuple[Mutation, ...] = ()
 
@@ -346,6 +348,18 @@ def _queries(
         following = TOGETHER if base.history else action
         return replace(base, next=following, actions=(action,), length=1, expect="violated")
 
+    queries += [
+        replace(
+            one(cell.action, anywhere),
+            name=f"letter-{cell.action}-{cell.formula}-{cell.letter.replace(', ', '-').replace(' ', '-')}",
+            kind="letter",
+            formulas=(cell.formula,),
+            shown=tuple(file.letters.shown),
+            alone=cell.letter,
+        )
+        for cell in file.not_proved
+        if cell.letter
+    ]
     queries += [
         replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
         for action in actions

@@ -121,6 +121,7 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
                 dict(query.instead),
                 shown=query.shown,
                 unless=dict(query.unless),
+                alone=query.alone,
                 constants=query.constants,
             )
     if query.next == TOGETHER:

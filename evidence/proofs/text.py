@@ -49,22 +49,39 @@ def all_letters(editions: str) -> dict[str, str]:
     }
 
 
+def letters_alone(editions: str, alone: str) -> dict[str, str]:
+    """As `all_letters`, but one letter of each: that in `alone`, such as "AMB-21 b", or else its default."""
+    chosen = default_letters(editions) | named_letters(alone)
+    return {name: chosen.get(name, "a") for name in all_letters(editions)}
+
+
 def read_by_any(text: str, shown: Iterable[str]) -> str:
     """The text with a constant for each ambiguity, but for those whose letter a CPU shows when it is at work."""
     return _READING.sub(lambda found: found[0] if found[1] in shown else f"LetterOf{found[1][4:]}", text)
 
 
 def unless_read(text: str, formula: str, letters: Iterable[str]) -> str:
-    """The text in which the formula says nothing where an ambiguity is read by one of the letters, as "AMB-49 b".
+    """The text in which the formula says nothing where ambiguities are read by one of the letters, as "AMB-49 b".
 
-    The columns of the formula stay. Raises `SyntaxTreeError` if the text does not define it.
+    Letters with a comma between them are meant together. The columns of the formula stay. Raises `SyntaxTreeError` if
+    the text does not define it.
     """
     found = re.search(rf"^{formula} ==", text, re.MULTILINE)
     if found is None:
         raise SyntaxTreeError(f"no definition of {formula} that letters may be left out of")
-    read = " \\/ ".join(f'LetterOf{letter[4:6]} = "{letter[7:]}"' for letter in letters)
+    read = " \\/ ".join(_are_read(each) for each in letters)
     column = found.end() - found.start()
     return f"{text[: found.end()]}\n  IF {read} THEN TRUE ELSE\n{' ' * column}{text[found.end() :]}"
+
+
+def _are_read(letters: str) -> str:
+    each = " /\\ ".join(f'LetterOf{name[4:]} = "{letter}"' for name, letter in named_letters(letters).items())
+    return f"({each})" if "," in letters else each
+
+
+def named_letters(letters: str) -> dict[str, str]:
+    """The letter of each ambiguity in a text such as "AMB-21 b, AMB-42 c"."""
+    return dict(re.findall(r"(AMB-\d+) (\w)", letters))
 
 
 def with_letters(text: str, letters: Mapping[str, str], constants: str) -> str:
@@ -123,17 +140,20 @@ def module_text_of_letters(
     *,
     shown: Sequence[str],
     unless: Mapping[str, Sequence[str]],
+    alone: str,
     constants: str,
 ) -> str:
     """As `module_text`, of any letter of each ambiguity but the `shown` ones, and with `ANY_LETTERS`.
 
-    Formulas say nothing of the letters that `unless` has for them.
+    Formulas say nothing of the letters that `unless` has for them. With letters in `alone`: of these, and of the
+    defaults of all other ambiguities.
     """
     flat = flatten(module, folders)
     text = _of_flat(replace(flat, text=read_by_any(flat.text, shown)), roots, instead)
     for formula, letters in unless.items():
         text = unless_read(text, formula, letters)
-    return with_letters(text, all_letters(flat.text), constants)
+    allowed = letters_alone(flat.text, alone) if alone else all_letters(flat.text)
+    return with_letters(text, allowed, constants)
 
 
 def _of_flat(flat: Flat, roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:

@@ -297,6 +297,8 @@ def test_a_formula_says_nothing_of_some_letters() -> None:
     said = unless_read(text, "Q", ["AMB-21 b", "AMB-42 c"])
     condition = 'LetterOf21 = "b" \\/ LetterOf42 = "c"'
     assert said == f"P == x\nQ ==\n  IF {condition} THEN TRUE ELSE\n     /\\ a\n     /\\ b => c\n"
+    said = unless_read(text, "Q", ["AMB-21 b, AMB-42 c", "AMB-10 b"])
+    assert 'IF (LetterOf21 = "b" /\\ LetterOf42 = "c") \\/ LetterOf10 = "b" THEN' in said
     with pytest.raises(SyntaxTreeError, match="no definition of R"):
         unless_read(text, "R", ["AMB-21 b"])
 
@@ -313,6 +315,20 @@ def test_letters_that_are_left_out(proofs: Proofs, tmp_path: Path) -> None:
     assert "SilentProp" in asked["letters-calls-irt"].formulas
     assert "SilentProp" in asked["calls-irt"].formulas
     assert not [name for name, query in asked.items() if query.unless and name != "letters-calls-irt"]
+
+
+def test_a_letter_that_is_left_out_is_refuted(proofs: Proofs) -> None:
+    """Each has a query of this letter alone, of which the formula is violated; the others are read by default."""
+    cells = {(cell.action, cell.formula, cell.letter) for cell in proofs.file.not_proved if cell.letter}
+    queries = [query for query in proofs.queries if query.kind == "letter"]
+    assert {(*query.actions, *query.formulas, query.alone) for query in queries} == cells
+    assert {query.expect for query in queries} == {"violated"}
+    (query,) = (query for query in queries if query.name == "letter-CallEnIrt-InWorld-AMB-21-b-AMB-42-b")
+    text, _ = texts(ROOT, query)
+    assert not query.unless
+    assert 'LetterOf21 \\in {"b"}' in text
+    assert 'LetterOf42 \\in {"b"}' in text
+    assert 'LetterOf75 \\in {"a"}' in text
 
 
 def test_an_operator_is_put_in_the_place_of_another() -> None:
