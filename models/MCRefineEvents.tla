@@ -32,6 +32,17 @@ OneSetting == {[o \in TodObs |-> Activated("minute", 1)]}
 PossibleHold == TRUE
 AllCountedObs == {10, 40, 80, 85}
 
+(* [IRT-09] OB 80 is blocked without entries; two OBs of one class, whose   *)
+(* buffer may overflow then.                                               *)
+SilentModes == {\h82}
+OneClass == {[o \in {41} |-> 16]}
+OnlyS7400 == {"S7-400"}
+OneClassLoads == {{40, 41, 80, 85}}
+NoSetting10 == {[o \in TodObs |-> NotConfigured]}
+TimeErrorAlone == {80}
+TwoInterrupts == {<<40, 0>>, <<41, 0>>}
+TwoCountedObs == {40, 41}
+
 EventsInit == /\ Init
               /\ occurred = NoneYet /\ served = NoneYet /\ lost = NoneYet
               /\ missed = NoneYet /\ withdrawn = NoneYet
@@ -52,4 +63,9 @@ Bounded == /\ occurred[10] + occurred[40] <= 2
 (* The full lane: three. *)
 Wide == /\ occurred[10] + occurred[40] <= 3
         /\ mode = "STOP" => clock \in PowerOnMoments /\ occurred = NoneYet
+
+(* Of two OBs of one class. *)
+BoundedOfOneClass ==
+    /\ occurred[40] + occurred[41] <= 2
+    /\ mode = "STOP" => clock \in PowerOnMoments /\ occurred = NoneYet
 =============================================================================
