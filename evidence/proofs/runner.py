@@ -120,7 +120,7 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
                 roots,
                 dict(query.instead),
                 shown=query.shown,
-                unless=dict(query.unless),
+                unless={name: letters for name, letters in query.unless if name in query.formulas},
                 alone=query.alone,
                 constants=query.constants,
             )

@@ -317,6 +317,14 @@ def test_letters_that_are_left_out(proofs: Proofs, tmp_path: Path) -> None:
     assert not [name for name, query in asked.items() if query.unless and name != "letters-calls-irt"]
 
 
+def test_some_formulas_of_a_query_about_letters(proofs: Proofs) -> None:
+    """Where the others have an answer already, the letters that are left out of these do not matter."""
+    (query,) = (query for query in proofs.queries if query.name == "letters-calls-irt")
+    text, _ = texts(ROOT, dataclasses.replace(query, formulas=("InWorld",)))
+    assert 'InWorld ==\n  IF LetterOf21 = "b"' in text
+    assert "AirtKeepsProp" not in text
+
+
 def test_a_letter_that_is_left_out_is_refuted(proofs: Proofs) -> None:
     """Each has a query of this letter alone, of which the formula is violated; the others are read by default."""
     cells = {(cell.action, cell.formula, cell.letter) for cell in proofs.file.not_proved if cell.letter}
