@@ -29,8 +29,9 @@ def test_the_kept_summary_is_read(tmp_path: Path) -> None:
             "seconds": 1,
             "megabytes": 1,
             "formulas": ["StackInv"],
+            "expect": "holds",
+            "outcome": "holds",
         }
-        | {"outcome": "holds"}
     ]
     tables = summaries.proofs(json.dumps(report))
     record = Record(
