@@ -48,7 +48,7 @@ final class Explanation {
 
   private static final int SOON = 16;
 
-  /** So many steps of states among {@link #WIDE} and more are done for a log, and so many for each line. */
+  /** The most steps for a log, and those that each line adds, where {@link #WIDE} states or more are followed. */
   private static final int WORK = 30_000;
 
   private static final int WORK_OF_A_LINE = 10;
@@ -109,6 +109,9 @@ final class Explanation {
   private int largest;
   private long steps;
   private long work;
+
+  /** Whether a line is judged: questions about what may come next are no work for the log. */
+  private boolean judging;
   private Set<String> asked;
   private boolean refused;
 
@@ -268,12 +271,17 @@ final class Explanation {
   }
 
   private Refusal observed(RecordValue event) {
-    while (true) {
-      try {
-        return followed(event);
-      } catch (TooMany e) {
-        loosen(e);
+    judging = true;
+    try {
+      while (true) {
+        try {
+          return followed(event);
+        } catch (TooMany e) {
+          loosen(e);
+        }
       }
+    } finally {
+      judging = false;
     }
   }
 
@@ -637,11 +645,11 @@ final class Explanation {
   }
 
   /**
-   * Counts so much work with one of so many states. A log may have few states at a time, and so many of them at each
-   * line that nobody waits for the verdict: then it is as with too many states.
+   * Counts steps where so many states are followed. Hundreds of states are few, but not at each of thousands of lines:
+   * then it is as with too many states.
    */
   private void work(int more, int among) {
-    if (among < WIDE) {
+    if (!judging || among < WIDE) {
       return;
     }
     work += more;

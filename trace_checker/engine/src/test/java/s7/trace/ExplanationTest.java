@@ -162,6 +162,18 @@ class ExplanationTest {
   }
 
   @Test
+  @DisplayName("questions about what may come are no work for the log")
+  void questions() {
+    var explanation = begin("{}");
+    assertNull(observe(explanation, "{'event': 'any', 'value': 100}"));
+    for (int question = 0; question < 800; question++) {
+      explanation.closure(explanation.states(), spec.noEvent());
+      explanation.arrivals(spec.event(Tiny.text("{'event': 'read', 'at': 1, 'value': 1}")));
+    }
+    assertNull(observe(explanation, "{'event': 'any', 'value': 100}"));
+  }
+
+  @Test
   @DisplayName("an event that the specification does not have is named")
   void foreignEvent() {
     var error = assertThrows(NotCovered.class, () -> observe(begin("{}"), "{'event': 'hold'}"));
