@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, Route, expect, sync_playwright
 
 from s7check.exploring.library import Library
 from s7check.kit.program import read_program
@@ -185,6 +185,29 @@ def test_a_call_with_operands_shows_its_answers(page: Page) -> None:
     date = page.locator("#possible details[open] input[name=sdt]")
     date.evaluate("(box, value) => { box.value = value; box.dispatchEvent(new Event('input')) }", "2026-02-30T06:00")
     may_come(page, "ret=W#16#8091")
+
+
+def test_an_answer_to_earlier_operands_is_not_shown(page: Page) -> None:
+    """The answer to the first operands comes behind the answer to the second: what is shown is of the second."""
+    held: list[Route] = []
+
+    def later(route: Route) -> None:
+        if not held:
+            held.append(route)
+            return
+        route.fulfill(response=route.fetch())
+        held[0].fulfill(response=held[0].fetch())
+
+    page.route("**/answers", later)
+    page.click("#new >> text=Begin")
+    page.click("#possible summary:has-text('ACT_TINT')")
+    ob = page.locator("#possible details[open] input[name=ob]")
+    expect(ob).not_to_have_value("")
+    with page.expect_response(
+        lambda answer: "answers" in answer.url and '"ob":10' not in f"{answer.request.post_data}"
+    ):
+        ob.evaluate("(box) => { box.value = 10; box.dispatchEvent(new Event('input')) }")
+    expect(page.locator("#possible details[open] .answers")).to_contain_text("ob=10")
 
 
 def test_a_requirement_is_shown(page: Page) -> None:

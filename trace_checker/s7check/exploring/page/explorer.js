@@ -18,7 +18,7 @@ let at = null; // the CPU clock of the next line
 let sides = [];
 let clauses = new Map();
 let zoom = 1;
-let question = 0;
+const questions = new WeakMap(); // how many questions each part of the page has asked
 const pictures = new Map(); // timelines of branches that are not shown, by their lines
 
 /** An element: h("button", {type: "button", onclick: f}, "text", child). */
@@ -33,6 +33,13 @@ async function ask(what, body) {
   const answer = await fetch(what, { method: "POST", body: JSON.stringify(body) });
   if (!answer.ok) throw new Error(await answer.text());
   return answer.json();
+}
+
+/** A new question of this part of the page: whether it is still the last one, when its answer is here. */
+function newest(part) {
+  const number = (questions.get(part) ?? 0) + 1;
+  questions.set(part, number);
+  return () => questions.get(part) === number;
 }
 
 function problem(error) {
@@ -86,11 +93,11 @@ function tell(id) {
 
 /** Shows what the server says of the lines; the next line comes at `when`, at once if that is not said. */
 async function refresh(when = null) {
-  const number = ++question;
+  const last = newest($("desk"));
   const one = model.branch;
   const lines = one.lines.slice(0, one.shown);
   const answer = await ask("look", { header: one.header, lines, at: when });
-  if (number !== question) return; // a later click has asked something else
+  if (!last()) return; // a later click has asked something else
   view = answer;
   at = view.at;
   $("start").hidden = true;
@@ -100,12 +107,12 @@ async function refresh(when = null) {
   $("redo").disabled = !model.future.length;
   showBranches();
   showRefused();
-  showPictures();
+  showPictures(last);
   showSituation();
   showLines();
   showPossible();
   showImpossible();
-  showSides(number);
+  showSides(last);
   history.replaceState(null, "", `#${await toLink({ ...model.document, sides })}`);
 }
 
@@ -148,13 +155,15 @@ const because = (refused) =>
   h("ul", { className: "because" },
     ...refused.because.map((one) => h("li", {}, ...linked(one.text), " ", requirements(one.requirements))));
 
-async function showPictures() {
+/** Shows the timelines of all branches, unless a later question has been asked. */
+async function showPictures(last) {
   const box = $("pictures");
   const pictures = await Promise.all(model.document.branches.map(async (one, i) => {
     const current = i === model.document.current;
     return picture(one, current ? view.timeline : await pictureOf(one), current, i);
   }));
   const scale = (factor) => () => ((zoom = Math.max(0.4, Math.min(3, zoom * factor))), applyZoom());
+  if (!last()) return;
   box.replaceChildren(
     h("p", { className: "tools" }, button("−", scale(0.8), { "aria-label": "zoom out" }),
       button("+", scale(1.25), { "aria-label": "zoom in" })), ...pictures);
@@ -284,7 +293,9 @@ function call(name, here) {
 /** The lines that the server has explained, with their header. */
 const behaviour = () => ({ header: model.branch.header, lines: model.branch.lines.slice(0, view.explained) });
 
+/** Shows what the CPU may answer to the operands, unless they have changed meanwhile. */
 async function answered(name, inputs, box) {
+  const last = newest(box);
   const event = { event: name, at };
   for (const [label] of inputs) {
     const input = label.querySelector("input");
@@ -292,10 +303,9 @@ async function answered(name, inputs, box) {
   }
   try {
     const { possible } = await ask("answers", { ...behaviour(), line: event });
-    box.replaceChildren(...possible.map(offer));
-    if (!possible.length) box.replaceChildren("not possible now");
+    if (last()) box.replaceChildren(...(possible.length ? possible.map(offer) : ["not possible now"]));
   } catch (error) {
-    box.replaceChildren(error.message);
+    if (last()) box.replaceChildren(error.message);
   }
 }
 
@@ -326,17 +336,18 @@ function asked() {
   const text = h("input", { name: "event", value: '{"event": "start", "ob": 10}', size: 34, "aria-label": "a line, a JSON object" });
   const answer = h("div");
   const ask_ = button("Why not?", async () => {
+    const last = newest(answer);
     const { refused } = await ask("why", { ...behaviour(), line: { at, ...JSON.parse(text.value) } });
-    answer.replaceChildren(refused ? because(refused) : "It may come.");
+    if (last()) answer.replaceChildren(refused ? because(refused) : "It may come.");
   });
   return h("p", {}, text, " ", ask_, answer);
 }
 
 /** Asks for each of the other headers, and shows the answers unless a later question has been asked. */
-async function showSides(number) {
+async function showSides(last) {
   const lines = model.branch.lines.slice(0, model.branch.shown);
   const found = await Promise.all(sides.map((side) => ask("compare", { header: model.branch.header, lines, at, side })));
-  if (number === question) $("sides").replaceChildren(...found.flatMap(side));
+  if (last()) $("sides").replaceChildren(...found.flatMap(side));
 }
 
 function side(found, i) {
