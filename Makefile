@@ -89,8 +89,9 @@ apalache: $(BIN)/s7check  ## bounded checks with Apalache (APALACHE_HOME or PATH
 	models/apalache.sh check
 
 SHARD ?= 1/1
-prove: setup  ## the proofs about System and the abstract specifications by Apalache; SHARD=1/4 for a part
-	$(BIN)/s7check prove --resume --shard $(SHARD) --json build/proofs/report-$(subst /,-of-,$(SHARD)).json
+JOBS ?= 2
+prove: setup  ## the proofs about System and the abstract specifications by Apalache; SHARD=1/4 for a part, JOBS=2 queries at a time
+	$(BIN)/s7check prove --resume --shard $(SHARD) --jobs $(JOBS) --json build/proofs/report-$(subst /,-of-,$(SHARD)).json
 
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence

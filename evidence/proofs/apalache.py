@@ -44,9 +44,9 @@ class ApalacheMissingError(RuntimeError):
 class Answer:
     """What Apalache's output says: `checked` is how often it names a condition as holding.
 
-    It divides an action into transitions, and checks the conditions after each of the `taken` ones, which some state
-    can take; but not formulas that the transition cannot change. `detail` says why the outcome is not "holds"; `trace`
-    is the file of the counterexample.
+    It divides an action into transitions, and checks the conditions after each of the `taken` ones: those that it does
+    not name as disabled; but not formulas that the transition cannot change. `detail` says why the outcome is not
+    "holds"; `trace` is the file of the counterexample.
     """
 
     outcome: Outcome
@@ -83,7 +83,7 @@ def find_apalache() -> str:
 
 
 def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
-    """Read the output of a run with this exit code that was asked to check these formulas.
+    """Read the output of runs, the last of them with this exit code, that were asked to check these formulas.
 
     It counts as "holds" only where Apalache made conditions of every formula asked, could take a step, and says of
     every condition, and of all that it announced after a transition, that they hold: a filter that lets none through, a
@@ -118,18 +118,35 @@ def version(output: str) -> str:
 
 
 def run(
-    program: str, arguments: Sequence[str], asked: Sequence[str], folder: Path, timeout: float, processes: Processes
+    program: str,
+    arguments: Sequence[Sequence[str]],
+    asked: Sequence[str],
+    folder: Path,
+    timeout: float,
+    processes: Processes,
 ) -> ApalacheRun:
-    """Run Apalache once. Raises `InterruptedRunError` if the command is ending."""
+    """Run Apalache once with each of the lists of arguments, one after the other, until a run does not succeed.
+
+    The answer is that to all runs; `timeout` is for each, in seconds. Raises `InterruptedRunError` if the command is
+    ending.
+    """
     began = time.monotonic()
-    process = processes.start([program, "check", f"--out-dir={folder / 'out'}", *arguments], folder)
-    with processes.limited(process, timeout) as expired:
-        assert process.stdout is not None
-        output = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if expired.is_set():
+    output = ""
+    megabytes = code = 0
+    ended = False
+    for some in arguments:
+        process = processes.start([program, "check", f"--out-dir={folder / 'out'}", *some], folder)
+        with processes.limited(process, timeout) as expired:
+            assert process.stdout is not None
+            output += process.stdout.read()
+            _, status, usage = os.wait4(process.pid, 0)
+            code = process.returncode = os.waitstatus_to_exitcode(status)
+        megabytes = max(megabytes, usage.ru_maxrss // 1024)
+        ended = expired.is_set()
+        if ended or code != 0:
+            break
+    if ended:
         answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
     else:
-        answer = interpret(output, process.returncode, asked)
-    return ApalacheRun(answer, round(time.monotonic() - began, 1), usage.ru_maxrss // 1024, output)
+        answer = interpret(output, code, asked)
+    return ApalacheRun(answer, round(time.monotonic() - began, 1), megabytes, output)

@@ -6,6 +6,7 @@ Exit codes: 0 all as claimed, 1 an answer differs, 2 wrong arguments or files, 3
 from __future__ import annotations
 
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import click
@@ -43,6 +44,13 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.option("--shard", type=_Shard(), help="Only the I-th of N parts of the queries.")
 @click.option("--resume", is_flag=True, help="Take kept answers that are as claimed, and ask for the others.")
 @click.option("--kept", "only_kept", is_flag=True, help="Report the kept answers and ask nothing.")
+@click.option(
+    "--jobs",
+    type=click.IntRange(1),
+    default=1,
+    show_default=True,
+    help="Queries at a time: a core and up to 6 GB each.",
+)
 @json_option
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def prove_command(
@@ -51,6 +59,7 @@ def prove_command(
     shard: tuple[int, int] | None,
     resume: bool,
     only_kept: bool,
+    jobs: int,
     json_path: Path | None,
     names: tuple[str, ...],
 ) -> None:
@@ -72,10 +81,23 @@ def prove_command(
         asking = Asking(ROOT, ROOT / BUILD, "" if only_kept else find_apalache(), processes)
         asking.build.mkdir(parents=True, exist_ok=True)
         kept: Kept = "all" if only_kept else "claimed" if resume else "nothing"
-        answers = [_ask(asking, query, kept, console) for query in queries]
+        answers = _ask_all(asking, queries, kept, jobs, console)
         write_json(json_path, report.as_json(proofs, answers))
         report.show(console, proofs, answers)
         sys.exit(0 if answers and all(ok(query, result) for query, result in answers) else DIFFERENT)
+
+
+def _ask_all(
+    asking: Asking, queries: list[Query], kept: Kept, jobs: int, console: Console
+) -> list[tuple[Query, Result]]:
+    """Ask queries, `jobs` at a time, and return the answers in their order. What ends this early ends Apalache too."""
+    with ThreadPoolExecutor(jobs) as pool:
+        try:
+            return list(pool.map(lambda query: _ask(asking, query, kept, console), queries))
+        except BaseException:
+            asking.processes.close()
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 def _ask(asking: Asking, query: Query, kept: Kept, console: Console) -> tuple[Query, Result]:

@@ -15,10 +15,11 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import msgspec
+from msgspec import UNSET
 from tree_sitter import Node
 
 from evidence.harness.manifest import MANIFEST as MODELS
-from evidence.harness.manifest import ManifestFile, Mutation
+from evidence.harness.manifest import Entry, ManifestFile, Mutation
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import closure, read_modules
 from evidence.tla.syntax import Module, operand, token
@@ -52,6 +53,22 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
     letter: Annotated[str, msgspec.Meta(pattern=r"^(AMB-\d\d [a-d](, AMB-\d\d [a-d])*)?$")] = ""
     """The ambiguity and the letter, such as "AMB-49 b", where it is claimed of the other letters; or several that are
     meant together. The query called letter- asks for the counterexample: these letters alone, the others by default."""
+    unreached: str = ""
+    """Where no behaviour comes to the counterexample: the model in which the formula holds by the letter."""
+
+    @property
+    def control(self) -> str:
+        """The control of models/manifest.json in which TLC comes to it, such as "letter-49b-EndProp"."""
+        return f"letter-{_short(self.letter)}-{self.formula}"
+
+    @property
+    def log(self) -> Path:
+        """The behaviour of the control as a log, from the checkout."""
+        return Path("models/letters") / f"{self.control}.ndjson"
+
+
+def _short(letters: str) -> str:
+    return letters.replace("AMB-", "").replace(" ", "").replace(",", "-")
 
 
 class Mutant(msgspec.Struct, forbid_unknown_fields=True):
@@ -113,6 +130,9 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     timeout: int
     together: dict[str, list[str]] = {}
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
+    divided: dict[str, list[int]] = {}
+    """Of actions with many transitions, those at which Apalache begins anew: each makes the question of the next ones
+    larger."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
     lemmas: list[Lemma] = []
@@ -132,6 +152,8 @@ class Refinement(msgspec.Struct, forbid_unknown_fields=True):
     history: str
     begins: list[str]
     steps: list[str]
+    unfiltered: list[str] = []
+    """Globs of queries of the induction: after them Apalache is not asked first which transitions a state can take."""
 
 
 class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
@@ -157,6 +179,8 @@ class Query:
     of others.
     With `shown` ambiguities are read by any letter, but for these; a formula is not asked of the letters that `unless`
     has for it. With letters in `alone`, such as "AMB-21 b", by these, and the others by default.
+    Where it is `unfiltered`, formulas are asked of each transition, whether a state can take it or not. At the
+    transitions in `divided` Apalache begins anew.
     """
 
     name: str
@@ -176,6 +200,8 @@ class Query:
     alone: str = ""
     expect: Literal["holds", "violated"] = "holds"
     mutations: tuple[Mutation, ...] = ()
+    unfiltered: bool = False
+    divided: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -187,6 +213,19 @@ class Proofs:
     actions: tuple[str, ...]
     steps: dict[str, tuple[str, ...]]
     states: dict[str, tuple[str, ...]]
+
+    @property
+    def contradicted(self) -> list[NotProved]:
+        """The properties that letters contradict: each has a control for TLC and a log.
+
+        The invariants of the induction have none, since they are no properties of System; nor has a counterexample that
+        no behaviour comes to.
+        """
+        return [
+            cell
+            for cell in self.file.not_proved
+            if cell.letter and not cell.unreached and cell.formula not in self.file.induction.invariants
+        ]
 
     def select(self, names: tuple[str, ...]) -> list[Query]:
         """The queries whose name or action a glob matches; all without globs. Raises `ManifestError`."""
@@ -215,10 +254,15 @@ def load(root: Path) -> Proofs:
     stated = {name for names in states.values() for name in names}
     formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
     refined = {formula for refinement in file.refinements.values() for formula in refinement.steps}
-    changes = _changes(root / MODELS)
+    models = _models(root / MODELS)
+    changes = {m.name: tuple(m.mutate) if isinstance(m.mutate, list) else (m.mutate,) for m in models.values()}
     joined = [action for some in file.induction.together.values() for action in some]
     if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
         raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
+    for name, places in file.induction.divided.items():
+        if name not in actions or not places or places != sorted(set(places)) or places[0] < 1:
+            said = "expected an action of System, and numbers above 0 in order"
+            raise ManifestError(f"{path}: induction.divided: {name}: {places}: {said}")
     named = [(cell.action, cell.formula) for cell in file.not_proved]
     for action, formula in named:
         if action == FOLLOWS and formula in stated:
@@ -238,16 +282,31 @@ def load(root: Path) -> Proofs:
             raise ManifestError(f"{path}: claim_mutants: expected the name of a claim, not {changed}")
         if not changes.get(changed.control):
             raise ManifestError(f"{path}: claim_mutants: {changed.control} is no control of {MODELS}")
-    return Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
+    proofs = Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
+    unreached = [cell for cell in file.not_proved if cell.unreached]
+    for cell in [*proofs.contradicted, *unreached]:
+        name = cell.unreached or cell.control
+        if not _shows(models.get(name), cell):
+            raise ManifestError(f"{path}: not_proved: {MODELS} has no model {name} of {cell.formula} by {cell.letter}")
+    return proofs
 
 
-def _changes(path: Path) -> dict[str, tuple[Mutation, ...]]:
-    """What the controls of the models change in the specification. Raises `ManifestError`, OSError."""
+def _models(path: Path) -> dict[str, Entry]:
+    """The entries of the models by their names. Raises `ManifestError`, OSError."""
     try:
         models = msgspec.json.decode(path.read_bytes(), type=ManifestFile).models
     except msgspec.MsgspecError as error:
         raise ManifestError(f"{path}: {error}") from error
-    return {m.name: tuple(m.mutate) if isinstance(m.mutate, list) else (m.mutate,) for m in models}
+    return {m.name: m for m in models}
+
+
+def _shows(model: Entry | None, cell: NotProved) -> bool:
+    """Whether a control violates this formula by this letter; or whether a model has it hold, where it is unreached."""
+    if model is None or model.overrides.get("ReadingSets") != f"<- Letter{_short(cell.letter).replace('-', '')}":
+        return False
+    if not cell.unreached:
+        return model.expect.property == cell.formula
+    return model.expect.exit == 0 and model.properties is not UNSET and cell.formula in model.properties
 
 
 def named_actions(modules: dict[str, Module]) -> tuple[str, ...]:
@@ -320,15 +379,20 @@ def _queries(
         following = some[0] if len(some) == 1 else TOGETHER
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
-    queries += [step(name, "step", some, claimed(whole, some)) for name, some in groups.items()]
+    def divided(query: Query) -> Query:
+        return replace(query, divided=tuple(base.divided.get(query.actions[0], ())))
+
+    queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
     refines = {word: _refines(anywhere, refinement) for word, refinement in file.refinements.items()}
     stepping = [query for query in queries if query.kind == "step"]
     for word, refinement in file.refinements.items():
         first = replace(refines[word], name=f"{word}-first", init=refinement.first, actions=actions[:1])
         queries.append(replace(first, formulas=tuple(refinement.begins)))
         for query in stepping:
-            after = replace(refines[word], name=f"{word}-{query.name}", actions=query.actions, length=1)
-            queries.append(replace(after, formulas=claimed(refinement.steps, query.actions)))
+            name = f"{word}-{query.name}"
+            after = replace(refines[word], name=name, actions=query.actions, length=1)
+            after = replace(after, unfiltered=any(fnmatchcase(query.name, glob) for glob in refinement.unfiltered))
+            queries.append(divided(replace(after, formulas=claimed(refinement.steps, query.actions))))
 
     def unless(some: list[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
         cells = [cell for cell in file.not_proved if cell.letter and cell.action in some]
@@ -337,9 +401,10 @@ def _queries(
 
     queries += [
         replace(
-            step(f"letters-{name}", "letters", some, claimed(whole, some)),
+            divided(step(f"letters-{name}", "letters", some, claimed(whole, some))),
             shown=tuple(file.letters.shown),
             unless=unless(some),
+            unfiltered=True,
         )
         for name, some in file.letters.together.items()
     ]

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
@@ -15,13 +17,24 @@ from evidence.proofs import apalache
 from evidence.proofs import kept as keeping
 from evidence.proofs.kept import Result, Run
 from evidence.proofs.queries import TOGETHER, ManifestError, Query
-from evidence.proofs.text import ANY_LETTERS, definitions, module_text, module_text_of_letters, without_comments
+from evidence.proofs.text import (
+    ANY_LETTERS,
+    but_for,
+    definitions,
+    module_text,
+    module_text_of_letters,
+    without_comments,
+)
 from evidence.tla.syntax import Module
 
 Kept = Literal["nothing", "claimed", "all"]
 
 AFTER_A_STEP = "--tuning-options=search.invariantFilter=1->.*"
 """Formulas about states are checked after the step, not before, where they are assumed."""
+
+UNFILTERED = "--discard-disabled=false"
+"""Apalache checks the formulas of a transition without asking first if a state can take it. That the action can take a
+step, its control says."""
 
 _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
@@ -73,19 +86,33 @@ def _run(asking: Asking, query: Query, now: dict[str, str]) -> Run:
     for name, content in {query.module: text, **instances(asking.root, query, text)}.items():
         (folder / f"{name}.tla").write_text(content, encoding="utf-8")
     (folder / "query.cfg").write_text(config, encoding="utf-8")
-    arguments = [f"--inv={','.join(query.formulas)}", *_arguments(query)]
-    done = apalache.run(asking.program, arguments, query.formulas, folder, query.timeout, asking.processes)
+    names = _names(query)
+    asked_of = [[f"--inv={','.join(names.values())}", *_arguments(query, some)] for some in parts(query.divided)]
+    done = apalache.run(asking.program, asked_of, list(names.values()), folder, query.timeout, asking.processes)
     (folder / "log").write_text(done.output, encoding="utf-8")
     asked = {name: now[name] for name in query.formulas}
     return Run(asked, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
 
 
-def _arguments(query: Query) -> list[str]:
+def parts(divided: Sequence[int]) -> list[str]:
+    """The transitions of each run, as the end of Apalache's tuning options: up to the first number, then from each on.
+
+    The last run takes all that follow. Empty where the action is not divided.
+    """
+    if not divided:
+        return [""]
+    before = [f"1->({'|'.join(map(str, range(*some)))})" for some in pairwise([0, *divided])]
+    rest = f"1->(?!({'|'.join(map(str, range(divided[-1])))})$).*"
+    return [f":search.transitionFilter=(0->.*|{some})" for some in [*before, rest]]
+
+
+def _arguments(query: Query, transitions: str = "") -> list[str]:
     """The arguments of Apalache that are the same for each formula."""
     return [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
         *([f"--cinit={query.constants if query.shown is None else ANY_LETTERS}"] if query.constants else []),
-        *([AFTER_A_STEP] if query.kind not in ("claim",) and query.length else []),
+        *([UNFILTERED] if query.unfiltered else []),
+        *([AFTER_A_STEP + transitions] if query.kind not in ("claim",) and query.length else []),
         f"{query.module}.tla",
     ]
 
@@ -96,7 +123,15 @@ def _keys(root: Path, query: Query) -> dict[str, str]:
     others = [without_comments(other) for other in instances(root, query, text).values()]
     replaced = [word for pair in _REPLACED.findall(config) for word in pair]
     roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
-    return keeping.keys(text, query.formulas, roots, [*others, config, *_arguments(query)])
+    names = _names(query)
+    found = keeping.keys(text, names.values(), roots, [*others, config, *_arguments(query)])
+    return {formula: found[name] for formula, name in names.items()}
+
+
+def _names(query: Query) -> dict[str, str]:
+    """What stands in the module for each formula: itself, or the formula that leaves letters out."""
+    left = {name for name, _ in query.unless}
+    return {name: but_for(name) if name in left else name for name in query.formulas}
 
 
 def texts(root: Path, query: Query) -> tuple[str, str]:

@@ -61,17 +61,22 @@ def read_by_any(text: str, shown: Iterable[str]) -> str:
 
 
 def unless_read(text: str, formula: str, letters: Iterable[str]) -> str:
-    """The text in which the formula says nothing where ambiguities are read by one of the letters, as "AMB-49 b".
+    """The text with `but_for` of the formula: it says nothing where ambiguities are read by one of the letters.
 
-    Letters with a comma between them are meant together. The columns of the formula stay. Raises `SyntaxTreeError` if
-    the text does not define it.
+    A letter is such as "AMB-49 b"; letters with a comma between them are meant together. The formula itself stays: the
+    invariant is also assumed. It is not said with IF, since Apalache divides what stands behind a quantifier into
+    conditions. Raises `SyntaxTreeError` if the text does not define the formula.
     """
-    found = re.search(rf"^{formula} ==", text, re.MULTILINE)
-    if found is None:
+    if formula not in definitions(text):
         raise SyntaxTreeError(f"no definition of {formula} that letters may be left out of")
     read = " \\/ ".join(_are_read(each) for each in letters)
-    column = found.end() - found.start()
-    return f"{text[: found.end()]}\n  IF {read} THEN TRUE ELSE\n{' ' * column}{text[found.end() :]}"
+    said = f"{but_for(formula)} == \\A asked \\in (IF {read} THEN {{}} ELSE {{TRUE}}) : {formula}"
+    return text.replace("\n====\n", f"\n{said}\n====\n")
+
+
+def but_for(formula: str) -> str:
+    """The name of the formula that leaves letters out."""
+    return f"{formula}ButFor"
 
 
 def _are_read(letters: str) -> str:

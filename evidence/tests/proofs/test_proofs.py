@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -20,12 +21,13 @@ from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
 from evidence.proofs.kept import Result, Run, keys, read, together, write
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions, standing
-from evidence.proofs.runner import Asking, ask, instances, ok, texts
+from evidence.proofs.runner import Asking, ask, instances, ok, parts, texts
 from evidence.proofs.text import (
     all_letters,
     as_action,
     default_letters,
     definitions,
+    named_letters,
     put_in_place,
     read_by_any,
     read_by_default,
@@ -33,8 +35,12 @@ from evidence.proofs.text import (
     with_letters,
     without_comments,
 )
-from evidence.tla.syntax import SyntaxTreeError
+from evidence.tla.actions import conjuncts
+from evidence.tla.modules import closure, read_modules
+from evidence.tla.syntax import SyntaxTreeError, meaningful, operand, token
 from s7check.cli import main
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 
 RECORDED = Path(__file__).parent / "fixtures"
 
@@ -153,6 +159,56 @@ def test_actions_that_are_asked_together(proofs: Proofs) -> None:
     assert not left & set(query.formulas)
 
 
+def test_queries_of_each_transition(proofs: Proofs) -> None:
+    """Each asks formulas of which another query, a control, says that the action can take a step."""
+    unfiltered = {query.name for query in proofs.queries if query.unfiltered}
+    assert unfiltered >= {"letters-lock", "refines-lock", "conserves-EventFromOutside"}
+    assert not unfiltered & {"MissesOb", "conserves-first", "conserves-lock"}
+    controlled = {query.actions for query in proofs.queries if query.kind == "control" and not query.unfiltered}
+    for query in proofs.queries:
+        if query.unfiltered:
+            assert {(action,) for action in query.actions} <= controlled
+
+
+def test_a_divided_action_loses_no_transition() -> None:
+    """Each transition is in one run, however many there are; the initial one is in all."""
+    options = [part.removeprefix(":search.transitionFilter=") for part in parts([3, 5])]
+    assert len(options) == 3
+    assert all(re.fullmatch(option, "0->0") for option in options)
+    runs = [[n for n, option in enumerate(options) if re.fullmatch(option, f"1->{step}")] for step in range(60)]
+    assert runs == [[0]] * 3 + [[1]] * 2 + [[2]] * 55
+    assert parts([]) == [""]
+
+
+def test_history_stops_no_step(proofs: Proofs) -> None:
+    """It says the next value of each variable of the mapping and nothing more, so the control of the action is enough.
+
+    The queries of a refinement ask formulas of each transition, whether a state can take it or not.
+    """
+    modules = read_modules(ROOT / "models")
+    assert any(query.unfiltered for query in proofs.queries if query.kind == "refines")
+    for refinement in proofs.file.refinements.values():
+        names = closure(refinement.module, modules)
+        definitions = {key: unit for name in names for key, unit in modules[name].definitions.items()}
+        parts = [operand(definitions[refinement.history], "definition")]
+        given = []
+        while parts:
+            part = parts.pop()
+            if part.type == "let_in":
+                parts.append(meaningful(part)[-1])
+            elif some := conjuncts(part):
+                parts += some
+            elif part.type == "identifier_ref":
+                parts.append(operand(definitions[token(part)], "definition"))
+            else:
+                said = re.match(r"(\w+)' +=", token(part))
+                assert said, token(part)
+                given.append(said[1])
+        variables = [unit for name in names for unit in modules[name].units if unit.type == "variable_declaration"]
+        own = {token(node) for unit in variables for node in unit.children if node.type == "identifier"}
+        assert sorted(given) == sorted(own)
+
+
 @pytest.mark.parametrize(
     ("word", "any_state", "begins", "steps", "history", "abstract", "needed"),
     [
@@ -245,7 +301,17 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
             },
             "letter",
         ),
+        (
+            {
+                "not_proved": [
+                    {"action": "EndsOb", "formula": "EndProp", "letter": "AMB-49 b", "tried": "ten characters"}
+                ]
+            },
+            "no model letter-49b-EndProp",
+        ),
         ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
+        ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected an action"),
+        ({"induction": {"divided": {"EndsOb": [3, 2]}}}, "induction.divided: EndsOb: .* numbers above 0 in order"),
         (
             {"claim_mutants": [{"control": "neg-lock-alone-ends-in-hold", "claim": "no", "formula": "EndStep"}]},
             "a claim",
@@ -259,7 +325,8 @@ def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> 
     (tmp_path / "spec").symlink_to(ROOT / "spec")
     (tmp_path / MODELS).symlink_to(ROOT / MODELS)
     manifest = json.loads((ROOT / MANIFEST).read_bytes())
-    (tmp_path / MANIFEST).write_text(json.dumps(manifest | change))
+    parts = {key: manifest[key] | part if isinstance(part, dict) else part for key, part in change.items()}
+    (tmp_path / MANIFEST).write_text(json.dumps(manifest | parts))
     with pytest.raises(ManifestError, match=f"proofs.json: .*{said}"):
         load(tmp_path)
 
@@ -292,11 +359,12 @@ def test_a_text_of_any_letter() -> None:
 
 
 def test_a_formula_says_nothing_of_some_letters() -> None:
-    """Its columns stay, so that a list of conjuncts stays one."""
-    text = "P == x\nQ == /\\ a\n     /\\ b => c\n"
+    """The formula itself stays, since a query also assumes it; what is asked stands at the end."""
+    text = "---- MODULE M ----\nP == TRUE\nQ == P\n====\n"
     said = unless_read(text, "Q", ["AMB-21 b", "AMB-42 c"])
     condition = 'LetterOf21 = "b" \\/ LetterOf42 = "c"'
-    assert said == f"P == x\nQ ==\n  IF {condition} THEN TRUE ELSE\n     /\\ a\n     /\\ b => c\n"
+    asked = f"QButFor == \\A asked \\in (IF {condition} THEN {{}} ELSE {{TRUE}}) : Q"
+    assert said == f"---- MODULE M ----\nP == TRUE\nQ == P\n{asked}\n====\n"
     said = unless_read(text, "Q", ["AMB-21 b, AMB-42 c", "AMB-10 b"])
     assert 'IF (LetterOf21 = "b" /\\ LetterOf42 = "c") \\/ LetterOf10 = "b" THEN' in said
     with pytest.raises(SyntaxTreeError, match="no definition of R"):
@@ -321,7 +389,8 @@ def test_some_formulas_of_a_query_about_letters(proofs: Proofs) -> None:
     """Where the others have an answer already, the letters that are left out of these do not matter."""
     (query,) = (query for query in proofs.queries if query.name == "letters-calls-irt")
     text, _ = texts(ROOT, dataclasses.replace(query, formulas=("InWorld",)))
-    assert 'InWorld ==\n  IF LetterOf21 = "b"' in text
+    assert 'InWorldButFor == \\A asked \\in (IF LetterOf21 = "b"' in text
+    assert "InWorld ==\n    /\\" in text
     assert "AirtKeepsProp" not in text
 
 
@@ -337,6 +406,18 @@ def test_a_letter_that_is_left_out_is_refuted(proofs: Proofs) -> None:
     assert 'LetterOf21 \\in {"b"}' in text
     assert 'LetterOf42 \\in {"b"}' in text
     assert 'LetterOf75 \\in {"a"}' in text
+
+
+def test_what_a_letter_contradicts_is_in_a_log(proofs: Proofs) -> None:
+    """TLC comes to it by this letter alone, and the trace checker explains it; no log is of anything else."""
+    cells = {cell.control: cell for cell in proofs.contradicted}
+    assert {f"{name}.ndjson" for name in cells} == {path.name for path in (ROOT / "models/letters").iterdir()}
+    with Engine() as engine:
+        for cell in cells.values():
+            header = json.loads((ROOT / cell.log).read_text().partition("\n")[0])
+            assert header["readings"] == named_letters(cell.letter)
+            report = check_log(str(ROOT / cell.log), engine, lambda *_: None)
+            assert report.verdict == "accepted", str(report)
 
 
 def test_an_operator_is_put_in_the_place_of_another() -> None:
@@ -511,6 +592,29 @@ def test_exit_codes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, 
     assert ended.value.code == code
     (query,) = json.loads(report.read_bytes())["queries"]
     assert query["ok"] == (code == 0)
+
+
+def test_two_queries_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each waits until the other has begun; the answers come in the order of the queries."""
+    path = Path(program(tmp_path, recorded("holds"), 0))
+    begun = tmp_path / "begun"
+    begun.mkdir()
+    path.write_text(
+        path.read_text().replace(
+            "import sys\n",
+            "import os, pathlib, sys, time\n"
+            f"begun = pathlib.Path({str(begun)!r})\n"
+            "(begun / str(os.getpid())).touch()\n"
+            "while len(list(begun.iterdir())) < 2: time.sleep(0.01)\n",
+        )
+    )
+    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
+    monkeypatch.setattr(command, "BUILD", tmp_path / "build")
+    report = tmp_path / "report.json"
+    with pytest.raises(SystemExit) as ended:
+        main(["prove", "--jobs", "2", "l*-steps", "--json", str(report)])
+    assert ended.value.code == 0
+    assert [query["name"] for query in json.loads(report.read_bytes())["queries"]] == ["lock-steps", "life-steps"]
 
 
 def test_apalache_is_missing(
