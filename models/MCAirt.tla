@@ -15,8 +15,6 @@ MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
 (* Behaviours after a STOP are left to MCRestart. *)
-(* [AMB-25] (b) *)
-CountLasts == {[a \in {"AMB-25"} |-> "b"]}
 Shallow == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments

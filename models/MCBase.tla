@@ -8,7 +8,7 @@
 (* of each.  Time is absolute here: no view makes it relative, since       *)
 (* start points are.                                                       *)
 (***************************************************************************)
-EXTENDS Properties
+EXTENDS Properties, MCLetters
 
 (* 2026-11-21 06:00 *)
 Six == DayNumber(2026, 11, 21) * MinutesADay + 360

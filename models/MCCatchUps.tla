@@ -18,6 +18,10 @@ MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE
 
+(* Calls of SFC 39 and 40 for an OB. *)
+OfAnOb == {2}
+JustOK == {OK}
+
 Bounded == /\ delay = 0
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments

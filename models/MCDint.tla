@@ -23,6 +23,16 @@ MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE
 
+(* Also STATUS words with bit 5. *)
+AllStatusWords == {0, 4, 16, 20, 32, 36, 48, 52}
+
+LoadsWithoutDint == {{40, 80, 85, 100}}
+LoadsWithoutBoth == {{40, 80, 100}}
+
+(* DIS_IRT of everything blocks OB 85. *)
+Ob85Alone == {85}
+ModesOfAll == {0, 128}
+
 (* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)

@@ -18,6 +18,8 @@ LateDate(day, minute) ==
 MCSdts == {LateDate(28, 58), LateDate(31, 58), LateDate(31, 59)}
 MCWords == PeriodCodes
 MCRetVals == {OK}
+AllRetVals == {OK, BadSdt, BadPeriod, NotSet, PastStart}
+LeapDay == {[LateDate(29, 58) EXCEPT !.year = 2088, !.month = 2]}
 \* @type: (Int, Int) => $moment;
 Late(m, ms) == [min |-> LastMinute + m, ms |-> ms]
 MCMoments == { Late(m, ms) : m \in {-1, 0}, ms \in {0, 30000} }

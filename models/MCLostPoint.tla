@@ -25,4 +25,9 @@ Holding == TRUE
 Bounded == /\ delay = 0
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
+(* The OB may be missing while two start events of it wait. *)
+LoadsWithOb85 == {{10, 80, 85}}
+BoundedByTwo == /\ delay = 0
+                /\ Waiting(2)
+                /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================

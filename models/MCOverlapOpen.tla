@@ -16,9 +16,6 @@ MCPowerOnMoments == {Moment(0, 0)}
 MCInterrupts == {<<85, 0>>}
 MCRestartTypes == {"warm"}
 
-(* [AMB-46] (b) *)
-SourceEnds == {[a \in {"AMB-46"} |-> "b"]}
-
 (* The same of a delay. *)
 DelayObs == {20}
 DelayLoads == {{20, 80, 85}}

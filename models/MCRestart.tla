@@ -21,6 +21,15 @@ MCMoments == HalfMinutes(0, 1)
 MCPowerOnMoments == {Moment(0, 30000)}
 MCClockTargets == {Moment(1, 30000)}
 MCInterrupts == {<<82, 0>>}
+
+(* Settings of OB 10 for single letters; OB 11 has none. *)
+\* @type: $step7 => Set(Int -> $step7);
+Only(s) == {[o \in TodObs |-> IF o = 10 THEN s ELSE NotConfigured]}
+OnlyWeekly == Only(Activated("weekly", 1))
+OnlyOnce == Only(Activated("once", 0))
+OnlyADate == Only(Activated("none", 1))
+OnTheMinute == {Moment(0, 0)}
+
 MCRestartTypes == {"warm", "cold"}
 
 Bounded == delay <= 1 /\ Waiting(1)

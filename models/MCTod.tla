@@ -44,4 +44,6 @@ SetTableProp ==
 Bounded == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
+(* Later in the minute than its half. *)
+LaterInTheMinute == {[Date(0) EXCEPT !.second = 50]}
 =============================================================================

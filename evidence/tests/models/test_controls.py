@@ -10,11 +10,11 @@ from evidence.tla.modules import read_modules
 
 
 def controls(manifest: Manifest) -> dict[str, list[Model]]:
-    """The negative controls by what they make of the specification, without layout."""
+    """The negative controls that change the specification, by what they make of it, without layout."""
     modules = {**read_modules(manifest.spec), **read_modules(manifest.directory)}
     found = defaultdict(list)
     for model in manifest.models:
-        if model.kind == "negative":
+        if model.kind == "negative" and model.mutations:
             texts = {m.module: modules[m.module.removesuffix(".tla")].text.decode() for m in model.mutations}
             for m in model.mutations:
                 texts[m.module] = texts[m.module].replace(m.replace, m.by)
