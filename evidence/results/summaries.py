@@ -221,7 +221,9 @@ def proofs(text: str) -> list[Table]:
         ]
         for row in report["formulas"]
     ]
-    left: list[list[Cell]] = [[cell["formula"], cell["action"], cell["tried"]] for cell in report["not_proved"]]
+    left: list[list[Cell]] = [
+        [cell["formula"], cell["action"], cell["tried"], _linked(cell["log"])] for cell in report["not_proved"]
+    ]
     return [
         Table(
             ["kind", "queries", "not as claimed", "conditions", "seconds", "MB at most"],
@@ -237,8 +239,13 @@ def proofs(text: str) -> list[Table]:
             standing,
             "Each property",
         ),
-        *([Table(["formula", "action", "tried"], left, "Not proved")] if left else []),
+        *([Table(["formula", "action", "tried", "a behaviour, by TLC"], left, "Not proved")] if left else []),
     ]
+
+
+def _linked(log: str) -> str:
+    """A link from the page to a file of the checkout."""
+    return f"[{PurePath(log).stem}](../../{log})" if log else ""
 
 
 def _unknown(row: dict[str, Any]) -> str:
