@@ -74,18 +74,12 @@ Occurring(o) ==
 LeavesNothing(o) == /\ Waits(o) + Opens(o) + Runs(o) = 0
                     /\ { r \in requests' : r.ob = o } = {}
 
-(* Another start event of its class waits, or an OB of the class runs.     *)
-\* @type: Int => Bool;
-SharesItsClass(o) ==
-    \/ \E r \in requests : r.class = ClassOf(o)
-    \/ \E i \in DOMAIN stack : stack[i].class = ClassOf(o)
-
 (* A buffer overflow [OBS-08], or an OB 80 that is blocked [AMB-48], takes *)
 (* the start event of another OB along. The overflow has no entry if OB 80 *)
 (* is blocked without entries [IRT-09].                                    *)
 \* @type: Int => Bool;
 IsTakenAlong(o) ==
-    \/ Did("interrupt") /\ Silenced(TimeErrorOb) /\ SharesItsClass(o)
+    \/ Did("interrupt") /\ Silenced(TimeErrorOb) /\ ClassIsTaken(ClassOf(o))
     \/ \E n \in entered' : /\ n.id = ErrorEntry + BufferOverflow
                            /\ n.of.cause = o
     \/ o \in TodObs /\ IsSkipped(o) /\ Blocked(TimeErrorOb)

@@ -142,12 +142,15 @@ ExternalWhileRunning(new) ==
 -----------------------------------------------------------------------------
 (* Buffer overflow and asynchronous errors *)
 
-(* [OBS-08] [AMB-18] The buffer of a class may be full if an OB of the     *)
-(* class waits or runs.                                                    *)
+(* Another start event of the class waits, or an OB of the class runs.     *)
+\* @type: Int => Bool;
+ClassIsTaken(class) == \/ \E r \in requests : r.class = class
+                       \/ \E i \in DOMAIN stack : stack[i].class = class
+
+(* [OBS-08] [AMB-18] The buffer of a class may be full if it is taken.     *)
 \* @type: $request => Bool;
 MayOverflow(new) ==
-    /\ \/ \E r \in requests : r.class = new.class
-       \/ \E i \in DOMAIN stack : stack[i].class = new.class
+    /\ ClassIsTaken(new.class)
     /\ BuffersMayOverflow
 
 \* @type: $request => Bool;

@@ -131,8 +131,8 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     together: dict[str, list[str]] = {}
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
     divided: dict[str, list[int]] = {}
-    """Of actions with many transitions, those at which Apalache begins anew: each makes the question of the next ones
-    larger."""
+    """By globs of queries about steps, the transitions at which Apalache begins anew: each makes the question of the
+    next ones larger."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
     lemmas: list[Lemma] = []
@@ -259,10 +259,6 @@ def load(root: Path) -> Proofs:
     joined = [action for some in file.induction.together.values() for action in some]
     if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
         raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
-    for name, places in file.induction.divided.items():
-        if name not in actions or not places or places != sorted(set(places)) or places[0] < 1:
-            said = "expected an action of System, and numbers above 0 in order"
-            raise ManifestError(f"{path}: induction.divided: {name}: {places}: {said}")
     named = [(cell.action, cell.formula) for cell in file.not_proved]
     for action, formula in named:
         if action == FOLLOWS and formula in stated:
@@ -283,6 +279,11 @@ def load(root: Path) -> Proofs:
         if not changes.get(changed.control):
             raise ManifestError(f"{path}: claim_mutants: {changed.control} is no control of {MODELS}")
     proofs = Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
+    for glob, places in file.induction.divided.items():
+        matched = any(query.divided and fnmatchcase(query.name, glob) for query in proofs.queries)
+        if not matched or places != sorted(set(places)) or places[0] < 1:
+            said = "expected a glob of queries about steps, and numbers above 0 in order"
+            raise ManifestError(f"{path}: induction.divided: {glob}: {places}: {said}")
     unreached = [cell for cell in file.not_proved if cell.unreached]
     for cell in [*proofs.contradicted, *unreached]:
         name = cell.unreached or cell.control
@@ -380,7 +381,8 @@ def _queries(
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
     def divided(query: Query) -> Query:
-        return replace(query, divided=tuple(base.divided.get(query.actions[0], ())))
+        found = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))
+        return replace(query, divided=tuple(next(found, ())))
 
     queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
     refines = {word: _refines(anywhere, refinement) for word, refinement in file.refinements.items()}

@@ -310,8 +310,8 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
             "no model letter-49b-EndProp",
         ),
         ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
-        ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected an action"),
-        ({"induction": {"divided": {"EndsOb": [3, 2]}}}, "induction.divided: EndsOb: .* numbers above 0 in order"),
+        ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected a glob"),
+        ({"induction": {"divided": {"StartsOb": [3, 2]}}}, "induction.divided: StartsOb: .* numbers above 0 in order"),
         (
             {"claim_mutants": [{"control": "neg-lock-alone-ends-in-hold", "claim": "no", "formula": "EndStep"}]},
             "a claim",
