@@ -14,9 +14,9 @@ from typing import Literal
 from evidence.common.processes import Processes
 
 HOME_VARIABLE = "APALACHE_HOME"
-JVM_VARIABLE = "JVM_ARGS"
-JVM_ARGUMENTS = "-Xmx5g -XX:+UseSerialGC -XX:TieredStopAtLevel=1"
-"""Most of a run is short work on a large module: code that is compiled better, and more collectors, cost more time."""
+JVM_ARGUMENTS = {"JVM_ARGS": "-Xmx5g -XX:TieredStopAtLevel=1", "JVM_GC_ARGS": "-XX:+UseSerialGC"}
+"""By the variables that apalache-mc reads. Most of a run is short work on a large module: code that is compiled better,
+and more collectors, cost more time."""
 PROGRAM = "apalache-mc"
 
 Outcome = Literal["holds", "violated", "nothing checked", "failed", "timeout", "not asked"]
@@ -72,7 +72,8 @@ def find_apalache() -> str:
     Raises `ApalacheMissingError`.
     """
     home = os.environ.get(HOME_VARIABLE)
-    os.environ.setdefault(JVM_VARIABLE, JVM_ARGUMENTS)
+    for variable, arguments in JVM_ARGUMENTS.items():
+        os.environ.setdefault(variable, arguments)
     program = shutil.which(str(Path(home) / "bin" / PROGRAM) if home else PROGRAM)
     if program is None:
         raise ApalacheMissingError(
@@ -94,8 +95,8 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
         trace = _TRACE.search(output)
         return Answer("violated", len(held), f"{violated[1]} is violated", trace[1] if trace else "")
     if code != 0:
-        errors = _ERROR.findall(output)
-        return Answer("failed", len(held), f"exit code {code}: {errors[0] if errors else 'no message'}")
+        said = _ERROR.findall(output)[:1] or output.strip().splitlines()[-1:] or ["no message"]
+        return Answer("failed", len(held), f"exit code {code}: {said[0].strip()}")
     made = {name: int(number) for name, number in _MADE.findall(output)}
     if lacking := [name for name in asked if not made.get(name)]:
         return Answer("nothing checked", len(held), f"no condition was made of {', '.join(lacking)}")

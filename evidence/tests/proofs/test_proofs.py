@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 import re
 import sys
 from pathlib import Path
@@ -17,7 +18,7 @@ from evidence.common.processes import Processes
 from evidence.harness.manifest import MANIFEST as MODELS
 from evidence.harness.manifest import Mutation
 from evidence.proofs import command
-from evidence.proofs.apalache import HOME_VARIABLE, Answer, interpret
+from evidence.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
 from evidence.proofs.kept import Result, Run, keys, read, together, write
 from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.proofs.report import as_json, assumptions, standing
@@ -103,6 +104,28 @@ def test_apalache_fails() -> None:
         "exit code 255: Configuration error: Neither INIT and NEXT, nor SPECIFICATION",
     )
     assert interpret(recorded("holds"), 255, ["Steps"]).outcome == "failed"
+
+
+def test_java_fails() -> None:
+    """Apalache has not begun: what is said last is the detail."""
+    said = "Error occurred during initialization of VM\nMultiple garbage collectors selected\n"
+    assert interpret(said, 1, ["Steps"]).detail == "exit code 1: Multiple garbage collectors selected"
+    assert interpret("", 1, ["Steps"]).detail == "exit code 1: no message"
+
+
+def test_the_collector_is_chosen_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """apalache-mc chooses a collector where JVM_GC_ARGS has none; Java refuses to begin with two."""
+    program = tmp_path / "bin" / "apalache-mc"
+    program.parent.mkdir()
+    program.write_text("#!/bin/sh\n")
+    program.chmod(0o755)
+    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
+    for name in ("JVM_ARGS", "JVM_GC_ARGS"):
+        monkeypatch.setenv(name, "")  # so that it is as before, after the test
+        monkeypatch.delenv(name)
+    find_apalache()
+    assert "GC" not in os.environ["JVM_ARGS"]
+    assert "GC" in os.environ["JVM_GC_ARGS"]
 
 
 # What is asked
