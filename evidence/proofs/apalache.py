@@ -95,8 +95,8 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
         trace = _TRACE.search(output)
         return Answer("violated", len(held), f"{violated[1]} is violated", trace[1] if trace else "")
     if code != 0:
-        said = _ERROR.findall(output)[:1] or output.strip().splitlines()[-1:] or ["no message"]
-        return Answer("failed", len(held), f"exit code {code}: {said[0].strip()}")
+        told: list[str] = _ERROR.findall(output)[:1] or output.strip().splitlines()[-1:] or ["no message"]
+        return Answer("failed", len(held), f"exit code {code}: {told[0].strip()}")
     made = {name: int(number) for name, number in _MADE.findall(output)}
     if lacking := [name for name in asked if not made.get(name)]:
         return Answer("nothing checked", len(held), f"no condition was made of {', '.join(lacking)}")

@@ -423,6 +423,7 @@ def _queries(
             formulas=(cell.formula,),
             shown=tuple(file.letters.shown),
             alone=cell.letter,
+            unfiltered=True,
         )
         for cell in file.not_proved
         if cell.letter

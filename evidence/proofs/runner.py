@@ -118,13 +118,17 @@ def _arguments(query: Query, transitions: str = "") -> list[str]:
 
 
 def _keys(root: Path, query: Query) -> dict[str, str]:
-    """The key of each formula of the query: all that Apalache reads for it."""
+    """The key of each formula of the query: all that Apalache reads for it.
+
+    A violation is one whether or not Apalache was asked first which transitions a state can take.
+    """
     text, config = texts(root, query)
     others = [without_comments(other) for other in instances(root, query, text).values()]
     replaced = [word for pair in _REPLACED.findall(config) for word in pair]
     roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
     names = _names(query)
-    found = keeping.keys(text, names.values(), roots, [*others, config, *_arguments(query)])
+    arguments = _arguments(query if query.expect == "holds" else replace(query, unfiltered=False))
+    found = keeping.keys(text, names.values(), roots, [*others, config, *arguments])
     return {formula: found[name] for formula, name in names.items()}
 
 
