@@ -155,9 +155,13 @@ ServedAs(t, s) == [t EXCEPT !.served = s.served]
 \* @type: ($tod, $tod) => $tod;
 SetAnewAfter(t, s) == [t EXCEPT !.served = {}, !.earlier = s.earlier]
 
+\* @type: ($tod, $tod, $tod) => Bool;
+Remembering(t, s, e) ==
+    \/ StateWith(ServedAs(t, s), t)
+    \/ StateWith(SetAnewAfter(t, e), t)
+
 AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(3)}, e \in {Gen(4)} :
-                   \/ StateWith(ServedAs(t, s), t)
-                   \/ StateWith(SetAnewAfter(t, e), t)
+                   Remembering(t, s, e)
               /\ SettingDataInv
               /\ 0 <= clock.min /\ clock.min <= LastMinute
 NextPointFollows ==

@@ -9,21 +9,21 @@ EXTENDS Steps
 
 IrtCalls == {"DIS_IRT", "EN_IRT"}
 
-(* [IRT-11] The OBs of a class number, as a table. *)
-\* @type: Int => Set(Int);
-ObsOfClass(n) ==
-    CASE n = 10 -> 10..17 [] n = 20 -> 20..23 [] n = 30 -> 30..38
-      [] n = 40 -> 40..47 [] n = 50 -> 55..57 [] n = 60 -> {60}
-      [] n = 70 -> {70, 72} [] n = 80 -> 80..87 [] OTHER -> {}
-AllOfClasses ==
-    UNION { ObsOfClass(n) : n \in {10, 20, 30, 40, 50, 60, 70, 80} }
+(* [IRT-11] The class number of an OB, as a table; 0: it has none. *)
+\* @type: Int => Int;
+IrtClass(o) ==
+    CASE o \in 10..17 -> 10 [] o \in 20..23  -> 20 [] o \in 30..38 -> 30
+      [] o \in 40..47 -> 40 [] o \in 55..57  -> 50 [] o = 60       -> 60
+      [] o \in {70, 72} -> 70 [] o \in 80..87 -> 80 [] OTHER        -> 0
+IrtClasses == {10, 20, 30, 40, 50, 60, 70, 80}
 
 (* The OBs that a call names, as far as the model has them. *)
 \* @type: (Int, Int) => Set(Int);
 NamedBy(m, o) ==
-    Blockable \cap CASE m \in {0, 128} -> AllOfClasses
-                     [] m \in {1, 129} -> ObsOfClass(o)
-                     [] OTHER          -> {o}
+    { b \in Blockable :
+        CASE m \in {0, 128} -> IrtClass(b) # 0
+          [] m \in {1, 129} -> o # 0 /\ IrtClass(b) = o
+          [] OTHER          -> b = o }
 
 (* [IRT-12] [IRT-13] [AMB-22] [AMB-63] [AMB-73] [AMB-76] *)
 IrtAnswerProp ==
@@ -34,13 +34,13 @@ IrtAnswerProp ==
               known == \/ m \in {0, 1, 2}
                        \/ Did("DIS_IRT") /\ m \in {128, 129, 130}
               named == CASE m \in {0, 128} -> TRUE
-                         [] m \in {1, 129} -> ObsOfClass(o) # {}
-                         [] OTHER          -> o \in AllOfClasses
+                         [] m \in {1, 129} -> o \in IrtClasses
+                         [] OTHER          -> IrtClass(o) # 0
           IN  /\ v \in {\h0000, \h8090, \h8091}
               /\ v = 0 => known /\ named
               /\ v = \h8091 => ~known
               /\ v = \h8090 => IF known THEN ~named
-                              ELSE o \notin AllOfClasses \cup {1} ]_vars
+                              ELSE o # 1 /\ IrtClass(o) = 0 ]_vars
 
 (* [IRT-06] .. [IRT-09] [IRT-13] .. [IRT-16] [AMB-21] [AMB-42] The OBs     *)
 (* that a call blocks and enables.                                         *)

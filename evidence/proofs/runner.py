@@ -25,6 +25,7 @@ from evidence.proofs.text import (
     module_text_of_letters,
     without_comments,
 )
+from evidence.tla.binding import bind_arguments
 from evidence.tla.syntax import Module
 
 Kept = Literal["nothing", "claimed", "all"]
@@ -171,14 +172,16 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
     if lacking:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
     constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())
-    return text, f"INIT {query.init}\nNEXT {query.next}\n" + (f"CONSTANTS\n{constants}" if constants else "")
+    return bind_arguments(text), f"INIT {query.init}\nNEXT {query.next}\n" + (
+        f"CONSTANTS\n{constants}" if constants else ""
+    )
 
 
 def instances(root: Path, query: Query, text: str) -> dict[str, str]:
     """The modules of spec/ of which the query's module has an instance, with their texts. Raises OSError."""
     imported = Module(query.module, text.encode()).imports
     paths = {name: root / "spec" / f"{name}.tla" for name in sorted(imported)}
-    return {name: path.read_text(encoding="utf-8") for name, path in paths.items() if path.is_file()}
+    return {name: bind_arguments(path.read_text(encoding="utf-8")) for name, path in paths.items() if path.is_file()}
 
 
 def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:

@@ -103,15 +103,15 @@ class Module:
             if isinstance(piece, str):
                 out += piece.encode()
             elif isinstance(piece, At):
-                self._place(out, piece.node.start_byte)
+                place(out, self.text, piece.node.start_byte)
                 out += piece.text.encode()
             else:
-                self._place(out, piece.start_byte)
+                place(out, self.text, piece.start_byte)
                 out += self.text[piece.start_byte : end(piece)]
         rest = end(node)
         line = self.text[rest : (self.text.find(b"\n", rest) + 1) or None]
         if line.strip():
-            self._place(out, rest)
+            place(out, self.text, rest)
         return bytes(out) + self.text[rest:]
 
     def wrapped(self, around: Mapping[Span, tuple[str, str]]) -> bytes:
@@ -126,19 +126,20 @@ class Module:
         for leaf in leaves(self.root):
             out += b"\n" * self.text.count(b"\n", at, leaf.start_byte)
             for text in opening[leaf.start_byte]:
-                self._place(out, leaf.start_byte)
+                place(out, self.text, leaf.start_byte)
                 out += text.encode()
-            self._place(out, leaf.start_byte)
+            place(out, self.text, leaf.start_byte)
             at = leaf.end_byte
             out += self.text[leaf.start_byte : at]
             out += "".join(closing[at]).encode()
         return bytes(out) + b"\n"
 
-    def _place(self, out: bytearray, byte: int) -> None:
-        """Bring `out` to the column that this byte has in the text."""
-        column = _column(self.text, byte)
-        here = _column(out, len(out))
-        out += b" " * (column - here) if here <= column else b"\n" + b" " * column
+
+def place(out: bytearray, text: bytes, byte: int) -> None:
+    """Bring `out` to the column that this byte has in the text."""
+    column = _column(text, byte)
+    here = _column(out, len(out))
+    out += b" " * (column - here) if here <= column else b"\n" + b" " * column
 
 
 def _column(text: bytes | bytearray, byte: int) -> int:
