@@ -87,6 +87,12 @@ def test_operators_of_a_let_are_known_in_it() -> None:
     assert "IN(LET bound_1 ==(x + 1)IN Twice(bound_1))" in text
 
 
+def test_an_operator_of_an_instance_is_another_one() -> None:
+    """It may have the name of one of the module."""
+    text = bound("Twice(n) == n + n\nOther == INSTANCE Small2 WITH z <- x\nOne == Other!Twice(x + 1, y)")
+    assert "One == Other!Twice(x + 1, y)" in text
+
+
 def test_each_definition_counts_its_own_names() -> None:
     """A change of one definition changes no name in another."""
     text = bound("Twice(n) == n + n\nOne == Twice(x + 1)\nTwo == Twice(x + 2)")

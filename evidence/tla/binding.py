@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from evidence.tla.syntax import COMMENTS, Module, meaningful, operand, place, references, symbol, token
+from evidence.tla.syntax import COMMENTS, Module, is_of_instance, meaningful, operand, place, references, symbol, token
 
 _EACH = frozenset({"bounded_quantification", "choose", "set_filter", "set_map", "function_literal"})
 """What looks at an expression for each element of a set."""
@@ -80,10 +80,11 @@ def _parameters(definition: Node) -> list[str]:
 
 
 def _called(node: Node, scope: _Scope) -> _Operator | None:
-    """The operator that the node applies, if it is known: the parameter of an operator is not."""
-    if node.type == "identifier_ref":
-        return scope.get(token(node))
-    return scope.get(token(operand(node, "name"))) if node.type == "bound_op" else None
+    """The operator that the node applies, if it is known: a parameter is not, nor an operator of an instance."""
+    if node.type not in ("identifier_ref", "bound_op"):
+        return None
+    name = operand(node, "name") if node.type == "bound_op" else node
+    return None if is_of_instance(name) else scope.get(token(name))
 
 
 def _arguments(call: Node) -> list[Node]:

@@ -185,10 +185,11 @@ def span(node: Node) -> Span:
 
 def references(node: Node) -> frozenset[str]:
     """The names that are used in a node, but names of an instance, such as Next in ``Lock!Next``."""
-    return frozenset(token(n) for n in walk(node) if n.type == "identifier_ref" and not _of_instance(n))
+    return frozenset(token(n) for n in walk(node) if n.type == "identifier_ref" and not is_of_instance(n))
 
 
-def _of_instance(name: Node) -> bool:
+def is_of_instance(name: Node) -> bool:
+    """Whether the name is that of an operator of an instance, such as Next in ``Lock!Next``."""
     whole = name.parent
     if whole is not None and whole.type == "bound_op" and whole.children[0] == name:
         name, whole = whole, whole.parent
