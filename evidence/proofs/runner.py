@@ -21,6 +21,7 @@ from evidence.proofs.text import (
     ANY_LETTERS,
     but_for,
     definitions,
+    fixed_constants,
     module_text,
     module_text_of_letters,
     without_comments,
@@ -111,11 +112,16 @@ def _arguments(query: Query, transitions: str = "") -> list[str]:
     """The arguments of Apalache that are the same for each formula."""
     return [
         *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
-        *([f"--cinit={query.constants if query.shown is None else ANY_LETTERS}"] if query.constants else []),
+        *([f"--cinit={_initializer(query)}"] if query.constants else []),
         *([UNFILTERED] if query.unfiltered else []),
         *([AFTER_A_STEP + transitions] if query.kind not in ("claim",) and query.length else []),
         f"{query.module}.tla",
     ]
+
+
+def _initializer(query: Query) -> str:
+    """The operator that says which values the constants may have; empty where there are none."""
+    return query.constants if query.shown is None else ANY_LETTERS
 
 
 def _keys(root: Path, query: Query) -> dict[str, str]:
@@ -171,6 +177,11 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
     lacking = sorted({query.init, query.next, *query.formulas} - definitions(text))
     if lacking:
         raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
+    initializer = _initializer(query)
+    if fixed := ", ".join(sorted(fixed_constants(text, initializer))):
+        raise ManifestError(
+            f"query {query.name}: {initializer} compares {fixed} by =; Apalache takes that as the only value, say \\in"
+        )
     constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())
     return bind_arguments(text), f"INIT {query.init}\nNEXT {query.next}\n" + (
         f"CONSTANTS\n{constants}" if constants else ""

@@ -14,8 +14,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from tree_sitter import Node
+
 from evidence.tla.flatten import Flat, definition_span, flatten, keep_only
-from evidence.tla.syntax import Module, SyntaxTreeError
+from evidence.tla.modules import reached
+from evidence.tla.syntax import Module, SyntaxTreeError, operand, references, symbol, token, walk
 
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
@@ -159,6 +162,30 @@ def module_text_of_letters(
         text = unless_read(text, formula, letters)
     allowed = letters_alone(flat.text, alone) if alone else all_letters(flat.text)
     return with_letters(text, allowed, constants)
+
+
+def fixed_constants(text: str, initializer: str) -> frozenset[str]:
+    """The constants that may get one value for the whole module: those that the initializer compares by ``=``.
+
+    Apalache puts a value that a constant is compared with, such as 3 in ``C = 3``, in the place of the constant
+    everywhere, even where the comparison is only a condition. Then nothing is proved of other values. A record or a
+    `Gen` is no such value.
+    """
+    module = Module("flat", text.encode())
+    declared = {
+        token(name)
+        for unit in module.units
+        if unit.type == "constant_declaration"
+        for name in unit.children
+        if name.type == "identifier"
+    }
+    below = reached([initializer], {name: references(unit) for name, unit in module.definitions.items()})
+    compared = [node for name in below for node in walk(module.definitions[name]) if symbol(node) == "eq"]
+    return frozenset(token(operand(node, "lhs")) for node in compared if not _is_any(operand(node, "rhs"))) & declared
+
+
+def _is_any(node: Node) -> bool:
+    return node.type == "record_literal" or token(node).startswith("Gen(")
 
 
 def _of_flat(flat: Flat, roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:

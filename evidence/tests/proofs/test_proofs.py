@@ -6,6 +6,7 @@ import dataclasses
 import json
 import os
 import re
+import shutil
 import sys
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ from evidence.proofs.text import (
     as_action,
     default_letters,
     definitions,
+    fixed_constants,
     named_letters,
     put_in_place,
     read_by_any,
@@ -380,6 +382,35 @@ def test_a_text_of_any_letter() -> None:
     assert 'F == LetterOf02 = "a" /\\ Reading("AMB-11") = "b"' in said
     assert "EXTENDS A\nCONSTANTS\n    \\* @type: Str;\n    LetterOf02\n" in said
     assert said.endswith('AnyLetters ==\n    /\\ Any\n    /\\ LetterOf02 \\in {"a", "b", "c"}\n====\n')
+
+
+@pytest.mark.parametrize(
+    ("said", "fixed"),
+    [
+        ("A \\in 1..3 /\\ R = [a |-> A] /\\ S = Gen(1)", set()),
+        ("A \\in 1..3 /\\ A # 0", set()),
+        ("A \\in 1..3 /\\ (A = 3 => R = [a |-> A])", {"A"}),
+        ("A \\in 1..3 /\\ A = Few", {"A"}),
+        ("A \\in 1..3 /\\ IsFew", {"A"}),
+    ],
+)
+def test_a_constant_that_gets_one_value(said: str, fixed: set[str]) -> None:
+    """Apalache puts a value that a constant is compared with in the place of the constant everywhere."""
+    declared = "---- MODULE M ----\nCONSTANTS A,\n    R\nCONSTANT S\nFew == 1\nIsFew == A = Few\nOther == A = 2\n"
+    assert fixed_constants(f"{declared}Any == {said}\n====\n", "Any") == fixed
+
+
+def test_a_query_whose_constants_get_one_value(proofs: Proofs, tmp_path: Path) -> None:
+    """Such a query is not asked."""
+    shutil.copytree(ROOT / "spec", tmp_path / "spec")
+    shutil.copytree(ROOT / "models", tmp_path / "models")
+    world = tmp_path / "models" / "APSystem.tla"
+    world.write_text(
+        world.read_text().replace("/\\ AnyFault \\in 0..255", "/\\ AnyFault \\in 0..255\n    /\\ AnyFault = 3")
+    )
+    query = next(query for query in proofs.queries if query.name == "lock")
+    with pytest.raises(ManifestError, match="query lock: AnyConstants compares AnyFault by =; "):
+        texts(tmp_path, query)
 
 
 def test_a_formula_says_nothing_of_some_letters() -> None:
