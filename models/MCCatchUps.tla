@@ -18,6 +18,12 @@ MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE
 
+(* Two of three OBs have one point. *)
+ThreeTodObs == {10, 11, 12}
+ThreeLoads == {{10, 11, 12, 80}}
+TwoTogether ==
+    {[o \in TodObs |-> Activated("minute", IF o = 12 THEN 2 ELSE 1)]}
+
 (* Calls of SFC 39 and 40 for an OB. *)
 OfAnOb == {2}
 JustOK == {OK}

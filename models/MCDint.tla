@@ -28,6 +28,11 @@ AllStatusWords == {0, 4, 16, 20, 32, 36, 48, 52}
 
 LoadsWithoutDint == {{40, 80, 85, 100}}
 LoadsWithoutBoth == {{40, 80, 100}}
+LoadsWithoutTimeError == {{20, 40, 85, 100}}
+
+(* DIS_IRT of one OB: OB 20, or OB 80, too. *)
+OfAnOb == {2}
+DelayAndTimeError == {20, 80}
 
 (* DIS_IRT of everything blocks OB 85. *)
 Ob85Alone == {85}

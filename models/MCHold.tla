@@ -8,6 +8,7 @@ EXTENDS MCBase
 MCTodObs == {10}
 MCFamilies == {"S7-300"}
 MCLoads == {{10, 40, 80, 85}, {10, 40, 85}}
+LoadsWithoutTod == {{40, 80, 85}}
 MCStep7Settings == {[o \in TodObs |-> Activated("minute", 0)]}
 MCMoments == HalfMinutes(0, 2)
 MCPowerOnMoments == {Moment(0, 30000)}

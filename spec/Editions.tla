@@ -75,9 +75,10 @@ Reading(a) == ReadingOf(cpu, a)
 
 (* (a) nothing of the set, (b) all of it, or any part. *)
 \* @type: (Str, Set(Int)) => Set(Set(Int));
-PartBy(letter, whole) == CASE letter = "a" -> {{}}
-                           [] letter = "b" -> {whole}
-                           [] OTHER        -> SUBSET whole
+PartBy(letter, whole) ==
+    { part \in SUBSET whole : CASE letter = "a" -> part = {}
+                               [] letter = "b" -> part = whole
+                               [] OTHER        -> TRUE }
 
 (* The CPU c with a letter of its own. *)
 \* @type: (Str, Str, $cpu) => $cpu;

@@ -163,9 +163,11 @@ MergedAmong(busy) == PartBy(Reading("AMB-52"), busy)
 SkipMayBeDeferred == Reading("AMB-53") # "b"
 SkipMayBeReported == Reading("AMB-53") # "a"
 
-(* [AMB-54] Catch-ups come by their first point; or by number. *)
+(* [AMB-54] Catch-ups come by their first point; or by number; or not in   *)
+(* an order.                                                               *)
 CatchUpsComeByPoint  == Reading("AMB-54") = "a"
 CatchUpsComeByNumber == Reading("AMB-54") = "b"
+CatchUpsComeTogether == Reading("AMB-54") = "c"
 
 (* [AMB-55] After HOLD there is no catch-up; or it is open. *)
 NoCatchUpAfterHold     == Reading("AMB-55") = "b"

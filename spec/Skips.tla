@@ -85,12 +85,17 @@ Precedes(r, s) == CASE CatchUpsComeByPoint  -> Before(r.since, s.since)
                     [] CatchUpsComeByNumber -> r.ob < s.ob
                     [] OTHER                -> FALSE
 
+(* Those that have an order get places behind each other, without gaps.    *)
 \* @type: (Set($request), Set($request)) => Set($request);
 WithCatchUps(q, runs) ==
-    q \cup
-      { [ r EXCEPT !.rank = PlaceIn(q, r) + Cardinality(
-            { s \in runs : s.class = r.class /\ Precedes(s, r) }) ]
-        : r \in runs }
+    LET \* @type: $request => Set($request);
+        earlier(r) == { s \in runs : s.class = r.class /\ Precedes(s, r) }
+        \* @type: $request => Int;
+        place(r)   == IF earlier(r) = {} THEN PlaceIn(q, r)
+                      ELSE Cardinality({ s.rank : s \in q }) + 1
+                             + Cardinality(earlier(r))
+    IN  IF CatchUpsComeTogether THEN EnterAll(q, runs)
+        ELSE Close(q \cup { [r EXCEPT !.rank = place(r)] : r \in runs })
 
 (* [CLK-03] One run for each OB, for its first skipped point [CLK-07];     *)
 (* after HOLD it may be open or missing [AMB-55]. No OB 80 reports the     *)
