@@ -30,9 +30,10 @@ LoadsWithoutDint == {{40, 80, 85, 100}}
 LoadsWithoutBoth == {{40, 80, 100}}
 LoadsWithoutTimeError == {{20, 40, 85, 100}}
 
-(* DIS_IRT of one OB: OB 20, or OB 80, too. *)
+(* DIS_IRT of one OB: OB 20, or an error OB, too. *)
 OfAnOb == {2}
 DelayAndTimeError == {20, 80}
+DelayAndProgramError == {20, 85}
 
 (* DIS_IRT of everything blocks OB 85. *)
 Ob85Alone == {85}

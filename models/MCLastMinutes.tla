@@ -9,6 +9,7 @@ EXTENDS MCBase
 MCTodObs == {10}
 MCFamilies == {"S7-300"}
 MCLoads == {{10, 80}}
+LoadsWithoutTod == {{80}}
 MCStep7Settings == {[o \in TodObs |-> NotConfigured]}
 MCObNumbers == {10}
 \* @type: (Int, Int) => $date;
