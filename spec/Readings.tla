@@ -59,7 +59,6 @@ SecondsAreKept         == Reading("AMB-14") = "c"
 (* [AMB-15] In OB 80 these calls keep a catch-up from coming, too. *)
 ActTintStopsCatchUp == Reading("AMB-15") = "b"
 DisIrtStopsCatchUp  == Reading("AMB-15") = "c"
-
 (* [AMB-16] After a skip OB 80 gives the new time, not the first point. *)
 SkipGivesNewTime == Reading("AMB-16") = "a"
 (* [AMB-17] An S7-300 does not serve a point again either. *)
@@ -163,8 +162,7 @@ MergedAmong(busy) == PartBy(Reading("AMB-52"), busy)
 SkipMayBeDeferred == Reading("AMB-53") # "b"
 SkipMayBeReported == Reading("AMB-53") # "a"
 
-(* [AMB-54] Catch-ups come by their first point; or by number; or not in   *)
-(* an order.                                                               *)
+(* [AMB-54] Catch-ups come by their first point; or by number; or together. *)
 CatchUpsComeByPoint  == Reading("AMB-54") = "a"
 CatchUpsComeByNumber == Reading("AMB-54") = "b"
 CatchUpsComeTogether == Reading("AMB-54") = "c"
