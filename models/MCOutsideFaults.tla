@@ -13,6 +13,9 @@ MCMoments == {Moment(1, 0)}
 MCPowerOnMoments == {Moment(0, 30000)}
 MCClockTargets == {Moment(2, 30000)}
 MCInterrupts == {<<80, SkippedByClock>>, <<80, SkippedInHold>>}
+(* A fault of the world alone. *)
+\* @type: Set(<<Int, Int>>);
+TooLongACycle == {<<80, CycleTimeExceeded>>}
 MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE

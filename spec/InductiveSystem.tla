@@ -52,11 +52,14 @@ OnceInv ==
       r.ob \in TodObs /\ tod[r.ob].period = Once =>
         r.since = FirstMoment(tod[r.ob])
 
-(* [OBS-04] [OBS-05] [OBS-43] The class of a start event and of its OB. *)
+(* [OBS-04] [OBS-05] [OBS-43] [AMB-13] The class of a start event and of   *)
+(* its OB. In STARTUP an asynchronous error has class 28, by two letters.  *)
 \* @type: (Int, Int) => Bool;
 HasClass(o, c) ==
     IF o \notin AsyncErrorObs THEN c = ClassOf(o)
-    ELSE c = 28 \/ (mode # "STARTUP" /\ c = ClassOf(o))
+    ELSE \/ c = 28
+         \/ /\ c = ClassOf(o)
+            /\ mode # "STARTUP" \/ (o = TimeErrorOb /\ ~Class28InStartup)
 
 RequestDataInv ==
     \A r \in requests :

@@ -51,6 +51,15 @@ class Asking:
     processes: Processes
 
 
+@dataclass(frozen=True)
+class _Made:
+    """What Apalache reads for a query: its module, the configuration, the modules of which it has an instance."""
+
+    text: str
+    config: str
+    instances: dict[str, str]
+
+
 def ok(query: Query, result: Result) -> bool:
     """Whether the result is the expected one."""
     return result.answer.outcome == query.expect
@@ -65,7 +74,8 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
     `evidence.common.processes.InterruptedRunError`.
     """
-    now = _keys(asking.root, query)
+    made = _made(asking.root, query)
+    now = _keys(query, made)
     file = asking.build / f"{query.name}.json"
     runs = [] if kept == "nothing" else keeping.read(file, now)
     if kept == "claimed":
@@ -74,26 +84,31 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     lacking = tuple(name for name in query.formulas if name not in answered)
     if kept == "all" or not lacking:
         return keeping.together(query.name, query.formulas, runs, kept=True)
-    run = _run(asking, replace(query, formulas=lacking), now)
+    asked = replace(query, formulas=lacking)
+    new = made if asked == query else _made(asking.root, asked)
+    run = _run(asking, asked, new, {name: now[name] for name in lacking})
     keeping.write(file, [*runs, run])
     return keeping.together(query.name, query.formulas, [*runs, run], kept=False)
 
 
-def _run(asking: Asking, query: Query, now: dict[str, str]) -> Run:
+def _made(root: Path, query: Query) -> _Made:
+    text, config = texts(root, query)
+    return _Made(text, config, instances(root, query, text))
+
+
+def _run(asking: Asking, query: Query, made: _Made, keys: dict[str, str]) -> Run:
     """Ask Apalache all formulas of the query."""
-    text, config = texts(asking.root, query)
     folder = asking.build / query.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    for name, content in {query.module: text, **instances(asking.root, query, text)}.items():
+    for name, content in {query.module: made.text, **made.instances}.items():
         (folder / f"{name}.tla").write_text(content, encoding="utf-8")
-    (folder / "query.cfg").write_text(config, encoding="utf-8")
+    (folder / "query.cfg").write_text(made.config, encoding="utf-8")
     names = _names(query)
     asked_of = [[f"--inv={','.join(names.values())}", *_arguments(query, some)] for some in parts(query.divided)]
     done = apalache.run(asking.program, asked_of, list(names.values()), folder, query.timeout, asking.processes)
     (folder / "log").write_text(done.output, encoding="utf-8")
-    asked = {name: now[name] for name in query.formulas}
-    return Run(asked, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
+    return Run(keys, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
 
 
 def parts(divided: Sequence[int]) -> list[str]:
@@ -124,18 +139,17 @@ def _initializer(query: Query) -> str:
     return query.constants if query.shown is None else ANY_LETTERS
 
 
-def _keys(root: Path, query: Query) -> dict[str, str]:
+def _keys(query: Query, made: _Made) -> dict[str, str]:
     """The key of each formula of the query: all that Apalache reads for it.
 
     A violation is one whether or not Apalache was asked first which transitions a state can take.
     """
-    text, config = texts(root, query)
-    others = [without_comments(other) for other in instances(root, query, text).values()]
-    replaced = [word for pair in _REPLACED.findall(config) for word in pair]
+    others = [without_comments(other) for other in made.instances.values()]
+    replaced = [word for pair in _REPLACED.findall(made.config) for word in pair]
     roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
     names = _names(query)
     arguments = _arguments(query if query.expect == "holds" else replace(query, unfiltered=False))
-    found = keeping.keys(text, names.values(), roots, [*others, config, *arguments])
+    found = keeping.keys(made.text, names.values(), roots, [*others, made.config, *arguments])
     return {formula: found[name] for formula, name in names.items()}
 
 
