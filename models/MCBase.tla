@@ -88,6 +88,20 @@ Waiting(n) == /\ Cardinality({ r \in requests : ~r.open }) <= n
 (* The state without `step' and `entered'. *)
 View == cpuVars
 
+(* What Apalache proves of a step is proved of each step of the model: it  *)
+(* begins in the world and within the bounds of models/APSystem.           *)
+ProvedProp ==
+    [][ /\ TodObs \subseteq {10, 11}
+        /\ DintObs \subseteq {20}
+        /\ { i[1] : i \in Interrupts } \subseteq {40, 80, 85}
+        /\ loaded \subseteq {10, 11, 20, 40, 80, 85, 100, 102}
+        /\ DOMAIN cpu.priority \subseteq {10, 11, 40}
+        /\ DOMAIN cpu.readings \subseteq {"AMB-11", "AMB-56", "AMB-57"}
+        /\ Cardinality(requests) <= 3
+        /\ Len(stack) <= 3
+        /\ \A o \in TodObs : /\ Cardinality(tod[o].served) <= 2
+                             /\ Cardinality(tod[o].earlier) <= 2 ]_vars
+
 -----------------------------------------------------------------------------
 (* Possible steps. A rule that forbids too much violates no property of    *)
 (* steps. TLC alone checks these: they use ENABLED.                        *)

@@ -290,11 +290,31 @@ def test_what_is_put_in_place_has_its_lemma(proofs: Proofs) -> None:
         assert (query.init, query.formulas, query.length) == (lemma.init, (lemma.formula,), 0)
 
 
+def test_models_within_the_proofs(proofs: Proofs) -> None:
+    """What `ProvedProp` of the models says of a state is what the proofs begin with."""
+    models = read_modules(ROOT / "models")
+    said = token(models["MCBase"].definitions["ProvedProp"])
+    world, base = models["APSystem"].text.decode(), proofs.file.induction
+    for name in ("APTodObs", "APDintObs", "APExternalObs", "APObs", "APAmbiguities"):
+        (members,) = re.findall(rf"^{name} == (\{{.*\}})$", world, re.MULTILINE)
+        assert f"\\subseteq {members}" in said
+    (classes,) = re.findall(r"set \\in SUBSET (\{.*\}),", world)
+    assert f"DOMAIN cpu.priority \\subseteq {classes}" in said
+    for variable, bound, most in (
+        ("requests", "Cardinality(requests)", base.waiting),
+        ("stack", "Len(stack)", base.running),
+    ):
+        assert f"{variable} = Gen({most})" in world
+        assert f"{bound} <= {most}" in said
+    assert "{Gen(2)}, u \\in {Gen(2)}" in world
+    assert "Cardinality(tod[o].served) <= 2" in said
+
+
 def test_every_letter_is_asked(proofs: Proofs) -> None:
     """Of the same actions and formulas, but those that are not claimed of a letter; the constants are declared."""
     steps = {action: query for query in proofs.queries if query.kind == "step" for action in query.actions}
     letters = [query for query in proofs.queries if query.kind == "letters"]
-    assert letters
+    assert {action for query in letters for action in query.actions} == set(proofs.actions)
     for query in letters:
         for action in query.actions:
             left = {cell.formula for cell in proofs.file.not_proved if cell.letter and cell.action in query.actions}
