@@ -128,9 +128,10 @@ APLoads == SUBSET APObs
 
 -----------------------------------------------------------------------------
 
-(* A state with these settings of OB 10 and OB 11. *)
-\* @type: ($tod, $tod) => Bool;
-StateWith(t, u) ==
+(* A state with these settings of OB 10 and OB 11, in which at most so     *)
+(* many start events wait, and so many OBs run.                            *)
+\* @type: ($tod, $tod, Int) => Bool;
+StateWith(t, u, most) ==
     /\ cpu = AnyCpu
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
@@ -139,14 +140,18 @@ StateWith(t, u) ==
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j \in {Gen(1)} : dint = [o \in DintObs |-> j]
     /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
-    /\ requests = Gen(3)
-    /\ stack = Gen(3)
+    /\ requests = Gen(most)
+    /\ stack = Gen(most)
     /\ delay \in Int
     /\ stopCause \in Int
     /\ entered = {}
     /\ step = Step("any", 0, 0)
 
-AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u)
+AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 3)
+
+(* In place of AnyState where a formula is to be refuted: a counterexample *)
+(* in a smaller world is one, and is found in less time.                   *)
+FewState == \E t \in {Gen(1)}, u \in {Gen(1)} : StateWith(t, u, 2)
 
 (* next-point: any setting, with the runs that a step may have added to    *)
 (* those of AnyState.                                                      *)
@@ -157,8 +162,8 @@ SetAnewAfter(t, s) == [t EXCEPT !.served = {}, !.earlier = s.earlier]
 
 \* @type: ($tod, $tod, $tod) => Bool;
 Remembering(t, s, e) ==
-    \/ StateWith(ServedAs(t, s), t)
-    \/ StateWith(SetAnewAfter(t, e), t)
+    \/ StateWith(ServedAs(t, s), t, 3)
+    \/ StateWith(SetAnewAfter(t, e), t, 3)
 
 AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(3)}, e \in {Gen(4)} :
                    Remembering(t, s, e)

@@ -135,6 +135,8 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     next ones larger."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
+    refuted: dict[str, list[str]] = {}
+    """As `instead`, of the queries that ask for a counterexample: from a smaller world it is found in less time."""
     lemmas: list[Lemma] = []
 
 
@@ -411,9 +413,12 @@ def _queries(
         for name, some in file.letters.together.items()
     ]
 
+    smaller = tuple((name, tuple(others)) for name, others in base.refuted.items())
+
     def one(action: str, base: Query) -> Query:
         following = TOGETHER if base.history else action
-        return replace(base, next=following, actions=(action,), length=1, expect="violated")
+        refuted = replace(base, next=following, actions=(action,), length=1, expect="violated")
+        return replace(refuted, instead=(*refuted.instead, *smaller))
 
     queries += [
         replace(

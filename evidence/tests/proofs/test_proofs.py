@@ -290,6 +290,20 @@ def test_what_is_put_in_place_has_its_lemma(proofs: Proofs) -> None:
         assert (query.init, query.formulas, query.length) == (lemma.init, (lemma.formula,), 0)
 
 
+def test_a_smaller_world_proves_nothing(proofs: Proofs) -> None:
+    """Only a query that asks for a counterexample begins there; what it begins with is the same but for the bounds."""
+    smaller = {name: tuple(others) for name, others in proofs.file.induction.refuted.items()}
+    for query in proofs.queries:
+        small = smaller.items() <= dict(query.instead).items()
+        assert small == (query.expect == "violated" and query.actions != ())
+    world = read_modules(ROOT / "models")["APSystem"]
+    for name, (*_, small_name) in smaller.items():
+        whole, few = token(world.definitions[name]), token(world.definitions[small_name])
+        assert re.sub(r"\d", "n", whole).removeprefix(name) == re.sub(r"\d", "n", few).removeprefix(small_name)
+        bounds = zip(re.findall(r"\d", few), re.findall(r"\d", whole), strict=True)
+        assert all(int(less) < int(more) for less, more in bounds)
+
+
 def test_models_within_the_proofs(proofs: Proofs) -> None:
     """What `ProvedProp` of the models says of a state is what the proofs begin with."""
     models = read_modules(ROOT / "models")
@@ -304,9 +318,10 @@ def test_models_within_the_proofs(proofs: Proofs) -> None:
         ("requests", "Cardinality(requests)", base.waiting),
         ("stack", "Len(stack)", base.running),
     ):
-        assert f"{variable} = Gen({most})" in world
+        assert f"{variable} = Gen(most)" in world
         assert f"{bound} <= {most}" in said
-    assert "{Gen(2)}, u \\in {Gen(2)}" in world
+    assert base.waiting == base.running
+    assert f"{{Gen(2)}}, u \\in {{Gen(2)}} : StateWith(t, u, {base.waiting})" in world
     assert "Cardinality(tod[o].served) <= 2" in said
 
 
