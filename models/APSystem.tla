@@ -130,8 +130,8 @@ APLoads == SUBSET APObs
 
 (* A state with these settings of OB 10 and OB 11, in which at most so     *)
 (* many start events wait, and so many OBs run.                            *)
-\* @type: ($tod, $tod, Int) => Bool;
-StateWith(t, u, most) ==
+\* @type: ($tod, $tod, Int, Int) => Bool;
+StateWith(t, u, waiting, running) ==
     /\ cpu = AnyCpu
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
@@ -140,18 +140,21 @@ StateWith(t, u, most) ==
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j \in {Gen(1)} : dint = [o \in DintObs |-> j]
     /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
-    /\ requests = Gen(most)
-    /\ stack = Gen(most)
+    /\ requests = Gen(waiting)
+    /\ stack = Gen(running)
     /\ delay \in Int
     /\ stopCause \in Int
     /\ entered = {}
     /\ step = Step("any", 0, 0)
 
-AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 3)
+AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 4, 8)
 
-(* In place of AnyState where a formula is to be refuted: a counterexample *)
-(* in a smaller world is one, and is found in less time.                   *)
-FewState == \E t \in {Gen(1)}, u \in {Gen(1)} : StateWith(t, u, 2)
+(* In its place in the queries that take longer.                           *)
+SomeState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 3, 3)
+
+(* In its place where a formula is to be refuted: a counterexample in a    *)
+(* smaller world is one, and is found in less time.                        *)
+FewState == \E t \in {Gen(1)}, u \in {Gen(1)} : StateWith(t, u, 2, 2)
 
 (* next-point: any setting, with the runs that a step may have added to    *)
 (* those of AnyState.                                                      *)
@@ -162,8 +165,8 @@ SetAnewAfter(t, s) == [t EXCEPT !.served = {}, !.earlier = s.earlier]
 
 \* @type: ($tod, $tod, $tod) => Bool;
 Remembering(t, s, e) ==
-    \/ StateWith(ServedAs(t, s), t, 3)
-    \/ StateWith(SetAnewAfter(t, e), t, 3)
+    \/ StateWith(ServedAs(t, s), t, 1, 1)
+    \/ StateWith(SetAnewAfter(t, e), t, 1, 1)
 
 AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(3)}, e \in {Gen(4)} :
                    Remembering(t, s, e)

@@ -97,8 +97,8 @@ ProvedProp ==
         /\ loaded \subseteq {10, 11, 20, 40, 80, 85, 100, 102}
         /\ DOMAIN cpu.priority \subseteq {10, 11, 40}
         /\ DOMAIN cpu.readings \subseteq {"AMB-11", "AMB-56", "AMB-57"}
-        /\ Cardinality(requests) <= 3
-        /\ Len(stack) <= 3
+        /\ Cardinality(requests) <= 4
+        /\ Len(stack) <= 8
         /\ \A o \in TodObs : /\ Cardinality(tod[o].served) <= 2
                              /\ Cardinality(tod[o].earlier) <= 2 ]_vars
 

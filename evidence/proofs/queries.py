@@ -116,6 +116,14 @@ class Lemma(msgspec.Struct, forbid_unknown_fields=True):
     formula: str
 
 
+class World(msgspec.Struct, forbid_unknown_fields=True):
+    """The states before a step, `state`, in which at most so many start events wait, and so many OBs run."""
+
+    state: str
+    waiting: int
+    running: int
+
+
 class Induction(msgspec.Struct, forbid_unknown_fields=True):
     """The names that the induction has in its module; `timeout` in seconds."""
 
@@ -125,8 +133,11 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     any: str
     invariants: list[str]
     control: str
-    waiting: int
-    running: int
+    world: World
+    smaller: World
+    """In its place in the queries of letters and refinements, which take longer."""
+    refuted: World
+    """In its place in the queries that ask for a counterexample: from fewer states it is found in less time."""
     timeout: int
     together: dict[str, list[str]] = {}
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
@@ -135,8 +146,6 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     next ones larger."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
-    refuted: dict[str, list[str]] = {}
-    """As `instead`, of the queries that ask for a counterexample: from a smaller world it is found in less time."""
     lemmas: list[Lemma] = []
 
 
@@ -386,8 +395,13 @@ def _queries(
         found = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))
         return replace(query, divided=tuple(next(found, ())))
 
+    def begun_in(world: World, query: Query) -> Query:
+        kept = [(name, others) for name, others in query.instead if name != base.world.state]
+        return replace(query, instead=(*kept, (base.world.state, (world.state,))))
+
     queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
-    refines = {word: _refines(anywhere, refinement) for word, refinement in file.refinements.items()}
+    smaller = begun_in(base.smaller, anywhere)
+    refines = {word: _refines(smaller, refinement) for word, refinement in file.refinements.items()}
     stepping = [query for query in queries if query.kind == "step"]
     for word, refinement in file.refinements.items():
         first = replace(refines[word], name=f"{word}-first", init=refinement.first, actions=actions[:1])
@@ -405,7 +419,7 @@ def _queries(
 
     queries += [
         replace(
-            divided(step(f"letters-{name}", "letters", some, claimed(whole, some))),
+            begun_in(base.smaller, divided(step(f"letters-{name}", "letters", some, claimed(whole, some)))),
             shown=tuple(file.letters.shown),
             unless=unless(some),
             unfiltered=True,
@@ -413,12 +427,10 @@ def _queries(
         for name, some in file.letters.together.items()
     ]
 
-    smaller = tuple((name, tuple(others)) for name, others in base.refuted.items())
-
-    def one(action: str, base: Query) -> Query:
-        following = TOGETHER if base.history else action
-        refuted = replace(base, next=following, actions=(action,), length=1, expect="violated")
-        return replace(refuted, instead=(*refuted.instead, *smaller))
+    def one(action: str, asked: Query) -> Query:
+        following = TOGETHER if asked.history else action
+        refuted = replace(asked, next=following, actions=(action,), length=1, expect="violated")
+        return begun_in(base.refuted, refuted)
 
     queries += [
         replace(
