@@ -7,8 +7,9 @@
 (* classes of OB 10, 11 and 40 by default or, except on S7-300, any that   *)
 (* OBS-05 allows. The clock, the delay count, settings, jobs, fields of    *)
 (* requests and operands of calls are any integers; a fault id is a byte.  *)
-(* Before the step at most three start events wait, three OBs run, and a   *)
-(* time-of-day OB remembers two runs of points of each kind.               *)
+(* Before the step at most four start events wait, and a time-of-day OB    *)
+(* remembers two runs of points of each kind; up to eight OBs run, and     *)
+(* there cannot be more (DepthInv). SomeState and FewState are smaller.    *)
 (*                                                                         *)
 (* The calendar: CalendarLemma stands for the first point of a series;     *)
 (* models/MCCalendarLemma checks it. NextPointLemma follows from it and    *)
@@ -195,6 +196,11 @@ InWorld ==
     /\ irt.silent \subseteq APBlockable
 
 AnyInit == AnyState /\ Ind
+
+(* depth: no more OBs can run than in AnyState, since each has its class.  *)
+DeeperInit == /\ \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 7, 9)
+              /\ Ind
+DepthInv == Len(stack) <= 8
 
 (* The control: violated by every action that can take a step. *)
 NoStep == step' = step

@@ -108,12 +108,12 @@ class Letters(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Lemma(msgspec.Struct, forbid_unknown_fields=True):
-    """A query by which the operator `of` is as the one that is put in its place: from `init` the formula holds."""
+    """From the states of `init` the formula holds. With `of`, that operator itself is asked, and none is in its place."""
 
     name: str
-    of: str
     init: str
     formula: str
+    of: str = ""
 
 
 class World(msgspec.Struct, forbid_unknown_fields=True):

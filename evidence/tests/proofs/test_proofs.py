@@ -283,7 +283,8 @@ def test_one_invariant_for_all(proofs: Proofs) -> None:
 def test_what_is_put_in_place_has_its_lemma(proofs: Proofs) -> None:
     """Its query has the operator itself; the other one, of the calendar, TLC checks (model calendar-lemma)."""
     lemmas = {query.name: query for query in proofs.queries if query.kind == "lemma"}
-    assert {lemma.of for lemma in proofs.file.induction.lemmas} == {*proofs.file.induction.instead} - {"FirstPoint"}
+    closing = {lemma.of for lemma in proofs.file.induction.lemmas} - {""}
+    assert closing == {*proofs.file.induction.instead} - {"FirstPoint"}
     for lemma in proofs.file.induction.lemmas:
         query = lemmas[lemma.name]
         assert lemma.of not in dict(query.instead)
@@ -299,6 +300,8 @@ def test_the_worlds_of_the_queries(proofs: Proofs) -> None:
         assert f"StateWith(t, u, {world.waiting}, {world.running})" in said
         alike = re.sub(r"\d", "n", said).removeprefix(world.state)
         assert alike == re.sub(r"\d", "n", token(operators[base.world.state])).removeprefix(base.world.state)
+    assert f"StateWith(t, u, 7, {base.world.running + 1})" in token(operators["DeeperInit"])
+    assert token(operators["DepthInv"]).endswith(f"Len(stack) <= {base.world.running}")
     for query in proofs.queries:
         states = dict(query.instead).get(base.world.state, (base.world.state,))
         if query.expect == "violated":
@@ -733,7 +736,7 @@ def test_shards_are_all_queries(proofs: Proofs, capsys: pytest.CaptureFixture[st
 def test_the_report_says_what_is_assumed(proofs: Proofs) -> None:
     """The bounds, the world, the lemma, the readings."""
     said = assumptions(proofs)
-    for word in ("Ind", "models/APSystem.tla", "at most 3 start events", "3 OBs that run", "lemma", "by default"):
+    for word in ("Ind", "models/APSystem.tla", "at most 4 start events", "8 OBs that run", "lemma", "by default"):
         assert word in said
     assert as_json(proofs, [])["assumptions"] == said
 
