@@ -35,6 +35,9 @@ CONSTANTS
 APTodObs == {10, 11}
 APDintObs == {20}
 APExternalObs == {40, 80, 85}
+(* In its place where a formula is about the numbers of OBs: all of them.  *)
+AllExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
+                    \cup (80..87)
 APAsyncErrorObs == {80, 85}
 APBlockable == (10..17) \cup (20..23) \cup APExternalObs
 APObs == {10, 11, 20, 40, 80, 85, 100, 102}

@@ -18,7 +18,7 @@ from evidence.proofs.apalache import Answer
 from evidence.proofs.text import without_comments
 from evidence.tla.flatten import definition_span
 from evidence.tla.modules import reached
-from evidence.tla.syntax import Module, references
+from evidence.tla.syntax import read_text, references
 
 _ALIAS = re.compile(r"\(\*\s*@typeAlias:\s*(\w+)\s*=([^;]*);\s*\*\)")
 _USED_ALIAS = re.compile(r"\$(\w+)")
@@ -54,7 +54,7 @@ def keys(text: str, formulas: Iterable[str], roots: Iterable[str], rest: Sequenc
     Comments other than types do not count, and no type alias that nothing of it uses. Raises
     `evidence.tla.syntax.SyntaxTreeError`.
     """
-    module = Module("flat", text.encode())
+    module = read_text(text)
     uses = {name: references(unit) for name, unit in module.definitions.items()}
     spans = {name: definition_span(module, name) for name in module.definitions}
     stated, outside, at = {}, bytearray(), 0

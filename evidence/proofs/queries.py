@@ -108,7 +108,7 @@ class Letters(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Lemma(msgspec.Struct, forbid_unknown_fields=True):
-    """From the states of `init` the formula holds. With `of`, that operator itself is asked, and none is in its place."""
+    """From the states of `init` the formula holds. With `of`, that operator itself is asked, none in its place."""
 
     name: str
     init: str
@@ -122,6 +122,22 @@ class World(msgspec.Struct, forbid_unknown_fields=True):
     state: str
     waiting: int
     running: int
+
+
+class Wider(msgspec.Struct, forbid_unknown_fields=True):
+    """The query about formulas that speak of more than the world has: of these actions, in a wider world.
+
+    There an operator of `instead` is as the one that it names.
+    """
+
+    name: str
+    actions: list[str]
+    formulas: list[str]
+    instead: dict[str, str]
+
+    def asks(self, action: str, formula: str) -> bool:
+        """Whether the formula is asked of the action there, and not in the world of the others."""
+        return action in self.actions and formula in self.formulas
 
 
 class Induction(msgspec.Struct, forbid_unknown_fields=True):
@@ -138,6 +154,7 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     """In its place in the queries of letters and refinements, which take longer."""
     refuted: World
     """In its place in the queries that ask for a counterexample: from fewer states it is found in less time."""
+    wider: Wider
     timeout: int
     together: dict[str, list[str]] = {}
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
@@ -385,7 +402,11 @@ def _queries(
     groups = {**{action: [action] for action in actions if action not in joined}, **base.together}
 
     def claimed(formulas: Iterable[str], some: Iterable[str]) -> tuple[str, ...]:
-        return tuple(formula for formula in formulas if not left & {(action, formula) for action in some})
+        return tuple(
+            formula
+            for formula in formulas
+            if not any((action, formula) in left or base.wider.asks(action, formula) for action in some)
+        )
 
     def step(name: str, kind: Kind, some: list[str], formulas: tuple[str, ...]) -> Query:
         following = some[0] if len(some) == 1 else TOGETHER
@@ -399,10 +420,19 @@ def _queries(
         kept = [(name, others) for name, others in query.instead if name != base.world.state]
         return replace(query, instead=(*kept, (base.world.state, (world.state,))))
 
+    def widened(query: Query) -> Query:
+        others = tuple((name, (other,)) for name, other in base.wider.instead.items())
+        return replace(query, instead=(*query.instead, *others))
+
+    def in_its_world(query: Query, action: str, formula: str) -> Query:
+        return widened(query) if base.wider.asks(action, formula) else query
+
+    apart = step(base.wider.name, "step", base.wider.actions, tuple(base.wider.formulas))
     queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
+    queries.append(widened(apart))
     smaller = begun_in(base.smaller, anywhere)
     refines = {word: _refines(smaller, refinement) for word, refinement in file.refinements.items()}
-    stepping = [query for query in queries if query.kind == "step"]
+    stepping = [query for query in queries if query.name in groups]
     for word, refinement in file.refinements.items():
         first = replace(refines[word], name=f"{word}-first", init=refinement.first, actions=actions[:1])
         queries.append(replace(first, formulas=tuple(refinement.begins)))
@@ -417,15 +447,14 @@ def _queries(
         of = {cell.formula: tuple(sorted({c.letter for c in cells if c.formula == cell.formula})) for cell in cells}
         return tuple(of.items())
 
+    def of_letters(query: Query) -> Query:
+        query = begun_in(base.smaller, replace(query, name=f"letters-{query.name}", kind="letters", unfiltered=True))
+        return divided(replace(query, shown=tuple(file.letters.shown), unless=unless(list(query.actions))))
+
     queries += [
-        replace(
-            begun_in(base.smaller, divided(step(f"letters-{name}", "letters", some, claimed(whole, some)))),
-            shown=tuple(file.letters.shown),
-            unless=unless(some),
-            unfiltered=True,
-        )
-        for name, some in file.letters.together.items()
+        of_letters(step(name, "step", some, claimed(whole, some))) for name, some in file.letters.together.items()
     ]
+    queries.append(of_letters(widened(apart)))
 
     def one(action: str, asked: Query) -> Query:
         following = TOGETHER if asked.history else action
@@ -434,7 +463,7 @@ def _queries(
 
     queries += [
         replace(
-            one(cell.action, anywhere),
+            one(cell.action, in_its_world(anywhere, cell.action, cell.formula)),
             name=f"letter-{cell.action}-{cell.formula}-{cell.letter.replace(', ', '-').replace(' ', '-')}",
             kind="letter",
             formulas=(cell.formula,),
@@ -452,7 +481,7 @@ def _queries(
     of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
         replace(
-            one(mutant.action, of.get(mutant.formula, anywhere)),
+            one(mutant.action, in_its_world(of.get(mutant.formula, anywhere), mutant.action, mutant.formula)),
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),

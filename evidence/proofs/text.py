@@ -18,7 +18,7 @@ from tree_sitter import Node
 
 from evidence.tla.flatten import Flat, definition_span, flatten, keep_only
 from evidence.tla.modules import reached
-from evidence.tla.syntax import Module, SyntaxTreeError, operand, references, symbol, token, walk
+from evidence.tla.syntax import SyntaxTreeError, operand, read_text, references, symbol, token, walk
 
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
@@ -115,7 +115,7 @@ def put_in_place(text: str, name: str, others: Sequence[str]) -> str:
 
     All others move up to its place, with their types. Raises `SyntaxTreeError`.
     """
-    module = Module("flat", text.encode())
+    module = read_text(text)
     if lacking := {name, *others} - module.definitions.keys():
         raise SyntaxTreeError(f"no definition of {', '.join(sorted(lacking))} to put in place")
     places = {key: definition_span(module, key) for key in (name, *others)}
@@ -171,7 +171,7 @@ def fixed_constants(text: str, initializer: str) -> frozenset[str]:
     everywhere, even where the comparison is only a condition. Then nothing is proved of other values. A record or a
     `Gen` is no such value.
     """
-    module = Module("flat", text.encode())
+    module = read_text(text)
     declared = {
         token(name)
         for unit in module.units
@@ -202,4 +202,4 @@ def without_comments(text: str) -> str:
 
 def definitions(text: str) -> frozenset[str]:
     """The operators that a module's text defines. Raises `SyntaxTreeError`."""
-    return frozenset(Module("flat", text.encode()).definitions)
+    return frozenset(read_text(text).definitions)

@@ -11,7 +11,17 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from evidence.tla.syntax import COMMENTS, Module, is_of_instance, meaningful, operand, place, references, symbol, token
+from evidence.tla.syntax import (
+    COMMENTS,
+    is_of_instance,
+    meaningful,
+    operand,
+    place,
+    read_text,
+    references,
+    symbol,
+    token,
+)
 
 _EACH = frozenset({"bounded_quantification", "choose", "set_filter", "set_map", "function_literal"})
 """What looks at an expression for each element of a set."""
@@ -44,7 +54,7 @@ def bind_arguments(text: str) -> str:
 
     Names, numbers and strings stay, with or without a prime. Raises `evidence.tla.syntax.SyntaxTreeError`.
     """
-    module = Module("flat", text.encode())
+    module = read_text(text)
     scope: dict[str, _Operator] = {}
     writer = _Writer(module.text)
     for child in module.root.children:

@@ -10,7 +10,7 @@ import warnings
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import tree_sitter_tlaplus
 from tree_sitter import Language, Node, Parser
@@ -133,6 +133,12 @@ class Module:
             out += self.text[leaf.start_byte : at]
             out += "".join(closing[at]).encode()
         return bytes(out) + b"\n"
+
+
+@lru_cache(maxsize=32)
+def read_text(text: str) -> Module:
+    """The module that this text is, called flat. Many queries share most of their texts, so the trees are kept."""
+    return Module("flat", text.encode())
 
 
 def place(out: bytearray, text: bytes, byte: int) -> None:
