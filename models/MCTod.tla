@@ -40,6 +40,12 @@ SetTableProp ==
               \/ step'.ob = 99 /\ step'.value = \h8090
               \/ step'.value \in wrong ]_vars
 
+(* [TINT-18] Monthly from 31 October on, by STEP 7: SET_TINT would refuse  *)
+(* the day.                                                                *)
+MonthlyOnDay31 ==
+    { [o \in TodObs |-> [ Activated("monthly", -21 * 1440)
+                            EXCEPT !.active = active ]] : active \in BOOLEAN }
+
 (* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay <= 1
            /\ Waiting(1)

@@ -3,7 +3,7 @@
 (* Properties of time-of-day interrupts, SFC 28-31 (section 1), said of    *)
 (* states and of steps.                                                    *)
 (*                                                                         *)
-(* Left out: the series of points (PropertiesSeries).                      *)
+(* Left out: the series of points (Series, PropertiesSeries).              *)
 (***************************************************************************)
 EXTENDS Steps
 

@@ -107,7 +107,18 @@ class Letters(msgspec.Struct, forbid_unknown_fields=True):
     shown: list[str]
 
 
-class Lemma(msgspec.Struct, forbid_unknown_fields=True):
+class Elsewhere(msgspec.Struct, forbid_unknown_fields=True):
+    """Where a query is asked that needs more than the others: an own module, with own `constants`, if they are named.
+
+    The operators of `instead`, and those that move to the place of each; the last of them replaces it.
+    """
+
+    module: str = ""
+    constants: str = ""
+    instead: dict[str, list[str]] = {}
+
+
+class Lemma(Elsewhere, forbid_unknown_fields=True, kw_only=True):
     """From the states of `init` the formula holds. With `of`, that operator itself is asked, none in its place."""
 
     name: str
@@ -116,28 +127,22 @@ class Lemma(msgspec.Struct, forbid_unknown_fields=True):
     of: str = ""
 
 
+class Apart(Elsewhere, forbid_unknown_fields=True, kw_only=True):
+    """A query about formulas that speak of more than the world has, of these actions."""
+
+    name: str
+    actions: list[str]
+    formulas: list[str]
+    letters: bool
+    """Whether they are asked of every letter, too."""
+
+
 class World(msgspec.Struct, forbid_unknown_fields=True):
     """The states before a step, `state`, in which at most so many start events wait, and so many OBs run."""
 
     state: str
     waiting: int
     running: int
-
-
-class Wider(msgspec.Struct, forbid_unknown_fields=True):
-    """The query about formulas that speak of more than the world has: of these actions, in a wider world.
-
-    There an operator of `instead` is as the one that it names.
-    """
-
-    name: str
-    actions: list[str]
-    formulas: list[str]
-    instead: dict[str, str]
-
-    def asks(self, action: str, formula: str) -> bool:
-        """Whether the formula is asked of the action there, and not in the world of the others."""
-        return action in self.actions and formula in self.formulas
 
 
 class Induction(msgspec.Struct, forbid_unknown_fields=True):
@@ -154,7 +159,6 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     """In its place in the queries of letters and refinements, which take longer."""
     refuted: World
     """In its place in the queries that ask for a counterexample: from fewer states it is found in less time."""
-    wider: Wider
     timeout: int
     together: dict[str, list[str]] = {}
     """Actions that are asked in one query of that name: reading the module takes longer than an easy action."""
@@ -164,6 +168,13 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
     lemmas: list[Lemma] = []
+    apart: list[Apart] = []
+    """These formulas are not asked of these actions in the queries of the actions themselves."""
+
+    def apart_of(self, action: str, formula: str) -> Apart | None:
+        """Where the formula is asked of the action, if not in the world of the others."""
+        found = (apart for apart in self.apart if action in apart.actions and formula in apart.formulas)
+        return next(found, None)
 
 
 class Refinement(msgspec.Struct, forbid_unknown_fields=True):
@@ -385,17 +396,7 @@ def _queries(
     queries = [
         replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants)),
         anywhere,
-        *(
-            replace(
-                anywhere,
-                name=lemma.name,
-                kind="lemma",
-                init=lemma.init,
-                formulas=(lemma.formula,),
-                instead=tuple((name, tuple(others)) for name, others in base.instead.items() if name != lemma.of),
-            )
-            for lemma in base.lemmas
-        ),
+        *(_lemma(anywhere, lemma) for lemma in base.lemmas),
     ]
     whole = (*base.invariants, *(name for names in steps.values() for name in names))
     joined = {action for some in base.together.values() for action in some}
@@ -405,7 +406,7 @@ def _queries(
         return tuple(
             formula
             for formula in formulas
-            if not any((action, formula) in left or base.wider.asks(action, formula) for action in some)
+            if not any((action, formula) in left or base.apart_of(action, formula) for action in some)
         )
 
     def step(name: str, kind: Kind, some: list[str], formulas: tuple[str, ...]) -> Query:
@@ -420,16 +421,16 @@ def _queries(
         kept = [(name, others) for name, others in query.instead if name != base.world.state]
         return replace(query, instead=(*kept, (base.world.state, (world.state,))))
 
-    def widened(query: Query) -> Query:
-        others = tuple((name, (other,)) for name, other in base.wider.instead.items())
-        return replace(query, instead=(*query.instead, *others))
-
     def in_its_world(query: Query, action: str, formula: str) -> Query:
-        return widened(query) if base.wider.asks(action, formula) else query
+        apart = base.apart_of(action, formula)
+        return _elsewhere(query, apart) if apart else query
 
-    apart = step(base.wider.name, "step", base.wider.actions, tuple(base.wider.formulas))
+    aparts = [
+        (apart, _elsewhere(step(apart.name, "step", apart.actions, tuple(apart.formulas)), apart))
+        for apart in base.apart
+    ]
     queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
-    queries.append(widened(apart))
+    queries += [query for _, query in aparts]
     smaller = begun_in(base.smaller, anywhere)
     refines = {word: _refines(smaller, refinement) for word, refinement in file.refinements.items()}
     stepping = [query for query in queries if query.name in groups]
@@ -454,7 +455,7 @@ def _queries(
     queries += [
         of_letters(step(name, "step", some, claimed(whole, some))) for name, some in file.letters.together.items()
     ]
-    queries.append(of_letters(widened(apart)))
+    queries += [of_letters(query) for apart, query in aparts if apart.letters]
 
     def one(action: str, asked: Query) -> Query:
         following = TOGETHER if asked.history else action
@@ -502,6 +503,23 @@ def _queries(
         for mutant in file.claim_mutants
     ]
     return [*queries, *changed, *claims.values()]
+
+
+def _elsewhere(query: Query, there: Elsewhere) -> Query:
+    """The query in another module, with other constants, and with other operators in the place of some."""
+    instead = dict(query.instead) | {name: tuple(others) for name, others in there.instead.items()}
+    return replace(
+        query,
+        module=there.module or query.module,
+        constants=there.constants or query.constants,
+        instead=tuple(instead.items()),
+    )
+
+
+def _lemma(anywhere: Query, lemma: Lemma) -> Query:
+    of_itself = tuple((name, others) for name, others in anywhere.instead if name != lemma.of)
+    asked = replace(anywhere, name=lemma.name, kind="lemma", init=lemma.init, instead=of_itself)
+    return _elsewhere(replace(asked, formulas=(lemma.formula,)), lemma)
 
 
 def _refines(anywhere: Query, refinement: Refinement) -> Query:

@@ -17,13 +17,14 @@ Answers = list[tuple[Query, Result]]
 def assumptions(proofs: Proofs) -> str:
     """What every result of the induction assumes, in a sentence."""
     base = proofs.file.induction
-    world, smaller, wider = base.world, base.smaller, base.wider
+    world, smaller = base.world, base.smaller
+    elsewhere = "; ".join(f"{', '.join(a.formulas)} of {', '.join(a.actions)} by {a.name}" for a in base.apart)
     return (
         f"One step of System from any state in which {base.invariants[0]} holds, in the world of "
         f"models/{base.module}.tla, "
         f"with at most {world.waiting} start events that wait and {world.running} OBs that run before the step, "
         f"or {smaller.waiting} and {smaller.running} in the queries of letters and refinements; "
-        f"{', '.join(wider.formulas)} of {', '.join(wider.actions)} in the wider world of {wider.name}; "
+        f"{elsewhere}; "
         "the calendar by its lemma; readings by default, but in the queries called letters-."
     )
 

@@ -194,18 +194,25 @@ def test_what_is_not_claimed_is_not_asked(proofs: Proofs) -> None:
                 assert cell.formula not in query.formulas
 
 
-def test_formulas_of_more_obs_than_the_world_has(proofs: Proofs) -> None:
-    """They are asked in a world with all OBs: by default, of every letter, of a letter alone, and of a mutant."""
-    wider = proofs.file.induction.wider
-    of = [q for q in proofs.queries if q.kind != "follows" and set(wider.formulas) & set(q.formulas)]
-    of = [query for query in of if set(query.actions) & set(wider.actions)]
-    assert {query.kind for query in of} == {"step", "letters", "letter", "mutant"}
-    for query in of:
-        assert set(query.formulas) <= set(wider.formulas)
-        assert ("APExternalObs", ("AllExternalObs",)) in query.instead
-        assert "APExternalObs == (30..38)" in texts(ROOT, query)[0]
-    others = [query for query in proofs.queries if query not in of]
-    assert not [query.name for query in others if "APExternalObs" in dict(query.instead)]
+def test_formulas_that_are_asked_apart(proofs: Proofs) -> None:
+    """Each query of such a formula is in its own world: by default, of letters, of a letter alone, of a mutant."""
+    kinds = {"calls-irt-wide": {"step", "letters", "letter", "mutant"}, "first-point": {"step", "mutant"}}
+    assert {apart.name for apart in proofs.file.induction.apart} == kinds.keys()
+    for apart in proofs.file.induction.apart:
+        of = [
+            q for q in proofs.queries if set(apart.formulas) & set(q.formulas) and set(q.actions) & set(apart.actions)
+        ]
+        assert {query.kind for query in of} == kinds[apart.name]
+        for query in of:
+            assert set(query.formulas) <= set(apart.formulas)
+            assert {(name, tuple(others)) for name, others in apart.instead.items()} <= set(query.instead)
+            assert query.module == (apart.module or proofs.file.induction.module)
+        others = {query.name: dict(query.instead) for query in proofs.queries if query not in of}
+        assert not [name for name, instead in others.items() if set(apart.instead) - {"NextPoint"} & set(instead)]
+
+
+def test_the_wider_world_has_all_obs(proofs: Proofs) -> None:
+    """Those of module Cpu, and the query reads them."""
     spec, models = read_modules(ROOT / "spec"), read_modules(ROOT / "models")
     errors = token(operand(spec["Cpu"].definitions["AsyncErrorObs"], "definition"))
     wanted = token(operand(spec["Cpu"].definitions["ExternalObs"], "definition")).replace(
@@ -213,6 +220,19 @@ def test_formulas_of_more_obs_than_the_world_has(proofs: Proofs) -> None:
     )
     given = token(operand(models["APSystem"].definitions["AllExternalObs"], "definition"))
     assert given.split() == wanted.split()
+    (query,) = proofs.select(("calls-irt-wide",))
+    assert "APExternalObs == (30..38)" in texts(ROOT, query)[0]
+
+
+def test_a_sample_in_the_place_of_the_calendar(proofs: Proofs) -> None:
+    """The step and the property have the same one; its lemma has NextPoint itself."""
+    step, lemma = (texts(ROOT, proofs.select((name,))[0])[0] for name in ("first-point", "sampled-point"))
+    for text, by_sample in ((step, "NextPoint(t, m, c)"), (step, "IsFirst(start, period"), (lemma, "FirstPoint(start")):
+        said = text.partition(f"\n{by_sample}")[2].partition("\\* @type")[0]
+        assert "IsSample(" in said
+        assert "Sample.point" in said
+    assert "FirstUnserved(t, begin, c)" in lemma
+    assert "FirstUnserved" not in step
 
 
 def test_queries_of_each_transition(proofs: Proofs) -> None:
@@ -359,8 +379,9 @@ def test_models_within_the_proofs(proofs: Proofs) -> None:
 
 def test_every_letter_is_asked(proofs: Proofs) -> None:
     """Of the same actions and formulas, but those that are not claimed of a letter; the constants are declared."""
-    steps = {action: query for query in proofs.queries if query.kind == "step" for action in query.actions}
-    letters = [query for query in proofs.queries if query.kind == "letters"]
+    whole = [query for query in proofs.queries if "Ind" in query.formulas]
+    steps = {action: query for query in whole if query.kind == "step" for action in query.actions}
+    letters = [query for query in whole if query.kind == "letters"]
     assert {action for query in letters for action in query.actions} == set(proofs.actions)
     for query in letters:
         for action in query.actions:
