@@ -249,7 +249,7 @@ def test_queries_of_each_transition(proofs: Proofs) -> None:
 
 def test_a_divided_action_loses_no_transition() -> None:
     """Each transition is in one run, however many there are; the initial one is in all."""
-    options = [part.removeprefix(":search.transitionFilter=") for part in parts([3, 5])]
+    options = [part.removeprefix("search.transitionFilter=") for part in parts([3, 5])]
     assert len(options) == 3
     assert all(re.fullmatch(option, "0->0") for option in options)
     runs = [[n for n, option in enumerate(options) if re.fullmatch(option, f"1->{step}")] for step in range(60)]
