@@ -87,6 +87,7 @@ ClockTimes ==
 
 (* Faults of OB 80 and 85 that come from outside.                          *)
 ObsWithFault  == {TimeErrorOb, ProgramErrorOb}
+\* @type: Set(<<Int, Int>>);
 OutsideFaults == {<<TimeErrorOb, CycleTimeExceeded>>, <<TimeErrorOb, \h0B>>,
                   <<ProgramErrorOb, \hA3>>}
 

@@ -52,6 +52,9 @@
 (*                       loaded: Int, entries_off: Int, left: Int };       *)
 (* @typeAlias: reading = { clock: $moment, up: $moment, step: Int };       *)
 (* @typeAlias: change = { from: $moment, up: $moment };                    *)
+(* @typeAlias: tag = { of: $request, nth: Int };                           *)
+(* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
+(*   arrivals: $request -> $moment, reports: Set($report) };               *)
 (***************************************************************************)
 
 TypeAliasesOnly == TRUE

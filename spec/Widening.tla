@@ -88,24 +88,27 @@ Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
           reports |-> reports]
 
 (* A request without its place, and its number among equal requests. *)
-\* @type: (Set($request), $request) => { of: $request, nth: Int };
+\* @type: (Set($request), $request) => $tag;
 Tag(q, r) ==
     [ of  |-> AsItCame(r),
       nth |-> Cardinality({ s \in q : /\ AsItCame(s) = AsItCame(r)
                                      /\ s.rank <= r.rank }) ]
 
-(* @type: Set($request) => Set({ tag: { of: $request, nth: Int },          *)
-(*                               r: $request });                           *)
+\* @type: Set($request) => Set({ tag: $tag, r: $request });
 Tagged(q) == { [tag |-> Tag(q, r), r |-> r] : r \in q }
 
 (* The tags below the tags below each tag. *)
+\* @type: ($tag -> Set($tag)) => ($tag -> Set($tag));
 Farther(below) ==
     [ g \in DOMAIN below |-> UNION { below[h] : h \in below[g] } ]
 
 (* Places that contradict none of these queues: a request stands before    *)
 (* another if it does so in some queue and stands behind it in none.       *)
+\* @type: Set(Set({ tag: $tag, r: $request })) => ($tag -> Int);
 Places(queues) ==
     LET tags  == UNION { { t.tag : t \in q } : q \in queues }
+        (* @type: (Set({ tag: $tag, r: $request }),                        *)
+        (*         { tag: $tag, r: $request }) => Set($tag);               *)
         upTo(q, u) == { t.tag : t \in { v \in q : /\ v.r.class = u.r.class
                                                  /\ v.r.rank <= u.r.rank } }
         once  == [ g \in tags |->
@@ -119,21 +122,25 @@ Places(queues) ==
 
 (* Equal requests have places of their own; otherwise one request stands   *)
 (* for all of them.                                                        *)
+\* @type: ($tag, $tag -> Int) => Bool;
 Apart(g, places) ==
     { h \in DOMAIN places : h.of = g.of /\ places[h] = places[g] } = {g}
 
 (* The classes in which some explanations have an OB that may start, and   *)
 (* others have none.                                                       *)
+\* @type: Set($waits) => Set(Int);
 Unequal(all) ==
     { c \in UNION { DOMAIN w.waiting : w \in all } :
         \E w \in all : c \notin DOMAIN w.waiting }
 
 (* How long class or key c has waited in an explanation.                   *)
+\* @type: ($waits, Int) => Int;
 WaitedIn(w, c) ==
     LET known == { k \in {c, c - 100} : k \in DOMAIN w.waiting }
         times == { w.waiting[k] : k \in known }
     IN  IF times = {} THEN 0 ELSE CHOOSE m \in times : \A n \in times : m <= n
 
+\* @type: Set($waits) => Set($report);
 ReportsOf(all) ==
     LET sure == { r \in UNION { w.reports : w \in all } :
                     \A w \in all : r \in w.reports }
@@ -144,12 +151,15 @@ ReportsOf(all) ==
                  ~\E s \in some : s.entry = r.entry /\ s.times > r.times }
 
 (* The explanations that differ in these `Waits' become one. *)
+\* @type: Set($waits) => Bool;
 Meet(all) ==
     LET queues  == { Tagged(w.requests) : w \in all }
         places  == Places(queues)
+        \* @type: $tag => Bool;
         certain(g) ==
           /\ g.of.class \notin Unequal(all)
           /\ \A q \in queues : \E t \in q : t.tag = g /\ ~t.r.open
+        \* @type: $request => $moment;
         latest(r) ==
           LET know == { w \in all : r \in DOMAIN w.arrivals }
               came == { w.arrivals[r] : w \in know }
