@@ -42,7 +42,7 @@ IsFirstByDays(start, period, p, m) ==
                   LET q == n * MinutesADay + (start % MinutesADay)
                   IN  q < from \/ ~OnSeries(start, period, q)
 
-(* For once, IsFirst says nothing: Longest is of series.                   *)
+(* Once is left to CalendarLemma, which is exact for it.                   *)
 \* @type: (Int, Int) => Bool;
 IsAsTheLemmaSays(startDay, period) ==
     LET start == startDay * MinutesADay + TimeOfDay
