@@ -148,6 +148,21 @@ def test_explain(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert last["line"] == 6
 
 
+def test_explain_braces(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The braces of start information and of the implementer's own objects are text, not places to fill."""
+    header = {"format": "s7-interrupt-log/1", "cpu": "S7-400", "obs": [1, 10, 80, 85, 100]}
+    lines = [
+        {**header, "clock": "2026-11-21T06:00", "mode": "RUN"},
+        {"event": "diag", "at": "2026-11-21T06:00", "id": "W#16#4301", "info": {"strt_info": "B#16#81"}},
+        {"event": "DIS_AIRT", "at": "2026-11-21T06:00", "ret": 1, "x_own": {"of": {"mine": "{0}"}}},
+    ]
+    (folder / "log").write_text("".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8")
+    assert cli.main(["explain", "log"]) == 0
+    told = capsys.readouterr().out
+    assert "Diag id=W#16#4301 info={strt_info=B#16#81}" in told
+    assert "OB 1 calls DIS_AIRT ret=1 x_own={of={mine={0}}}" in told
+
+
 def test_decide(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A log that only one letter explains decides its question; the file is one for ``--set``."""
     log = str(TRACES / "AMB" / "accept" / "AMB-01-a-1202-refused.ndjson")

@@ -79,7 +79,8 @@ def _said(line: dict[str, Any], before: Situation) -> str:
         return f"OB {line['ob']} starts{why}" + (f", interrupting OB {over[-1]}" if over else "")
     if name == "stop":
         return "the CPU stops" + (f" for 16#{before.stop:04X}" if before.stop > 0 else "")
-    return _LINES.get(name, spelled(line)).format_map({"ob": "", "type": "", "to": "", **line})
+    form = _LINES.get(name)
+    return spelled(line) if form is None else form.format_map(line)
 
 
 def _settings(before: Situation, after: Situation) -> Iterator[str]:
