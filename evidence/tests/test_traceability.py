@@ -115,13 +115,11 @@ def replace(path: Path, old: str, new: str) -> None:
 def test_nothing_is_missing(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """The pages are written, and then are up to date; writing them again changes nothing."""
     assert run("--write") == 0
-    written = {
-        name: (project / "docs" / "rules" / name).read_bytes() for name in ("traceability.md", "requirements.md")
-    }
+    written = (project / "docs" / "rules" / "traceability.md").read_bytes()
     assert run() == 0
     assert capsys.readouterr().out.endswith("nothing is missing\n")
     assert run("--write") == 0
-    assert written == {name: (project / "docs" / "rules" / name).read_bytes() for name in written}
+    assert written == (project / "docs" / "rules" / "traceability.md").read_bytes()
 
 
 def test_page(project: Path, run: Run) -> None:
@@ -141,27 +139,6 @@ def test_page(project: Path, run: Run) -> None:
     assert "| [AMB-02](readings.md#AMB-02) | When? | [unseen] |  |  |\n" in page
     assert "| AMB-02 | reading | unseen | no line of a log can show it |\n" in page
     assert "| model that would fail without it | 2 | 1 | 1 | 0 | 0 |\n" in page
-
-
-def test_specified_in(project: Path, run: Run) -> None:
-    """The last column of the requirements is generated, the others stay."""
-    assert run("--write") == 0
-    table = (project / "docs" / "rules" / "requirements.md").read_text(encoding="utf-8")
-    assert '| <a id="TINT-01"></a>TINT-01 | Something. | S | H | System; property: Properties |\n' in table
-    assert "| Something else (see TINT-01). | S | H | System; property: MCRules, Properties |\n" in table
-    assert '| <a id="OBS-09"></a>OBS-09 | The rest. | S | H | no formula: module |\n' in table
-
-
-def test_modules_of_a_constant(project: Path, run: Run) -> None:
-    """The modules of a reading are generated; what is no constant stays."""
-    readings = project / "docs/rules/readings.md"
-    replace(readings, "Which? | (a), (b) | a |", "Which? | (a), (b) | a | constant (a, b): Nowhere |")
-    replace(readings, "When? | (a), (b) | a |", "When? | (a), (b) | a | default, Nowhere |")
-    assert run() == 1
-    assert run("--write") == 0
-    text = readings.read_text(encoding="utf-8")
-    assert "Which? | (a), (b) | a | constant (a, b): System |\n" in text
-    assert "When? | (a), (b) | a | default, Nowhere |\n" in text
 
 
 def test_modules_that_word_rejections(project: Path, run: Run) -> None:
@@ -373,9 +350,9 @@ def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys:
     assert line.split()[2:] == ["1", "0", "2", "1", "0"]
 
 
-@pytest.mark.parametrize("name", ["docs/rules/traceability.md", "docs/rules/requirements.md"])
-def test_page_is_not_up_to_date(name: str, project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+def test_page_is_not_up_to_date(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """A page that was changed by hand, and one that is missing, is named."""
+    name = "docs/rules/traceability.md"
     assert run() == 1
     assert run("--write") == 0
     capsys.readouterr()

@@ -10,19 +10,15 @@ from evidence.traceability import documents
 from evidence.traceability.detail import detail
 from evidence.traceability.errors import UnreadableError
 from evidence.traceability.matrix import Matrix, build, counts
-from evidence.traceability.page import modules, page, place
+from evidence.traceability.page import page
 from evidence.traceability.problems import notes, problems
-from evidence.traceability.project import CLAUSES, PAGE, READINGS, REQUIREMENTS, Project, find_project, read_project
+from evidence.traceability.project import CLAUSES, PAGE, Project, find_project, read_project
 
 GAPS, UNREADABLE = 1, 2
 
 
 @click.command("requirements", short_help="Trace each requirement to formula, property, model and logs.")
-@click.option(
-    "--write",
-    is_flag=True,
-    help="Write traceability.md, the last columns of requirements.md and readings.md, and the texts of reports.",
-)
+@click.option("--write", is_flag=True, help="Write traceability.md and the texts of reports.")
 @click.option(
     "--project",
     "folder",
@@ -59,12 +55,8 @@ def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ..
 
 def _pages(root: Path, project: Project, matrix: Matrix, *, write: bool) -> list[Path]:
     """The generated pages that are not up to date, after writing them if that was asked for."""
-    rows = {row.id: row for row in matrix.rows}
-    table, questions = documents.read(root / REQUIREMENTS), documents.read(root / READINGS)
     texts = {
         PAGE: page(matrix, project),
-        REQUIREMENTS: documents.with_places(table, lambda name: place(rows[name])),
-        READINGS: documents.with_modules(questions, lambda name: modules(matrix.readings[name])),
         CLAUSES: documents.encoded([*project.requirements.values(), *project.ambiguities.values()]),
     }
     if write:

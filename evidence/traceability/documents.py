@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
@@ -15,7 +15,6 @@ from s7check.report.clauses import Clause
 _REQUIREMENT = re.compile(rf'^\| <a id="((?:{"|".join(PREFIXES)})-\d+)"></a>\1 \|.*\|$', re.MULTILINE)
 _QUESTION = re.compile(rf'^\| <a id="({AMBIGUITY}-\d+)"></a>\1 \|.*\|$', re.MULTILINE)
 _CELL = re.compile(r"(?<!\\) *\| *")
-_CONSTANT = re.compile(r"(constant \([a-d, ]+\)): .*")
 _LETTER = re.compile(r"\(([a-d])\) (.*?)(?=;? \([a-d]\) |$)")
 
 
@@ -63,23 +62,3 @@ def _distinct(path: Path, clauses: list[Clause]) -> tuple[Clause, ...]:
     if not ids:
         raise UnreadableError(f"{path}: no rows")
     return tuple(clauses)
-
-
-def with_places(text: str, place: Callable[[str], str]) -> str:
-    """The text of docs/rules/requirements.md with another last cell in the row of each requirement."""
-
-    def row(found: re.Match[str]) -> str:
-        cells = found[0].split(" | ")
-        return " | ".join([*cells[:-1], f"{place(found[1])} |"])
-
-    return _REQUIREMENT.sub(row, text)
-
-
-def with_modules(text: str, modules: Callable[[str], str]) -> str:
-    """The text of docs/rules/readings.md with other modules in the last cell of each ambiguity with a constant."""
-
-    def row(found: re.Match[str]) -> str:
-        *cells, last = found[0].split(" | ")
-        return " | ".join([*cells, _CONSTANT.sub(lambda cell: f"{cell[1]}: {modules(found[1])} |", last)])
-
-    return _QUESTION.sub(row, text)

@@ -46,7 +46,6 @@ class Row:
 
     id: str
     cells: Mapping[Column, Cell]
-    formulas: tuple[Definition, ...]
     properties: tuple[Definition, ...]
     models: tuple[str, ...]
 
@@ -119,7 +118,7 @@ def _row(name: str, project: Project, ruling: Sequence[Module]) -> Row:
     texts = [m.left_out[name] for m in ruling if name in m.left_out]
     if texts and not formulas:  # a module may leave out a part that another module specifies: that excuses nothing
         cells = {column: Cell(NOTHING, MODULE, texts[0]) if cell.missing else cell for column, cell in cells.items()}
-    return Row(name, cells, formulas, properties, project.controls.models.get(name, ()))
+    return Row(name, cells, properties, project.controls.models.get(name, ()))
 
 
 def _definitions(definitions: Sequence[Definition]) -> Entries:

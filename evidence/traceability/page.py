@@ -1,14 +1,13 @@
-"""docs/rules/traceability.md, and the last column of docs/rules/requirements.md, as text."""
+"""docs/rules/traceability.md, as text."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from itertools import groupby
 from pathlib import PurePosixPath
 
 from evidence.traceability.entries import Entries
 from evidence.traceability.matrix import COLUMNS, MODULE, NOTHING, Cell, Matrix, Row, counts
-from evidence.traceability.modules import Definition
 from evidence.traceability.project import Project
 from evidence.traceability.proofs import Proof
 from evidence.traceability.reasons import KINDS
@@ -64,20 +63,6 @@ def page(matrix: Matrix, project: Project) -> str:
     parts += [f"| {kind} | {meaning} |\n" for kind, meaning in KINDS.items()]
     parts += ["\n| ID | without | word | reason |\n|---|---|---|---|\n", *_reasons(matrix)]
     return "".join(parts)
-
-
-def place(row: Row) -> str:
-    """Where a requirement is specified: the last cell of its row in docs/rules/requirements.md."""
-    modules = ", ".join(_modules(row.formulas))
-    properties = ", ".join(_modules(row.properties))
-    if modules and properties:
-        return f"{modules}; property: {properties}"
-    return modules or (f"property: {properties}" if properties else f"no formula: {row.cells['formula'].kind}")
-
-
-def modules(cell: Cell) -> str:
-    """The modules of a cell's formulas: the end of an ambiguity's row in docs/rules/readings.md."""
-    return ", ".join(sorted({name.partition(".")[0] for name in cell.entries.names}))
 
 
 def _counts(matrix: Matrix) -> str:
@@ -137,10 +122,6 @@ def _first(most: int, found: Entries, show: Callable[[str], str]) -> str:
     shown = [show(name) if index < found.direct else f"*{show(name)}*" for index, name in enumerate(found.names[:most])]
     more = len(found.names) - most
     return ", ".join(shown) + (f" +{more}" if more > 0 else "")
-
-
-def _modules(definitions: Iterable[Definition]) -> list[str]:
-    return sorted({d.module for d in definitions})
 
 
 def _reasons(matrix: Matrix) -> list[str]:
