@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 import click
 
+from evidence.tla.modules import module_folders
 from evidence.tlc import log_as_tla
 from evidence.tlc.process import Toolchain, find_toolchain
 
@@ -152,7 +153,7 @@ def explore(tools: Toolchain, log: Path, folder: Path, limit: float) -> Explored
     scratch.mkdir(exist_ok=True)
     command = [
         *(tools.java, TLC_HEAP, "-Xss16m", "-XX:+UseParallelGC"),
-        *(f"-Djava.io.tmpdir={scratch}", f"-DTLA-Library={SPECIFICATION}"),
+        *(f"-Djava.io.tmpdir={scratch}", f"-DTLA-Library={os.pathsep.join(map(str, module_folders(SPECIFICATION)))}"),
         *("-cp", str(tools.jar), "tlc2.TLC", *tools.flags),
         *("-workers", "1", "-metadir", str(scratch), "-config", "Bench.cfg", "Bench"),
     ]

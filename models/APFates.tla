@@ -1,6 +1,6 @@
 ------------------------------- MODULE APFates ------------------------------
 (***************************************************************************)
-(* A proof by Apalache that Conservation (spec/Conservation) has the       *)
+(* A proof by Apalache that Conservation (spec/properties) has the         *)
 (* properties of MCFatesAlone for ANY number of start events:              *)
 (*   1. Invariant holds in the initial state;                              *)
 (*   2. every step from every state in which it holds ends in one;         *)

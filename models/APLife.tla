@@ -1,7 +1,7 @@
 ------------------------------- MODULE APLife -------------------------------
 (***************************************************************************)
 (* A proof by Apalache that the life cycle of a time-of-day interrupt      *)
-(* (spec/LifeCycle) has the properties of MCLifeAlone, for any number of   *)
+(* (spec/properties) has the properties of MCLifeAlone, for any number of   *)
 (* waiting start events:                                                   *)
 (*   1. Invariant holds in the initial state;                              *)
 (*   2. every step from every state in which it holds ends in one;         *)

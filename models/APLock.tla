@@ -1,6 +1,6 @@
 ------------------------------- MODULE APLock -------------------------------
 (***************************************************************************)
-(* A proof by Apalache that the counter lock (spec/CounterLock, SFC 41 and *)
+(* A proof by Apalache that the counter lock (spec/properties, SFC 41 and  *)
 (* 42) has the properties of MCLockAlone, for EVERY delay count and any    *)
 (* number of waiting start events, in three priority classes:              *)
 (*   1. Invariant holds in the initial state;                              *)

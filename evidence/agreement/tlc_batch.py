@@ -15,6 +15,7 @@ from pathlib import Path
 from evidence.agreement.verdicts import Judged
 from evidence.common.processes import Processes
 from evidence.harness.manifest import HEAP_MB
+from evidence.tla.modules import module_folders
 from evidence.tlc import log_as_tla
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import CONFIG_NAME, Workspace, as_one_module
@@ -57,7 +58,7 @@ def judge(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequenc
         scratch.mkdir()
         (folder / f"{MODULE}.tla").write_text(log_as_tla.module(MODULE, files, _REACHED), encoding="utf-8")
         (folder / CONFIG_NAME).write_text(f"{log_as_tla.CONFIGURATION}INVARIANT Reached\n", encoding="utf-8")
-        space = as_one_module(Workspace(folder, f"{MODULE}.tla", (spec,), scratch))
+        space = as_one_module(Workspace(folder, f"{MODULE}.tla", module_folders(spec), scratch))
         run = tlc.run(tools, space, _OPTIONS, processes)
     if run.outcome.kind != "passed":
         if _BEGUN not in run.output:

@@ -15,6 +15,7 @@ from evidence.behaviours.as_log import Line, State, as_log, event_of
 from evidence.behaviours.values import assignments
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
+from evidence.tla.modules import module_folders
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import Workspace
 
@@ -98,7 +99,7 @@ def exported(world: World, tools: tlc.Toolchain, processes: Processes, timeout: 
         folder = Path(temporary).resolve()
         scratch = folder / "scratch"
         scratch.mkdir()
-        space = Workspace(folder, f"{MODULE}.tla", (ROOT / "spec", ROOT / "models"), scratch)
+        space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
         (folder / space.module).write_text(_module(world))
         space.config.write_text(_configuration(world))
         dot = folder / "graph.dot"

@@ -11,6 +11,7 @@ from evidence.behaviours.as_log import Line, as_log, behaviour
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.gallery.cases import Case
+from evidence.tla.modules import module_folders
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import Workspace
 
@@ -36,7 +37,7 @@ class Search:
             folder = Path(temporary).resolve()
             scratch = folder / "scratch"
             scratch.mkdir()
-            space = Workspace(folder, f"{MODULE}.tla", (ROOT / "spec", ROOT / "models"), scratch)
+            space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
             (folder / space.module).write_text(module(case))
             shutil.copy(ROOT / "models" / "MCGallery.cfg", space.config)
             space.config.write_text(configuration(case, space.config.read_text()))

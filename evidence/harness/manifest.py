@@ -349,7 +349,7 @@ def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[M
     for mutation in mutations:
         if mutation.replace == mutation.by:
             raise ManifestError(f"{where}.mutate: replaces a text by itself")
-        if sum((place / mutation.module).is_file() for place in (spec, directory)) != 1:
+        if sum(len(list(place.rglob(mutation.module))) for place in (spec, directory)) != 1:
             raise ManifestError(f"{where}.mutate.module: {mutation.module} is not in exactly one of spec and models")
 
 

@@ -11,6 +11,7 @@ import shutil
 from pathlib import Path
 
 from evidence.harness.manifest import Model, Mutation
+from evidence.tla.modules import module_folders
 from evidence.tlc.workspace import Workspace, as_one_module
 
 
@@ -27,7 +28,7 @@ def prepare(root: Path, spec: Path, models: Path, model: Model) -> Workspace:
     directory = (root / "models" / model.module).parent
     scratch = root / "scratch"
     scratch.mkdir()
-    library = [root / "models", *sorted({p.parent for p in (root / "spec").rglob("*.tla")})]
+    library = [root / "models", *module_folders(root / "spec")]
     workspace = Workspace(directory, model.module.name, tuple(library), scratch)
     workspace.config.write_text(model.config, encoding="utf-8")
     return as_one_module(workspace)
@@ -46,7 +47,7 @@ def _copy_modules(source: Path, target: Path) -> None:
 
 
 def _apply(root: Path, mutation: Mutation) -> None:
-    path = next(p for place in ("spec", "models") if (p := root / place / mutation.module).is_file())
+    path = next(path for place in ("spec", "models") for path in (root / place).rglob(mutation.module))
     text = path.read_text(encoding="utf-8")
     times = text.count(mutation.replace)
     if times != 1:

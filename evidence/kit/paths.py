@@ -17,6 +17,7 @@ from evidence.behaviours.values import assignments
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.harness.manifest import Model, find_manifest, load
+from evidence.tla.modules import module_folders
 from evidence.tlc import process as tlc
 from evidence.tlc.workspace import Workspace
 from s7check.kit.from_log import Json, program_of
@@ -94,7 +95,7 @@ def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
         folder = Path(temporary).resolve()
         scratch = folder / "scratch"
         scratch.mkdir()
-        space = Workspace(folder, model.module.name, (ROOT / "spec", ROOT / "models"), scratch)
+        space = Workspace(folder, model.module.name, (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
         (folder / space.module).write_bytes((ROOT / "models" / model.module).read_bytes())
         # With a view the states of one view would share the step of the first that TLC found.
         space.config.write_text(_VIEW.sub("", model.config), encoding="utf-8")

@@ -27,7 +27,9 @@ from evidence.proofs.text import (
     without_comments,
 )
 from evidence.tla.binding import bind_arguments
+from evidence.tla.modules import module_folders
 from evidence.tla.syntax import Module
+from s7check.resources import modules
 
 Kept = Literal["nothing", "claimed", "all"]
 
@@ -174,7 +176,7 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
     with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
         for change in query.mutations:
             _mutate(root, query.name, change, Path(changed))
-        folders = [Path(changed), root / "models", root / "spec"]
+        folders = [Path(changed), root / "models", *module_folders(root / "spec")]
         roots = {*words, *replaced, *replaced.values()} - {""}
         if query.shown is None:
             text = module_text(query.module, folders, roots, dict(query.instead))
@@ -210,14 +212,14 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
 def instances(root: Path, query: Query, text: str) -> dict[str, str]:
     """The modules of spec/ of which the query's module has an instance, with their texts. Raises OSError."""
     imported = Module(query.module, text.encode()).imports
-    paths = {name: root / "spec" / f"{name}.tla" for name in sorted(imported)}
-    return {name: bind_arguments(path.read_text(encoding="utf-8")) for name, path in paths.items() if path.is_file()}
+    paths = [path for path in modules(root / "spec") if path.stem in imported]
+    return {path.stem: bind_arguments(path.read_text(encoding="utf-8")) for path in paths}
 
 
 def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:
     """Write the changed module. Raises `ManifestError` where the text to replace is not there once."""
     path = folder / change.module
-    source = path if path.exists() else root / "spec" / change.module
+    source = path if path.exists() else next((root / "spec").rglob(change.module))
     text = source.read_text(encoding="utf-8")
     if text.count(change.replace) != 1:
         raise ManifestError(f"query {query}: {change.module} has not once the text {change.replace!r}")

@@ -27,6 +27,7 @@ from s7check.judging.replay import Replay, with_steps
 from s7check.report.clauses import all_clauses
 from s7check.report.markup import as_text
 from s7check.report.timeline import legend, timeline
+from s7check.resources import modules
 
 _MENU = {
     "index.html": "documentation",
@@ -78,7 +79,7 @@ def _pages() -> Iterator[tuple[str, Document]]:
 def _modules() -> Iterator[tuple[str, Document]]:
     """A page for each module, and a page with the formulas of each requirement."""
     clauses = {clause.id: clause for clause in all_clauses()}
-    sources = sorted((ROOT / "spec").glob("*.tla"))
+    sources = modules(ROOT / "spec")
     texts = {source.stem: source.read_text(encoding="utf-8") for source in sources}
     places = {source.stem: page_of(source) for source in sources}
     for name, text in texts.items():
@@ -90,9 +91,9 @@ def _modules() -> Iterator[tuple[str, Document]]:
     for name, found in sorted(formulas(places, texts, clauses).items()):
         links = " ".join(f'<a href="{place}">{Path(place).stem}</a>' for place in found)
         rows.append(f'<tr id="{name}"><td>{name}</td><td>{html.escape(clauses[name].text)}</td><td>{links}</td></tr>')
-    modules = " ".join(f'<a href="{place}">{name}</a>' for name, place in places.items())
+    links = " ".join(f'<a href="{place}">{name}</a>' for name, place in places.items())
     table = f"<h2>Requirements and their formulas</h2><table>{''.join(rows)}</table>"
-    yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{modules}</p>{table}")
+    yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{links}</p>{table}")
 
 
 def _gallery() -> Document:

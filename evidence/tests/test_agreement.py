@@ -154,9 +154,9 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
     """The others of its batch get their verdicts."""
     spec = tmp_path / "spec"
     shutil.copytree(SPECIFICATION, spec)
-    text = (spec / "Airt.tla").read_text()
+    text = (spec / "rules" / "Airt.tla").read_text()
     assert text.count("DisAirt(ret) ==") == 1
-    (spec / "Airt.tla").write_text(
+    (spec / "rules" / "Airt.tla").write_text(
         text.replace("DisAirt(ret) ==", "DisAirt(ret) == CHOOSE nothing \\in {} : TRUE\nOld(ret) ==")
     )
     good, bad = tmp_path / "good.ndjson", tmp_path / "bad.ndjson"
@@ -196,9 +196,9 @@ def test_a_difference_is_found(tools: tlc.Toolchain, generator: Generator, tmp_p
     """TLC reads a specification whose EN_AIRT answers otherwise: the log is named and kept, with both verdicts."""
     spec = tmp_path / "spec"
     shutil.copytree(SPECIFICATION, spec)
-    text = (spec / "Airt.tla").read_text()
+    text = (spec / "rules" / "Airt.tla").read_text()
     assert "ELSE delay - 1" in text
-    (spec / "Airt.tla").write_text(text.replace("ELSE delay - 1", "ELSE delay + 1"))
+    (spec / "rules" / "Airt.tla").write_text(text.replace("ELSE delay - 1", "ELSE delay + 1"))
     kept = tmp_path / "kept"
     results = tmp_path / "results.json"
     arguments = ["--logs", "20", "--seed", "7", "--spec", str(spec), "--keep", str(kept), "--json", str(results)]

@@ -8,7 +8,7 @@ import pytest
 
 from evidence.common.checkout import ROOT
 from evidence.tla.flatten import flatten, keep_only
-from evidence.tla.modules import closure, read_modules
+from evidence.tla.modules import closure, module_folders, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError, references
 from evidence.tlc.workspace import Workspace, as_one_module
 
@@ -77,7 +77,7 @@ def test_only_the_definitions_that_are_needed_are_kept_with_their_types(folder: 
 def test_nothing_of_a_model_is_lost() -> None:
     """Every definition of a model's modules is there and uses the same names."""
     modules = read_modules(ROOT / "spec") | read_modules(ROOT / "models")
-    flat = Module("MCAirt", flatten("MCAirt", [ROOT / "models", ROOT / "spec"]).text.encode())
+    flat = Module("MCAirt", flatten("MCAirt", [ROOT / "models", *module_folders(ROOT / "spec")]).text.encode())
     parts = [modules[name] for name in closure("MCAirt", modules)]
     wanted = {name: unit for part in parts for name, unit in part.definitions.items()}
     assert flat.definitions.keys() == wanted.keys()

@@ -151,7 +151,7 @@ def copy(tmp_path: Path) -> Path:
 @pytest.mark.parametrize(("by", "how"), [("ret = delay + 2", {"log", "error"}), ("ret = nothing", {"invalid"})])
 def test_mutants_with_the_shipped_logs(copy: Path, tmp_path: Path, by: str, how: set[str]) -> None:
     """A wrong answer is noticed by a log; an unknown name is no specification."""
-    airt = copy / "Airt.tla"
+    airt = copy / "rules" / "Airt.tla"
     airt.write_text(airt.read_text().replace("ret = delay + 1", by))
     (tmp_path / "traces").mkdir()
     (tmp_path / "traces" / "AIRT").symlink_to(ROOT / "traces" / "AIRT")

@@ -8,6 +8,7 @@ from evidence.tests.test_witnesses import ROOT
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module, operand, references, token
+from s7check.resources import modules
 
 
 def body(name: str, module: Module) -> Node:
@@ -31,9 +32,9 @@ def actions_of(name: str, module: Module) -> list[str]:
 
 def test_next_is_the_disjunction_of_the_named_actions() -> None:
     """Each action of System that takes a step is in Next, once, by its name."""
-    modules = read_modules(ROOT / "spec")
-    system = modules["System"]
-    steps = (acting(modules.values()) & system.definitions.keys()) - {"Seen", "Spec"}
+    spec = read_modules(ROOT / "spec")
+    system = spec["System"]
+    steps = (acting(spec.values()) & system.definitions.keys()) - {"Seen", "Spec"}
     groups = {name for name in steps if disjuncts(body(name, system))}
     assert sorted(actions_of("Next", system)) == sorted(steps - groups)
 
@@ -50,12 +51,12 @@ def test_each_action_shows_a_step() -> None:
 def test_the_map_has_each_module_once() -> None:
     """The tables of spec/README.md, and the graph, which says which module extends which."""
     page = (ROOT / "spec" / "README.md").read_text(encoding="utf-8")
-    modules = read_modules(ROOT / "spec")
+    spec = read_modules(ROOT / "spec")
     rows = "".join(line for line in page.splitlines() if line.startswith("| ["))
-    assert sorted(re.findall(r"\[(\w+)\]\(\1\.tla\)", rows)) == sorted(modules)
+    assert sorted(re.findall(r"\[(\w+)\]\(\w+/\1\.tla\)", rows)) == sorted(spec)
     edges = {(a, b) for left, b in re.findall(r"^  (.+) --> (\w+)$", page, re.MULTILINE) for a in left.split(" & ")}
     shown = {module for edge in edges for module in edge}
-    assert edges == {(a, b) for b in shown for a in modules[b].imports & shown}
+    assert edges == {(a, b) for b in shown for a in spec[b].imports & shown}
 
 
 def test_modules_are_short() -> None:
@@ -66,7 +67,7 @@ def test_modules_are_short() -> None:
 
 def test_lines_have_79_columns() -> None:
     """No line of a module of the specification or of a model is longer."""
-    files = sorted((ROOT / "spec").glob("*.tla")) + sorted((ROOT / "models").glob("**/*.tla"))
+    files = [*modules(ROOT / "spec"), *modules(ROOT / "models")]
     lines = ((file, line) for file in files for line in file.read_text(encoding="utf-8").splitlines())
     assert [f"{file.name}: {line}" for file, line in lines if len(line) > 79] == []
 

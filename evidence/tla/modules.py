@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from evidence.tla.syntax import Module, SyntaxTreeError
+from s7check.resources import modules
 
 WORDING = ("PastLines", "*Reasons", "Explain", "Offers", "Grounds")
 """Modules of spec/ that only word a rejection or the possible next lines: no verdict depends on them."""
@@ -13,7 +14,12 @@ WORDING = ("PastLines", "*Reasons", "Explain", "Offers", "Grounds")
 
 def read_modules(directory: Path) -> dict[str, Module]:
     """The modules of a directory by name."""
-    return {path.stem: Module(path.stem, path.read_bytes()) for path in sorted(directory.rglob("*.tla"))}
+    return {path.stem: Module(path.stem, path.read_bytes()) for path in modules(directory)}
+
+
+def module_folders(directory: Path) -> tuple[Path, ...]:
+    """The folders in which the modules of a directory stand: where TLC looks for them."""
+    return tuple(sorted({path.parent for path in modules(directory)}))
 
 
 def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:

@@ -10,6 +10,7 @@ from evidence.traceability.matrix import Cell, Matrix
 from evidence.traceability.modules import Definition
 from evidence.traceability.project import MODELS, TRACES, Project
 from evidence.traceability.reasons import Column
+from s7check.resources import modules
 
 
 def detail(root: Path, project: Project, matrix: Matrix, ids: Sequence[str]) -> str:
@@ -30,11 +31,8 @@ def _places(root: Path, project: Project) -> dict[str, str]:
     """File and line of each definition."""
     definitions: list[Definition] = [d for module in project.spec for d in module.definitions]
     definitions += project.controls.properties
-    found = {}
-    for d in definitions:
-        folder = "spec" if (root / "spec" / f"{d.module}.tla").is_file() else MODELS
-        found[f"{d.module}.{d.name}"] = f"{folder}/{d.module}.tla:{d.line}: {d.name}"
-    return found
+    files = {path.stem: path.relative_to(root) for folder in ("spec", MODELS) for path in modules(root / folder)}
+    return {f"{d.module}.{d.name}": f"{files[d.module]}:{d.line}: {d.name}" for d in definitions}
 
 
 def _lines(column: Column, cell: Cell, places: dict[str, str]) -> list[str]:

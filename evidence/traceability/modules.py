@@ -19,6 +19,7 @@ from evidence.tla import syntax
 from evidence.tla.syntax import COMMENTS, SyntaxTreeError, meaningful, operand, token, walk
 from evidence.traceability.errors import UnreadableError
 from evidence.traceability.ids import RangeError, tagged
+from s7check.resources import modules
 
 _AMBIGUITY = re.compile(r'"(AMB-\d+)"')
 _LEFT_OUT = re.compile(r"Left out:(.*)", re.DOTALL)
@@ -83,11 +84,11 @@ class _Block:
 _NO_BOX = _Block(0, 0, 0, 0, own_line=True)
 
 
-def read_modules(directory: Path, pattern: str = "*.tla") -> list[Module]:
+def read_modules(directory: Path) -> list[Module]:
     """Read the modules of a directory. Raises `UnreadableError`, also where there are none."""
-    paths = sorted(directory.glob(pattern))
+    paths = modules(directory)
     if not paths:
-        raise UnreadableError(f"{directory}: no module {pattern}")
+        raise UnreadableError(f"{directory}: no module *.tla")
     return [read_module(path) for path in paths]
 
 

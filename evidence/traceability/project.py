@@ -27,7 +27,7 @@ TRACES = Path("traces")
 PROOFS = Path("docs/project/results/proofs.json")
 
 CITING = (
-    "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/*.tla", "models/*.tla", "models/manifest*.json",
+    "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/**/*.tla", "models/*.tla", "models/manifest*.json",
     "traces/README.md", "traces/*/index.json", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
     "examples/soft_plc/scenarios/*.json",
 )  # fmt: skip

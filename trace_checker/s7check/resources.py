@@ -14,6 +14,13 @@ INSTALLED = _IN_WHEEL.is_dir()
 """Whether this is an installed wheel."""
 
 SPECIFICATION = _IN_WHEEL if INSTALLED else CHECKOUT / "spec"
+
+
+def modules(specification: Path) -> list[Path]:
+    """The files of the modules of a specification, which stand in folders of it."""
+    return sorted(specification.rglob("*.tla"), key=lambda path: path.name)
+
+
 ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
 

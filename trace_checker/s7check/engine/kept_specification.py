@@ -10,7 +10,7 @@ from pathlib import Path
 
 from s7check.engine.cache import cache_folder
 from s7check.engine.contents import contents
-from s7check.resources import INSTALLED, PARSED
+from s7check.resources import INSTALLED, PARSED, modules
 
 _KEPT = 8
 """Parsed specifications in the cache; each has 0.4 MB."""
@@ -18,7 +18,7 @@ _KEPT = 8
 
 def specification_state(specification: Path, jars: list[Path]) -> str:
     """A text that is another one for each specification and set of jars. Raises OSError."""
-    files = [*jars, *sorted(specification.glob("*.tla"))]
+    files = [*jars, *modules(specification)]
     states = [(file.name, file.stat().st_size, file.stat().st_mtime_ns) for file in files]
     return hashlib.sha256(repr((str(specification), states)).encode()).hexdigest()[:32]
 
@@ -27,7 +27,7 @@ def kept_specification(specification: Path, jars: list[Path]) -> list[str]:
     """The engine's argument for the file with the parsed specification; none where no file can be."""
     with suppress(OSError):
         if INSTALLED:
-            shipped = PARSED / f"{contents([*specification.glob('*.tla'), *jars])}.tree"
+            shipped = PARSED / f"{contents([*modules(specification), *jars])}.tree"
             if shipped.is_file():
                 return [str(shipped)]
         file = cache_folder() / f"{specification_state(specification, jars)}.tree"

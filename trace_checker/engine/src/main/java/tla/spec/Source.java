@@ -1,6 +1,7 @@
 package tla.spec;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -9,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 import tla.tree.SemanticNode;
 import tla.tree.Location;
@@ -19,18 +21,36 @@ final class Source {
   private static final Pattern REQUIREMENT =
       Pattern.compile("\\[([A-Z]+-)([0-9]+)\\](?:\\s*\\.\\.\\s*\\[\\1([0-9]+)\\])?");
 
-  private final Path folder;
-  private final Map<String, List<String>> modules = new HashMap<>();
-  private final Map<String, Boolean> known = new HashMap<>();
+  private static final String SUFFIX = ".tla";
 
+  private final Map<String, Path> files;
+  private final Map<String, List<String>> modules = new HashMap<>();
+
+  /** All modules in the folder and in folders below it. */
   Source(Path folder) {
-    this.folder = folder;
+    try (var paths = Files.walk(folder)) {
+      files =
+          paths
+              .filter(path -> path.toString().endsWith(SUFFIX))
+              .collect(Collectors.toMap(path -> path.getFileName().toString().replace(SUFFIX, ""), path -> path));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The file of a module; null if the specification does not have it. */
+  Path file(String module) {
+    return files.get(module);
+  }
+
+  /** The folders of the modules. */
+  String[] folders() {
+    return files.values().stream().map(path -> path.getParent().toString()).distinct().toArray(String[]::new);
   }
 
   /** Whether the node stands in a module of the specification, not in one of TLA+'s own. */
   boolean has(SemanticNode node) {
-    return known.computeIfAbsent(
-        node.getLocation().source(), module -> Files.exists(folder.resolve(module + ".tla")));
+    return files.containsKey(node.getLocation().source());
   }
 
   /** The text of a node in one line, without comments. */
@@ -89,7 +109,7 @@ final class Source {
         module,
         name -> {
           try {
-            return Files.readAllLines(folder.resolve(name + ".tla"));
+            return files.containsKey(name) ? Files.readAllLines(files.get(name)) : List.of();
           } catch (IOException e) {
             return List.of();
           }

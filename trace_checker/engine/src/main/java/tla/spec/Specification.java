@@ -43,7 +43,7 @@ import util.SimpleFilenameToStream;
 public final class Specification {
   private static final boolean COMPARE = Boolean.getBoolean("tla.compare");
 
-  private final Path folder;
+  private final Path file;
   private final String module;
   private final FilenameToStream resolver;
   private final Path kept;
@@ -57,7 +57,7 @@ public final class Specification {
   /**
    * Parses {@code module}; a configuration of the same name names its initial predicate.
    *
-   * @param folder the folder of the modules
+   * @param folder the folder of the modules, which may stand in folders of it
    * @param times names of variables and fields that hold times; see {@link Evaluator}
    * @throws IllegalArgumentException if the modules cannot be parsed
    */
@@ -71,19 +71,22 @@ public final class Specification {
    * @param kept the file that {@link #keep} writes; it has to have another name for other texts
    */
   public Specification(Path folder, String module, Set<String> times, Path kept) {
-    this.folder = folder.toAbsolutePath();
+    source = new Source(folder.toAbsolutePath());
+    file = source.file(module);
+    if (file == null) {
+      throw new IllegalArgumentException("there is no module " + module + " in " + folder);
+    }
     this.module = module;
     this.kept = kept;
-    resolver = new SimpleFilenameToStream(this.folder.toString());
+    resolver = new SimpleFilenameToStream(source.folders());
     Module known = kept == null ? null : Kept.read(kept);
     wasKept = known != null;
     root = wasKept ? known : FromSany.of(parsed());
-    source = new Source(this.folder);
     evaluator = new Evaluator(times, root.getVariableDecls());
   }
 
   private ModuleNode parsed() {
-    var spec = new SpecObj(folder.resolve(module).toString(), resolver);
+    var spec = new SpecObj(file.resolveSibling(module).toString(), resolver);
     var said = new ByteArrayOutputStream();
     try {
       SANY.frontEndMain(spec, module, new PrintStream(said, true, StandardCharsets.UTF_8));
@@ -170,7 +173,7 @@ public final class Specification {
 
   private Interpreter tlc() {
     if (interpreter == null) {
-      interpreter = new Interpreter(folder, module, resolver);
+      interpreter = new Interpreter(file.getParent(), module, resolver);
     }
     return interpreter;
   }

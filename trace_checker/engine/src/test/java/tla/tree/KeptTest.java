@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -39,7 +40,9 @@ class KeptTest {
   @BeforeAll
   static void parse() throws Exception {
     Path folder = Path.of("..", "..", "spec").toAbsolutePath();
-    var spec = new SpecObj(folder.resolve("Explain").toString(), new SimpleFilenameToStream(folder.toString()));
+    String[] folders =
+        Stream.of("rules", "log", "report").map(each -> folder.resolve(each).toString()).toArray(String[]::new);
+    var spec = new SpecObj(folder.resolve("report/Explain").toString(), new SimpleFilenameToStream(folders));
     SANY.frontEndMain(spec, "Explain", new PrintStream(new ByteArrayOutputStream()));
     parsed = FromSany.of(spec.getExternalModuleTable().getRootModule());
     OpDefNode observe = parsed.getOpDef("Observe");
