@@ -36,8 +36,8 @@ from s7check.kit.adapter import AdapterError
 
 UNEXPLAINED = 1
 
-NOT_MUTATED = ("Properties*", "Typedefs", *WORDING)
-"""Modules without rules: properties, types, and the words of a rejection, which decide no verdict."""
+NOT_MUTATED = ("Properties*", *WORDING)
+"""Modules without rules: properties, and the words of a rejection, which decide no verdict."""
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@
 (* Source: docs/checking/log-format.md, fine points 1 and 2.               *)
 (* Left out: the clock that is set between two lines (PartialLogs).        *)
 (***************************************************************************)
-EXTENDS Clock, MissingObs, Waiting
+EXTENDS Clock, Scheduler, Waiting
 
 -----------------------------------------------------------------------------
 (* What is due now *)

@@ -6,7 +6,7 @@
 (* Left out: lines of kinds that the log does not have completely          *)
 (* (PartialLogs).                                                          *)
 (***************************************************************************)
-EXTENDS Modes, OutsideEvents, CallLines, Elapsing
+EXTENDS Modes, CallLines, Elapsing
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
 (* following ones. If a log begins in RUN, its first OB 1 may have any.    *)

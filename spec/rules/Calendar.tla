@@ -13,7 +13,13 @@
 (* Left out: time zones and daylight saving, which the CPU does not know   *)
 (* [CLK-16].                                                               *)
 (***************************************************************************)
-EXTENDS Integers, Typedefs, Codes
+EXTENDS Integers, Codes
+
+(***************************************************************************)
+(* @typeAlias: moment = { min: Int, ms: Int };                             *)
+(* @typeAlias: date = { year: Int, month: Int, day: Int, hour: Int,        *)
+(*                      minute: Int, second: Int, ms: Int };               *)
+(***************************************************************************)
 
 FirstYear   == 1990
 LastYear    == 2089

@@ -6,7 +6,7 @@
 (*                                                                         *)
 (* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
 (***************************************************************************)
-EXTENDS Cpu
+EXTENDS Codes, Cpu, Readings
 
 (* A system function is called by the running OB; in HOLD none runs        *)
 (* [OBS-45].                                                               *)

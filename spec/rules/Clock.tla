@@ -5,7 +5,7 @@
 (*                                                                         *)
 (* Left out: the limits of synchronisation, OB 87 [CLK-15].                *)
 (***************************************************************************)
-EXTENDS Delays, Skips
+EXTENDS StartPoints, TimeDelay
 
 (* Time does not pass a start point: it stops at the next point, and a     *)
 (* point that equals the clock must have been handled.                     *)

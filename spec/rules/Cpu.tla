@@ -7,7 +7,7 @@
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
-EXTENDS Integers, Sequences, Codes, Readings
+EXTENDS Integers, Sequences, State
 
 -----------------------------------------------------------------------------
 (* OBs *)
@@ -48,16 +48,6 @@ DefaultClass(o) ==
 \* @type: Int => Int;
 ClassOf(o) == IF o \in DOMAIN cpu.priority THEN cpu.priority[o]
                                            ELSE DefaultClass(o)
-
-(* [OBS-43] [OBS-31] [AMB-13] The class of the start event of an           *)
-(* asynchronous error.                                                     *)
-\* @type: (Int, Int) => Int;
-ErrorClass(o, fault) ==
-    IF o = TimeErrorOb
-    THEN IF \/ mode = "STARTUP" /\ Class28InStartup
-            \/ fault = BufferOverflow /\ Class28OnOverflow
-         THEN 28 ELSE 26
-    ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
 
 (* [OBS-06] [TINT-02] (c) [DINT-02] *)
 \* @type: Int => Bool;

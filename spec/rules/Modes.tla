@@ -6,7 +6,7 @@
 (* Left out: hot restart (AMB-26); memory reset [OBS-58] and power off     *)
 (* [OBS-59], which no log shows.                                           *)
 (***************************************************************************)
-EXTENDS Delays, Skips
+EXTENDS StartPoints, TimeDelay
 
 (* The execution of a STEP 7 parameter set as a PERIOD [TINT-25] [AMB-01]. *)
 \* @type: Str => Int;

@@ -26,7 +26,7 @@
 (* Left out: the size of the buffers, which differs between CPUs [OBS-09]. *)
 (* If a buffer may be full, both outcomes are allowed [AMB-18].            *)
 (***************************************************************************)
-EXTENDS FiniteSets, Cpu
+EXTENDS FiniteSets, Codes, Cpu, Readings
 
 -----------------------------------------------------------------------------
 (* [OBS-42] [OBS-43] [TINT-13] *)
@@ -125,6 +125,16 @@ DintRequest(o) ==
 (* A run for a point that was skipped. *)
 \* @type: $request => Bool;
 IsCatchUp(r) == r.follows \in Skips
+
+(* [OBS-43] [OBS-31] [AMB-13] The class of the start event of an           *)
+(* asynchronous error.                                                     *)
+\* @type: (Int, Int) => Int;
+ErrorClass(o, fault) ==
+    IF o = TimeErrorOb
+    THEN IF \/ mode = "STARTUP" /\ Class28InStartup
+            \/ fault = BufferOverflow /\ Class28OnOverflow
+         THEN 28 ELSE 26
+    ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
 
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;

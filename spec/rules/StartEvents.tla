@@ -1,10 +1,14 @@
------------------------------ MODULE StartEvents ----------------------------
+----------------------------- MODULE StartEvents ------------------------------
 (***************************************************************************)
-(* A start event occurs: its effect on an OB that is idle, waits, runs or  *)
-(* is blocked (sections 5.2 and 5.3).                                      *)
+(* A start event occurs: its effect on an OB that is deselected, blocked,  *)
+(* runs or waits, or does nothing yet. Start events from outside are       *)
+(* cyclic and hardware interrupts and asynchronous errors (sections 5.1 to *)
+(* 5.3).                                                                   *)
 (*                                                                         *)
-(* The operators set requests', stopCause' and entered'.                   *)
-(* Left out: the errors themselves (Errors).                               *)
+(* The operators set requests', stopCause' and entered'. Errors has the    *)
+(* errors themselves.                                                      *)
+(* Left out: cycle time monitoring, OB 80 with fault 01 [OBS-26]; it comes *)
+(* as a start event from outside.                                          *)
 (***************************************************************************)
 EXTENDS Errors
 
@@ -18,19 +22,19 @@ RequestsBecome(q) ==
     /\ UNCHANGED stopCause
     /\ NothingEntered
 
-(* A start event leads to a request ... *)
+(* The start event leads to a request. *)
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* ... to a time error [TINT-14] [DINT-10]; `kept' are the requests after  *)
-(* it, with the run that follows it, if there is one ...                   *)
+(* [TINT-14] [DINT-10] The start event leads to a time error; `kept' are   *)
+(* the requests after it, with the run that follows it, if there is one.   *)
 \* @type: ($request, Int, Set($request)) => Bool;
 Overlap(new, fault, kept) ==
     TimeErrorOccurs(kept, requests,
         [ TimeError(fault, {new.ob}, new.ob, new.word) EXCEPT
             !.since = new.since ])
 
-(* ... or to nothing. *)
+(* The start event has no effect. *)
 Nothing == UNCHANGED outcomeVars /\ NothingEntered
 
 (* [IRT-04] *)
@@ -42,14 +46,14 @@ ErrorLost(error) == UNCHANGED outcomeVars /\ entered' = EntriesOf(error)
 -----------------------------------------------------------------------------
 (* Start events of an OB that waits or runs already *)
 
-(* [AMB-18] [AMB-77] There may be a time error: "still running", or buffer *)
-(* overflow ...                                                            *)
+(* [AMB-18] [AMB-77] The time errors that there may be: "still running",   *)
+(* or buffer overflow.                                                     *)
 \* @type: $request => Set($request);
 ErrorsOf(again) ==
     { [TimeError(f, {}, again.ob, again.word) EXCEPT !.open = TRUE]
       : f \in {StillRunning, BufferOverflow} }
 
-(* ... the OB may run again, or nothing happens. *)
+(* There may be a time error, the OB may run again, or nothing happens. *)
 \* @type: $request => Set($request);
 LeftOpen(again) ==
     { [again EXCEPT !.open = TRUE] }
@@ -57,8 +61,8 @@ LeftOpen(again) ==
             ELSE ErrorsOf(again))
 
 (* The OB has only open requests, and another start event comes. Now the   *)
-(* OB waits for sure: its first open request becomes certain, or, if the   *)
-(* open requests had no effect, the new request is.                        *)
+(* OB is definitely pending: either its first open request is confirmed,   *)
+(* or the open ones had no effect and the new one is pending.              *)
 \* @type: (Set($request), $request) => Set($request);
 Confirmed(q, new) ==
     { IF /\ r.ob = new.ob /\ r.open
@@ -186,4 +190,43 @@ Occurs(new) ==
     ELSE IF OpenIn(requests, new.ob) THEN AgainWhileOpen(new)
     ELSE \/ Ordinary(new)
          \/ new.ob \in ExternalObs /\ Overflows(new)
+
+-----------------------------------------------------------------------------
+(* Start events from outside *)
+
+(* [AMB-67] In HOLD, and in STARTUP unless it is an error, an event waits  *)
+(* for RUN, is lost, or either.                                            *)
+\* @type: $request => Bool;
+OutsideRun(new) ==
+    IF OutsideRunEventsAreLost THEN Nothing
+    ELSE LET again == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
+             kept  == IF again THEN LeftOpen(new)
+                      ELSE {[new EXCEPT !.open = OutsideRunEventsAreOpen]}
+             shown == (IF new.fault = 0 THEN {} ELSE {new})
+                        \cup (IF again THEN ErrorsOf(new) ELSE {})
+         IN  /\ requests' = EnterAll(requests, kept)
+             /\ UNCHANGED stopCause
+             /\ entered' = OpenEntries(shown)
+
+\* @type: Int => Bool;
+KeptFromRunning(o) ==
+    mode = "HOLD" \/ (mode = "STARTUP" /\ o \notin AsyncErrorObs)
+
+(* [OBS-07] In STOP nothing happens [OBS-41]. *)
+\* @type: $request => Bool;
+Comes(new) ==
+    IF mode = "STOP" \/ Deselected(new.ob) THEN Nothing
+    ELSE IF new.ob = TimeErrorOb /\ mode # "HOLD"
+    THEN TimeErrorOccurs(requests, requests, new)
+    ELSE IF Blocked(new.ob)
+    THEN IF new.fault = 0 THEN Lost(new.ob) ELSE ErrorLost(new)
+    ELSE IF KeptFromRunning(new.ob) THEN OutsideRun(new)
+    ELSE IF new.ob \in AsyncErrorObs THEN ErrorOccurs(new)
+    ELSE Occurs(new)
+
+(* [OBS-07] *)
+\* @type: (Int, Int) => Bool;
+Interrupt(o, fault) ==
+    /\ Comes(ExternalRequest(o, fault))
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, runVars>>
 =============================================================================

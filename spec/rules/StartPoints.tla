@@ -1,10 +1,16 @@
 ----------------------------- MODULE StartPoints ------------------------------
 (***************************************************************************)
-(* A start point of a time-of-day interrupt is reached (section 1.1).      *)
+(* The start points of time-of-day interrupts: points that the clock       *)
+(* reaches (section 1.1), and points that it skips, set forward or in      *)
+(* HOLD, with the OB 80 that reports them and the catch-ups (section 6).   *)
 (*                                                                         *)
-(* Left out: the effect of a point on its OB (StartEvents).                *)
+(* Left out: the effect of a point on its OB (StartEvents); the setting of *)
+(* the clock itself (Clock).                                               *)
 (***************************************************************************)
-EXTENDS StartEvents, ServedPoints
+EXTENDS StartEvents, TodSettings
+
+-----------------------------------------------------------------------------
+(* Points that are reached *)
 
 (* [AMB-12] A start event is lost, and no earlier start event of its OB    *)
 (* waits.                                                                  *)
@@ -13,7 +19,7 @@ LostForGood(o) ==
     /\ Blocked(o) /\ LostEventEndsItsSource
     /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
 
-(* A once may be used up when its point is reached [AMB-71]. *)
+(* [AMB-71] A one-shot interrupt may be used up when its point is reached. *)
 \* @type: (Int, $tod) => $tod;
 AfterPoint(o, t) ==
     IF HasOnePoint(t.period) /\ (LostForGood(o) \/ OnceUsedUpAtItsPoint)
@@ -49,4 +55,154 @@ PointReached(o) ==
        ELSE IF StartupDefersOneRun THEN Nothing
        ELSE Ordinary(TodRequest(o, clock, 0))
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, runVars>>
+
+-----------------------------------------------------------------------------
+(* Points that are skipped *)
+
+(* The next point that can be skipped: the next point, or under AMB-58 (b) *)
+(* also a point that was served before the clock was set back.             *)
+\* @type: $tod => $moment;
+NextSkipped(t) ==
+    IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
+    ELSE [NextMoment(t) EXCEPT !.min = Earlier(@, PointFrom(t, clock.min + 1))]
+
+(* The active interrupts with points between the old and the new time.  A  *)
+(* point that equals the new time is reached, not skipped [AMB-37].        *)
+\* @type: $moment => Set(Int);
+SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
+                                      /\ ~Deselected(o)
+                                      /\ IsPast(NextSkipped(tod[o]), to) }
+
+-----------------------------------------------------------------------------
+(* The settings after a skip *)
+
+(* The last minute that has passed with its point, if it has one [AMB-14]. *)
+\* @type: $tod => Int;
+PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
+                 THEN clock.min - 1 ELSE clock.min
+
+(* A clock that is set back repeats the time until now. *)
+\* @type: ($tod, $moment) => $tod;
+Repeating(t, to) ==
+    IF ~(Remembers /\ Before(to, clock)) THEN t
+    ELSE [ t EXCEPT
+             !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @,
+             !.overTo   = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
+
+(* [AMB-59] (b) The runs that a clock set back withdraws. *)
+\* @type: $moment => Set($request);
+WithdrawnBy(to) == IF Before(to, clock) /\ SetBackWithdrawsRuns
+                   THEN { r \in requests : r.ob \in TodObs } ELSE {}
+
+(* The setting of an OB when the clock is set, before it is armed. *)
+\* @type: (Int, $moment) => $tod;
+SettingAt(o, to) ==
+    LET points == { r.since.min : r \in { q \in WithdrawnBy(to) : q.ob = o } }
+        t      == Repeating(tod[o], to)
+    IN  IF points = {} THEN t
+        ELSE NotServed(t, CHOOSE p \in points : \A q \in points : p <= q)
+
+\* @type: $moment => Set($tod);
+ActiveAt(to) ==
+    { SettingAt(o, to) : o \in { p \in DOMAIN tod : tod[p].active } }
+
+(* [CLK-12] A one-shot interrupt is used up by its call, and the call is   *)
+(* not withdrawn [AMB-59].                                                 *)
+\* @type: (Int, $moment) => Bool;
+StaysUsed(o, to) ==
+    CallUsesUp(o) /\ { r \in WithdrawnBy(to) : r.ob = o } = {}
+
+(* [AMB-56] A skipped point counts as served only if its catch-up runs     *)
+(* separately: neither merged with a pending run nor lost.                 *)
+\* @type: (Int, Int) => Bool;
+RunComesFor(o, p) == \E r \in requests' : r.ob = o /\ r.since.min = p
+
+(* The setting of an OB when the clock is at `to', after the skip.         *)
+\* @type: (Int, $moment, $cpu) => $tod;
+Rearmed(o, to, c) ==
+    LET t    == SettingAt(o, to)
+        next == NextPoint(t, to, c)
+        p    == NextSkipped(t).min
+        done == IF RunComesFor(o, p) THEN Served(t, p) ELSE t
+    IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
+        ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
+        ELSE AfterPoint(o, [done EXCEPT !.next = next])
+
+-----------------------------------------------------------------------------
+(* Catch-ups *)
+
+(* [AMB-54] The order of several catch-ups. *)
+\* @type: ($request, $request) => Bool;
+Precedes(r, s) == CASE CatchUpsComeByPoint  -> Before(r.since, s.since)
+                    [] CatchUpsComeByNumber -> r.ob < s.ob
+                    [] OTHER                -> FALSE
+
+(* Those that have an order get places behind each other, without gaps.    *)
+\* @type: (Set($request), Set($request)) => Set($request);
+WithCatchUps(q, runs) ==
+    LET \* @type: $request => Set($request);
+        earlier(r) == { s \in runs : s.class = r.class /\ Precedes(s, r) }
+        \* @type: $request => Int;
+        place(r)   == IF earlier(r) = {} THEN PlaceIn(q, r)
+                      ELSE Cardinality({ s.rank : s \in q }) + 1
+                             + Cardinality(earlier(r))
+    IN  IF CatchUpsComeTogether THEN EnterAll(q, runs)
+        ELSE Close(q \cup { [r EXCEPT !.rank = place(r)] : r \in runs })
+
+(* [CLK-03] One run for each OB, for its first skipped point [CLK-07];     *)
+(* after HOLD it may be open or missing [AMB-55]. No OB 80 reports the     *)
+(* `absent' OBs.                                                           *)
+\* @type: (Int, Set(Int), Set(Int)) => Set($request);
+CatchUps(fault, obs, absent) ==
+    LET held == fault = SkippedInHold
+    IN  IF held /\ NoCatchUpAfterHold THEN {}
+        ELSE { [ TodRequest(o, NextSkipped(tod[o]),
+                            IF o \in absent THEN 0 ELSE fault)
+                 EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
+
+(* An OB has no catch-up of its own: its open request becomes certain. *)
+\* @type: Set(Int) => Set($request);
+MadeCertain(merged) ==
+    { IF /\ r.ob \in merged /\ ~PendingIn(requests, r.ob)
+         /\ { s \in requests : s.ob = r.ob /\ s.rank < r.rank } = {}
+      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in requests }
+
+\* @type: Int => Bool;
+WaitsOrRuns(o) == OnStack(o) \/ PendingIn(requests, o) \/ OpenIn(requests, o)
+
+-----------------------------------------------------------------------------
+(* The skip *)
+
+(* [AMB-16] The time that OB 80 gives. *)
+\* @type: (Set(Int), $moment) => $moment;
+TimeOfSkip(skipped, now) ==
+    IF SkipGivesNewTime THEN now
+    ELSE LET points == { NextSkipped(tod[o]) : o \in skipped }
+         IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
+
+(* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are *)
+(* late, then one catch-up each.  An OB already waiting or running may get *)
+(* its own catch-up or not [AMB-52].  A blocked one may be reported or not *)
+(* [AMB-50], a missing one is [AMB-51].                                    *)
+\* @type: (Int, $moment, Set(Int)) => Bool;
+Skip(fault, now, skipped) ==
+    LET blocked == { o \in skipped : Blocked(o) }
+        busy    == { o \in skipped \ blocked : WaitsOrRuns(o) }
+        absent  == IF SkipOfMissingObIsSilent THEN skipped \ loaded ELSE {}
+    IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked) :
+          LET late == (skipped \ unsaid) \ absent
+              runs == CatchUps(fault, skipped \ (blocked \cup merged), absent)
+              kept == WithCatchUps(MadeCertain(merged), runs)
+          IN  IF late = {} THEN RequestsBecome(kept)
+              ELSE TimeErrorOccurs(kept, requests,
+                     [ TimeError(fault, late, 0, 0) EXCEPT
+                         !.since = TimeOfSkip(skipped, now) ])
+
+(* [AMB-53] In STARTUP the runs may also be deferred without OB 80. *)
+\* @type: Set(Int) => Bool;
+Defer(skipped) ==
+    LET runs == { TodRequest(o, NextSkipped(tod[o]), 0)
+                  : o \in { s \in skipped : ~PendingIn(requests, s)
+                                            /\ ~Blocked(s) } }
+    IN  RequestsBecome(WithCatchUps(requests, runs))
 =============================================================================

@@ -1,4 +1,4 @@
--------------------------------- MODULE State -------------------------------
+-------------------------------- MODULE State ---------------------------------
 (***************************************************************************)
 (* The state of an S7-300/400 CPU, with all that its interrupts depend on. *)
 (*                                                                         *)
@@ -6,8 +6,6 @@
 (* log (LogState).                                                         *)
 (* Sources: requirements, section 5.1.                                     *)
 (***************************************************************************)
-EXTENDS Typedefs
-
 VARIABLES
     (* The CPU at hand. family: "S7-300", "S7-400" or "CPU 318"; priority:  *)
     (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
@@ -63,6 +61,32 @@ VARIABLES
     (* depends on them. open: the sources leave open whether it is entered. *)
     \* @type: Set($entry);
     entered
+
+-----------------------------------------------------------------------------
+(* Types, for Apalache's type checker (Snowcat) *)
+
+(***************************************************************************)
+(* @typeAlias: step7 = { execution: Str, start: Int, active: Bool,         *)
+(*                       deselected: Bool };                               *)
+(* @typeAlias: cpu = { family: Str, priority: Int -> Int,                  *)
+(*                     step7: Int -> $step7, readings: Str -> Str };       *)
+(* @typeAlias: tod = { set: Bool, active: Bool, start: Int, offset: Int,   *)
+(*                  period: Int, next: Int,                                *)
+(*                  served: Set({ from: Int, to: Int }),                   *)
+(*                  earlier: Set($memory), repeatTo: Int, overTo: Int,     *)
+(*                  called: Bool };                                        *)
+(* @typeAlias: memory = { from: Int, to: Int, start: Int, period: Int };   *)
+(* @typeAlias: job = { started: Bool, left: Int, dtime: Int, sign: Int };  *)
+(* @typeAlias: irt = { blocked: Set(Int), silent: Set(Int) };              *)
+(* @typeAlias: request = { ob: Int, class: Int, rank: Int, fault: Int,     *)
+(*                         since: $moment, word: Int, dtime: Int,          *)
+(*                         late: Set(Int), cause: Int, during: Int,        *)
+(*                         follows: Int, open: Bool };                     *)
+(* @typeAlias: entry = { id: Int, of: $request, open: Bool };              *)
+(* @typeAlias: frame = { ob: Int, class: Int };                            *)
+(* @typeAlias: step = { event: Str, ob: Int, value: Int, sdt: $date,       *)
+(*                      operand: Int, sign: Int };                         *)
+(***************************************************************************)
 
 -----------------------------------------------------------------------------
 (* Variables in groups *)

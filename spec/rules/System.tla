@@ -14,8 +14,7 @@
 (* Left out: start information (StartInfo); the latency of a real CPU      *)
 (* (Waiting).                                                              *)
 (***************************************************************************)
-EXTENDS Surroundings, Airt, Irt, TimeOfDay, TimeDelay, Clock, OutsideEvents,
-        MissingObs, Modes
+EXTENDS Surroundings, Airt, Irt, TimeOfDay, Clock, Scheduler, Modes
 
 VARIABLE
     \* @type: $step;

@@ -6,7 +6,7 @@
 (* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
 (* is local time, STATUS bit 6 [TINT-78].                                  *)
 (***************************************************************************)
-EXTENDS Calls, StartEvents, ServedPoints
+EXTENDS Calls, StartEvents, TodSettings
 
 (* [TINT-35] [TINT-51] [TINT-61] [TINT-70] *)
 \* @type: Int => Set(Int);

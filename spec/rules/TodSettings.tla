@@ -1,12 +1,19 @@
------------------------------ MODULE TodSettings ----------------------------
+----------------------------- MODULE TodSettings ------------------------------
 (***************************************************************************)
 (* The setting of a time-of-day interrupt, apart from the calls that make  *)
-(* it: its start, its PERIOD and the series of its points (section 1.1).   *)
-(* Calendar has the series itself, ServedPoints the next point.            *)
+(* it: its start, its PERIOD, the series of its points (section 1.1), the  *)
+(* points that its OB has served, and the next point that it will serve.   *)
+(* Calendar has the series itself.                                         *)
 (*                                                                         *)
-(* Left out: a CPU whose reference is local time.                          *)
+(* Served points matter when the clock is set back: an S7-400 does not     *)
+(* serve a point again [CLK-09], an S7-300 does [CLK-10]. Points are kept  *)
+(* as runs: from one point to another without an unserved point of the     *)
+(* series between.                                                         *)
+(*                                                                         *)
+(* Left out: a CPU whose reference is local time; runs of earlier settings *)
+(* beyond the latest LongestMemory.                                        *)
 (***************************************************************************)
-EXTENDS Calendar, Cpu
+EXTENDS Calendar, Requests
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
                period |-> Once, next |-> Never, served |-> {}, earlier |-> {},
@@ -64,4 +71,140 @@ PointFrom(t, m) ==
 FirstMoment(t) ==
     [ min |-> IF t.period = Once THEN t.start ELSE PointFrom(t, t.start),
       ms  |-> t.offset ]
+
+-----------------------------------------------------------------------------
+(* The points that were served *)
+
+LongestMemory == 8
+
+(* [CLK-10] [CLK-11] An S7-300 serves points again after the clock was set *)
+(* back; other CPUs remember the points that were served [AMB-17].         *)
+Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
+
+(* [CLK-09] The OB is called for point p, which joins the runs of points   *)
+(* beside it. A lost point [IRT-18] is over but not served; so is a        *)
+(* skipped point without a run of its own.                                 *)
+\* @type: ($tod, Int) => $tod;
+Served(t, p) ==
+    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
+        after  == { i \in t.served :
+                      p < i.from /\ i.from <= PointFrom(t, p + 1) }
+        begin  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
+        end    == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
+        run    == [from |-> begin, to |-> end]
+    IN  IF Remembers
+        THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
+        ELSE t
+
+(* [AMB-59] (b) The run for point p is withdrawn: the point was not served. *)
+\* @type: ($tod, Int) => $tod;
+NotServed(t, p) ==
+    LET hit  == { i \in t.served : i.from <= p /\ p <= i.to }
+        rest == { [i EXCEPT !.to = p - 1] : i \in hit }
+                  \cup { [i EXCEPT !.from = p + 1] : i \in hit }
+    IN  [t EXCEPT !.served = (@ \ hit) \cup { i \in rest : i.from <= i.to }]
+
+-----------------------------------------------------------------------------
+(* A new setting *)
+
+(* [AMB-57] The points that this setting and earlier ones have served,     *)
+(* each run with its series.                                               *)
+\* @type: $tod => Set($memory);
+Memory(t) ==
+    LET runs == t.earlier \cup
+                  { [ from |-> i.from, to |-> i.to,
+                      start |-> t.start, period |-> t.period ]
+                    : i \in t.served }
+    IN  IF NewSettingForgets(cpu) THEN {}
+        ELSE { i \in runs :
+                 Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
+
+(* [AMB-57] A setting made in repeated time was not active when the clock  *)
+(* was set back, so AMB-56 does not count its points as past.              *)
+\* @type: ($tod, $tod) => $tod;
+WithMemory(new, old) ==
+    LET repeats == clock.min <= old.repeatTo
+    IN  [ new EXCEPT !.served = {}, !.earlier = Memory(old), !.overTo = -1,
+                     !.repeatTo = IF repeats THEN old.repeatTo ELSE -1 ]
+
+\* @type: $tod => $tod;
+Unset(t) == WithMemory(NoSetting, t)
+
+(* [AMB-08] A one-shot interrupt that has been called is no longer set. *)
+\* @type: $tod => $tod;
+UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
+             ELSE [t EXCEPT !.active = FALSE, !.next = Never, !.called = FALSE]
+
+(* [CLK-12] [AMB-71] A one-shot interrupt whose call waits or runs is used *)
+(* up by it: setting the clock back does not arm it again.                 *)
+\* @type: Int => Bool;
+CallUsesUp(o) ==
+    /\ tod[o].active /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
+    /\ tod[o].called \/ PendingIn(requests, o)
+
+-----------------------------------------------------------------------------
+(* The next point, for a CPU c with its readings of AMB-56 and AMB-57 *)
+
+(* [AMB-57] The memory of earlier settings, if it counts. *)
+\* @type: ($tod, $cpu) => Set($memory);
+Remembered(t, c) == IF NewSettingForgets(c) THEN {} ELSE t.earlier
+
+\* @type: ($memory, Int) => Bool;
+IsPointOf(i, p) ==
+    PointFrom([NoSetting EXCEPT !.start = i.start, !.period = i.period], p) = p
+
+\* @type: ($tod, Int, $cpu) => Bool;
+WasServed(t, p, c) ==
+    \/ \E i \in t.served : i.from <= p /\ p <= i.to
+    \/ \E i \in Remembered(t, c) : i.from <= p /\ p <= i.to /\ IsPointOf(i, p)
+
+(* The last point of each run. *)
+\* @type: ($tod, $cpu) => Set(Int);
+LastCalls(t, c) ==
+    { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
+
+(* [AMB-56] Unserved points up to this minute are over, too, if the        *)
+(* interrupt was active when the clock was set back.                       *)
+\* @type: ($tod, $cpu) => Int;
+OverUntil(t, c) ==
+    LET calls == LastCalls(t, c)
+        last  == CHOOSE p \in calls : \A q \in calls : q <= p
+    IN  IF UnservedAreOver(c) THEN t.overTo
+        ELSE IF UnservedAreOverToLastCall(c) /\ calls # {}
+        THEN IF last < t.overTo THEN last ELSE t.overTo
+        ELSE -1
+
+(* The first unserved point from p on: p, one of the two points after it,  *)
+(* which may lie between points of another series, or the point behind a   *)
+(* run.                                                                    *)
+\* @type: ($tod, Int, $cpu) => Int;
+FirstUnserved(t, p, c) ==
+    LET second == PointFrom(t, p + 1)
+        ends   == { q \in LastCalls(t, c) : q >= p }
+        points == {p, second, PointFrom(t, second + 1)}
+                    \cup { PointFrom(t, q + 1) : q \in ends }
+        free   == { q \in points : ~WasServed(t, q, c) }
+    IN  CHOOSE q \in free : \A r \in free : q <= r
+
+(* The first point at or after moment m that the OB will serve. In         *)
+(* repeated time served points are not served again [CLK-09]; unserved     *)
+(* points may be over [AMB-56].                                            *)
+\* @type: ($tod, $moment, $cpu) => Int;
+NextPoint(t, m, c) ==
+    LET p     == PointFrom(t, FirstMinute(t, m))
+        over  == OverUntil(t, c)
+        begin == IF p > over THEN p ELSE PointFrom(t, over + 1)
+    IN  IF p > t.repeatTo THEN p ELSE FirstUnserved(t, begin, c)
+
+\* @type: ($tod, $moment, $cpu) => $tod;
+Armed(t, m, c) == [t EXCEPT !.next = NextPoint(t, m, c)]
+
+(* [AMB-56] [AMB-57] Settings are armed at moment m. If the readings lead  *)
+(* to different points, the CPU shows its reading.                         *)
+\* @type: (Set($tod), $moment) => Set($cpu);
+CpusThatShow(settings, m) ==
+    IF \E t \in settings :
+         /\ m.min <= t.repeatTo
+         /\ Cardinality({ NextPoint(t, m, c) : c \in CpusByMemory }) > 1
+    THEN CpusByMemory ELSE {cpu}
 =============================================================================

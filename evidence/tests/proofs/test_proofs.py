@@ -673,7 +673,7 @@ def test_the_key_of_a_formula_is_its_text() -> None:
 
 
 def test_a_type_that_nothing_uses_does_not_count() -> None:
-    """Of the aliases of Typedefs a query needs some; another one may change."""
+    """Of the type aliases a query needs some; another one may change."""
     text = (
         "---- MODULE M ----\nEXTENDS Integers\n(*  @typeAlias: inner = { a: Int };    *)\n"
         "(*  @typeAlias: used = { b: $inner,   *)\n(*                   c: Int };    *)\n"
