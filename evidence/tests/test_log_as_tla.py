@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from evidence.tlc.log_as_tla import read, value
+from evidence.tla.log_as_tla import read, value
 
 LOG = Path(__file__).parents[2] / "traces" / "AIRT" / "accept" / "AIRT-03-nested-delay.ndjson"
 
