@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Iterable, Iterator
 
-from evidence.common.shipped import Shipped, shipped_logs
+from evidence.common.cases import Case
 from s7check.kit.from_log import Json, program_of
-from s7check.log.source import open_log
 
 
-def programs(traces: Path) -> Iterator[Json]:
-    """Programs with names of their own; of several that do the same, the smallest. Raises OSError, UnusableLogError."""
+def programs(cases: Iterable[Case]) -> Iterator[Json]:
+    """Programs with names of their own; of several that do the same, the smallest. Raises UnusableLogError."""
     same: dict[str, Json] = {}
-    for log in shipped_logs(traces):
-        if log.verdict == "unusable":
+    for case in cases:
+        if case.verdict == "unusable":
             continue
-        program = _program(traces, log)
+        program = _program(case)
         key = json.dumps([program[part] for part in ("header", "duration", "bodies")] + [program.get("outside")])
         other = same.setdefault(key, program)
         if other is not program:
@@ -32,12 +30,9 @@ def programs(traces: Path) -> Iterator[Json]:
         yield program
 
 
-def _program(traces: Path, log: Shipped) -> Json:
-    with open_log(str(traces / log.file)) as source:
-        lines = b"".join(source.chunks()).splitlines()
-    name = Path(log.file).name.split(".")[0]
-    more = {} if log.verdict == "accepted" else {"catches": name.split("-", 2)[-1].replace("-", " ")}
-    return program_of(lines, name, " ".join(log.reason.split()), log.requirements, **more)
+def _program(case: Case) -> Json:
+    more = {} if case.verdict == "accepted" else {"catches": case.name.split("-", 2)[-1].replace("-", " ")}
+    return program_of(case.lines, case.name, case.reason, case.requirements, **more)
 
 
 def _merge(into: Json, program: Json) -> None:

@@ -12,23 +12,22 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from evidence.agreement import command, tlc_batch
+from evidence.agreement.command import agree_command
+from evidence.agreement.verdicts import Compared, Judged
+from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
 from evidence.common.processes import Processes
-from evidence.common.shipped import shipped_logs
-from evidence.logs import agree_command as command
-from evidence.logs import damage, tlc_batch
-from evidence.logs.agree_command import agree_command
-from evidence.logs.damage import Log
-from evidence.logs.random_logs import UNCHANGED, Generated, Generator, SoftPlcError
-from evidence.logs.setups import scenario
-from evidence.logs.verdicts import Compared, Judged
-from evidence.tla import tlc
+from evidence.random_logs import damage
+from evidence.random_logs.damage import Log
+from evidence.random_logs.generate import UNCHANGED, Generated, Generator, SoftPlcError
+from evidence.random_logs.setups import scenario
+from evidence.tlc import process as tlc
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.resources import SPECIFICATION
 from tests.logs import event, log_text
 
-TRACES = Path(__file__).parents[2] / "traces"
 LETTERS = [("AMB-02", ["a", "b"]), ("AMB-49", ["a", "b", "c"]), ("AMB-67", ["a", "b"]), ("AMB-70", ["a", "c"])]
 
 
@@ -132,16 +131,16 @@ def test_how_long_the_clock_runs() -> None:
 
 
 def test_verdicts_of_tlc(tools: tlc.Toolchain, tmp_path: Path) -> None:
-    """Shipped logs as their index says; blank lines and Windows' ends of lines count as in every report."""
-    shipped = [log for log in shipped_logs(TRACES) if log.verdict != "unusable"][::25]
-    files = [TRACES / log.file for log in shipped]
+    """Cases as they say; blank lines and Windows' ends of lines count as in every report."""
+    cases = [case for case in all_cases() if case.verdict != "unusable"][::25]
+    files = [case.put(tmp_path) for case in cases]
     blank = tmp_path / "blank.ndjson"
     wrong = log_text("", event("DIS_AIRT", ret=1), "", event("EN_AIRT", ret=1))
     blank.write_bytes(b" \n" + wrong.replace(b"\n", b"\r\n"))
     least = tmp_path / "least.ndjson"
     least.write_bytes(log_text(event("SRT_DINT", ob=20, dtime=-(2**31), sign=0, ret="16#8090")))
     said = tlc_batch.judge(tools, Processes(), SPECIFICATION, [*files, blank, least])
-    expected = [Judged(log.verdict, log.line) for log in shipped]
+    expected = [Judged(case.verdict, case.line) for case in cases]
     assert said.verdicts[:-2] == expected
     assert {one.verdict for one in expected} == {"accepted", "rejected"}
     # It begins in STOP, where nothing is called.
@@ -177,7 +176,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
 def test_a_specification_that_tlc_cannot_read(tools: tlc.Toolchain, tmp_path: Path) -> None:
     """No log is to blame."""
     with pytest.raises(tlc_batch.BatchError, match="TLC does not begin"):
-        tlc_batch.judge(tools, Processes(), tmp_path, [TRACES / "AIRT" / "accept" / "AIRT-03-nested-delay.ndjson"])
+        tlc_batch.judge(tools, Processes(), tmp_path, [all_cases()[0].put(tmp_path)])
 
 
 def test_agreement_on_a_sample(tools: tlc.Toolchain, generator: Generator, tmp_path: Path) -> None:

@@ -8,20 +8,18 @@ from pathlib import Path
 
 import pytest
 
-from evidence.common.shipped import difference, shipped_logs
+from evidence.common.cases import all_cases, difference
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 
-TRACES = Path(__file__).resolve().parents[2] / "traces"
 
-
-def test_the_evaluator_agrees_with_tlc(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_evaluator_agrees_with_tlc(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """No shipped log shows a difference: each has its verdict and line."""
     monkeypatch.setenv("JDK_JAVA_OPTIONS", "-Dtla.compare=true")
     with Engine() as engine:
         wrong = [
             wanted
-            for log in shipped_logs(TRACES)
-            if (wanted := difference(log, check_log(str(TRACES / log.file), engine, lambda _, __: None)))
+            for case in all_cases()
+            if (wanted := difference(case, check_log(str(case.put(tmp_path)), engine, lambda _, __: None)))
         ]
     assert wrong == []

@@ -2,22 +2,21 @@
 
 import json
 from itertools import pairwise
-from pathlib import Path
 
-import msgspec
 import pytest
 
 from evidence.common import reasons
+from evidence.common.cases import Case
+from evidence.common.kit_files import MEASURED, as_line, kept, unmeasured
 from evidence.kit import meetings, nesting, paths
-from evidence.kit.files import MEASURED, as_line, kept, unmeasured
 from evidence.kit.paths import Graph, cover
-from evidence.kit.reached import Reached, reach
-from evidence.kit.reached_command import REASONS
-from evidence.kit.reached_findings import findings
-from evidence.mutants import against_kit as kit_mutants
+from evidence.mutants import kit as kit_mutants
 from evidence.mutants.bench import Verdict
 from evidence.mutants.checks import Check
 from evidence.mutants.listing import Mutant, mutants
+from evidence.reached.command import REASONS
+from evidence.reached.findings import findings
+from evidence.reached.measuring import Reached, reach
 from evidence.tests.test_mutants_bench import FakeCheck
 from evidence.tla.syntax import Module
 from s7check.engine.client import Engine
@@ -129,25 +128,19 @@ def test_reasons_name_conditions_that_exist() -> None:
     assert not [one for one in findings(reached, {}, reasons.read(REASONS, reasons.Excuse)).stale if "no such" in one]
 
 
-def test_mutants_that_an_accepted_log_shows(tmp_path: Path) -> None:
+def test_mutants_that_an_accepted_log_shows() -> None:
     """Counted are those that the kit or a shipped log shows; the share is the kit's part."""
     some = mutants({"A": Module("A", b"---- MODULE A ----\nF(x) == x + 1\nG(x) == x - 1 /\\ x = 2\n====\n")}, ["A"])[:4]
     hows = [("log", "kit"), ("log", "accepted logs"), ("survived", ""), ("invalid", "kit")]
     score = kit_mutants.score([Verdict(m, how, by, "", 0.0, ()) for m, (how, by) in zip(some, hows, strict=True)])  # type: ignore[arg-type]
     assert (score["shown"], score["by_kit"], score["share"]) == (2, 1, 0.5)
     assert score["missed"] == [some[1].id]
-    folder = tmp_path / "traces" / "X"
-    (folder / "accept").mkdir(parents=True)
     plain = {"format": "s7-interrupt-log/1", "cpu": "S7-300", "obs": [1], "clock": "2026-11-21T06:00"}
     logs = {"a": plain, "b": plain | {"records": ["mode"]}, "c": plain | {"readings": {"AMB-01": "a"}}}
-    for name, header in logs.items():
-        (folder / "accept" / f"{name}.ndjson").write_text(json.dumps(header) + "\n")
     startup = [b'{"event":"restart"}', b'{"event":"start","ob":100}', b'{"event":"end","ob":100}', b'{"event":"run"}']
     assert kit_mutants.without_startup_obs(startup) == (startup[0], startup[3])
-    entry = {"verdict": "accepted", "requirements": [], "reason": ""}
-    (folder / "index.json").write_bytes(msgspec.json.encode([{"file": f"accept/{n}.ndjson", **entry} for n in logs]))
-    chosen = kit_mutants.accepted_logs(tmp_path / "traces", tmp_path / "out")
-    assert [file.name for file in (chosen / "KIT").glob("*.ndjson")] == ["a.ndjson"]
+    cases = [Case("X", name, "accepted", None, [], "", json.dumps(header).encode()) for name, header in logs.items()]
+    assert [case.name for case in kit_mutants.accepted_logs(cases)] == ["a"]
 
 
 def test_the_rest_of_the_kit_only_where_a_shipped_log_notices() -> None:

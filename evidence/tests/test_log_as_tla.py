@@ -2,16 +2,16 @@
 
 from pathlib import Path
 
-from evidence.tla.log_as_tla import read, value
+from evidence.common.cases import all_cases
+from evidence.tlc.log_as_tla import read, value
 
-LOG = Path(__file__).parents[2] / "traces" / "AIRT" / "accept" / "AIRT-03-nested-delay.ndjson"
 
-
-def test_fields() -> None:
+def test_fields(tmp_path: Path) -> None:
     """A log's header and lines have the fields that stand there, and not the number of the line."""
-    header, events = read(LOG)
+    (case,) = (case for case in all_cases() if case.name == "AIRT-03-nested-delay")
+    header, events = read(case.put(tmp_path))
     assert header.startswith("[NoHeader EXCEPT !.")
-    assert len(events) == len(LOG.read_bytes().splitlines()) - 1
+    assert len(events) == len(case.lines) - 1
     assert all(event.startswith("[NoEvent EXCEPT !.") and "!.line" not in event for event in events)
 
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from evidence.mutants import against_logs as logs
-from evidence.mutants import mutants_command as command
-from evidence.mutants.mutants_command import mutants_command
+from evidence.common.cases import all_cases
+from evidence.mutants import command, logs
+from evidence.mutants.command import mutants_command
 from evidence.tests.lamp import run_command, write_lamp
 from evidence.tests.test_mutants_bench import TEXT, FakeCheck
 from s7check.engine.command import EngineError, engine_command
@@ -154,9 +154,8 @@ def test_mutants_with_the_shipped_logs(copy: Path, tmp_path: Path, by: str, how:
     """A wrong answer is noticed by a log; an unknown name is no specification."""
     airt = copy / "rules" / "Airt.tla"
     airt.write_text(airt.read_text().replace("ret = delay + 1", by))
-    (tmp_path / "traces").mkdir()
-    (tmp_path / "traces" / "AIRT").symlink_to(ROOT / "traces" / "AIRT")
-    judged = logs.judge(copy, tmp_path / "traces")
+    cases = [case for case in all_cases() if case.area == "AIRT"]
+    judged = logs.judge(copy, logs.keep(cases, tmp_path / "cases.json"))
     assert judged.how in how
     assert judged.detail
 
@@ -168,4 +167,4 @@ def test_an_engine_that_is_killed_shows_nothing(tmp_path: Path, monkeypatch: pyt
     java.chmod(0o755)
     monkeypatch.setattr(logs, "engine_command", lambda *_: [str(java), ""])
     with pytest.raises(EngineError, match="SIGKILL"):
-        logs.judge(ROOT / "spec", ROOT / "traces")
+        logs.judge(ROOT / "spec", logs.keep(all_cases()[:1], tmp_path / "cases.json"))

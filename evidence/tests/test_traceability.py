@@ -67,11 +67,11 @@ MANIFEST: dict[str, Any] = {
         },
     ],
 }  # fmt: skip
-LOGS = [
-    {"file": "accept/a.ndjson", "verdict": "accepted", "requirements": ["TINT-01", "TINT-02"], "reason": "right"},
-    {"file": "reject/b.ndjson", "verdict": "rejected", "line": 2, "requirements": ["TINT-02"], "reason": "wrong"},
-    {"file": "reject/c.ndjson", "verdict": "rejected", "line": 2, "requirements": ["TINT-01"], "reason": "wrong"},
-]
+CASES = """cpu=S7-300 obs=1 clock=2026-03-02T08:00:30.000
+== a A TINT-01 TINT-02
+== b R1 TINT-02
+== c R1 TINT-01
+"""
 REASONS = [{"ids": ["AMB-02"], "columns": ["reading"], "kind": "unseen", "reason": "no line of a log can show it"}]
 
 FILES = {
@@ -83,7 +83,7 @@ FILES = {
     "models/MCRules.tla": MODEL,
     "models/MCRules.cfg": "SPECIFICATION Spec\nINVARIANTS RuleInv OwnInv\n",
     "models/manifest.json": json.dumps(MANIFEST),
-    "traces/TINT/index.json": json.dumps(LOGS),
+    "traces/TINT.txt": CASES,
 }
 
 Run = Callable[..., int]
@@ -128,11 +128,11 @@ def test_page(project: Path, run: Run) -> None:
     page = (project / "docs" / "rules" / "traceability.md").read_text(encoding="utf-8")
     assert (
         "| [TINT-01](requirements.md#TINT-01) | System: Rule | Properties: RuleInv | rules; *neg-rule* |"
-        " [a](../../traces/TINT/accept/a.ndjson) | [c](../../traces/TINT/reject/c.ndjson) | TLC |\n"
+        " [a](../../traces/TINT.txt) | [c](../../traces/TINT.txt) | TLC |\n"
     ) in page
     assert (
         "| [TINT-02](requirements.md#TINT-02) | System: Rule | MCRules: OwnInv; Properties: Part | neg-rule |"
-        " *[a](../../traces/TINT/accept/a.ndjson)* | [b](../../traces/TINT/reject/b.ndjson) | TLC |\n"
+        " *[a](../../traces/TINT.txt)* | [b](../../traces/TINT.txt) | TLC |\n"
     ) in page
     assert "| [OBS-09](requirements.md#OBS-09) | [module] | [module] | [module] | [module] | [module] |  |\n" in page
     assert "| [AMB-01](readings.md#AMB-01) | Which? | System: Rule |  |  |\n" in page
@@ -190,8 +190,8 @@ def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
         "  property  models/MCRules.tla:5: OwnInv",
         "  property  spec/Properties.tla:5: Part",
         "  model     models: neg-rule",
-        "  accepted  traces/TINT/accept/a.ndjson",
-        "  rejected  traces/TINT/reject/b.ndjson",
+        "  accepted  traces/TINT.txt:2: a",
+        "  rejected  traces/TINT.txt:3: b",
         "OBS-09",
         *(
             f"  {column:9} [module] sizes of buffers [OBS-09]."
@@ -239,8 +239,8 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
                 "OBS-09: no rejected log",
             ],
         ),
-        ("traces/TINT/index.json", '["TINT-01", "TINT-02"]', '["TINT-01"]', ["TINT-02: no accepted log"]),
-        ("traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]', ["TINT-02: no rejected log"]),
+        ("traces/TINT.txt", "A TINT-01 TINT-02", "A TINT-01", ["TINT-02: no accepted log"]),
+        ("traces/TINT.txt", "R1 TINT-02", "R1 TINT-01", ["TINT-02: no rejected log"]),
         (
             "docs/rules/requirements.md",
             '| <a id="OBS-09">',
@@ -276,7 +276,7 @@ def test_gap(
         ("spec/System.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
-        ("traces/TINT/index.json", '["TINT-02"]', '["TINT-02", "AIRT-02"]', "AIRT-02"),
+        ("traces/TINT.txt", "R1 TINT-02", "R1 TINT-02 AIRT-02", "AIRT-02"),
         ("docs/rules/readings.md", "| AMB-01 | anything |", "| AMB-01 | see AMB-17 |", "AMB-17"),
     ],
 )
@@ -330,19 +330,19 @@ def test_void_reason(
 
 def test_reason_that_points_nowhere(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """The properties, negative controls and logs that a reason names have to be there."""
-    reason = "see RuleInv, neg-rule, TINT/accept/a, OtherProp, neg-other, TINT/reject/other and Part"
+    reason = "see RuleInv, neg-rule, TINT/a, OtherProp, neg-other, TINT/other and Part"
     (project / "docs/rules/left_out.json").write_text(json.dumps([REASONS[0] | {"reason": reason}]), encoding="utf-8")
     assert run("--write") == 1
     lines = capsys.readouterr().out.splitlines()
     assert lines[7:] == [
         f"docs/rules/left_out.json: AMB-02: {name} does not exist, or no model checks it"
-        for name in ("OtherProp", "neg-other", "TINT/reject/other")
+        for name in ("OtherProp", "neg-other", "TINT/other")
     ] + ["problems: 3"]
 
 
 def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """A reason that only says so is a reason, and shows in the summary."""
-    replace(project / "traces/TINT/index.json", '["TINT-02"]', '["TINT-01"]')
+    replace(project / "traces/TINT.txt", "R1 TINT-02", "R1 TINT-01")
     more = {"ids": ["TINT-02"], "columns": ["rejected"], "kind": "not done", "reason": "no such log is written yet"}
     (project / "docs/rules/left_out.json").write_text(json.dumps([*REASONS, more]), encoding="utf-8")
     assert run("--write") == 0
@@ -393,9 +393,9 @@ def test_page_is_not_up_to_date(project: Path, run: Run, capsys: pytest.CaptureF
             "manifest*.json: no models",
         ),
         ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
-        ("traces/TINT/index.json", "[]", "traces: no accepted log names a requirement"),
-        ("traces/TINT/index.json", json.dumps(LOGS[:1]), "traces: no rejected log names a requirement"),
-        ("traces/TINT/index.json", "{", "index.json"),
+        ("traces/TINT.txt", "", "traces: no accepted log names a requirement"),
+        ("traces/TINT.txt", CASES[: CASES.index("== b")], "traces: no rejected log names a requirement"),
+        ("traces/TINT.txt", "== a A\n0:31 act 10", "TINT.txt:2: expected clock="),
     ],
 )
 def test_unreadable(

@@ -8,17 +8,17 @@ from typing import Any
 
 import pytest
 
+from evidence.common.cases import Case
 from evidence.common.reasons import Excuse
-from evidence.common.shipped import Shipped
-from evidence.mutants import logs_model as logs
-from evidence.mutants.conditions import Condition, conditions
-from evidence.mutants.witnesses import Seen
-from evidence.mutants.witnesses_command import witnesses_command
-from evidence.mutants.witnesses_report import COLUMNS, explain, numbers
 from evidence.tests.lamp import run_command, write_lamp
-from evidence.tla import tlc
 from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module
+from evidence.tlc import process as tlc
+from evidence.witnesses import logs
+from evidence.witnesses.collect import Seen
+from evidence.witnesses.command import witnesses_command
+from evidence.witnesses.conditions import Condition, conditions
+from evidence.witnesses.report import COLUMNS, explain, numbers
 
 ROOT = Path(__file__).parents[2]
 
@@ -158,7 +158,7 @@ def test_actions_of_the_system() -> None:
 def test_the_shipped_logs_as_a_model() -> None:
     """Each log that can be read is there, with the fields that its lines have."""
     some = logs.readable(ROOT / "traces")[:20]
-    text = logs.module(ROOT / "traces", some)
+    text = logs.module(some)
     assert "Log1 == [header |-> [NoHeader EXCEPT " in text
     assert "Log20 ==" in text
     assert '!.event = "' in text
@@ -171,13 +171,9 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
         tlc.find_toolchain(None)
     except tlc.ToolMissingError as missing:
         pytest.skip(str(missing))
-    file = "accept/AIRT-03-nested-delay.ndjson"
-    area = tmp_path / "traces" / "AIRT"
-    area.mkdir(parents=True)
-    (area / "accept").symlink_to(ROOT / "traces" / "AIRT" / "accept")
-    index = ROOT / "traces" / "AIRT" / "index.json"
-    shipped = [log for log in json.loads(index.read_bytes()) if log["file"] == file]
-    (area / "index.json").write_text(json.dumps(shipped))
+    (tmp_path / "traces").mkdir()
+    header = "cpu=S7-300 obs=1 clock=2026-03-02T08:00:30.000 mode=RUN\n"
+    (tmp_path / "traces" / "AIRT.txt").write_text(f"{header}== a A AIRT-03\n0:31 dair 0001\n0:32 eair 0000\n")
     (tmp_path / "models").mkdir()
     manifest = {"version": 1, "models": [], "spec": str(ROOT / "spec")}
     (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))
@@ -192,6 +188,6 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
 
 def test_logs_that_tlc_judges_otherwise() -> None:
     """Those that it consumes though they are rejected, and those that it does not consume though they are accepted."""
-    shipped = [Shipped(name, verdict, [], "") for name, verdict in (("a", "accepted"), ("b", "rejected"))]
-    assert logs.differences('<<"consumed", 1>>\n', shipped) == []
-    assert logs.differences('<<"consumed", 2>>\n', shipped) == ["a", "b"]
+    cases = [Case("X", name, verdict, None, [], "", b"") for name, verdict in (("a", "accepted"), ("b", "rejected"))]
+    assert logs.differences('<<"consumed", 1>>\n', cases) == []
+    assert logs.differences('<<"consumed", 2>>\n', cases) == ["X/a", "X/b"]

@@ -33,8 +33,8 @@ from s7check.report.as_json import to_json
 from s7check.report.as_junit import to_junit
 from s7check.report.as_sarif import to_sarif
 from s7check.report.as_text import TextReports
+from tests.shipped import CASES
 
-TRACES = Path(cli.__file__).parents[2] / "traces"
 KEPT = Path("build") / "fuzz"
 SOURCES = Path(__file__).parents[2] / "examples" / "import"
 
@@ -191,14 +191,14 @@ class Tally:
 def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
     """Judges the damaged logs with these numbers, all by one engine."""
     signal.signal(signal.SIGALRM, _too_long)
-    logs = [log for log in sorted(TRACES.glob("*/*/*.ndjson")) if log.stat().st_size]
+    logs = [case for case in sorted(CASES, key=lambda case: case.file) if case.log and not case.packed]
     with Engine() as engine:
         for number in inputs:
             random = Random(f"{seed}/{number}")  # noqa: S311
             log = random.choice(logs)
             kind = random.choices(list(DAMAGES), WEIGHTS)[0]
             file = folder / f"log{'.gz' if DAMAGES[kind] is _pack else ''}"
-            file.write_bytes(DAMAGES[kind](random, log.read_bytes()))
+            file.write_bytes(DAMAGES[kind](random, log.log))
             begun = time.monotonic()
             outcome, found = "failed", []
             signal.alarm(PATIENCE)

@@ -1,14 +1,25 @@
-"""The logs that the project ships, from the index of each area."""
+"""The cases of the project, written out as logs for these tests."""
 
-import json
+import atexit
+import shutil
+import tempfile
 from pathlib import Path
-from typing import Any
 
-TRACES = Path(__file__).parents[2] / "traces"
+from evidence.common.cases import TRACES as SOURCES
+from evidence.common.cases import all_cases
 
-INDEX: list[dict[str, Any]] = [
-    entry | {"file": f"{index.parent.name}/{entry['file']}"}
-    for index in sorted(TRACES.glob("*/index.json"))
-    for entry in json.loads(index.read_text(encoding="utf-8"))
-]
-"""All entries; `file` is counted from `TRACES`."""
+SCHEMA = SOURCES / "schema" / "s7-interrupt-log-1.schema.json"
+
+CASES = all_cases()
+
+TRACES = Path(tempfile.mkdtemp(prefix="s7check-traces-"))
+"""The folder of the logs: a case's is ``TRACES / case.file``."""
+atexit.register(shutil.rmtree, TRACES, ignore_errors=True)
+for each in CASES:
+    each.put(TRACES)
+
+
+def log_of(name: str) -> Path:
+    """The log of the case with this name."""
+    (found,) = (case for case in CASES if case.name == name)
+    return TRACES / found.file

@@ -14,16 +14,16 @@ from s7check.asking.session import Session
 from s7check.engine.client import Engine
 from s7check.log.errors import UnusableLogError
 from tests.logs import HEADER, at, event, log_text
-from tests.shipped import INDEX, TRACES
+from tests.shipped import CASES, TRACES
 
 RUN = HEADER | {"mode": "RUN"}
 MINUTE: dict[str, Any] = {"ob": 10, "sdt": "2026-11-21T06:00", "period": "W#16#0201", "ret": 0}
 ARMED = (event("SET_TINT", **MINUTE), event("ACT_TINT", ob=10, ret=0))
 
 COMPLETE = [
-    entry["file"]
-    for entry in INDEX
-    if entry["verdict"] == "accepted" and '"records"' not in (TRACES / entry["file"]).read_text(errors="replace")
+    case.file
+    for case in sorted(CASES, key=lambda case: case.file)
+    if case.verdict == "accepted" and b'"records"' not in case.log
 ][::25]
 """Some logs that are accepted and have every kind of event."""
 

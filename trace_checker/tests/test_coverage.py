@@ -10,7 +10,7 @@ from s7check.coverage import Coverage, Guard, measure
 from s7check.engine.client import Engine
 from s7check.judging.decisions import decisions_of
 from tests.logs import HEADER, event, log_text
-from tests.shipped import TRACES
+from tests.shipped import CASES, TRACES
 
 RUN = HEADER | {"mode": "RUN"}
 
@@ -62,16 +62,13 @@ def test_requirements(
 
 
 def test_shipped_logs_of_a_requirement(real_engine: Engine) -> None:
-    """Each accepted log without a kind left out shows, as a rule, the requirements that its index names."""
+    """Each accepted log without a kind left out shows, as a rule, the requirements that its case names."""
     decidable = set(decisions_of(real_engine).requirements)
     named = met = 0
-    for index in sorted(TRACES.glob("*/index.json")):
-        for entry in json.loads(index.read_bytes())[::7]:
-            log = index.parent / entry["file"]
-            if entry["verdict"] != "accepted" or "not-recorded" in log.name or log.suffix != ".ndjson":
-                continue
-            found = measure(log, real_engine)
-            wanted = set(entry["requirements"]) & decidable
+    for case in CASES[::7]:
+        if case.verdict == "accepted" and "not-recorded" not in case.name:
+            found = measure(TRACES / case.file, real_engine)
+            wanted = set(case.requirements) & decidable
             named += len(wanted)
             met += len(wanted & found.requirements)
     assert named > 100

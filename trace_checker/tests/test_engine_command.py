@@ -12,7 +12,7 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_command
 from s7check.judging.check import check_log
 from s7check.judging.verdict import Report
-from s7check.resources import CHECKOUT
+from tests.shipped import log_of
 
 
 @pytest.fixture
@@ -123,7 +123,7 @@ def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_kept_specification(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The engine writes the parsed specification at its first use. With that it judges alike, and parses nothing."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    log = CHECKOUT / "traces" / "TINT" / "reject" / "TINT-01-bad-ob-number-accepted.ndjson"
+    log = log_of("TINT-01-bad-ob-number-accepted")
 
     def judged() -> Report:
         with Engine() as engine:

@@ -13,10 +13,10 @@ from s7check.judging.verdict import Report
 from s7check.log.source import open_log
 from s7check.log.values import instant, iso
 from tests.logs import HEADER, event, log_text
-from tests.shipped import INDEX, TRACES
+from tests.shipped import CASES, TRACES, log_of
 
 Judge = Callable[[Path], Report]
-REJECTED = [TRACES / entry["file"] for entry in INDEX if entry["verdict"] == "rejected"]
+REJECTED = [TRACES / case.file for case in CASES if case.verdict == "rejected"]
 MOST = 4
 """Items tried of one log: where calls are not recorded there may be thousands."""
 
@@ -131,7 +131,7 @@ def test_message_of_a_late_line(rejections: list[tuple[Path, Report]]) -> None:
 @pytest.mark.parametrize("form", ["text", "html", "json", "junit", "sarif"])
 def test_late_in_every_form(form: str, capsys: pytest.CaptureFixture[str]) -> None:
     """An OB 40 that starts a millisecond too late is expected before the line, not in its place."""
-    log = TRACES / "OBS" / "reject" / "OBS-01-hardware-interrupt-one-millisecond-late.ndjson"
+    log = log_of("OBS-01-hardware-interrupt-one-millisecond-late")
     assert cli.main(["trace", "--format", form, "--readings", "none", str(log)]) == 1
     out = capsys.readouterr().out
     assert "something had to come before this line" in out

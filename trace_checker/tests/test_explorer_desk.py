@@ -16,6 +16,7 @@ from s7check.kit.program import read_program
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import OPERANDS
 from tests.explorer_server import TOKEN, served
+from tests.shipped import TRACES
 
 HEADER = {
     "format": "s7-interrupt-log/1",
@@ -157,7 +158,7 @@ def test_an_unusable_line_leaves_the_desk_usable(desk: Desk) -> None:
 
 def test_the_library_has_the_gallery_and_the_shipped_logs() -> None:
     """The library has the gallery and the shipped logs."""
-    library = Library()
+    library = Library(cases=TRACES)
     contents = library.contents()
     assert len(contents["gallery"]) >= 40
     name = contents["gallery"][0]["name"]

@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, Route, expect, sync_playwright
 from s7check.exploring.library import Library
 from s7check.kit.program import read_program
 from tests.explorer_server import TOKEN, served
+from tests.shipped import TRACES
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
@@ -22,7 +23,7 @@ pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:
     """The address of a running explorer."""
-    with served(Library()) as one:
+    with served(Library(cases=TRACES)) as one:
         yield f"{one}/{TOKEN}/"
 
 

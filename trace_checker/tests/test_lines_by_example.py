@@ -16,7 +16,7 @@ from s7check.judging.check import check_log
 from s7check.judging.verdict import Report
 from s7check.log import events, source
 from tests.logs import HEADER, log_text
-from tests.shipped import INDEX, TRACES
+from tests.shipped import CASES, TRACES
 
 NEVER = 1 << 60
 BEGIN = datetime.fromisoformat(HEADER["clock"])
@@ -38,8 +38,8 @@ def judge(real_engine: Engine, monkeypatch: pytest.MonkeyPatch) -> Judge:
 
 def test_shipped_logs(judge: Judge) -> None:
     """The first time most lines become examples, the second time they are read by them."""
-    for entry in INDEX:
-        log = TRACES / entry["file"]
+    for case in CASES:
+        log = TRACES / case.file
         assert judge(log, False) == judge(log, True) == judge(log, True)
 
 

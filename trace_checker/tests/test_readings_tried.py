@@ -9,12 +9,12 @@ from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
 from s7check.judging.verdict import Report
-from s7check.resources import CHECKOUT
+from tests.shipped import log_of
 
 LOGS = (
-    "AMB/reject/AMB-32-b-past-end-of-month-accepted.ndjson",
-    "AMB/reject/AMB-38-c-leap-day-silent-in-common-years.ndjson",
-    "AMB/reject/AMB-32-past-end-of-month-refused.ndjson",
+    "AMB-32-b-past-end-of-month-accepted",
+    "AMB-38-c-leap-day-silent-in-common-years",
+    "AMB-32-past-end-of-month-refused",
 )
 
 
@@ -31,7 +31,7 @@ class Counting(Engine):
 
 def judged(log: str, engine: Engine) -> Report:
     """The report on a shipped log."""
-    return check_log(str(CHECKOUT / "traces" / log), engine, lambda _source, _events: None)
+    return check_log(str(log_of(log)), engine, lambda _source, _events: None)
 
 
 @pytest.mark.parametrize("log", LOGS)

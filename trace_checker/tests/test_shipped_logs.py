@@ -10,9 +10,10 @@ from typing import Any
 
 import pytest
 
+from evidence.common.cases import Case
 from s7check import cli
 from s7check.judging.verdict import Report
-from tests.shipped import INDEX, TRACES
+from tests.shipped import CASES, TRACES, log_of
 
 PROJECT = Path(cli.__file__).parents[2]
 DOCS = PROJECT / "docs" / "rules"
@@ -22,67 +23,59 @@ Lines = list[str]
 
 @pytest.fixture(scope="module")
 def reports() -> dict[str, dict[str, Any]]:
-    """What one run of ``s7check trace --format json`` says of each log of the index."""
+    """What one run of ``s7check trace --format json`` says of the log of each case."""
     command = [sys.executable, "-m", "s7check", "trace", "--format", "json"]
-    logs = [str(TRACES / entry["file"]) for entry in INDEX]
+    logs = [str(TRACES / case.file) for case in CASES]
     run = subprocess.run([*command, *logs], cwd=PROJECT, capture_output=True, timeout=600, check=False)
     assert run.stderr == b""
     assert run.returncode == 2, "the highest exit code: some logs are unusable, none is without a verdict"
     objects = [json.loads(line) for line in run.stdout.splitlines()]
     assert [report["log"] for report in objects] == logs
-    return {entry["file"]: report for entry, report in zip(INDEX, objects, strict=True)}
+    return {case.id: report for case, report in zip(CASES, objects, strict=True)}
 
 
-@pytest.mark.parametrize("entry", INDEX, ids=lambda entry: entry["file"])
-def test_verdict(entry: dict[str, Any], reports: dict[str, dict[str, Any]]) -> None:
-    """Verdict and line are those of the index, and a rejection names the requirements."""
-    report = reports[entry["file"]]
-    assert (report["verdict"], report["line"]) == (entry["verdict"], entry.get("line")), report
-    assert bool(report["requirements"]) == (entry["verdict"] == "rejected")
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_verdict(case: Case, reports: dict[str, dict[str, Any]]) -> None:
+    """Verdict and line are those of the case, and a rejection names the requirements."""
+    report = reports[case.id]
+    assert (report["verdict"], report["line"]) == (case.verdict, case.line), report
+    assert bool(report["requirements"]) == (case.verdict == "rejected")
 
 
 def test_requirements_decide(reports: dict[str, dict[str, Any]]) -> None:
-    """The requirements of a rejection are those that the index names, at least one of them, and few others."""
-    rejected = {entry["file"]: set(entry["requirements"]) for entry in INDEX if entry["verdict"] == "rejected"}
+    """The requirements of a rejection are those that the case names, at least one of them, and few others."""
+    rejected = {case.id: set(case.requirements) for case in CASES if case.verdict == "rejected"}
     others = [file for file, ids in rejected.items() if not ids & set(reports[file]["requirements"])]
     assert len(others) <= len(rejected) // 100, others
     assert max(len(reports[file]["requirements"]) for file in rejected) <= 8
 
 
-def test_index_is_complete() -> None:
-    """Every log is in the index of its area once, in the folder of its verdict."""
-    folders = {"accepted": "accept", "rejected": "reject", "unusable": "unusable"}
-    files = [path.relative_to(TRACES).as_posix() for path in TRACES.glob("*/*/*")]
-    assert sorted(entry["file"] for entry in INDEX) == sorted(files)
-    assert all(entry["file"].split("/")[1] == folders[entry["verdict"]] for entry in INDEX)
-
-
 def test_names() -> None:
-    """A log is named after the first of its requirements and stands in the area of that one.
+    """A case is named after the first of its requirements and stands in the area of that one, with a reason.
 
-    Only logs about the format have no requirement.
+    Only cases about the format have no requirement.
     """
-    for entry in INDEX:
-        area, _, name = entry["file"].split("/")
-        if area == "FORMAT":
-            assert not entry["requirements"], entry
+    for case in CASES:
+        assert case.reason, case
+        if case.area == "FORMAT":
+            assert not case.requirements, case
             continue
-        first = entry["requirements"][0]
-        assert name.startswith(f"{first}-"), entry
-        assert first.startswith(f"{area}-"), entry
+        first = case.requirements[0]
+        assert case.name.startswith(f"{first}-"), case
+        assert first.startswith(f"{case.area}-"), case
 
 
 @pytest.mark.parametrize("verdict", ["accepted", "rejected"])
 def test_enough_logs(verdict: str) -> None:
     """There are at least twelve of either."""
-    assert sum(entry["verdict"] == verdict for entry in INDEX) >= 12
+    assert sum(case.verdict == verdict for case in CASES) >= 12
 
 
 def test_requirements_exist() -> None:
-    """The requirements and ambiguities of the index have a row in the documents."""
+    """The requirements and ambiguities of the cases have a row in the documents."""
     rows = "".join((DOCS / name).read_text(encoding="utf-8") for name in ("requirements.md", "readings.md"))
     known = set(re.findall(r'^\| <a id="([A-Z]+-[0-9]+)">', rows, re.MULTILINE))
-    assert {name for entry in INDEX for name in entry["requirements"]} <= known
+    assert {name for case in CASES for name in case.requirements} <= known
 
 
 def with_ret(line: int, ret: str) -> Callable[[Lines], Lines]:
@@ -151,14 +144,14 @@ def test_changed_log_is_rejected(
 ) -> None:
     """One change to an accepted log is found at the line where it shows."""
     changed = tmp_path / "changed.ndjson"
-    lines = (TRACES / log.partition("-")[0] / "accept" / f"{log}.ndjson").read_text(encoding="utf-8").splitlines()
+    lines = log_of(log).read_text(encoding="utf-8").splitlines()
     changed.write_text("\n".join(change(lines)) + "\n", encoding="utf-8")
     report = judge(changed)
     assert (report.verdict, report.line) == ("rejected", line), report
     assert report.requirements
 
 
-HEADER, SECOND, *_ = (TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson").read_text(encoding="utf-8").splitlines()
+HEADER, SECOND, *_ = log_of("TINT-33-once-0000").read_text(encoding="utf-8").splitlines()
 
 
 @pytest.mark.parametrize(

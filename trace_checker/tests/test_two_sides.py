@@ -12,7 +12,7 @@ from s7check.engine.client import Engine
 from s7check.kit.program import read_program
 from s7check.simulating.search import smallest, told_apart
 from s7check.simulating.shortest import anywhere
-from tests.shipped import TRACES
+from tests.shipped import log_of
 from tests.test_simulating import PROGRAM
 
 MONTHLY: dict[str, Any] = PROGRAM | {
@@ -165,7 +165,7 @@ def test_explain_braces(folder: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_decide(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A log that only one letter explains decides its question; the file is one for ``--set``."""
-    log = str(TRACES / "AMB" / "accept" / "AMB-01-a-1202-refused.ndjson")
+    log = str(log_of("AMB-01-a-1202-refused"))
     assert cli.main(["decide", "--output", "cpu.json", log]) == 0
     assert capsys.readouterr().out.startswith("AMB-01 is a: ")
     assert json.loads((folder / "cpu.json").read_bytes())["AMB-01"] == "a"
@@ -177,7 +177,7 @@ def test_decide(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_a_profile_that_was_decided(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The file is one for ``--profile``, and for headers of logs beside it; nothing else is read as one."""
-    right = TRACES / "AMB" / "accept" / "AMB-22-edition-2006-number-beside-mode-00-as-printed.ndjson"
+    right = log_of("AMB-22-edition-2006-number-beside-mode-00-as-printed")
     header, *lines = right.read_text(encoding="utf-8").splitlines()
     plain = {name: value for name, value in json.loads(header).items() if name not in ("profile", "readings")}
     logs = folder / "logs"
@@ -208,6 +208,6 @@ def test_a_profile_that_was_decided(folder: Path, capsys: pytest.CaptureFixture[
 
 def test_nothing_explains(capsys: pytest.CaptureFixture[str]) -> None:
     """A log that every reading rejects is named."""
-    log = str(TRACES / "AIRT" / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson")
+    log = str(log_of("AIRT-07-nothing-delayed-answers-0000"))
     assert cli.main(["decide", log]) == 1
     assert "no reading explains: " in capsys.readouterr().out

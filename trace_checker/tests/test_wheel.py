@@ -15,7 +15,7 @@ from packaging.requirements import Requirement
 
 from s7check import __version__, resources
 from s7check.cli import COMMANDS
-from tests.shipped import TRACES
+from tests.shipped import log_of
 from tests.test_shipped_logs import PROJECT
 
 PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check", "--no-cache-dir"]
@@ -97,8 +97,8 @@ def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.usefixtures("bare")
 def test_logs_are_judged(s7check: Path) -> None:
     """An accepted and a rejected log, by the specification and the engine of the wheel."""
-    accepted = TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson"
-    rejected = TRACES / "AIRT" / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson"
+    accepted = log_of("TINT-33-once-0000")
+    rejected = log_of("AIRT-07-nothing-delayed-answers-0000")
     run = subprocess.run([s7check, "trace", accepted, rejected], capture_output=True, text=True, check=False)
     assert (run.returncode, run.stderr) == (1, "")
     first, second, *_ = run.stdout.splitlines()
@@ -109,7 +109,7 @@ def test_logs_are_judged(s7check: Path) -> None:
 def test_the_specification_comes_parsed(s7check: Path, bare: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing is parsed at the first use; a module that was changed is."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(bare))
-    log = TRACES / "TINT" / "accept" / "TINT-33-once-0000.ndjson"
+    log = log_of("TINT-33-once-0000")
     subprocess.run([s7check, "trace", log], capture_output=True, check=True)
     assert not list(bare.rglob("*.tree"))
     module = next(s7check.parents[1].rglob("spec/log/Trace.tla"))
@@ -146,7 +146,7 @@ def test_only_commands_for_logs(s7check: Path) -> None:
 @pytest.mark.usefixtures("bare")
 def test_coverage(s7check: Path) -> None:
     """The gaps of a log come with programs of the wheel's kit."""
-    log = TRACES / "AIRT" / "accept" / "AIRT-09-ob-80-is-delayed.ndjson"
+    log = log_of("AIRT-09-ob-80-is-delayed")
     run = subprocess.run([s7check, "coverage", log], capture_output=True, text=True, check=True)
     assert run.stdout.startswith("1 logs: 1 accepted\nrequirements: ")
     assert re.search(r"^  [A-Z]+-[0-9]+[A-Za-z0-9._-]*: [A-Z]+ [0-9]+", run.stdout, re.MULTILINE)
@@ -158,7 +158,7 @@ def test_api(s7check: Path) -> None:
     script = f"""
 import s7check
 from importlib.metadata import entry_points
-print(s7check.check({str(TRACES / "AIRT" / "reject" / "AIRT-07-nothing-delayed-answers-0000.ndjson")!r}).line)
+print(s7check.check({str(log_of("AIRT-07-nothing-delayed-answers-0000"))!r}).line)
 print(*(point.value for point in entry_points(group="pytest11")))
 """
     run = subprocess.run([s7check.with_name("python"), "-c", script], capture_output=True, text=True, check=True)

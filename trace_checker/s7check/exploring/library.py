@@ -1,4 +1,4 @@
-"""What the explorer can open: the gallery, the kit, the log of the command line, and in a checkout the shipped logs."""
+"""What the explorer can open: the gallery, the kit, the log of the command line, in a checkout the cases of traces/."""
 
 import re
 from collections.abc import Sequence
@@ -16,11 +16,14 @@ from s7check.resources import CHECKOUT, INSTALLED, KIT
 _NAME = re.compile(rb'"name": ?"([^"]+)"')
 _OF_KIT = "kit/"
 
+CASES = CHECKOUT / "build" / "traces"
+"""Where a checkout has the logs of its cases, once they are written out."""
+
 
 class Library:
     """Logs by the names that ``contents`` gives, so no path comes from the page."""
 
-    def __init__(self, first: str | None = None) -> None:
+    def __init__(self, first: str | None = None, cases: Path = CASES) -> None:
         self._gallery = _gallery()
         self._first = first
         self._paths: dict[str, Path] = {}
@@ -30,10 +33,9 @@ class Library:
             for line in path.read_bytes().splitlines()
             if (found := _NAME.search(line)) is not None
         }
-        traces = CHECKOUT / "traces"
-        if not INSTALLED and traces.is_dir():
+        if not INSTALLED:
             self._paths |= {
-                str(path.relative_to(traces).with_suffix("")): path for path in sorted(traces.rglob("*.ndjson"))
+                str(path.relative_to(cases).with_suffix("")): path for path in sorted(cases.rglob("*.ndjson"))
             }
 
     def contents(self) -> dict[str, Any]:

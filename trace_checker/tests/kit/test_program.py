@@ -8,11 +8,12 @@ import pytest
 
 from s7check.kit.program import FORMAT, read_program, read_programs
 from s7check.log.errors import UnusableLogError
+from s7check.resources import CHECKOUT
 from tests.kit.programs import PROGRAM, changed
-from tests.shipped import TRACES
+from tests.shipped import SCHEMA as LOG_FORMAT
 
-KIT = TRACES.parent / "kit"
-LOG_SCHEMA = json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_text(encoding="utf-8"))
+KIT = CHECKOUT / "kit"
+LOG_SCHEMA = json.loads(LOG_FORMAT.read_text(encoding="utf-8"))
 SCHEMA = jsonschema_rs.validator_for(
     json.loads((KIT / "s7-interrupt-program-1.schema.json").read_text(encoding="utf-8")),
     registry=jsonschema_rs.Registry([(LOG_SCHEMA["$id"], LOG_SCHEMA)]),

@@ -6,25 +6,23 @@ from typing import Any
 import jsonschema_rs
 import pytest
 
+from evidence.common.cases import Case
 from s7check.log import tables
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import read_event
-from s7check.log.source import open_log
 from tests.log import test_events, test_header
 from tests.logs import HEADER, event
-from tests.shipped import INDEX, TRACES
+from tests.shipped import CASES
+from tests.shipped import SCHEMA as FILE
 
-SCHEMA = jsonschema_rs.validator_for(
-    json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_text(encoding="utf-8"))
-)
+SCHEMA = jsonschema_rs.validator_for(json.loads(FILE.read_text(encoding="utf-8")))
 
 
-@pytest.mark.parametrize("file", [entry["file"] for entry in INDEX if entry["verdict"] != "unusable"])
-def test_shipped_log(file: str) -> None:
+@pytest.mark.parametrize("case", [case for case in CASES if case.verdict != "unusable"], ids=lambda case: case.id)
+def test_shipped_log(case: Case) -> None:
     """Every line of every log that can be read is of the schema."""
-    with open_log(str(TRACES / file)) as source:
-        lines = b"".join(source.chunks()).splitlines()
-    refused = [number for number, line in enumerate(lines, 1) if line.strip() and not SCHEMA.is_valid(json.loads(line))]
+    lines = enumerate(case.lines, 1)
+    refused = [number for number, line in lines if line.strip() and not SCHEMA.is_valid(json.loads(line))]
     assert refused == []
 
 

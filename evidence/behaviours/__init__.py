@@ -1,0 +1,1 @@
+"""Behaviours of System that TLC has found, as logs."""

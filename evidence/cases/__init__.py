@@ -1,0 +1,1 @@
+"""``s7check cases``: the cases of traces/ written out as logs."""

@@ -1,0 +1,35 @@
+"""``s7check cases``: the cases of traces/ as NDJSON files, for users and for other tools.
+
+Exit codes: 0 written, 2 wrong arguments or case files, 3 something else failed, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import click
+
+from evidence.common.cases import TRACES, CasesError, all_cases
+from evidence.common.checkout import ROOT
+from evidence.common.console import plain
+from evidence.common.processes import Processes
+from evidence.common.session import session
+
+
+@click.command(name="cases", short_help="Write the cases of traces/ out as logs.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=ROOT / "build" / "traces",
+    show_default="build/traces",
+    help="Folder of the logs; its old content is removed.",
+)
+def cases_command(output: Path) -> None:
+    """Write the log of each case to AREA/accept, AREA/reject or AREA/unusable."""
+    with session(Processes(), (CasesError, OSError), ()) as console:
+        cases = all_cases(TRACES)
+        shutil.rmtree(output, ignore_errors=True)
+        for case in cases:
+            case.put(output)
+        plain(console, f"{output}: {len(cases)} logs")

@@ -1,0 +1,339 @@
+"""The cases of ``traces/``: logs in short, each with the verdict that the requirements give; traces/README.md says how.
+
+A case expands to the bytes of a log. Only the notation is known here: whether a log is of the format, its reader says.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import takewhile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from evidence.common.checkout import ROOT
+
+if TYPE_CHECKING:
+    from s7check.judging.verdict import Report
+
+TRACES = ROOT / "traces"
+
+VERDICTS = {"A": ("accepted", "accept"), "R": ("rejected", "reject"), "U": ("unusable", "unusable")}
+"""First letter of a verdict -> the verdict, the folder of its logs where they are written out."""
+
+_EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
+    "set": ("SET_TINT", ("ob", "sdt", "period", "ret")),
+    "act": ("ACT_TINT", ("ob", "ret")),
+    "can": ("CAN_TINT", ("ob", "ret")),
+    "qry": ("QRY_TINT", ("ob", "ret", "status")),
+    "srt": ("SRT_DINT", ("ob", "dtime", "sign", "ret")),
+    "cand": ("CAN_DINT", ("ob", "ret")),
+    "qryd": ("QRY_DINT", ("ob", "ret", "status")),
+    "dis": ("DIS_IRT", ("mode", "ob", "ret")),
+    "en": ("EN_IRT", ("mode", "ob", "ret")),
+    "dair": ("DIS_AIRT", ("ret",)),
+    "eair": ("EN_AIRT", ("ret",)),
+    "start": ("start", ("ob",)),
+    "end": ("end", ("ob",)),
+    "clock": ("clock", ("to",)),
+    "restart": ("restart", ("type",)),
+    "run": ("run", ()),
+    "hold": ("hold", ()),
+    "release": ("release", ()),
+    "stop": ("stop", ("cause",)),
+    "int": ("interrupt", ("ob", "flt_id")),
+    "load": ("load", ("ob",)),
+    "delete": ("delete", ("ob",)),
+    "diag": ("diag", ("id", "ob", "priority")),
+    "state": ("state", ("ob",)),
+}
+"""Short name -> event and its operands; the last ones may be left out."""
+
+_BYTES = ("mode", "flt_id", "strt_info")
+_WORDS = ("ret", "status", "period", "sign", "cause", "id", "ev", "error_info")
+_INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob")
+_MOMENTS = ("at", "to", "time")
+_JSON = {"true": True, "false": False, "null": None}
+
+_BYTES_OF_FILE: dict[str, Callable[[bytes], bytes]] = {
+    "crlf": lambda text: text.replace(b"\n", b"\r\n"),
+    "cut": lambda text: text.removesuffix(b"\n").removesuffix(b"\r"),
+    "latin-1": lambda text: text.decode().encode("latin-1"),
+    "gzip": lambda text: gzip.compress(text, mtime=0),
+}
+"""What ``as=`` does to the whole file, in the order in which it stands there."""
+
+_REQUIREMENT = re.compile(r"[A-Z]+-\d+")
+_TIME = re.compile(r"(\d+:)?\d+:\d+(\.\d+)?")
+_VERDICT = re.compile(r"A|[RU]\d*")
+
+
+class CasesError(ValueError):
+    """A line of a case file is not of the notation; the text has file, line and what is expected."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A log and what is to be said of it; ``line`` is None where it is accepted.
+
+    ``requirements`` begins with the one that decides. ``packed`` says that ``log`` is a gzip file. ``place`` is the
+    case's line in the file of its area.
+    """
+
+    area: str
+    name: str
+    verdict: str
+    line: int | None
+    requirements: list[str]
+    reason: str
+    log: bytes
+    packed: bool = False
+    place: int = 0
+
+    @property
+    def id(self) -> str:
+        """Its name among all cases."""
+        return f"{self.area}/{self.name}"
+
+    @property
+    def file(self) -> str:
+        """Where it is written to, counted from the folder of all logs."""
+        folder = next(folder for verdict, folder in VERDICTS.values() if verdict == self.verdict)
+        return f"{self.area}/{folder}/{self.name}.ndjson" + ".gz" * self.packed
+
+    @property
+    def lines(self) -> list[bytes]:
+        """The lines of its log, unpacked, without their ends."""
+        return (gzip.decompress(self.log) if self.packed else self.log).splitlines()
+
+    @property
+    def header(self) -> dict[str, Any]:
+        """Its first line. Raises ValueError where that is no JSON."""
+        header: dict[str, Any] = json.loads(next(line for line in self.lines if line.strip()))
+        return header
+
+    def put(self, folder: Path) -> Path:
+        """Write its log below a folder of all logs, and give the path. Raises OSError."""
+        path = folder / self.file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(self.log)
+        return path
+
+
+def all_cases(folder: Path = TRACES) -> list[Case]:
+    """The cases of all files of a folder. Raises FileNotFoundError if there are none, and `CasesError`."""
+    files = sorted(folder.glob("*.txt"))
+    if not files:
+        raise FileNotFoundError(f"{folder}: no case file, *.txt")
+    return [case for file in files for case in read(file)]
+
+
+def difference(case: Case, report: Report) -> str | None:
+    """The difference between the verdict of a case and the one that its log got."""
+    line = report.line if report.verdict != "accepted" else None
+    if (report.verdict, line) == (case.verdict, case.line):
+        return None
+    wanted = f"{case.verdict}, line {case.line}" if case.line else case.verdict
+    got = f"{report.verdict}, line {line}" if line else report.verdict
+    return f"{case.id}: expected {wanted}; got {got}: {report.message}"
+
+
+def read(file: Path) -> Iterator[Case]:
+    """The cases of one file, whose name is their area. Raises `CasesError`, OSError."""
+    area = file.stem
+    defaults: dict[str, Any] = {"format": "s7-interrupt-log/1"}
+    drafts: dict[str, _Draft] = {}
+    add: Callable[[str], None] = partial(_merge, defaults)
+    for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
+        try:
+            if line.startswith("== "):
+                draft = _Draft.begin(number, line, defaults)
+                if draft.name in drafts:
+                    raise ValueError(f"another name than {draft.name}, which an earlier case has")
+                drafts[draft.name], add = draft, draft.add
+            elif line.strip() and not line.startswith("//"):
+                add(line)
+        except ValueError as error:
+            raise CasesError(f"{file}:{number}: expected {error}") from error
+    for draft in drafts.values():
+        try:
+            yield from draft.cases(area)
+        except ValueError as error:
+            raise CasesError(f"{file}:{draft.place}: expected {error}") from error
+
+
+@dataclass
+class _Draft:
+    """A case as far as it has been read, or the beginning of several, each with an end of its own."""
+
+    place: int
+    name: str
+    verdict: str
+    requirements: list[str]
+    header: dict[str, Any]
+    reason: str = ""
+    lines: list[str] = field(default_factory=list)
+    headless: bool = False
+    at: str = ""
+    ends: list[_Draft] = field(default_factory=list)
+
+    @classmethod
+    def begin(cls, place: int, line: str, defaults: dict[str, Any]) -> _Draft:
+        _, name, *words = line.split()
+        verdict = "" if not words or _REQUIREMENT.fullmatch(words[0]) else words.pop(0)
+        return cls(place, name, verdict, words, dict(defaults))
+
+    def add(self, line: str) -> None:
+        if line.startswith("->"):
+            self._end(line[2:])
+        elif line.startswith("#"):
+            self.reason = f"{self.reason} {line[1:].strip()}".lstrip()
+        elif line.startswith("|"):
+            self.headless |= not self.lines
+            self.lines.append(line[1:].removeprefix(" "))
+        elif line[0].isalpha():
+            _merge(self.header, line)
+        else:
+            self._events(line)
+
+    def _end(self, line: str) -> None:
+        events, _, reason = line.partition("#")
+        verdict, *words = events.split()
+        own = list(takewhile(_REQUIREMENT.fullmatch, words))
+        end = replace(
+            self,
+            name=f"{self.name}-{len(self.ends) + 1}",
+            verdict=verdict,
+            requirements=own or self.requirements,
+            reason=reason.strip(),
+            lines=list(self.lines),
+            ends=[],
+        )
+        if words[len(own) :]:
+            end._events(" ".join(words[len(own) :]))
+        self.ends.append(end)
+
+    def _events(self, text: str) -> None:
+        """The events of a line; one without a time of its own has that of the event before it."""
+        for part in text.split(";"):
+            words = part.split()
+            if words and words[0][0].isdigit():
+                self.at = _moment(words.pop(0), self.header)
+            self.lines.append(json.dumps({"at": self.at, **_event(words, self.header)}))
+
+    def cases(self, area: str) -> Iterator[Case]:
+        if self.ends:
+            for end in self.ends:
+                yield from end.cases(area)
+            return
+        header = dict(self.header)
+        changes = header.pop("as", [])
+        lines = self.lines if self.headless else [json.dumps(header), *self.lines]
+        log = "".join(line + "\n" for line in lines).encode()
+        for change in changes:
+            log = _BYTES_OF_FILE[change](log)
+        if not _VERDICT.fullmatch(self.verdict):
+            raise ValueError(f"a verdict of {self.name}: A, or R or U and the line; found {self.verdict or 'none'}")
+        verdict, _ = VERDICTS[self.verdict[0]]
+        at = None if verdict == "accepted" else int(self.verdict[1:] or len(lines))
+        yield Case(area, self.name, verdict, at, self.requirements, self.reason, log, "gzip" in changes, self.place)
+
+
+def _merge(header: dict[str, Any], line: str) -> None:
+    """Set the fields of a line ``FIELD=VALUE...`` in a header."""
+    for word in line.split():
+        name, equals, value = word.partition("=")
+        if not equals:
+            raise ValueError(f"FIELD=VALUE; found {word}")
+        group, _, ob = name.partition(".")
+        if _REQUIREMENT.fullmatch(name):
+            header["readings"] = {**header.get("readings", {}), name: value}
+        elif group == "priority":
+            header[group] = {**header.get(group, {}), ob: int(value)}
+        elif group == "step7":
+            header[group] = {"tod": {**header.get(group, {"tod": {}})["tod"], ob: _time_of_day(value)}}
+        elif name == "obs":
+            header[name] = [int(number) for number in value.split(",")]
+        elif name == "records":
+            header[name] = value.split(",")
+        elif name == "as":
+            header[name] = [_one_of(_BYTES_OF_FILE, change) for change in value.split(",")]
+        elif name == "cpu":
+            header[name] = value.replace("_", " ")
+        else:
+            header[name] = _JSON[value] if value in _JSON else int(value) if name == "latency_ms" else value
+
+
+def _time_of_day(value: str) -> dict[str, object]:
+    """STEP 7's parameters of one interrupt: ``EXECUTION,START``, ``active``, ``deselected``."""
+    made: dict[str, object] = {}
+    for word in value.split(","):
+        made |= {word: True} if word in ("active", "deselected") else {"start" if "T" in word else "execution": word}
+    return made
+
+
+def _event(words: list[str], header: dict[str, Any]) -> dict[str, Any]:
+    short, *operands = words or [""]
+    event, names = _EVENTS[_one_of(_EVENTS, short)]
+    plain = [word for word in operands if "=" not in word]
+    if len(plain) > len(names):
+        raise ValueError(f"{short} {' '.join(names).upper()}; found {' '.join(operands)}")
+    made = {name: _value(name, text, header) for name, text in zip(names, plain, strict=False) if text != "-"}
+    named = dict(word.split("=", 1) for word in operands if "=" in word)
+    fields = {name: _value(name, text, header) for name, text in named.items()}
+    up = {"up": fields.pop("up")} if "up" in fields else {}
+    info = {"info": fields} if fields and event in ("start", "diag") else fields
+    return {"event": event, **up, **made, **info}
+
+
+def _value(name: str, text: str, header: dict[str, Any]) -> object:
+    if text in _JSON:
+        return _JSON[text]
+    if name in _INTEGERS:
+        return _number(name, text, 10)
+    if name in _BYTES:
+        return f"B#16#{_number(name, text, 16):02X}"
+    if name in _WORDS:
+        return f"W#16#{_number(name, text, 16):04X}"
+    if name in _MOMENTS:
+        return _moment(text, header)
+    if name == "sdt" and "T" not in text:
+        return f"{_clock(header)[:10]}T{text}"
+    return text
+
+
+def _number(name: str, text: str, base: int) -> int:
+    try:
+        return int(text, base)
+    except ValueError:
+        kind = "whole" if base == 10 else "hexadecimal"
+        raise ValueError(f"a {kind} number for {name}; found {text}") from None
+
+
+def _one_of(known: Iterable[str], text: str) -> str:
+    if text not in known:
+        raise ValueError(f"one of {', '.join(known)}; found {text or 'nothing'}")
+    return text
+
+
+def _clock(header: dict[str, Any]) -> str:
+    if "clock" not in header:
+        raise ValueError("clock=, the header's clock, before a time that begins like it")
+    return str(header["clock"])
+
+
+def _moment(text: str, header: dict[str, Any]) -> str:
+    """A date and time: in full, or the end of it. It begins like the header's clock, and is written as finely."""
+    if "T" in text:
+        return text
+    if not _TIME.fullmatch(text):
+        raise ValueError(f"a time, [H:]M:S or in full; found {text}")
+    clock = _clock(header)
+    hours, minutes, seconds = (text if text.count(":") == 2 else f"{clock[11:13]}:{text}").split(":")
+    seconds, point, fraction = seconds.partition(".")
+    fine = f".{fraction:0<3}" if point or "." in clock else ""
+    return f"{clock[:10]}T{hours:0>2}:{minutes:0>2}:{seconds:0>2}{fine}"

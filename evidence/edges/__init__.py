@@ -1,0 +1,1 @@
+"""The steps of the explorer beside the edges of the graphs that TLC exports."""

@@ -1,0 +1,1 @@
+"""``s7check verify``: the project's main job."""

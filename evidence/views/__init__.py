@@ -1,1 +1,0 @@
-"""What is shown of the specification and its checks: pages and files that are made from other files."""
