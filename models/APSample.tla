@@ -17,7 +17,8 @@ SampleConstants ==
     /\ Sample = Gen(1)
     /\ CalendarLemma(Sample.start, Sample.period, Sample.from, Sample.point)
 
-(* In place of IsFirst. A once has its start: that says more than IsFirst. *)
+(* In place of IsFirst. A one-shot interrupt has its start: that says more *)
+(* than IsFirst.                                                           *)
 \* @type: (Int, Int, Int, Int) => Bool;
 IsSampledFirst(start, period, p, m) ==
     IF period = Once THEN p = start /\ p >= m

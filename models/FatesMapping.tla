@@ -94,7 +94,7 @@ IsMissed(o) == /\ o \in AsyncErrorObs \ loaded
 IsCleared(o) == LeavesNothing(o) /\ stopCause' # NoCause
 
 (* How many of those waiting are withdrawn: by a call, with the OB, or     *)
-(* since the OB of a once interrupt is called for one of them.             *)
+(* since the OB of a one-shot interrupt is called for one of them.         *)
 \* @type: Int => Int;
 Withdrawing(o) ==
     LET gone == Waits(o) - Waits(o)'

@@ -131,7 +131,8 @@ PossibleInv ==
 HeldInv == Settled => /\ mode = "RUN" => ENABLED CpuIsHeld
                       /\ mode = "HOLD" => ENABLED CpuIsReleased
 
-(* [AMB-71] A once may be used up when its OB starts or when it ends. *)
+(* [AMB-71] A one-shot interrupt may be used up when its OB starts or when *)
+(* it ends.                                                                *)
 OnceEndsInv ==
     \A o \in TodObs :
       LET starts(called) == ENABLED ( /\ StartsOb /\ Started(o)
@@ -190,8 +191,9 @@ DeferProp ==
             \/ stopCause' # NoCause
             \/ Cardinality({ r \in requests' : r.ob = o }) = 1 ]_vars
 
-(* [AMB-56] The clock is set back before the point of an active once for   *)
-(* which its OB was not called: the CPU shows whether it is over.          *)
+(* [AMB-56] The clock is set back before the point of an active one-shot   *)
+(* interrupt for which its OB was not called: the CPU shows whether it is  *)
+(* over.                                                                   *)
 OnceShownProp ==
     [][ Did("clock") /\ mode = "RUN" /\ cpu.family # "S7-300" =>
           \A o \in TodObs :

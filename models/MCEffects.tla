@@ -75,7 +75,8 @@ PastAgrees ==
         /\ CanAnswers(10) = {NotSet} /\ CanAnswers(20) = {BadOb}
         /\ ActAnswers(10) = {NotSet} /\ ActAnswers(20) = {BadOb}
 
-(* [TINT-61] [TINT-74] SFC 30 of a once whose call waits or runs; STATUS. *)
+(* [TINT-61] [TINT-74] SFC 30 of a one-shot interrupt whose call waits or  *)
+(* runs; STATUS.                                                           *)
 StatusAgrees ==
     /\ Holds("AMB-60", "c", {"a", "c"}, OK \in ActAnswersWhenCalled(10))
     /\ Holds("AMB-60", "c", {"b", "c"}, PastStart \in ActAnswersWhenCalled(10))
@@ -156,7 +157,7 @@ SeriesAgree ==
              { c.readings["AMB-38"] : c \in CpusByLeapDay(cpu) }
                = {"before", "after"}
 
-(* [TINT-08] A once that is used up. *)
+(* [TINT-08] A one-shot interrupt that is used up. *)
 OnceAgrees ==
     LET once == [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,
                                    !.start = Six, !.next = Six ]

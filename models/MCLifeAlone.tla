@@ -38,8 +38,8 @@ Starts == running' /\ ~running
 StartStep ==
     Starts => loaded /\ setting = "active" /\ (waiting > 0 \/ perhaps)
 
-(* A once interrupt runs once [TINT-08]: its call uses it up [AMB-71]. It  *)
-(* is no longer set after its OB ends.                                     *)
+(* A one-shot interrupt runs once [TINT-08]: its call uses it up [AMB-71]. *)
+(* It is no longer set after its OB ends.                                  *)
 OnceStep ==
     /\ Starts /\ once => /\ setting' \in {"unset", "called"}
                          /\ waiting' = 0 /\ ~perhaps'
@@ -62,8 +62,9 @@ BlockedStep == on /\ blocked => waiting' <= waiting
 (* A call or a point does not end a running OB [TINT-53]. *)
 RunsOnStep == running /\ ~running' => past' \in {"served", "cleared"}
 
-(* A start event of a blocked interrupt is lost; it uses a once up unless  *)
-(* another one waits [IRT-18], and nothing else [IRT-01].                  *)
+(* A start event of a blocked interrupt is lost; it uses a one-shot        *)
+(* interrupt up unless another one waits [IRT-18], and nothing else        *)
+(* [IRT-01].                                                               *)
 LostStep ==
     past # "lost" /\ past' = "lost" =>
       /\ blocked /\ setting = "active"

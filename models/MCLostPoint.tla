@@ -1,8 +1,8 @@
 ------------------------------ MODULE MCLostPoint ----------------------------
 (***************************************************************************)
-(* A once interrupt whose point passes in HOLD, so that its run is open    *)
-(* [AMB-55]; then the clock is set back, the OB is blocked and its point   *)
-(* comes again (sections 3, 5.4 and 6).                                    *)
+(* A one-shot interrupt whose point passes in HOLD, so that its run is     *)
+(* open [AMB-55]; then the clock is set back, the OB is blocked and its    *)
+(* point comes again (sections 3, 5.4 and 6).                              *)
 (***************************************************************************)
 EXTENDS MCBase
 

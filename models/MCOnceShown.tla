@@ -1,9 +1,9 @@
 ------------------------------ MODULE MCOnceShown ----------------------------
 (***************************************************************************)
-(* On an S7-400 the clock passes the new point of a once while its OB runs *)
-(* for an earlier setting, so that the catch-up may merge [AMB-52].  Then  *)
-(* the clock is set back before the point: the CPU has to show whether it  *)
-(* is over [AMB-56] (sections 1 and 6).                                    *)
+(* On an S7-400 the clock passes the new point of a one-shot interrupt     *)
+(* while its OB runs for an earlier setting, so that the catch-up may      *)
+(* merge [AMB-52]. Then the clock is set back before the point: the CPU    *)
+(* has to show whether it is over [AMB-56] (sections 1 and 6).             *)
 (***************************************************************************)
 EXTENDS MCBase
 

@@ -1,8 +1,9 @@
 ----------------------------- MODULE MCRunStays -----------------------------
 (***************************************************************************)
 (* SFC 28 and SFC 29 leave the run of an earlier setting that waits, by    *)
-(* the reading (a) of AMB-11 (section 1). A once is set anew while its OB  *)
-(* waits: the new setting is activated by its own start alone.             *)
+(* the reading (a) of AMB-11 (section 1). A one-shot interrupt is set anew *)
+(* while its OB waits: the new setting is activated by its own start       *)
+(* alone.                                                                  *)
 (***************************************************************************)
 EXTENDS MCBase
 

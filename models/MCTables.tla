@@ -29,16 +29,16 @@ MCReadingSets ==
 -----------------------------------------------------------------------------
 
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
-Questions == { "AMB-" \o d \o e : d, e \in Digits }
+Numbers == { "AMB-" \o d \o e : d, e \in Digits }
 
-(* 79 questions, of which no formula asks five.  A default is a letter     *)
-(* that a header may name.  A profile names a letter where the default     *)
-(* rejects what its edition prints.                                        *)
+(* 79 questions, a row each, of which no formula asks five. A default is a *)
+(* letter that a header may name. A profile names a letter where the       *)
+(* default rejects what its edition prints.                                *)
 LettersAgree ==
-    /\ FourLetters \cap ThreeLetters = {}
-    /\ (FourLetters \cup ThreeLetters) \cap TwoLetters = {}
-    /\ Cardinality(Ambiguities) = 79 - 5 /\ Ambiguities \subseteq Questions
-    /\ ReadByB \cap ReadByC = {} /\ (ReadByB \cup ReadByC) \cap ReadByD = {}
+    /\ Cardinality(Questions) = 79
+    /\ Cardinality({ q[1] : q \in Questions }) = 79
+    /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
+    /\ Cardinality(Ambiguities) = 79 - 5
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]

@@ -2,8 +2,8 @@
 (***************************************************************************)
 (* Calls for interrupts whose start events wait or are over (sections 1.3, *)
 (* 1.4 and 2.3): CAN_TINT beside a delay in the same class, CAN_DINT for   *)
-(* an OB that has no delay, and calls for a once that its clock has passed *)
-(* while its OB runs.                                                      *)
+(* an OB that has no delay, and calls for a one-shot interrupt that its    *)
+(* clock has passed while its OB runs.                                     *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -23,7 +23,7 @@ MCInterrupts == {<<40, 0>>, <<80, 10>>}
 MCRestartTypes == {"warm"}
 MCRetVals == {OK, 1, BadOb, NotStarted}
 
-(* A once that runs for an earlier setting. *)
+(* A one-shot interrupt that runs for an earlier setting. *)
 OnceFamilies == {"S7-300"}
 OncePriorities == {[o \in {} |-> 0]}
 OnceLoads == {{10, 80}}

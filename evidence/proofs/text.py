@@ -3,8 +3,9 @@
 - The modules are flattened, and definitions that the query does not need are left out (`flatten`).
 - A property of steps ``[][F]_vars`` becomes the action formula ``F``, which Apalache checks after a step. That is
   stronger: a step that changes nothing has to be as F says, too.
-- ``Reading("AMB-..")`` becomes the letter that holds by default, read from module Editions; or, in a query about
-  every letter, a constant that may be each letter of the ambiguity.
+- ``Reading("AMB-..")`` becomes the letter that holds by default, read from module Readings; or, in a query about
+  every letter, a constant that may be each letter of the ambiguity. ``Defaults[a]`` becomes a CASE, most of whose arms
+  Apalache leaves out before it asks the solver.
 """
 
 from __future__ import annotations
@@ -23,19 +24,16 @@ from evidence.tla.syntax import SyntaxTreeError, operand, read_text, references,
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
 _COMMENT = re.compile(r"(@type(?s:.*?);)|\(\*(?! *@type)(?s:.*?)\*\)|\\\*(?! *@type).*")
-_LETTERS = re.compile(r"^ReadBy([A-Z]) ==\s*\{([^}]*)\}", re.MULTILINE)
-_NUMBERS = re.compile(r"^(Two|Three|Four)Letters ==\s*\{([^}]*)\}", re.MULTILINE)
+_ROW = re.compile(r'<<"(AMB-\d+)", "(\w)", (\w+)>>')
 _LETTER = re.compile(r"\bLetterOf(\d+)\b")
 
 ANY_LETTERS = "AnyLetters"
 """What is said of the constants in a query about every letter."""
 
 
-def default_letters(editions: str) -> dict[str, str]:
-    """The ambiguities that are not read by (a), with their letters, from the text of module Editions."""
-    return {
-        name: letter.lower() for letter, names in _LETTERS.findall(editions) for name in re.findall(r"AMB-\d+", names)
-    }
+def default_letters(readings: str) -> dict[str, str]:
+    """The default letter of each ambiguity, from the rows in the text of module Readings."""
+    return {name: default for name, default, _ in _ROW.findall(readings)}
 
 
 def as_action(text: str) -> str:
@@ -43,19 +41,14 @@ def as_action(text: str) -> str:
     return _BOX.sub(lambda box: f"(  {box[1]})", text)
 
 
-def all_letters(editions: str) -> dict[str, str]:
-    """The letters of each ambiguity, from the text of module Editions: such as "abc"."""
-    return {
-        name: "abcd"[: ("Two", "Three", "Four").index(number) + 2]
-        for number, names in _NUMBERS.findall(editions)
-        for name in re.findall(r"AMB-\d+", names)
-    }
+def all_letters(readings: str) -> dict[str, str]:
+    """The letters of each ambiguity, from the rows in the text of module Readings: such as "abc"."""
+    return {name: letters.lower() for name, _, letters in _ROW.findall(readings)}
 
 
-def letters_alone(editions: str, alone: str) -> dict[str, str]:
-    """As `all_letters`, but one letter of each: that in `alone`, such as "AMB-21 b", or else its default."""
-    chosen = default_letters(editions) | named_letters(alone)
-    return {name: chosen.get(name, "a") for name in all_letters(editions)}
+def letters_alone(readings: str, alone: str) -> dict[str, str]:
+    """One letter of each ambiguity: that in `alone`, such as "AMB-21 b", or else its default."""
+    return default_letters(readings) | named_letters(alone)
 
 
 def read_by_any(text: str, shown: Iterable[str]) -> str:
@@ -107,7 +100,9 @@ def with_letters(text: str, letters: Mapping[str, str], constants: str) -> str:
 
 def read_by_default(text: str, letters: Mapping[str, str]) -> str:
     """The text with each ambiguity read by its default."""
-    return _READING.sub(lambda reading: f'"{letters.get(reading[1], "a")}"', text)
+    arms = " [] ".join(f'a = "{name}" -> "{letter}"' for name, letter in letters.items() if letter != "a")
+    text = text.replace("Defaults[a]", f'(CASE {arms} [] OTHER -> "a")')
+    return _READING.sub(lambda reading: f'"{letters[reading[1]]}"', text)
 
 
 def put_in_place(text: str, name: str, others: Sequence[str]) -> str:

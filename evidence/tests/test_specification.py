@@ -80,3 +80,13 @@ def test_letters_are_compared_in_readings_alone() -> None:
         if any("Reading" in references(unit) for unit in module.definitions.values())
     }
     assert asking == {"Readings"}
+
+
+def test_modules_extend_few_others_in_turn() -> None:
+    """A reader can follow what a module is built on: the rules are at most eight modules deep."""
+    spec = read_modules(ROOT / "spec")
+
+    def depth(name: str) -> int:
+        return 1 + max((depth(each) for each in spec[name].imports & spec.keys()), default=0)
+
+    assert depth("System") <= 8

@@ -10,8 +10,8 @@
 (*              reports it [AMB-48]                                        *)
 (*   missed     since its OB is missing [OBS-20]                           *)
 (*   withdrawn  by a call that cancels the interrupt [TINT-50], by the     *)
-(*              call of the OB of a once interrupt [TINT-08], or with its  *)
-(*              OB [AMB-66]                                                *)
+(*              call of the OB of a one-shot interrupt [TINT-08], or with  *)
+(*              its OB [AMB-66]                                            *)
 (*   cleared    by STOP [OBS-41]                                           *)
 (*   merged     with a start event that waited, was open or ran            *)
 (*                                                                         *)
@@ -87,8 +87,8 @@ Occurs(o) ==
         /\ More(o, "merged") => Busy(o) \/ Busy(o)'
 
 (* One start event that waits or is open is taken to be run or missed.     *)
-(* Open ones may turn out to have had no effect; or, of a once interrupt,  *)
-(* all others are withdrawn.                                               *)
+(* Open ones may turn out to have had no effect; or, of a one-shot         *)
+(* interrupt, all others are withdrawn.                                    *)
 \* @type: (Int, Str) => Bool;
 Taken(o, fate) ==
     /\ Moves(o, 0, {"waiting", "open", fate, "withdrawn", "merged"})

@@ -9,7 +9,8 @@
 (***************************************************************************)
 EXTENDS PropertiesObs, PropertiesAirt, PropertiesIrt
 
-(* [OBS-41] Nothing runs, waits, is delayed or calls for a STOP in STOP. *)
+(* [OBS-41] In STOP no OB runs or waits, no delay is active and no STOP is *)
+(* due.                                                                    *)
 StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0
                                /\ stopCause = NoCause /\ startup = "none"
 

@@ -37,8 +37,8 @@ MemoryInv ==
                                    /\ tod[o].served = {}
                                    /\ tod[o].earlier = {}
 
-(* [AMB-71] A once that its call uses up is not watched for, and no other  *)
-(* run of its OB waits.                                                    *)
+(* [AMB-71] A one-shot interrupt that its call uses up is not watched for, *)
+(* and no other run of its OB waits.                                       *)
 CalledInv ==
     \A o \in TodObs :
       tod[o].called => /\ tod[o].active /\ tod[o].period = Once
@@ -46,7 +46,7 @@ CalledInv ==
                        /\ mode = "STOP" \/ OnStack(o)
                        /\ { r \in requests : r.ob = o } = {}
 
-(* [TINT-08] A once has one point, its start. *)
+(* [TINT-08] A one-shot interrupt has one point, its start. *)
 OnceInv ==
     \A r \in requests :
       r.ob \in TodObs /\ tod[r.ob].period = Once =>

@@ -22,8 +22,8 @@ VARIABLES
     (* The OB is loaded. *)
     \* @type: Bool;
     loaded,
-    (* "unset", "set", "active" or, of a once that its run uses up,         *)
-    (* "called"; and whether PERIOD is "once".                              *)
+    (* "unset", "set", "active" or, of a one-shot interrupt that its run    *)
+    (* uses up, "called"; and whether PERIOD is "once".                     *)
     \* @type: Str;
     setting,
     \* @type: Bool;
@@ -89,8 +89,8 @@ Due == /\ on /\ setting = "active" /\ ~blocked
              /\ waiting > 0 \/ perhaps \/ perhaps' \/ running \/ doomed'
        /\ UNCHANGED <<on, loaded, setting, once, blocked, running, past>>
 
-(* [IRT-01] [IRT-04] [IRT-18] A lost start event uses a once up, unless an *)
-(* earlier one still waits.                                                *)
+(* [IRT-01] [IRT-04] [IRT-18] A lost start event uses a one-shot interrupt *)
+(* up, unless an earlier one still waits.                                  *)
 Lost == /\ on /\ setting = "active" /\ blocked
         /\ IF once /\ waiting = 0 /\ ~perhaps
            THEN setting' = "unset" /\ once' = FALSE
@@ -98,7 +98,8 @@ Lost == /\ on /\ setting = "active" /\ blocked
         /\ past' = "lost"
         /\ UNCHANGED <<on, loaded, blocked, waiting, perhaps, running>>
 
-(* The OB is called for a waiting start event: a once has no other.        *)
+(* The OB is called for a waiting start event: a one-shot interrupt has no *)
+(* other.                                                                  *)
 \* @type: Set(Str) => Bool;
 Taken(after) == /\ on /\ setting = "active"
                 /\ IF once
@@ -110,8 +111,8 @@ Taken(after) == /\ on /\ setting = "active"
                            \/ perhaps /\ waiting' = waiting
                         /\ UNCHANGED <<setting, once>>
 
-(* [TINT-23] [TINT-08] A once is no longer set when its OB starts, or when *)
-(* it ends [AMB-71].                                                       *)
+(* [TINT-23] [TINT-08] A one-shot interrupt is no longer set when its OB   *)
+(* starts, or when it ends [AMB-71].                                       *)
 Start == /\ loaded /\ ~running /\ running' = TRUE
          /\ Taken({"unset", "called"})
          /\ UNCHANGED <<on, loaded, blocked, past>>
@@ -156,7 +157,7 @@ Stop == /\ on /\ on' = FALSE /\ ~doomed'
         /\ UNCHANGED <<loaded, setting, once, blocked>>
 
 (* [OBS-50] [OBS-53] [OBS-56] STEP 7 sets the interrupt or does not; a     *)
-(* once of the past waits.                                                 *)
+(* one-shot interrupt of the past waits.                                   *)
 Restart == /\ ~on /\ on' = TRUE
            /\ blocked' = FALSE
            /\ setting' \in {"unset", "set", "active"} /\ once' \in BOOLEAN

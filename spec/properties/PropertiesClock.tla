@@ -89,8 +89,8 @@ HoldSkipProp ==
                  r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
           ELSE stopCause' # NoCause ]_vars
 
-(* Setting the clock changes no setting, except of a blocked once that is  *)
-(* skipped [AMB-12], and no OB starts or ends by it.                       *)
+(* Setting the clock changes no setting, except of a blocked one-shot      *)
+(* interrupt that is skipped [AMB-12], and no OB starts or ends by it.     *)
 ClockOnlyProp ==
     [][ Did("clock") => /\ clock' # clock
                         /\ UNCHANGED <<mode, stack, delay, startup>>

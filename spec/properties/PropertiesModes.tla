@@ -80,8 +80,9 @@ PeriodTable ==
 
 (* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55]       *)
 (* Before the startup OB begins, only the settings of STEP 7 hold, and     *)
-(* only a once of the past waits [OBS-56]. A deselected OB that is loaded, *)
-(* by STEP 7 or by class 0 [OBS-06], aborts the startup [OBS-25].          *)
+(* only a one-shot interrupt of the past waits [OBS-56]. A deselected OB   *)
+(* that is loaded, by STEP 7 or by class 0 [OBS-06], aborts the startup    *)
+(* [OBS-25].                                                               *)
 RestartProp ==
     [][ Did("restart") =>
           /\ delay' = 0 /\ stack' = <<>>

@@ -21,9 +21,10 @@ FirstPointProp ==
               ELSE t.next >= Ahead ]_vars
 
 (* [TINT-09] [TINT-10] [CLK-08] An active interrupt waits for the next     *)
-(* point of its series.  The point that equals the clock may have been     *)
-(* reached.  A once has its start and no other point.  In a time that the  *)
-(* clock repeats, points may be left out [CLK-09] [AMB-56] [AMB-57].       *)
+(* point of its series. The point that equals the clock may have been      *)
+(* reached. A one-shot interrupt has its start and no other point. In a    *)
+(* time that the clock repeats, points may be left out [CLK-09] [AMB-56]   *)
+(* [AMB-57].                                                               *)
 NextPointInv ==
     mode \in {"RUN", "STARTUP"} =>
       \A o \in TodObs :

@@ -88,9 +88,9 @@ SetProp ==
           /\ tod'[step'.ob].offset = 0 /\ tod'[step'.ob].next = Never
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
-(* A once whose only point is past and none of whose runs is certain to    *)
-(* come; its OB may run for an earlier setting. The sources leave open     *)
-(* whether it is still set [AMB-48] [AMB-55].                              *)
+(* A one-shot interrupt whose only point is past and none of whose runs is *)
+(* certain to come; its OB may run for an earlier setting. The sources     *)
+(* leave open whether it is still set [AMB-48] [AMB-55].                   *)
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
            /\ ~PendingIn(requests, o) /\ ~tod[o].called
 
@@ -201,8 +201,8 @@ AfterTimeErrorProp ==
             /\ r.follows # 0 =>
                  ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late ]_vars
 
-(* [TINT-08] [TINT-64] [AMB-08] [AMB-71] A once is no longer set when its  *)
-(* OB starts, or when it ends (it may be set anew in its OB).              *)
+(* [TINT-08] [TINT-64] [AMB-08] [AMB-71] A one-shot interrupt is no longer *)
+(* set when its OB starts, or when it ends (it may be set anew in its OB). *)
 OnceProp ==
     [][ \A o \in TodObs :
           /\ Started(o) /\ tod[o].period = Once
@@ -210,9 +210,9 @@ OnceProp ==
           /\ tod'[o].called => tod'[o].set /\ tod'[o].next = Never
           /\ Did("end") /\ step'.ob = o => ~tod'[o].called ]_vars
 
-(* [CLK-12] [AMB-71] [AMB-46] Setting the clock back does not arm a once   *)
-(* again whose call waits or runs. A once with a missing OB is no longer   *)
-(* set.                                                                    *)
+(* [CLK-12] [AMB-71] [AMB-46] Setting the clock back does not arm a        *)
+(* one-shot interrupt again whose call waits or runs. A one-shot interrupt *)
+(* with a missing OB is no longer set.                                     *)
 OnceOverProp ==
     [][ \A o \in TodObs :
           /\ /\ Did("clock") /\ tod[o].active /\ tod[o].period = Once
@@ -228,7 +228,8 @@ SettingOf(t) == <<t.set, t.start, t.period, t.offset>>
 
 (* [TINT-60] A setting of STEP 7 or the program stays until SET_TINT or    *)
 (* CAN_TINT for its OB or a restart [TINT-38]; ACT_TINT only activates it. *)
-(* A once is gone with the start of its OB, its end, or its lost event.    *)
+(* A one-shot interrupt is gone with the start of its OB, its end, or its  *)
+(* lost event.                                                             *)
 SettingStaysProp ==
     [][ \A o \in TodObs :
           \/ /\ SettingOf(tod'[o]) = SettingOf(tod[o])

@@ -38,7 +38,7 @@ RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
                         ELSE Close(requests \ WithdrawnBy(to))
 
 (* [AMB-40] (b) An S7-300 whose clock is set back calls every active OB,   *)
-(* except that of a once whose call runs [CLK-12].                         *)
+(* except that of a one-shot interrupt whose call runs [CLK-12].           *)
 \* @type: $moment => Set(Int);
 CalledBySetBack(to) ==
     IF /\ IsBack(to) /\ Watching
@@ -64,7 +64,7 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
        /\ Defer(skipped)
 
-(* [AMB-71] That call uses a once up, too. *)
+(* [AMB-71] This call also consumes a one-shot interrupt. *)
 \* @type: $tod => $tod;
 CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
                                          ELSE [t EXCEPT !.next = Never]

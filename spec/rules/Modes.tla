@@ -34,8 +34,8 @@ Configured(s) ==
                             !.start  = s.start,
                             !.period = PeriodOf(s.execution) ]
 
-(* [OBS-56] STEP 7 has set and activated a once with its start in the      *)
-(* past.                                                                   *)
+(* [OBS-56] STEP 7 has set and activated a one-shot interrupt with its     *)
+(* start in the past.                                                      *)
 \* @type: Int => Bool;
 PastOnce(o) ==
     LET s == cpu.step7[o]

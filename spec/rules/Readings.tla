@@ -1,23 +1,189 @@
------------------------------- MODULE Readings ------------------------------
+------------------------------- MODULE Readings -------------------------------
 (***************************************************************************)
-(* Where the sources leave a question open, each possible answer has a     *)
-(* name here: a predicate that says how the CPU at hand reads it.  No      *)
-(* other module knows letters.  docs/rules/readings.md has the questions   *)
-(* with their sources, module Editions the letters that hold by default.   *)
+(* The questions that the sources leave open: the letters of the answers   *)
+(* and the default, in one table; the profiles, each with the letters of   *)
+(* one edition of the manual; the letter of the CPU at hand; and a name    *)
+(* for each possible answer, a predicate that says how the CPU at hand     *)
+(* reads it. No other module knows letters. docs/rules/readings.md has the *)
+(* questions with their sources.                                           *)
 (*                                                                         *)
 (* A question with two answers has one predicate; its negation is the      *)
-(* other answer.  A question with more answers has several predicates; if  *)
+(* other answer. A question with more answers has several predicates; if   *)
 (* none holds, the answer is the remaining one, often "either".            *)
-(* Left out: questions that no formula tells apart.                        *)
+(* Left out: questions that no formula tells apart have no names.          *)
 (***************************************************************************)
-EXTENDS Editions
+EXTENDS State
+
+-----------------------------------------------------------------------------
+(* The questions *)
+
+AB   == {"a", "b"}
+ABC  == {"a", "b", "c"}
+ABCD == {"a", "b", "c", "d"}
+
+(* A row for each question: its default letter, which holds where neither  *)
+(* a header nor a model names another, and the letters of its answers,     *)
+(* which a header may name.                                                *)
+\* @type: Set(<<Str, Str, Set(Str)>>);
+Questions ==
+  { <<"AMB-01", "c", ABC>>,
+    <<"AMB-02", "b", AB>>,
+    <<"AMB-03", "a", ABC>>,
+    <<"AMB-04", "a", ABC>>,
+    <<"AMB-05", "a", ABC>>,
+    <<"AMB-06", "a", ABC>>,
+    <<"AMB-07", "a", AB>>,
+    <<"AMB-08", "a", AB>>,
+    <<"AMB-09", "a", AB>>,
+    <<"AMB-10", "a", AB>>,
+    <<"AMB-11", "d", ABCD>>,
+    <<"AMB-12", "a", AB>>,
+    <<"AMB-13", "d", ABCD>>,
+    <<"AMB-14", "a", ABC>>,
+    <<"AMB-15", "a", ABC>>,
+    <<"AMB-16", "a", AB>>,
+    <<"AMB-17", "a", AB>>,
+    <<"AMB-18", "d", ABCD>>,
+    <<"AMB-19", "a", ABC>>,
+    <<"AMB-20", "a", AB>>,
+    <<"AMB-21", "a", AB>>,
+    <<"AMB-22", "a", AB>>,
+    <<"AMB-23", "a", AB>>,
+    <<"AMB-24", "a", AB>>,
+    <<"AMB-25", "a", AB>>,
+    <<"AMB-26", "a", AB>>,
+    <<"AMB-27", "b", AB>>,
+    <<"AMB-28", "c", ABC>>,
+    <<"AMB-29", "a", AB>>,
+    <<"AMB-30", "a", AB>>,
+    <<"AMB-31", "b", AB>>,
+    <<"AMB-32", "a", AB>>,
+    <<"AMB-33", "a", AB>>,
+    <<"AMB-34", "c", ABC>>,
+    <<"AMB-35", "a", AB>>,
+    <<"AMB-36", "a", AB>>,
+    <<"AMB-37", "a", AB>>,
+    <<"AMB-38", "a", ABC>>,
+    <<"AMB-39", "a", ABC>>,
+    <<"AMB-40", "a", AB>>,
+    <<"AMB-41", "a", AB>>,
+    <<"AMB-42", "a", AB>>,
+    <<"AMB-43", "a", AB>>,
+    <<"AMB-44", "b", AB>>,
+    <<"AMB-45", "c", ABC>>,
+    <<"AMB-46", "a", AB>>,
+    <<"AMB-47", "c", ABC>>,
+    <<"AMB-48", "c", ABC>>,
+    <<"AMB-49", "c", ABC>>,
+    <<"AMB-50", "c", ABC>>,
+    <<"AMB-51", "a", AB>>,
+    <<"AMB-52", "c", ABC>>,
+    <<"AMB-53", "c", ABC>>,
+    <<"AMB-54", "c", ABC>>,
+    <<"AMB-55", "c", ABC>>,
+    <<"AMB-56", "c", ABCD>>,
+    <<"AMB-57", "c", ABC>>,
+    <<"AMB-58", "a", AB>>,
+    <<"AMB-59", "a", AB>>,
+    <<"AMB-60", "c", ABC>>,
+    <<"AMB-61", "c", ABC>>,
+    <<"AMB-62", "a", AB>>,
+    <<"AMB-63", "b", AB>>,
+    <<"AMB-64", "a", AB>>,
+    <<"AMB-65", "a", AB>>,
+    <<"AMB-66", "a", AB>>,
+    <<"AMB-67", "c", ABC>>,
+    <<"AMB-68", "c", ABC>>,
+    <<"AMB-69", "a", AB>>,
+    <<"AMB-70", "c", ABC>>,
+    <<"AMB-71", "d", ABCD>>,
+    <<"AMB-72", "a", AB>>,
+    <<"AMB-73", "a", AB>>,
+    <<"AMB-74", "a", AB>>,
+    <<"AMB-75", "a", AB>>,
+    <<"AMB-76", "a", AB>>,
+    <<"AMB-77", "d", ABCD>>,
+    <<"AMB-78", "a", AB>>,
+    <<"AMB-79", "c", ABC>> }
+
+(* No formula asks these; docs/rules/readings.md says why. *)
+\* @type: Set(Str);
+NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78" }
+
+\* @type: Str => <<Str, Str, Set(Str)>>;
+RowOf(a) == CHOOSE q \in Questions : q[1] = a
+
+\* @type: Set(Str);
+Ambiguities == { q[1] : q \in Questions } \ NotAsked
+
+\* @type: Str -> Str;
+Defaults == [a \in Ambiguities |-> RowOf(a)[2]]
+
+(* The letters that formulas tell apart. *)
+\* @type: Str => Set(Str);
+Letters(a) == IF a \in Ambiguities THEN RowOf(a)[3] ELSE {RowOf(a)[2]}
+
+-----------------------------------------------------------------------------
+(* Looking a letter up *)
+
+(* The letter by which a CPU reads a question, and that of this CPU. *)
+\* @type: ($cpu, Str) => Str;
+ReadingOf(c, a) == IF a \in DOMAIN c.readings THEN c.readings[a]
+                                              ELSE Defaults[a]
+\* @type: Str => Str;
+Reading(a) == ReadingOf(cpu, a)
+
+(* (a) nothing of the set, (b) all of it, or any part. *)
+\* @type: (Str, Set(Int)) => Set(Set(Int));
+PartBy(letter, whole) ==
+    { part \in SUBSET whole : CASE letter = "a" -> part = {}
+                               [] letter = "b" -> part = whole
+                               [] OTHER        -> TRUE }
+
+(* The CPU c with a letter of its own. *)
+\* @type: (Str, Str, $cpu) => $cpu;
+ReadAs(a, letter, c) ==
+    [ c EXCEPT !.readings = [ x \in DOMAIN c.readings \cup {a} |->
+                                IF x = a THEN letter ELSE c.readings[x] ] ]
+
+(* The CPUs that c may turn out to be, if its letter is the open one. *)
+\* @type: ($cpu, Str, Str, Set(Str)) => Set($cpu);
+Turned(c, a, open, letters) ==
+    IF ReadingOf(c, a) # open THEN {c}
+    ELSE { ReadAs(a, letter, c) : letter \in letters }
+
+-----------------------------------------------------------------------------
+(* Profiles: the letters of an edition as printed, where the defaults      *)
+(* would reject it. AMB-06 has the letter "delay" for the edition of 2010: *)
+(* (b) for time-delay interrupts alone.                                    *)
+
+ProfileNames == {"1997", "2006", "2010"}
+
+\* @type: Str => Set(<<Str, Str>>);
+Profile(name) ==
+    CASE name = "1997" ->
+           { <<"AMB-01", "a">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
+             <<"AMB-05", "b">>, <<"AMB-14", "c">>, <<"AMB-17", "b">>,
+             <<"AMB-20", "b">>, <<"AMB-43", "b">> }
+      [] name = "2006" ->
+           { <<"AMB-01", "b">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
+             <<"AMB-20", "b">>, <<"AMB-22", "b">>, <<"AMB-36", "b">>,
+             <<"AMB-40", "b">>, <<"AMB-41", "b">>, <<"AMB-42", "b">> }
+      [] name = "2010" ->
+           { <<"AMB-01", "b">>, <<"AMB-06", "delay">>, <<"AMB-20", "b">>,
+             <<"AMB-36", "b">>, <<"AMB-74", "b">> }
+      [] OTHER -> {}
+
+-----------------------------------------------------------------------------
+(* The answers by name *)
 
 (* [AMB-01] One of the PERIODs 1201 and 1202 is weekly, or both are. *)
 OnlyPeriod1201IsWeekly == Reading("AMB-01") = "a"
 OnlyPeriod1202IsWeekly == Reading("AMB-01") = "b"
 BothPeriodsAreWeekly   == Reading("AMB-01") = "c"
 
-(* [AMB-02] SET_TINT answers 80A1 for any PERIOD, not for once alone. *)
+(* [AMB-02] SET_TINT answers 80A1 for any PERIOD, not for one-shot         *)
+(* interrupts alone.                                                       *)
 EveryPastStartIsRefused == Reading("AMB-02") = "a"
 (* [AMB-03] STATUS bit 0 is 1 in STARTUP alone. *)
 Bit0MeansStartup == Reading("AMB-03") = "a"
@@ -35,7 +201,8 @@ MissingIsTimeError         == Reading("AMB-06") = "c"
 
 (* [AMB-07] A time-delay OB without OB 80 or OB 85 does not stop the CPU. *)
 DelaysNeverStopTheCpu == Reading("AMB-07") = "b"
-(* [AMB-08] A once that has run is no longer set; else its date stays. *)
+(* [AMB-08] A one-shot interrupt that has run is no longer set; else its   *)
+(* date stays.                                                             *)
 OnceIsUnsetByItsRun == Reading("AMB-08") = "a"
 (* [AMB-09] CAN_TINT answers 80A0 unless the interrupt is active. *)
 CanTintNeedsActive == Reading("AMB-09") = "b"
@@ -48,7 +215,8 @@ TodCallsWithdrawRuns  == Reading("AMB-11") # "a"
 \* @type: $cpu => Bool;
 DintCallsWithdrawRuns(c) == ReadingOf(c, "AMB-11") = "b"
 CpusByDintCalls == Turned(cpu, "AMB-11", "d", {"b", "c"})
-(* [AMB-12] A once or a delay is over when its start event is lost. *)
+(* [AMB-12] A one-shot interrupt or a delay is over when its start event   *)
+(* is lost.                                                                *)
 LostEventEndsItsSource == Reading("AMB-12") = "a"
 (* [AMB-13] When OB 80 has class 28. *)
 Class28InStartup  == Reading("AMB-13") \in {"a", "d"}
@@ -100,7 +268,8 @@ EndOfMonthIsOnce == Reading("AMB-32") = "b"
 (* [AMB-33] OB 85 blocked stops the CPU. *)
 BlockedOb85StopsTheCpu == Reading("AMB-33") = "b"
 
-(* [AMB-34] STATUS bit 2 of a once that waits is 1; or 0; else either. *)
+(* [AMB-34] STATUS bit 2 of a one-shot interrupt that waits is 1; or 0;    *)
+(* else either.                                                            *)
 WaitingOnceIsActive   == Reading("AMB-34") = "a"
 WaitingOnceIsInactive == Reading("AMB-34") = "b"
 
@@ -191,8 +360,8 @@ ServedPointsAreSkipped == Reading("AMB-58") = "b"
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
 
-(* [AMB-60] ACT_TINT on an active once whose call waits or runs: 0000; or  *)
-(* 80A1.                                                                   *)
+(* [AMB-60] ACT_TINT on an active one-shot interrupt whose call waits or   *)
+(* runs: 0000; or 80A1.                                                    *)
 CalledOnceIsAhead == Reading("AMB-60") = "a"
 CalledOnceIsPast  == Reading("AMB-60") = "b"
 
@@ -223,7 +392,8 @@ NothingStandsBefore == Reading("AMB-69") = "b"
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"
 
-(* [AMB-71] A once is used up at its point, or when its OB starts or ends. *)
+(* [AMB-71] A one-shot interrupt is used up at its point, or when its OB   *)
+(* starts or ends.                                                         *)
 OnceUsedUpAtItsPoint  == Reading("AMB-71") = "b"
 OnceMayEndAtItsStart  == Reading("AMB-71") # "c"
 OnceMayEndAtItsEnd    == Reading("AMB-71") \in {"c", "d"}

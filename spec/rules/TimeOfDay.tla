@@ -25,9 +25,9 @@ SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
 (* ... or, refused, changes nothing [AMB-20]. *)
 SettingStays == UNCHANGED <<tod, requests>>
 
-(* An active once whose point has passed, and no run is certain to come:   *)
-(* there is no catch-up, or it is open [AMB-48] [AMB-55]. No source says   *)
-(* whether the interrupt is still active.                                  *)
+(* An active one-shot interrupt whose point has passed, and no run is      *)
+(* certain to come: there is no catch-up, or it is open [AMB-48] [AMB-55]. *)
+(* No source says whether the interrupt is still active.                   *)
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
@@ -57,8 +57,8 @@ ValidSdt(sdt, period) ==
 \* @type: $date => $moment;
 ExactMoment(sdt) == [min |-> MinuteOf(sdt), ms |-> sdt.second * 1000 + sdt.ms]
 
-(* The start, of which seconds are dropped first [AMB-14]; of an end of    *)
-(* month that is executed once its point [AMB-32].                         *)
+(* The start with its seconds dropped [AMB-14]; for a one-shot             *)
+(* end-of-month interrupt, its only point [AMB-32].                        *)
 \* @type: ($date, Int) => $moment;
 StartMoment(sdt, period) ==
     IF period = EndOfMonth /\ EndOfMonthIsOnce
@@ -123,7 +123,8 @@ CanErrors(o) ==
     ELSE IF ~tod[o].set \/ (CanTintNeedsActive /\ ~tod[o].active) THEN {NotSet}
     ELSE {}
 
-(* Whether a once that is over is still set is open [AMB-48] [AMB-55]. *)
+(* Whether a one-shot interrupt that is over is still set is open [AMB-48] *)
+(* [AMB-55].                                                               *)
 \* @type: Int => Set(Int);
 CanAnswers(o) ==
     Answers(o, CanErrors(o))
@@ -151,12 +152,13 @@ ActErrors(o) ==
             /\ IsPast(FirstMoment(tod[o]), clock)
          THEN {PastStart} ELSE {}
 
-(* A once that is over may still be active [AMB-48] [AMB-55]. *)
+(* A one-shot interrupt that is over may still be active [AMB-48]          *)
+(* [AMB-55].                                                               *)
 \* @type: Int => Set(Int);
 ActAnswersWhenSpent(o) ==
     Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
 
-(* [AMB-60] The call of an active once waits or runs. *)
+(* [AMB-60] The call of an active one-shot interrupt waits or runs. *)
 \* @type: Int => Set(Int);
 ActAnswersWhenCalled(o) ==
     CASE CalledOnceIsAhead -> Answers(o, {})
@@ -220,7 +222,8 @@ BitOfEndedSeries == CASE EndedSeriesIsActive   -> {4}
                       [] EndedSeriesIsInactive -> {0}
                       [] OTHER                 -> {0, 4}
 
-(* [AMB-34] Bit 2 of an active once whose point has passed; it may wait. *)
+(* [AMB-34] Bit 2 of an active one-shot interrupt whose point has passed;  *)
+(* it may wait.                                                            *)
 \* @type: Int => Set(Int);
 BitOfPassedOnce(o) ==
     IF Spent(o) THEN {0, 4}

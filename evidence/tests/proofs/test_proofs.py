@@ -455,16 +455,18 @@ def test_a_property_becomes_an_action_formula() -> None:
 
 
 def test_readings_are_read_by_default() -> None:
-    """The letters are those of module Editions."""
-    letters = default_letters('ReadByB ==\n  { "AMB-02",\n  "AMB-27" }\nReadByC == { "AMB-01" }\n')
-    assert letters == {"AMB-02": "b", "AMB-27": "b", "AMB-01": "c"}
+    """The letters are those of module Readings."""
+    rows = 'Questions ==\n  { <<"AMB-02", "b", AB>>,\n    <<"AMB-09", "a", ABC>> }\n<<"AMB-01", "a">>\n'
+    letters = default_letters(rows)
+    assert letters == {"AMB-02": "b", "AMB-09": "a"}
     assert read_by_default('Reading("AMB-02") = "a" /\\ Reading("AMB-09") = "b"', letters) == '"b" = "a" /\\ "a" = "b"'
+    assert read_by_default("Of(a) == Defaults[a]", letters) == 'Of(a) == (CASE a = "AMB-02" -> "b" [] OTHER -> "a")'
 
 
 def test_a_text_of_any_letter() -> None:
-    """A constant for each ambiguity, but for those that a CPU shows; the letters are those of module Editions."""
-    letters = all_letters('ThreeLetters ==\n  { "AMB-02",\n  "AMB-27" }\nTwoLetters == { "AMB-01" }\n')
-    assert letters == {"AMB-02": "abc", "AMB-27": "abc", "AMB-01": "ab"}
+    """A constant for each ambiguity, but for those that a CPU shows; the letters are those of module Readings."""
+    letters = all_letters('Questions ==\n  { <<"AMB-02", "b", ABC>>,\n    <<"AMB-01", "a", AB>> }\n')
+    assert letters == {"AMB-02": "abc", "AMB-01": "ab"}
     text = read_by_any('==\nEXTENDS A\nF == Reading("AMB-02") = "a" /\\ Reading("AMB-11") = "b"\n====\n', ["AMB-11"])
     said = with_letters(text, letters, "Any")
     assert 'F == LetterOf02 = "a" /\\ Reading("AMB-11") = "b"' in said
