@@ -7,6 +7,7 @@ from urllib.parse import unquote
 import pytest
 
 from evidence.common.checkout import ROOT
+from evidence.traceability.documents import ambiguities
 from evidence.traceability.project import READINGS
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
@@ -29,6 +30,8 @@ ANCHOR = re.compile(r'<a id="([^"]+)">')
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 FOLDERS = "bench|docs|evidence|examples|gallery|instrumentation|kit|models|spec|traces|trace_checker"
 PLACE = re.compile(rf"`((?:{FOLDERS})/[\w./*-]*)`")
+SETTLED = re.compile(r"Default ([a-e]): .*?Specification: (?:constant \(([a-e, ]+)\))?")
+"""Of a question in readings.md the default, and the letters that are constants."""
 EXAMPLES = {"models/MCName.tla", "models/MCName.cfg", "docs/rules/since/REV.json"}
 """Names that stand for others."""
 
@@ -64,19 +67,18 @@ def test_files_that_are_named(page: Path) -> None:
 
 def test_letters_of_readings() -> None:
     """readings.md has the letters that a header may name, and as constants those that the specification tells apart."""
-    rows = re.findall(r'^\| <a id="(AMB-\d+)">(.*)$', (ROOT / READINGS).read_text(encoding="utf-8"), re.MULTILINE)
-    cells = {name: row.split(" | ") for name, row in rows}
-    letters = {name: "".join(re.findall(r"\(([a-e])\) ", found[2])) for name, found in cells.items()}
-    assert letters == tables.READINGS
-    constants = {name: re.findall(r"constant \(([a-e, ]+)\)", found[5]) for name, found in cells.items()}
+    entries = ambiguities(ROOT / READINGS)
+    assert {entry.id: "".join(entry.letters) for entry in entries} == tables.READINGS
+    page = " ".join((ROOT / READINGS).read_text(encoding="utf-8").split())
+    settled = dict(zip((entry.id for entry in entries), SETTLED.findall(page), strict=True))
     try:
         with Engine() as engine:
             choices = engine.alternatives()
     except EngineError as missing:
         pytest.skip(str(missing))
     apart = {name: sorted(letters) for name, letters in choices.letters if len(letters) > 1}
-    assert {name: found[0].split(", ") for name, found in constants.items() if found} == apart
-    assert {name: cells[name][3] for name in apart} == {
+    assert {name: constants.split(", ") for name, (_, constants) in settled.items() if constants} == apart
+    assert {name: settled[name][0] for name in apart} == {
         name: letter for name, letter in choices.defaults if name in apart
     }
 
@@ -88,8 +90,6 @@ WIDE = {
     "docs/rules/differences.md",
     "docs/rules/experiments.md",
     "docs/rules/gallery.md",
-    "docs/rules/readings.md",
-    "docs/rules/requirements.md",
     "docs/rules/review.md",
     "docs/rules/traceability.md",
     "spec/README.md",

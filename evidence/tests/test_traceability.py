@@ -11,23 +11,26 @@ from s7check import cli
 
 REQUIREMENTS = """# Requirements
 
-| ID | requirement | sources | confidence | specified in |
-|---|---|---|---|---|
-| <a id="TINT-01"></a>TINT-01 | Something. | S | H | not yet |
-| <a id="TINT-02"></a>TINT-02 | Something else (see TINT-01). | S | H | not yet |
-| <a id="OBS-09"></a>OBS-09 | The rest. | S | H | not yet |
+- <a id="TINT-01"></a>**TINT-01** Something. *(S; H)*
+- <a id="TINT-02"></a>**TINT-02** Something else
+  (see TINT-01). *(S;
+  H)*
+- <a id="OBS-09"></a>**OBS-09** The rest. *(S; H)*
 """
-AMB_01 = '| <a id="AMB-01"></a>AMB-01 | Which? | (a), (b) | a |'
+AMB_01 = '<a id="AMB-01"></a>**AMB-01** Which?\n\n- (a) one\n- (b) two\n'
 READINGS = f"""# Readings
 
-| ID | question | readings | default |
-|---|---|---|---|
 {AMB_01}
-| <a id="AMB-02"></a>AMB-02 | When? | (a), (b) | a |
+Default a: why not.
 
-| ID | a log may show |
-|---|---|
-| AMB-01 | anything |
+<a id="AMB-02"></a>**AMB-02** When?
+
+- (a) now
+- (b) never
+
+Default a: why not.
+
+AMB-01: a log may show anything
 """
 SPEC = r"""---- MODULE System ----
 (* Rules.  Left out: sizes of buffers [OBS-09]. *)
@@ -243,8 +246,8 @@ def test_reading_by_name(project: Path, run: Run, capsys: pytest.CaptureFixture[
         ("traces/TINT.txt", "R1 TINT-02", "R1 TINT-01", ["TINT-02: no rejected log"]),
         (
             "docs/rules/requirements.md",
-            '| <a id="OBS-09">',
-            '| <a id="OBS-08"></a>OBS-08 | New. | S | H | |\n| <a id="OBS-09">',
+            '- <a id="OBS-09">',
+            '- <a id="OBS-08"></a>**OBS-08** New. *(S; H)*\n- <a id="OBS-09">',
             [
                 "OBS-08: no formula",
                 "OBS-08: no property that a model checks",
@@ -277,7 +280,7 @@ def test_gap(
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
         ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
         ("traces/TINT.txt", "R1 TINT-02", "R1 TINT-02 AIRT-02", "AIRT-02"),
-        ("docs/rules/readings.md", "| AMB-01 | anything |", "| AMB-01 | see AMB-17 |", "AMB-17"),
+        ("docs/rules/readings.md", "AMB-01: a log may show anything", "AMB-01: see AMB-17", "AMB-17"),
     ],
 )
 def test_id_that_does_not_exist(
@@ -364,13 +367,18 @@ def test_page_is_not_up_to_date(project: Path, run: Run, capsys: pytest.CaptureF
 @pytest.mark.parametrize(
     ("name", "text", "error"),
     [
-        ("docs/rules/requirements.md", "# Requirements\n", "requirements.md: no rows"),
+        ("docs/rules/requirements.md", "# Requirements\n", "requirements.md: no entries"),
         (
             "docs/rules/requirements.md",
-            REQUIREMENTS + '| <a id="TINT-01"></a>TINT-01 | Again. | S | H | |\n',
-            "TINT-01 has more than one row",
+            REQUIREMENTS + '- <a id="TINT-01"></a>**TINT-01** Again. *(S; H)*\n',
+            "TINT-01 has more than one entry",
         ),
-        ("docs/rules/readings.md", "# Readings\n", "readings.md: no rows"),
+        (
+            "docs/rules/requirements.md",
+            REQUIREMENTS.replace("rest. *(S; H)*", "rest. *(S)*"),
+            "OBS-09: expected an entry like the others behind the anchor",
+        ),
+        ("docs/rules/readings.md", "# Readings\n", "readings.md: no entries"),
         ("docs/rules/left_out.json", "{}", "left_out.json: Expected `array`"),
         (
             "docs/rules/left_out.json",

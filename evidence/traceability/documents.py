@@ -1,4 +1,4 @@
-"""The requirements and ambiguities: the tables of docs/rules/requirements.md and docs/rules/readings.md."""
+"""The requirements and ambiguities: the entries of docs/rules/requirements.md and docs/rules/readings.md."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from pathlib import Path
 import msgspec
 
 from evidence.traceability.errors import UnreadableError
-from evidence.traceability.ids import AMBIGUITY, PREFIXES
 from s7check.report.clauses import Clause
 
-_REQUIREMENT = re.compile(rf'^\| <a id="((?:{"|".join(PREFIXES)})-\d+)"></a>\1 \|.*\|$', re.MULTILINE)
-_QUESTION = re.compile(rf'^\| <a id="({AMBIGUITY}-\d+)"></a>\1 \|.*\|$', re.MULTILINE)
-_CELL = re.compile(r"(?<!\\) *\| *")
-_LETTER = re.compile(r"\(([a-d])\) (.*?)(?=;? \([a-d]\) |$)")
+_ANCHOR = re.compile(r'<a id="([A-Z]+-\d+)">')
+_REQUIREMENT = re.compile(r'^- <a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
+_QUESTION = re.compile(r'^<a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
+_LETTER = re.compile(r"^- \(([a-d])\) (.*)$", re.MULTILINE)
+_BREAK = re.compile(r"(?<=.)\n *(?=[^\n -])")
+"""Where a sentence goes on in the next line."""
 
 
 def read(path: Path) -> str:
@@ -27,17 +28,16 @@ def read(path: Path) -> str:
 
 
 def requirements(path: Path) -> tuple[Clause, ...]:
-    """The requirements in their order. Raises `UnreadableError`, also where there are none."""
-    rows = _rows(path, _REQUIREMENT, 3)
-    return _distinct(path, [Clause(name, text, source, confidence) for name, (text, source, confidence) in rows])
+    """The requirements in their order, each ``- **ID** text *(sources; confidence)*``. Raises `UnreadableError`."""
+    text = _joined(path)
+    return _entries(path, text, [Clause(*found) for found in _REQUIREMENT.findall(text)])
 
 
 def ambiguities(path: Path) -> tuple[Clause, ...]:
-    """The ambiguities, each with its question and its letters. Raises `UnreadableError`, also where there are none."""
-    rows = _rows(path, _QUESTION, 2)
-    return _distinct(
-        path, [Clause(name, text, letters=dict(_LETTER.findall(letters))) for name, (text, letters) in rows]
-    )
+    """The ambiguities, each ``**ID** question`` and a list of its letters. Raises `UnreadableError`."""
+    text = _joined(path)
+    found = [Clause(name, asked, letters=dict(_LETTER.findall(said))) for name, asked, said in _QUESTION.findall(text)]
+    return _entries(path, text, found)
 
 
 def encoded(clauses: Sequence[Clause]) -> str:
@@ -45,20 +45,19 @@ def encoded(clauses: Sequence[Clause]) -> str:
     return msgspec.json.format(msgspec.json.encode(clauses), indent=1).decode() + "\n"
 
 
-def _rows(path: Path, pattern: re.Pattern[str], count: int) -> list[tuple[str, list[str]]]:
-    """The ID of each row, and so many cells after it."""
-    rows = [(row[1], _CELL.split(row[0])[2:-1][:count]) for row in pattern.finditer(read(path))]
-    for name, cells in rows:
-        if len(cells) < count:
-            raise UnreadableError(f"{path}: {name}: expected {count} cells after the ID, found {len(cells)}")
-    return rows
+def _joined(path: Path) -> str:
+    """The text with each paragraph and each item of a list in one line."""
+    return _BREAK.sub(" ", read(path))
 
 
-def _distinct(path: Path, clauses: list[Clause]) -> tuple[Clause, ...]:
+def _entries(path: Path, text: str, clauses: list[Clause]) -> tuple[Clause, ...]:
+    """The clauses, if there is one for each anchor of the page."""
     ids = [clause.id for clause in clauses]
-    twice = [name for name in ids if ids.count(name) > 1]
-    if twice:
-        raise UnreadableError(f"{path}: {twice[0]} has more than one row")
+    for name in _ANCHOR.findall(text):
+        if name not in ids:
+            raise UnreadableError(f"{path}: {name}: expected an entry like the others behind the anchor")
+        if ids.count(name) > 1:
+            raise UnreadableError(f"{path}: {name} has more than one entry")
     if not ids:
-        raise UnreadableError(f"{path}: no rows")
+        raise UnreadableError(f"{path}: no entries")
     return tuple(clauses)

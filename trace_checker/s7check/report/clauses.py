@@ -1,7 +1,7 @@
 """The requirements behind the IDs in a report.
 
-In a checkout ``s7check requirements --write`` makes ``requirements.json`` beside this module from the tables of
-docs/rules/requirements.md and docs/rules/readings.md, where each row has an anchor with its ID.
+In a checkout ``s7check requirements --write`` makes ``requirements.json`` beside this module from the entries of
+docs/rules/requirements.md and docs/rules/readings.md, where each has an anchor with its ID.
 """
 
 import re
