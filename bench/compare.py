@@ -21,7 +21,7 @@ from typing import TextIO
 import click
 
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
-from evidence.growth.logs import PLANT, Kind, kinds, text
+from evidence.logs.growth_logs import PLANT, Kind, kinds, text
 
 SMALL_LOGS = 1000
 START = "d37e607"

@@ -17,9 +17,9 @@ from typing import Any, TextIO
 
 import click
 
+from evidence.tla import log_as_tla
 from evidence.tla.modules import module_folders
-from evidence.tlc import log_as_tla
-from evidence.tlc.process import Toolchain, find_toolchain
+from evidence.tla.tlc import Toolchain, find_toolchain
 
 PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"

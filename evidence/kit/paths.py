@@ -12,14 +12,14 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.behaviours.as_log import as_log
-from evidence.behaviours.values import assignments
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.harness.manifest import Model, find_manifest, load
+from evidence.models.manifest import Model, find_manifest, load
+from evidence.tla import tlc
+from evidence.tla.behaviour import as_log
 from evidence.tla.modules import module_folders
-from evidence.tlc import process as tlc
-from evidence.tlc.workspace import Workspace
+from evidence.tla.values import assignments
+from evidence.tla.workspace import Workspace
 from s7check.kit.from_log import Json, program_of
 
 MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")

@@ -17,9 +17,9 @@ from typing import Literal
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.tlc import process as tlc
-from evidence.tlc.messages import Outcome
-from evidence.tlc.workspace import CONFIG_NAME, Workspace
+from evidence.tla import tlc
+from evidence.tla.messages import Outcome
+from evidence.tla.workspace import CONFIG_NAME, Workspace
 
 State = Literal["present", "absent", "unknown"]
 

@@ -19,13 +19,13 @@ from pathlib import Path
 from subprocess import Popen
 
 from evidence.common.processes import InterruptedRunError, kill
-from evidence.harness.judge import Result
-from evidence.harness.manifest import Model
-from evidence.harness.mutate import StaleMutationError, prepare
-from evidence.harness.runner import Harness
-from evidence.tlc import process as tlc
-from evidence.tlc.messages import Message, Parser, interpret
-from evidence.tlc.workspace import Workspace
+from evidence.models.copies import StaleMutationError, prepare
+from evidence.models.judge import Result
+from evidence.models.manifest import Model
+from evidence.models.runner import Harness
+from evidence.tla import tlc
+from evidence.tla.messages import Message, Parser, interpret
+from evidence.tla.workspace import Workspace
 
 SERVER = "tlc2.tool.distributed.TLCServer"
 WORKER = "tlc2.tool.distributed.TLCWorker"

@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from evidence.harness.judge import COUNTS, Result
-from evidence.harness.manifest import parse_json
+from evidence.models.judge import COUNTS, Result
+from evidence.models.manifest import parse_json
 
 WIDTH = 118
 

@@ -15,15 +15,15 @@ from typing import Protocol
 import msgspec
 
 from evidence.common.processes import Processes
-from evidence.harness.manifest import Model
-from evidence.harness.runner import Harness
-from evidence.harness.runner import check as check_model
+from evidence.models.manifest import Model
+from evidence.models.runner import Harness
+from evidence.models.runner import check as check_model
+from evidence.mutants.against_logs import Judged
 from evidence.mutants.findings import Finding, How
-from evidence.mutants.logs import Judged
+from evidence.tla.cfg import replacements
+from evidence.tla.marks import evaluated
 from evidence.tla.modules import closure
 from evidence.tla.syntax import Module
-from evidence.tlc.cfg import replacements
-from evidence.tlc.marks import evaluated
 
 PARSE_ERROR = 150
 """TLC's exit code for a specification that does not parse or has no meaning."""
@@ -173,7 +173,7 @@ class LogsCheck:
     def run(self, spec: Path, timeout: float) -> Finding:
         """Judge logs until one is judged otherwise than its case says."""
         began = time.monotonic()
-        command = [sys.executable, "-m", "evidence.mutants.logs", str(spec), str(self.cases)]
+        command = [sys.executable, "-m", "evidence.mutants.against_logs", str(spec), str(self.cases)]
         process = self.processes.start(command, Path.cwd())
         with self.processes.limited(process, timeout) as expired:
             said, _ = process.communicate()

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from evidence.mutants.listing import Mutant
+from evidence.tla.marks import marked, when_evaluated
 from evidence.tla.syntax import Module
-from evidence.tlc.marks import marked, when_evaluated
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import click
 import pytest
 from click.testing import CliRunner
 
-from evidence.tlc import process as tlc
+from evidence.tla import tlc
 
 
 def write_lamp(folder: Path, files: Mapping[str, str], states: int, distinct: int, depth: int) -> Path:

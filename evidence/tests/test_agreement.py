@@ -12,17 +12,17 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from evidence.agreement import command, tlc_batch
-from evidence.agreement.command import agree_command
-from evidence.agreement.verdicts import Compared, Judged
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
 from evidence.common.processes import Processes
-from evidence.random_logs import damage
-from evidence.random_logs.damage import Log
-from evidence.random_logs.generate import UNCHANGED, Generated, Generator, SoftPlcError
-from evidence.random_logs.setups import scenario
-from evidence.tlc import process as tlc
+from evidence.logs import agree_command as command
+from evidence.logs import damage, tlc_batch
+from evidence.logs.agree_command import agree_command
+from evidence.logs.damage import Log
+from evidence.logs.random_logs import UNCHANGED, Generated, Generator, SoftPlcError
+from evidence.logs.setups import scenario
+from evidence.logs.verdicts import Compared, Judged
+from evidence.tla import tlc
 from s7check.log.errors import UnusableLogError
 from s7check.log.reader import read_log
 from s7check.resources import SPECIFICATION

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from evidence.differences.pages import RULES, SOURCES, settled_table, sources, untold, verified
+from evidence.views.differences.pages import RULES, SOURCES, settled_table, sources, untold, verified
 from s7check.engine.client import Engine
 from s7check.log.tables import READINGS
 from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, Kept, read_gaps, read_kept

@@ -7,8 +7,8 @@ from urllib.parse import unquote
 import pytest
 
 from evidence.common.checkout import ROOT
-from evidence.traceability.documents import ambiguities
-from evidence.traceability.project import READINGS
+from evidence.views.traceability.documents import ambiguities
+from evidence.views.traceability.project import READINGS
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.log import tables

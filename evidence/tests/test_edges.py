@@ -3,9 +3,9 @@
 import pytest
 
 from evidence.common.processes import Processes
-from evidence.edges.explored import Comparison
-from evidence.edges.graph import WORLDS, Graph, exported
-from evidence.tlc.process import find_toolchain
+from evidence.logs.explored import Comparison
+from evidence.logs.graph import WORLDS, Graph, exported
+from evidence.tla.tlc import find_toolchain
 from s7check.engine.client import Engine
 
 

@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from evidence.common.checkout import SOFT_PLC
-from evidence.faults.command import HELD_OUT, faults_command
+from evidence.kit.faults_command import HELD_OUT, faults_command
 
 CHANGES = json.loads((HELD_OUT / "changes.json").read_text(encoding="utf-8"))
 

@@ -10,7 +10,7 @@ from evidence.common.checkout import ROOT
 from evidence.tla.flatten import flatten, keep_only
 from evidence.tla.modules import closure, module_folders, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError, references
-from evidence.tlc.workspace import Workspace, as_one_module
+from evidence.tla.workspace import Workspace, as_one_module
 
 BASE = """---- MODULE Base ----
 EXTENDS Integers,

@@ -3,13 +3,13 @@
 import msgspec
 import pytest
 
-from evidence.behaviours.as_log import as_log
-from evidence.behaviours.values import UnreadableValueError, assignments, value
 from evidence.common.processes import Processes
-from evidence.gallery import command
-from evidence.gallery.cases import FOLDER, cases
-from evidence.gallery.search import NotFoundError, Search, configuration, module
-from evidence.tlc.process import find_toolchain
+from evidence.tla.behaviour import as_log
+from evidence.tla.tlc import find_toolchain
+from evidence.tla.values import UnreadableValueError, assignments, value
+from evidence.views.gallery import gallery_command as command
+from evidence.views.gallery.cases import FOLDER, cases
+from evidence.views.gallery.search import NotFoundError, Search, configuration, module
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from s7check.report.clauses import all_clauses

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from evidence.growth.logs import Kind, kinds, missing_due, text, wrong_at_the_end
-from evidence.growth.measure import answer_of
+from evidence.logs.growth_costs import answer_of
+from evidence.logs.growth_logs import Kind, kinds, missing_due, text, wrong_at_the_end
 from s7check.asking.session import Session
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine

@@ -7,16 +7,16 @@ import pytest
 
 from evidence.common import reasons
 from evidence.common.cases import Case
-from evidence.common.kit_files import MEASURED, as_line, kept, unmeasured
 from evidence.kit import meetings, nesting, paths
+from evidence.kit.files import MEASURED, as_line, kept, unmeasured
 from evidence.kit.paths import Graph, cover
-from evidence.mutants import kit as kit_mutants
+from evidence.kit.reached import Reached, reach
+from evidence.kit.reached_command import REASONS
+from evidence.kit.reached_findings import findings
+from evidence.mutants import against_kit as kit_mutants
 from evidence.mutants.bench import Verdict
 from evidence.mutants.checks import Check
 from evidence.mutants.listing import Mutant, mutants
-from evidence.reached.command import REASONS
-from evidence.reached.findings import findings
-from evidence.reached.measuring import Reached, reach
 from evidence.tests.test_mutants_bench import FakeCheck
 from evidence.tla.syntax import Module
 from s7check.engine.client import Engine

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from evidence.left_out import command
-from evidence.random_logs.damage import Log
-from evidence.random_logs.drop import EVERY_KIND, subsets, without
+from evidence.logs import left_out_command as command
+from evidence.logs.damage import Log
+from evidence.logs.drop import EVERY_KIND, subsets, without
 from s7check.judging.verdict import Report
 
 LOG = Log({"cycle": True}, [{"event": name} for name in ("SET_TINT", "start", "clock", "stop", "interrupt", "load")])

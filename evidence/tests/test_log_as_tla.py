@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from evidence.common.cases import all_cases
-from evidence.tlc.log_as_tla import read, value
+from evidence.tla.log_as_tla import read, value
 
 
 def test_fields(tmp_path: Path) -> None:

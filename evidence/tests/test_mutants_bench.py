@@ -12,8 +12,8 @@ from evidence.common.reasons import ReasonsError, read
 from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
 from evidence.mutants.findings import Finding, Findings, How
 from evidence.mutants.listing import Mutant, mutants
-from evidence.mutants.reasons import Reason, explain
-from evidence.mutants.report import as_json, numbers
+from evidence.mutants.mutants_report import as_json, numbers
+from evidence.mutants.survivors import Reason, explain
 from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module
 

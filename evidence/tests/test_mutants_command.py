@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 
 from evidence.common.cases import all_cases
-from evidence.mutants import command, logs
-from evidence.mutants.command import mutants_command
+from evidence.mutants import against_logs as logs
+from evidence.mutants import mutants_command as command
+from evidence.mutants.mutants_command import mutants_command
 from evidence.tests.lamp import run_command, write_lamp
 from evidence.tests.test_mutants_bench import TEXT, FakeCheck
 from s7check.engine.command import EngineError, engine_command

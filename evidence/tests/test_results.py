@@ -12,11 +12,12 @@ import msgspec
 import pytest
 
 from evidence.common.checkout import ROOT
-from evidence.results import command, records, runs, summaries
-from evidence.results.page import page
-from evidence.results.records import Record, Table
-from evidence.results.runs import RUNS, SECOND
 from evidence.tests.test_docs import PAGES
+from evidence.views.results import records, runs, summaries
+from evidence.views.results import results_command as command
+from evidence.views.results.page import page
+from evidence.views.results.records import Record, Table
+from evidence.views.results.runs import RUNS, SECOND
 from s7check import cli
 
 GENERATED = {

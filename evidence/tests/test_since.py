@@ -12,9 +12,9 @@ from click.testing import CliRunner
 
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
 from evidence.common.reasons import Excuse, read
-from evidence.since import command
-from evidence.since.command import since_command
-from evidence.since.revision import Checkout
+from evidence.logs import since_command as command
+from evidence.logs.revision import Checkout
+from evidence.logs.since_command import since_command
 from s7check.report.clauses import clause
 
 S7CHECK = """#!/usr/bin/env python3

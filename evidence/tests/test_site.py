@@ -7,7 +7,7 @@ from urllib.parse import unquote
 import pytest
 from click.testing import CliRunner
 
-from evidence.site.command import site_command
+from evidence.views.site.site_command import site_command
 
 _LINK = re.compile(r'(?:href|src)="([^"]*)"')
 _ANCHOR = re.compile(r'\bid="([^"]*)"')

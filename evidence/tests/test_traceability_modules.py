@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from evidence.traceability.errors import UnreadableError
-from evidence.traceability.ids import mentioned, tagged
-from evidence.traceability.modules import Module, read_module, read_modules
+from evidence.views.traceability.errors import UnreadableError
+from evidence.views.traceability.ids import mentioned, tagged
+from evidence.views.traceability.modules import Module, read_module, read_modules
 
 MODULE = r"""------------------------------- MODULE Example ------------------------------
 (***************************************************************************)

@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from evidence.proofs.queries import load
-from evidence.proofs.report import as_json
-from evidence.results import records, summaries
-from evidence.results.records import Record
-from evidence.traceability.errors import UnreadableError
-from evidence.traceability.page import _proof
-from evidence.traceability.project import PROOFS, find_project
-from evidence.traceability.proofs import Proof, read_proofs
+from evidence.models.proofs.queries import load
+from evidence.models.proofs.report import as_json
+from evidence.views.results import records, summaries
+from evidence.views.results.records import Record
+from evidence.views.traceability.errors import UnreadableError
+from evidence.views.traceability.page import _proof
+from evidence.views.traceability.project import PROOFS, find_project
+from evidence.views.traceability.proofs import Proof, read_proofs
 
 ROOT = find_project(Path(__file__).parent)
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from evidence.verify import command as verify
+from evidence import verify
 
 
 @pytest.fixture

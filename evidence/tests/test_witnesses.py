@@ -10,15 +10,15 @@ import pytest
 
 from evidence.common.cases import Case
 from evidence.common.reasons import Excuse
+from evidence.mutants import logs_model as logs
+from evidence.mutants.conditions import Condition, conditions
+from evidence.mutants.witnesses import Seen
+from evidence.mutants.witnesses_command import witnesses_command
+from evidence.mutants.witnesses_report import COLUMNS, explain, numbers
 from evidence.tests.lamp import run_command, write_lamp
+from evidence.tla import tlc
 from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module
-from evidence.tlc import process as tlc
-from evidence.witnesses import logs
-from evidence.witnesses.collect import Seen
-from evidence.witnesses.command import witnesses_command
-from evidence.witnesses.conditions import Condition, conditions
-from evidence.witnesses.report import COLUMNS, explain, numbers
 
 ROOT = Path(__file__).parents[2]
 

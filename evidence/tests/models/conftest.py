@@ -15,8 +15,8 @@ from click.testing import CliRunner
 
 from evidence.common.processes import Processes
 from evidence.models import canaries
-from evidence.models.command import models_command
-from evidence.tlc import process as tlc
+from evidence.models.models_command import models_command
+from evidence.tla import tlc
 from s7check import resources
 
 FIXTURES = Path(__file__).parent / "fixtures"

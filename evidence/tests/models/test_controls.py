@@ -5,7 +5,7 @@ import re
 from collections import defaultdict
 
 from evidence.common.checkout import ROOT
-from evidence.harness.manifest import MANIFEST, Manifest, Model, load
+from evidence.models.manifest import MANIFEST, Manifest, Model, load
 from evidence.tla.modules import read_modules
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from evidence.tlc.cfg import CfgError, override, parse, replace_section
+from evidence.tla.cfg import CfgError, override, parse, replace_section
 
 TEXT = """\\* CONSTANT Wrong = 1
 SPECIFICATION Spec

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from evidence.models import distributed
-from evidence.tlc import process as tlc
+from evidence.tla import tlc
 
 if TYPE_CHECKING:
     from evidence.tests.models.conftest import Project

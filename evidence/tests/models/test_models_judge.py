@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from evidence.harness.judge import judge
-from evidence.harness.manifest import Expect, Model, load
-from evidence.tlc.messages import Counts, Outcome
+from evidence.models.judge import judge
+from evidence.models.manifest import Expect, Model, load
+from evidence.tla.messages import Counts, Outcome
 
 PASSED = Outcome("passed", counts=Counts(6, 5, 5), liveness_checked=True)
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from evidence.harness.manifest import Manifest, ManifestError, expected_kinds, load, shard
-from evidence.harness.mutate import StaleMutationError, prepare
+from evidence.models.copies import StaleMutationError, prepare
+from evidence.models.manifest import Manifest, ManifestError, expected_kinds, load, shard
 from evidence.models.update import render
 
 FIXTURES = Path(__file__).parent / "fixtures"

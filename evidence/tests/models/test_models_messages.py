@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from evidence.tlc.messages import Counts, Outcome, Parser, interpret, progress
+from evidence.tla.messages import Counts, Outcome, Parser, interpret, progress
 
 
 def message(code: int, text: str, level: int = 0) -> str:

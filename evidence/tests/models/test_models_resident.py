@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from evidence.common.processes import Processes
-from evidence.harness.manifest import Expect, load
-from evidence.harness.mutate import prepare
-from evidence.harness.runner import Harness, check
-from evidence.tlc import process as tlc
-from evidence.tlc.resident import Residents
+from evidence.models.copies import prepare
+from evidence.models.manifest import Expect, load
+from evidence.models.runner import Harness, check
+from evidence.tla import tlc
+from evidence.tla.resident import Residents
 
 if TYPE_CHECKING:
     from evidence.tests.models.conftest import Project

@@ -17,7 +17,7 @@ import pytest
 from click.testing import CliRunner
 
 from evidence.models import canaries
-from evidence.models.command import models_command
+from evidence.models.models_command import models_command
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from tests.processes import heed_ctrl_c

@@ -17,15 +17,15 @@ import pytest
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.harness.manifest import MANIFEST as MODELS
-from evidence.harness.manifest import Mutation
-from evidence.proofs import command
-from evidence.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
-from evidence.proofs.kept import Result, Run, keys, read, together, write
-from evidence.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
-from evidence.proofs.report import as_json, assumptions, standing
-from evidence.proofs.runner import Asking, ask, instances, ok, parts, texts
-from evidence.proofs.text import (
+from evidence.models.manifest import MANIFEST as MODELS
+from evidence.models.manifest import Mutation
+from evidence.models.proofs import prove_command as command
+from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
+from evidence.models.proofs.kept import Result, Run, keys, read, together, write
+from evidence.models.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
+from evidence.models.proofs.report import as_json, assumptions, standing
+from evidence.models.proofs.runner import Asking, ask, instances, ok, parts, texts
+from evidence.models.proofs.text import (
     all_letters,
     as_action,
     default_letters,

@@ -1,1 +1,0 @@
-"""Behaviours of System that TLC has found, as logs."""

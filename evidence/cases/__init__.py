@@ -1,1 +1,0 @@
-"""``s7check cases``: the cases of traces/ written out as logs."""

@@ -1,0 +1,173 @@
+"""The state graph of a model, exported by TLC, with a line of a log at each edge that a log shows."""
+
+from __future__ import annotations
+
+import json
+import re
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import msgspec
+
+from evidence.common.checkout import ROOT
+from evidence.common.processes import Processes
+from evidence.tla import tlc
+from evidence.tla.behaviour import Line, State, as_log, event_of
+from evidence.tla.modules import module_folders
+from evidence.tla.values import assignments
+from evidence.tla.workspace import Workspace
+
+MODULE = "Edges"
+_HEAP = 1500
+_NODE = re.compile(r'^(-?\d+) \[label="(.*?)"(,style = filled)?\]', re.MULTILINE)
+_EDGE = re.compile(r"^(-?\d+) -> (-?\d+) ", re.MULTILINE)
+_LAST = ("step", "entered")
+"""Variables that only say how a state was reached."""
+
+
+@dataclass(frozen=True)
+class World:
+    """A model of models/ with other values for some of its constants, and no states beyond `bound`."""
+
+    model: str
+    constants: dict[str, str]
+    bound: str
+
+
+WORLDS = {
+    "delay": World(
+        "MCAirt",
+        {"Loads": "{{10, 40}}", "Moments": "{Moment(0, 30000), Moment(1, 0), Moment(1, 30000)}"},
+        "delay <= 1 /\\ Waiting(1)",
+    ),
+    "hold": World(
+        "MCHold",
+        {
+            "Loads": "{{10, 80}}",
+            "Interrupts": "{}",
+            "Moments": "{Moment(0, 30000), Moment(1, 0), Moment(1, 30000)}",
+            "ClockTargets": "{Moment(1, 30000)}",
+        },
+        "Waiting(1)",
+    ),
+    "job": World(
+        "MCDint",
+        {
+            "Loads": "{{20, 40}}",
+            "ObNumbers": "{20}",
+            "Dtimes": "{30000}",
+            "Signs": "{1}",
+            "StatusWords": "{}",
+            "Moments": "{Moment(0, 0), Moment(0, 30000), Moment(1, 0)}",
+            "ClockTargets": "{}",
+            "HoldPossible": "FALSE",
+        },
+        "Waiting(1)",
+    ),
+}
+"""What is exported."""
+
+
+class NotExportedError(RuntimeError):
+    """TLC has exported no graph; the message says what it said."""
+
+
+@dataclass
+class Graph:
+    """States by number; `shown` has the edges with a line, at the clock `at` of its state, `unseen` the others.
+
+    Nothing is known of what follows a state of the `border`.
+    """
+
+    headers: dict[int, Line] = field(default_factory=dict)
+    at: list[str] = field(default_factory=list)
+    shown: list[set[tuple[bytes, int]]] = field(default_factory=list)
+    unseen: list[set[int]] = field(default_factory=list)
+    border: set[int] = field(default_factory=set)
+
+    @property
+    def edges(self) -> int:
+        """How many edges show a line."""
+        return sum(map(len, self.shown))
+
+
+def exported(world: World, tools: tlc.Toolchain, processes: Processes, timeout: float) -> Graph:
+    """The graph of a model in its world. Raises `NotExportedError`."""
+    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+        folder = Path(temporary).resolve()
+        scratch = folder / "scratch"
+        scratch.mkdir()
+        space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
+        (folder / space.module).write_text(_module(world))
+        space.config.write_text(_configuration(world))
+        dot = folder / "graph.dot"
+        options = tlc.Options(1, False, _HEAP, timeout, args=("-dump", "dot", str(dot)))
+        run = tlc.run(tools, space, options, processes)
+        if run.outcome.kind != "passed":
+            said = run.outcome.errors[0] if run.outcome.errors else run.outcome.detail
+            raise NotExportedError(f"{world.model}: no graph: {run.outcome.kind}: {said}")
+        return read(dot.read_text())
+
+
+def _module(world: World) -> str:
+    """States outside the bound are in the graph, and nothing follows them."""
+    own = "".join(f"Own{name} == {text}\n" for name, text in world.constants.items())
+    return (
+        f"---- MODULE {MODULE} ----\nEXTENDS {world.model}\n{own}"
+        f"Inside == Bounded /\\ {world.bound} /\\ Next\nInsideSpec == Init /\\ [][Inside]_vars\n====\n"
+    )
+
+
+def _configuration(world: World) -> str:
+    """The model's constants, without what it checks."""
+    text = (ROOT / "models" / f"{world.model}.cfg").read_text()
+    constants = text.partition("CONSTANTS\n")[2].partition("INVARIANTS")[0].partition("PROPERTIES")[0]
+    for name in world.constants:
+        constants = re.sub(rf"^( *{name} <- ).*$", rf"\1Own{name}", constants, flags=re.MULTILINE)
+    return f"SPECIFICATION InsideSpec\nCHECK_DEADLOCK FALSE\nCONSTANTS\n{constants}"
+
+
+def read(dot: str) -> Graph:
+    """The graph in the language of Graphviz, as TLC writes it; states that differ only in how they came are one."""
+    states = {int(name): assignments(_text(label)) for name, label, _ in _NODE.findall(dot)}
+    graph = Graph()
+    numbers: dict[str, int] = {}
+    of: dict[int, int] = {}
+    for name, state in states.items():
+        key = json.dumps({name: value for name, value in state.items() if name not in _LAST}, sort_keys=True)
+        number = of[name] = numbers.setdefault(key, len(numbers))
+        if number == len(graph.at):
+            graph.at.append(str(as_log([state])[0]["clock"]))
+            graph.shown.append(set())
+            graph.unseen.append(set())
+        if state["step"]["event"] == "power on":
+            graph.headers[number] = as_log([state])[0]
+    followed = set()
+    for one, other in _EDGE.findall(dot):
+        begin, end = of[int(one)], of[int(other)]
+        followed.add(begin)
+        for line in _lines(states[int(one)], states[int(other)]):
+            if line is None:
+                graph.unseen[begin].add(end)
+            else:
+                graph.shown[begin].add((line, end))
+    graph.border = set(range(len(graph.at))) - followed
+    return graph
+
+
+def _text(label: str) -> str:
+    return label.replace("\\n", "\n").replace('\\"', '"').replace("\\\\", "\\")
+
+
+def _lines(before: State, after: State) -> Iterator[bytes | None]:
+    """The line of a step without its time; a STOP by a rule may be logged without its cause."""
+    event = event_of(before, after)
+    if event is None:
+        yield None
+        return
+    line = {name: value for name, value in event.items() if name != "at"}
+    yield msgspec.json.encode(line, order="sorted")
+    if "cause" in line:
+        yield b'{"event":"stop"}'

@@ -1,0 +1,106 @@
+"""``s7check since``: the same verdicts and pins as at an earlier revision?
+
+Exit codes: 0 no difference but expected ones, 1 others, 2 wrong arguments or files, 3 a checkout cannot be built or its
+command fails, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
+from evidence.common.options import json_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.reasons import Excuse, ReasonsError, assign, read
+from evidence.common.session import session
+from evidence.logs import pins
+from evidence.logs import since as compare
+from evidence.logs import since_report as report
+from evidence.logs.random_logs import Generator, SoftPlcError
+from evidence.logs.revision import BuildError, Checkout, RevisionError, checkout, find
+from evidence.logs.since_judging import judge
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+
+DIFFERENT = 1
+
+WANTED = ROOT / "docs" / "rules" / "since"
+"""Expected differences by revision: the first letters of its hash, ``.json``."""
+
+
+@click.command(name="since", short_help="Same verdicts and pins as at an earlier revision?")
+@click.option("--logs", type=click.IntRange(0), default=200, show_default=True, help="How many random logs.")
+@click.option("--seed", type=int, default=1, show_default=True, help="Other random logs.")
+@click.option(
+    "--expected",
+    type=click.Path(path_type=Path, dir_okay=False, exists=True),
+    help="Differences that are wanted: a JSON list of {id, reason}; an id may be a glob. Default: docs/rules/since.",
+)
+@json_option
+@click.argument("revision", metavar="REV")
+def since_command(revision: str, logs: int, seed: int, expected: Path | None, json_path: Path | None) -> None:
+    """Compare this checkout with revision REV: verdict and line of every log, pins of every model, reasons.
+
+    REV is built below build/since, which takes minutes the first time. Both judge the shipped logs and the same random
+    ones. Exit codes: 0 every difference is expected, 1 some are not, 2 wrong arguments or files, 3 a checkout
+    cannot be built, or its command fails.
+    """
+    usage = (RevisionError, pins.PinsError, ReasonsError, OSError)
+    with session(Processes(), usage, (BuildError, SoftPlcError, EngineError)) as console:
+        commit = find(ROOT, revision)
+        expected = expected or _wanted(commit)
+        excuses = read(expected, Excuse) if expected else []
+        click.echo(f"building {commit[:12]}")
+        before, now = checkout(ROOT, commit), Checkout(ROOT)
+        comparisons = [_shipped(before, now, click.echo)]
+        if logs:
+            comparisons.append(_random(before, now, logs, seed, click.echo))
+        comparisons += _pins(before, now)
+        ids = [one.id for comparison in comparisons for one in comparison.differences]
+        explained = report.Explained(commit, comparisons, *assign(excuses, ids, ids, ids)[:2])
+        report.show(console, explained)
+        write_json(json_path, report.as_json(explained))
+    sys.exit(0 if explained.ok else DIFFERENT)
+
+
+def _wanted(commit: str) -> Path | None:
+    """The project's own file of expected differences to this commit, if there is one."""
+    return next((path for path in sorted(WANTED.glob("*.json")) if commit.startswith(path.stem)), None)
+
+
+def _shipped(before: Checkout, now: Checkout, tell: Callable[[str], None]) -> compare.Comparison:
+    """Every shipped log has to get a verdict: two checkers that fail alike are no evidence."""
+    old, new = before.logs(), now.logs()
+    tell(f"judging {len(old)} and {len(new)} shipped logs")
+    found = compare.logs("shipped logs", "log", judge(before, old), judge(now, new), compare.renamed(old, new))
+    found.differences += found.undecided
+    return found
+
+
+def _random(before: Checkout, now: Checkout, logs: int, seed: int, tell: Callable[[str], None]) -> compare.Comparison:
+    """A random log may have more explanations than the checkers follow; it then has no verdict, which is noted."""
+    tell(f"judging {logs} random logs")
+    with Engine() as engine:
+        generator = Generator(seed, SOFT_PLC_PROGRAM, engine.alternatives().letters)
+    with tempfile.TemporaryDirectory(prefix="s7check-since-") as temporary:
+        files = {str(number): Path(temporary) / f"{number}.ndjson" for number in range(1, logs + 1)}
+        for number, file in files.items():
+            file.write_bytes(generator.draw(int(number), 0).content)
+        earlier, judged = judge(before, files), judge(now, files)
+    found = compare.logs("random logs", "random", earlier, judged, {name: name for name in files})
+    if len(found.undecided) == logs:
+        raise BuildError(f"no random log gets a verdict: {found.undecided[0].text}")
+    found.notes += [f"{one.id}: {one.text}" for one in found.undecided]
+    return found
+
+
+def _pins(before: Checkout, now: Checkout) -> list[compare.Comparison]:
+    found = [compare.pins(pins.pinned(before), pins.pinned(now))]
+    for kind, title in (("survivor", "reasons of mutants that survive"), ("witness", "reasons for no witness")):
+        found.append(compare.reasons(title, kind, pins.reasons(before, kind), pins.reasons(now, kind)))
+    return found

@@ -1,0 +1,418 @@
+"""The manifest: the models, and the result that each of them must have.
+
+``models/manifest.json`` holds entries of two shapes. A *base* entry names a module and a configuration file. A
+*derived* entry names a base entry and its changes: constants (``overrides``), text of a module (``mutate``), the
+invariants or properties that are checked. What a derived entry does not say, it has from its base.
+
+Every error names the file and the field.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import json
+import re
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Annotated, Any, Literal
+
+import msgspec
+from msgspec import UNSET, Meta, UnsetType
+
+from evidence.tla import cfg as cfg_file
+
+LANES = ("smoke", "ci", "full")
+Lane = Literal["smoke", "ci", "full"]
+ModelKind = Literal["model", "liveness", "refinement", "calendar", "witness", "negative"]
+Violates = Literal["invariant", "action", "temporal", "initial", "deadlock", "assumption"]
+PROPERTY_KINDS = frozenset({"action", "temporal", "initial"})
+
+MANIFEST = Path("models/manifest.json")
+
+HEAP_MB = 1024
+"""Java heap of a run that names none, in MB."""
+
+_SINGLE_WORKER = frozenset({"liveness", "negative", "witness"})
+_RESERVED_ARGS = frozenset(
+    {"-continue", "-simulate", "-metadir", "-workers", "-config", "-tool", "-deadlock", "-recover", "-fp", "-seed"}
+    | {"-generatespecte", "-nogeneratespecte"}
+)
+"""Arguments that the harness sets, or under which an exit code of 0 means nothing; in lower case."""
+
+
+class ManifestError(ValueError):
+    """The manifest is wrong; the text names file, field and model."""
+
+
+Count = Annotated[int, Meta(ge=0)]
+Name = Annotated[str, Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
+
+
+class Expect(msgspec.Struct, forbid_unknown_fields=True):
+    """The result that a model must have.
+
+    `exit` is TLC's exit code: 0 passed, 10 an assumption is false, 11 deadlock, 12 or 13 a property is violated (for
+    what stands under PROPERTY the TLC versions differ between 12 and 13, so both are taken there; what kind of
+    violation it was is told by TLC's message codes). `property` names the violated invariant or property. `violates`
+    pins the kind of a violation closer than `property` alone. The counts are generated states, distinct states and
+    depth.
+    """
+
+    exit: Literal[0, 10, 11, 12, 13]
+    property: str | None = None
+    violates: Violates | None = None
+    states: Count | None = None
+    distinct: Count | None = None
+    depth: Count | None = None
+
+
+class Mutation(msgspec.Struct, forbid_unknown_fields=True):
+    """One replacement in a module's text. `replace` must occur exactly once in `module` when the model runs."""
+
+    module: str
+    replace: Annotated[str, Meta(min_length=1)]
+    by: str
+
+
+class Entry(msgspec.Struct, forbid_unknown_fields=True):
+    """An entry as it stands in the file.
+
+    Paths are relative to the manifest's directory, `seconds` is wall time. `brief`: the run is over before code that
+    is compiled well would pay, after some 7 seconds of work; unless a negative control says otherwise, it is.
+    """
+
+    name: Name
+    expect: Expect
+    base: str | UnsetType = UNSET
+    module: str | UnsetType = UNSET
+    config: str | UnsetType = UNSET
+    tool: Literal["tlc"] = "tlc"
+    lane: Lane | UnsetType = UNSET
+    kind: ModelKind | UnsetType = UNSET
+    what: str | UnsetType = UNSET
+    requirements: list[str] = []
+    seconds: tuple[float, float] | UnsetType = UNSET
+    workers: Annotated[int, Meta(ge=1)] | UnsetType = UNSET
+    deadlock: bool | UnsetType = UNSET
+    brief: bool | UnsetType = UNSET
+    heap: Annotated[int, Meta(ge=64)] | UnsetType = UNSET
+    args: list[str] | UnsetType = UNSET
+    overrides: dict[str, str | bool | int] = {}
+    mutate: Mutation | list[Mutation] = []
+    invariants: list[str] | UnsetType = UNSET
+    properties: list[str] | UnsetType = UNSET
+
+
+class ManifestFile(msgspec.Struct, forbid_unknown_fields=True):
+    """The whole file. `not_models` maps a glob below the manifest's directory to the reason why no entry names it."""
+
+    version: Literal[1]
+    models: list[Entry]
+    spec: str = "../spec"
+    not_models: dict[str, str] = {}
+
+
+@dataclass(frozen=True)
+class Model:
+    """A model ready to run: everything from its base filled in, its configuration edited.
+
+    `module` is relative to the manifest's directory; `config` is the configuration's text, not a path; `seconds` the
+    band (least, most) of wall time; `workers` the most TLC workers it may have; `brief` whether the run is short;
+    `base` the entry that it changes.
+    """
+
+    name: str
+    kind: ModelKind
+    lane: Lane
+    what: str
+    requirements: tuple[str, ...]
+    module: PurePosixPath
+    config: str
+    mutations: tuple[Mutation, ...]
+    deadlock: bool
+    workers: int
+    brief: bool
+    heap: int
+    args: tuple[str, ...]
+    seconds: tuple[float, float]
+    expect: Expect
+    base: str = ""
+
+    def checked(self, keyword: str) -> tuple[str, ...]:
+        """Return the names under INVARIANT or PROPERTY of the configuration."""
+        return cfg_file.parse(self.config).names(keyword)
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """A checked manifest: where it is, where the specification is, its models in order, its files without an entry."""
+
+    path: Path
+    spec: Path
+    models: tuple[Model, ...]
+    drift: tuple[str, ...]
+
+    @property
+    def directory(self) -> Path:
+        """The directory of the models."""
+        return self.path.parent
+
+    def select(self, lane: str, names: tuple[str, ...]) -> list[Model]:
+        """Return the models of these names or globs, in any lane; without names, the models of the lane.
+
+        A lane includes the lower ones. Raises `ManifestError` for a name that no model has.
+        """
+        if not names:
+            allowed = LANES[: LANES.index(lane) + 1]
+            return [m for m in self.models if m.lane in allowed]
+        for name in names:
+            if not fnmatch.filter([m.name for m in self.models], name):
+                raise ManifestError(f"{self.path}: no model is named {name!r}")
+        return [m for m in self.models if any(fnmatch.fnmatchcase(m.name, name) for name in names)]
+
+
+def shard(models: list[Model], number: int, of: int) -> list[Model]:
+    """Return the part `number` (1 to `of`) of the models, in their order: each is in one part, long ones are spread."""
+    dealt = sorted(models, key=lambda m: (-(m.expect.distinct or 0), -sum(m.seconds), m.name))
+    mine = {m.name for m in dealt[number - 1 :: of]}
+    return [m for m in models if m.name in mine]
+
+
+def load(path: Path) -> Manifest:
+    """Read and check the manifest and the files that it names. Raises `ManifestError`."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise ManifestError(f"{path}: cannot be read: {error.strerror}") from error
+    raw = parse_json(path, text)
+    try:
+        parsed = msgspec.convert(raw, ManifestFile)
+    except msgspec.ValidationError as error:
+        raise ManifestError(f"{path}: {_located(error, raw)}") from error
+    spec = (path.parent / parsed.spec).resolve()
+    if not spec.is_dir():
+        raise ManifestError(f"{path}: spec: {parsed.spec} is not a directory")
+    twice = [name for name, n in Counter(e.name for e in parsed.models).items() if n > 1]
+    if twice:
+        raise ManifestError(f"{path}: models: the name {twice[0]!r} stands there more than once")
+    bases = {e.name: e for e in parsed.models if isinstance(e.base, UnsetType)}
+    models = []
+    for index, entry in enumerate(parsed.models):
+        where = f"{path}: models[{index}] ({entry.name})"
+        models.append(_resolve(where, path.parent, spec, entry, bases))
+    return Manifest(path, spec, tuple(models), tuple(_unlisted(path, parsed)))
+
+
+def find_manifest() -> Path:
+    """Return the manifest of the checkout around the current directory. Raises `ManifestError` where there is none."""
+    nearest = nearest_manifest()
+    if nearest is None:
+        raise ManifestError(
+            f"neither here nor above is there {MANIFEST}: run this in a checkout of the project, or name a manifest "
+            "with --manifest"
+        )
+    return nearest
+
+
+def nearest_manifest() -> Path | None:
+    """Return the manifest of the checkout around the current directory, if there is one."""
+    here = Path.cwd()
+    return next((d / MANIFEST for d in (here, *here.parents) if (d / MANIFEST).is_file()), None)
+
+
+def parse_json(path: Path, text: str) -> Any:
+    """Return the document; a key that stands twice in one object is an error, as is bad JSON (`ManifestError`)."""
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        twice = [key for key, n in Counter(key for key, _ in pairs).items() if n > 1]
+        if twice:
+            raise ManifestError(
+                f"{path}: the field {twice[0]!r} stands twice in {dict(pairs).get('name', 'an object')}"
+            )
+        return dict(pairs)
+
+    try:
+        return json.loads(text, object_pairs_hook=unique)
+    except json.JSONDecodeError as error:
+        raise ManifestError(f"{path}:{error.lineno}:{error.colno}: not JSON: {error.msg}") from error
+
+
+def _located(error: msgspec.ValidationError, raw: Any) -> str:
+    """Put the field first and the model's name next to its number: ``models[3] (neg-x).lane: ...``."""
+    text, _, where = str(error).partition(" - at `$")
+    where = where.rstrip("`").removeprefix(".")
+    if found := re.match(r"models\[(\d+)\]", where):
+        entry = raw["models"][int(found[1])]
+        name = entry.get("name", "?") if isinstance(entry, dict) else "?"
+        where = f"{found[0]} ({name}){where[found.end() :]}"
+    return f"{where or 'the document'}: {text}"
+
+
+def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry]) -> Model:
+    base = entry
+    if not isinstance(entry.base, UnsetType):
+        if entry.base not in bases:
+            raise ManifestError(f"{where}.base: {entry.base!r} is not the name of an entry with a module of its own")
+        base = bases[entry.base]
+        for field in ("module", "config"):
+            if getattr(entry, field) is not UNSET:
+                raise ManifestError(f"{where}.{field}: an entry with a base has it from there")
+    derived = base is not entry
+    mutations = tuple(entry.mutate if isinstance(entry.mutate, list) else [entry.mutate])
+    changed = entry.overrides or mutations or entry.invariants is not UNSET or entry.properties is not UNSET
+    if derived and not (changed or entry.args is not UNSET or entry.deadlock is not UNSET):
+        raise ManifestError(f"{where}: changes nothing of its base {base.name}")
+
+    def value(field: str, default: Any = UNSET) -> Any:
+        for source in (entry, base):
+            if getattr(source, field) is not UNSET:
+                return getattr(source, field)
+        if default is UNSET:
+            raise ManifestError(f"{where}.{field}: missing")
+        return default
+
+    kind: ModelKind = entry.kind if not isinstance(entry.kind, UnsetType) else "negative"
+    if not derived and isinstance(entry.kind, UnsetType):
+        raise ManifestError(f"{where}.kind: missing")
+    workers = 1
+    if kind not in _SINGLE_WORKER:
+        workers = value("workers", 1)
+    elif not isinstance(entry.workers, UnsetType) and entry.workers != 1:
+        raise ManifestError(f"{where}.workers: a {kind} runs with 1 worker, its trace or liveness needs it")
+    least, most = value("seconds")
+    if derived and entry.seconds is UNSET:
+        least = 0.0  # a violation ends the search early
+    if not 0 <= least < most:
+        raise ManifestError(f"{where}.seconds: {least}..{most} is not a band")
+    _check_mutations(where, directory, spec, mutations)
+    model = Model(
+        name=entry.name,
+        kind=kind,
+        lane=value("lane"),
+        what=entry.what if not isinstance(entry.what, UnsetType) else _describe(where, entry, mutations),
+        requirements=tuple(entry.requirements or base.requirements),
+        module=_file(where, directory, "module", value("module"), ".tla"),
+        config=_config(where, directory, entry, value("config")),
+        mutations=mutations,
+        deadlock=value("deadlock", True),
+        workers=workers,
+        brief=kind == "negative" if isinstance(entry.brief, UnsetType) else entry.brief,
+        heap=value("heap", HEAP_MB),
+        args=tuple(value("args", [])),
+        seconds=(least, most),
+        expect=entry.expect,
+        base=base.name if derived else "",
+    )
+    _check_model(where, model)
+    return model
+
+
+def _describe(where: str, entry: Entry, mutations: tuple[Mutation, ...]) -> str:
+    """Describe a derived entry without a description; any other entry must have its own."""
+    if isinstance(entry.base, UnsetType):
+        raise ManifestError(f"{where}.what: missing")
+    changes = [f"{name} {value}" for name, value in entry.overrides.items()]
+    changes += [f"{m.replace!r} -> {m.by!r} in {m.module}" for m in mutations]
+    for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
+        changes += [] if isinstance(names, UnsetType) else [f"{keyword} {' '.join(names) or 'none'}"]
+    fails = entry.expect.property or {0: "nothing", 10: "an assumption", 11: "deadlock"}.get(entry.expect.exit, "?")
+    return f"{entry.base} with {', '.join(changes) or 'other arguments'}: {fails} must fail"
+
+
+def _file(where: str, directory: Path, field: str, name: str, suffix: str) -> PurePosixPath:
+    path = directory / name
+    if not name.endswith(suffix) or not path.is_file():
+        raise ManifestError(f"{where}.{field}: {name} is not a {suffix} file in {directory}")
+    if directory.resolve() not in path.resolve().parents:
+        raise ManifestError(f"{where}.{field}: {name} is outside {directory}")
+    return PurePosixPath(name)
+
+
+def _config(where: str, directory: Path, entry: Entry, name: str) -> str:
+    text = (directory / _file(where, directory, "config", name, ".cfg")).read_text(encoding="utf-8")
+    try:
+        cfg_file.parse(text)
+        for constant, value in entry.overrides.items():
+            spelled = str(value).upper() if isinstance(value, bool) else str(value)
+            text = cfg_file.override(text, constant, spelled)
+        for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
+            if not isinstance(names, UnsetType):
+                text = cfg_file.replace_section(text, keyword, names)
+        cfg_file.parse(text)
+    except cfg_file.CfgError as error:
+        raise ManifestError(f"{where}: {name}: {error}") from error
+    return text
+
+
+def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[Mutation, ...]) -> None:
+    for mutation in mutations:
+        if mutation.replace == mutation.by:
+            raise ManifestError(f"{where}.mutate: replaces a text by itself")
+        if sum(len(list(place.rglob(mutation.module))) for place in (spec, directory)) != 1:
+            raise ManifestError(f"{where}.mutate.module: {mutation.module} is not in exactly one of spec and models")
+
+
+def _check_model(where: str, model: Model) -> None:
+    """Check the rules that concern several fields."""
+    expect = model.expect
+    cfg = cfg_file.parse(model.config)
+    reserved = [arg for arg in model.args if arg.lower() in _RESERVED_ARGS]
+    if reserved:
+        raise ManifestError(f"{where}.args: {reserved[0]} is not for a manifest")
+    contradiction = "FALSE" if model.deadlock else "TRUE"
+    if contradiction in cfg.names("CHECK_DEADLOCK"):
+        raise ManifestError(
+            f"{where}.deadlock: the configuration says CHECK_DEADLOCK {contradiction}: "
+            f"say {contradiction.lower()} here too"
+        )
+    if model.kind == "negative" and expect.exit == 0:
+        raise ManifestError(f"{where}.expect.exit: a negative control has to fail")
+    if model.kind not in ("negative", "witness") and expect.exit != 0:
+        raise ManifestError(f"{where}.expect.exit: a {model.kind} has to pass")
+    if expect.depth is not None and model.workers > 1:
+        raise ManifestError(f"{where}.expect.depth: TLC's depth is exact with 1 worker only")
+    invariants, properties = cfg.names("INVARIANT"), cfg.names("PROPERTY")
+    if expect.exit in (12, 13):
+        if expect.property is None:
+            raise ManifestError(f"{where}.expect.property: missing")
+        if expect.property not in invariants + properties:
+            raise ManifestError(f"{where}.expect.property: the configuration does not check {expect.property}")
+        if expect.property in invariants and expect.exit != 12:
+            raise ManifestError(f"{where}.expect.exit: {expect.property} is an INVARIANT, its exit is 12")
+    elif expect.property is not None and expect.exit != 10:
+        raise ManifestError(f"{where}.expect.property: exit {expect.exit} names none")
+    if expect.violates is not None and expect.violates not in expected_kinds(model, pinned=False):
+        raise ManifestError(f"{where}.expect.violates: {expect.violates} does not go with exit and property")
+
+
+def expected_kinds(model: Model, *, pinned: bool = True) -> frozenset[str]:
+    """Return the outcome kinds (``messages.Kind``) that the model may come to; `pinned`: only `violates`, if any."""
+    expect = model.expect
+    if pinned and expect.violates is not None:
+        return frozenset({expect.violates})
+    if expect.exit in (12, 13):
+        return frozenset({"invariant"}) if expect.property in model.checked("INVARIANT") else PROPERTY_KINDS
+    return frozenset({{0: "passed", 10: "assumption", 11: "deadlock"}[expect.exit]})
+
+
+def _unlisted(path: Path, parsed: ManifestFile) -> list[str]:
+    """Name the .cfg and MC*.tla files that no entry names, and the exceptions that match none."""
+    directory = path.parent
+    listed = {str(PurePosixPath(n)) for e in parsed.models for n in (e.module, e.config) if isinstance(n, str)}
+    files = sorted(
+        p.relative_to(directory).as_posix()
+        for pattern in ("*.cfg", "MC*.tla")
+        for p in directory.rglob(pattern)
+        if "canaries" not in p.relative_to(directory).parts[:-1]
+    )
+    drift = []
+    unused = dict(parsed.not_models)
+    for file in files:
+        matching = [glob for glob in parsed.not_models if fnmatch.fnmatchcase(file, glob)]
+        for glob in matching:
+            unused.pop(glob, None)
+        if file not in listed and not matching:
+            drift.append(f"{directory / file}: no model of {path.name} names it")
+    drift += [f"{path}: not_models: {glob!r} matches no file" for glob in unused]
+    return drift

@@ -1,0 +1,184 @@
+"""The output: failures, the table at the end, and the results as JSON."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from evidence.common.console import plain
+from evidence.models.canaries import Answers
+from evidence.models.judge import Result, exit_codes, expectation
+from evidence.models.manifest import Mutation, expected_kinds
+from evidence.models.progress import brief
+from evidence.tla.behaviour import as_log, behaviour, of_system
+from evidence.tla.tlc import Toolchain
+
+HEAD_STATES = 3
+TAIL_STATES = 12
+STATE_LINES = 40
+ERROR_LINES = 40
+
+
+def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
+    """Show the version of TLC and its known defects."""
+    plain(console, f"TLC {answers.version or '(version unknown)'}, {tools.jar.name} sha256 {tools.sha256[:16]}")
+    for answer in answers.answers:
+        plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
+
+
+def show_failure(console: Console, result: Result, alone: str, *, verbose: bool) -> None:
+    """Show a drift: expected, came, how to run it alone, TLC's errors, the trace."""
+    model = result.model
+    console.rule(f"{model.name}: drift", style="red", align="left")
+    plain(console, f"what      {model.what}")
+    plain(console, f"expected  {expectation(model)}")
+    for problem in result.problems + result.count_problems:
+        plain(console, f"came      {problem}")
+    came = "not run" if result.exit is None else f"exit {result.exit}, {result.outcome.kind}: {result.outcome.detail}"
+    plain(console, f"TLC       {came}")
+    plain(console, f"alone     {alone}")
+    if result.problems:
+        if result.outcome.kind == "broken":
+            for error in result.outcome.errors:
+                plain(console, _limit(error, None if verbose else ERROR_LINES))
+        show_trace(console, result.outcome.trace, verbose=verbose)
+
+
+def show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> None:
+    """Show the states of an error trace as TLC printed them; the middle of a long one only if `verbose`."""
+    if not trace:
+        return
+    plain(console, f"trace     {len(trace)} states")
+    skipped = 0 if verbose else max(0, len(trace) - HEAD_STATES - TAIL_STATES)
+    for index, state in enumerate(trace):
+        if skipped and index == HEAD_STATES:
+            plain(console, f"          ... {skipped} states left out, -v shows them ...")
+        if index < HEAD_STATES or index >= HEAD_STATES + skipped:
+            plain(console, _limit(state, None if verbose else STATE_LINES))
+
+
+def show_tables(console: Console, results: list[Result], version: str, lane: str | None, seconds: float) -> None:
+    """Show the table of the models, that of the negative controls, and the sum. `lane` is None where some are named."""
+    controls = [r for r in results if r.model.kind == "negative"]
+    if len(controls) < len(results):
+        console.print(_models([r for r in results if r not in controls]))
+    if controls:
+        console.print(_controls(controls))
+    good = sum(r.ok for r in results)
+    said = f"{good} of {len(results)} models as pinned, TLC {version or 'of unknown version'}, {seconds:.0f} s"
+    plain(console, f"lane {lane}: {said}" if lane else said)
+
+
+def _models(results: list[Result]) -> Table:
+    table = _table(("model", "kind", "lane", "result"), ("distinct", "depth", "seconds"))
+    for result in results:
+        counts = result.outcome.counts
+        table.add_row(
+            Text(result.model.name),
+            Text(result.model.kind),
+            Text(result.model.lane),
+            _coloured(result, brief(result)),
+            "-" if counts.distinct is None else str(counts.distinct),
+            "-" if counts.depth is None else str(counts.depth),
+            f"{result.seconds:.1f}",
+        )
+    return table
+
+
+def _controls(results: list[Result]) -> Table:
+    """The change that each negative control makes to its model, and the result that it must have."""
+    table = _table(("control", "of model", "changed", "exit", "has to fail", "result"), ("seconds",))
+    for result in results:
+        model = result.model
+        table.add_row(
+            Text(model.name),
+            Text(model.base),
+            Text("\n".join(map(_change, model.mutations)) or model.what),
+            exit_codes(model),
+            Text(model.expect.property or " or ".join(sorted(expected_kinds(model)))),
+            _coloured(result, f"as pinned: exit {result.exit}, {result.outcome.kind}" if result.ok else brief(result)),
+            f"{result.seconds:.1f}",
+        )
+    return table
+
+
+def _table(texts: tuple[str, ...], numbers: tuple[str, ...]) -> Table:
+    table = Table(box=None, pad_edge=False)
+    for heading in texts:
+        table.add_column(heading, overflow="fold")
+    for heading in numbers:
+        table.add_column(heading, justify="right", no_wrap=True)
+    return table
+
+
+def _coloured(result: Result, text: str) -> Text:
+    return Text(text, style="green" if result.ok else "red")
+
+
+def _change(mutation: Mutation) -> str:
+    """The lines that a mutation changes, without the lines around them."""
+    was, by = ([" ".join(line.split()) for line in text.split("\n")] for text in (mutation.replace, mutation.by))
+    while was and by and was[0] == by[0]:
+        was, by = was[1:], by[1:]
+    while was and by and was[-1] == by[-1]:
+        was, by = was[:-1], by[:-1]
+    return f"{mutation.module}: {' '.join(was) or 'nothing'} -> {' '.join(by) or 'nothing'}"
+
+
+def as_json(
+    tools: Toolchain, answers: Answers, lane: str | None, results: list[Result], drift: list[str], seconds: float
+) -> dict[str, Any]:
+    """Return all that came as a JSON document. `lane` is None where models were named; `drift` concerns no model."""
+    return {
+        "ok": not drift and all(r.ok for r in results),
+        "lane": lane,
+        "seconds": round(seconds, 1),
+        "tlc": {"version": answers.version, "jar": tools.jar.name, "sha256": tools.sha256},
+        "canaries": {a.module: {"issue": a.issue, "state": a.state, "defect": a.defect} for a in answers.answers},
+        "drift": drift,
+        "models": [
+            {
+                "name": r.model.name,
+                "kind": r.model.kind,
+                "lane": r.model.lane,
+                "base": r.model.base or None,
+                "what": r.model.what,
+                "requirements": list(r.model.requirements),
+                "ok": r.ok,
+                "result": r.outcome.kind,
+                "violated": list(r.outcome.names),
+                "exit": r.exit,
+                "states": r.outcome.counts.states,
+                "distinct": r.outcome.counts.distinct,
+                "depth": r.outcome.counts.depth,
+                "workers": r.workers,
+                "seconds": round(r.seconds, 1),
+                "problems": [*r.problems, *r.count_problems],
+            }
+            for r in results
+        ],
+    }
+
+
+def _limit(text: str, lines: int | None) -> str:
+    split = text.split("\n")
+    if lines is None or len(split) <= lines:
+        return text
+    return "\n".join([*split[:lines], f"... {len(split) - lines} lines left out, -v shows them ..."])
+
+
+def write_logs(folder: Path, results: list[Result]) -> None:
+    """Write the behaviour of each violation as a log; not of a lasso, and not of a model without System. OSError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for result in results:
+        if result.outcome.kind not in ("invariant", "action"):
+            continue
+        states = behaviour(result.outcome.trace)
+        if all(map(of_system, states)):
+            lines = [json.dumps(line) for line in as_log(states)]
+            (folder / f"{result.model.name}.ndjson").write_text("\n".join(lines) + "\n", encoding="utf-8")

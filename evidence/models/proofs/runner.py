@@ -1,0 +1,226 @@
+"""Asking a query: its module and configuration, the run, and the answers that are kept for the next time."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Literal
+
+from evidence.common.processes import Processes
+from evidence.models.manifest import Mutation
+from evidence.models.proofs import apalache
+from evidence.models.proofs import kept as keeping
+from evidence.models.proofs.kept import Result, Run
+from evidence.models.proofs.queries import TOGETHER, ManifestError, Query
+from evidence.models.proofs.text import (
+    ANY_LETTERS,
+    but_for,
+    definitions,
+    fixed_constants,
+    module_text,
+    module_text_of_letters,
+    without_comments,
+)
+from evidence.tla.binding import bind_arguments
+from evidence.tla.modules import module_folders
+from evidence.tla.syntax import Module
+from s7check.resources import modules
+
+Kept = Literal["nothing", "claimed", "all"]
+
+AFTER_A_STEP = "search.invariantFilter=1->.*"
+"""Formulas about states are checked after the step, not before, where they are assumed."""
+
+SOLVER = ("z3.smt.relevancy=0", "z3.smt.arith.solver=2")
+"""With Z3's own choices a refinement takes two to three times as long, an action up to half as long again."""
+
+UNFILTERED = "--discard-disabled=false"
+"""Apalache checks the formulas of a transition without asking first if a state can take it. That the action can take a
+step, its control says."""
+
+_REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Asking:
+    """Where queries are asked: the checkout, the folder for output, the program."""
+
+    root: Path
+    build: Path
+    program: str
+    processes: Processes
+
+
+@dataclass(frozen=True)
+class _Made:
+    """What Apalache reads for a query: its module, the configuration, the modules of which it has an instance."""
+
+    text: str
+    config: str
+    instances: dict[str, str]
+
+
+def ok(query: Query, result: Result) -> bool:
+    """Whether the result is the expected one."""
+    return result.answer.outcome == query.expect
+
+
+def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
+    """Ask a query, or take the answers that are kept of the same texts.
+
+    Of `kept` answers, "claimed" takes those that are as claimed and asks for the other formulas; "all" takes any, and
+    asks nothing: where a formula has none, the outcome is "not asked".
+
+    Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
+    `evidence.common.processes.InterruptedRunError`.
+    """
+    made = _made(asking.root, query)
+    now = _keys(query, made)
+    file = asking.build / f"{query.name}.json"
+    runs = [] if kept == "nothing" else keeping.read(file, now)
+    if kept == "claimed":
+        runs = [run for run in runs if run.answer.outcome == query.expect]
+    answered = {name for run in runs for name in run.keys}
+    lacking = tuple(name for name in query.formulas if name not in answered)
+    if kept == "all" or not lacking:
+        return keeping.together(query.name, query.formulas, runs, kept=True)
+    asked = replace(query, formulas=lacking)
+    new = made if asked == query else _made(asking.root, asked)
+    run = _run(asking, asked, new, {name: now[name] for name in lacking})
+    keeping.write(file, [*runs, run])
+    return keeping.together(query.name, query.formulas, [*runs, run], kept=False)
+
+
+def _made(root: Path, query: Query) -> _Made:
+    text, config = texts(root, query)
+    return _Made(text, config, instances(root, query, text))
+
+
+def _run(asking: Asking, query: Query, made: _Made, keys: dict[str, str]) -> Run:
+    """Ask Apalache all formulas of the query."""
+    folder = asking.build / query.name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name, content in {query.module: made.text, **made.instances}.items():
+        (folder / f"{name}.tla").write_text(content, encoding="utf-8")
+    (folder / "query.cfg").write_text(made.config, encoding="utf-8")
+    names = _names(query)
+    asked_of = [[f"--inv={','.join(names.values())}", *_arguments(query, some)] for some in parts(query.divided)]
+    done = apalache.run(asking.program, asked_of, list(names.values()), folder, query.timeout, asking.processes)
+    (folder / "log").write_text(done.output, encoding="utf-8")
+    return Run(keys, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
+
+
+def parts(divided: Sequence[int]) -> list[str]:
+    """The transitions of each run, as one of Apalache's tuning options: up to the first number, then from each on.
+
+    The last run takes all that follow. Empty where the action is not divided.
+    """
+    if not divided:
+        return [""]
+    before = [f"1->({'|'.join(map(str, range(*some)))})" for some in pairwise([0, *divided])]
+    rest = f"1->(?!({'|'.join(map(str, range(divided[-1])))})$).*"
+    return [f"search.transitionFilter=(0->.*|{some})" for some in [*before, rest]]
+
+
+def _arguments(query: Query, transitions: str = "") -> list[str]:
+    """The arguments of Apalache that are the same for each formula."""
+    stepping = query.kind != "claim" and query.length
+    tuning = [*SOLVER, *([AFTER_A_STEP] if stepping else []), *([transitions] if transitions else [])]
+    return [
+        *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
+        *([f"--cinit={_initializer(query)}"] if query.constants else []),
+        *([UNFILTERED] if query.unfiltered else []),
+        f"--tuning-options={':'.join(tuning)}",
+        f"{query.module}.tla",
+    ]
+
+
+def _initializer(query: Query) -> str:
+    """The operator that says which values the constants may have; empty where there are none."""
+    return query.constants if query.shown is None else ANY_LETTERS
+
+
+def _keys(query: Query, made: _Made) -> dict[str, str]:
+    """The key of each formula of the query: all that Apalache reads for it.
+
+    A violation is one whether or not Apalache was asked first which transitions a state can take.
+    """
+    others = [without_comments(other) for other in made.instances.values()]
+    replaced = [word for pair in _REPLACED.findall(made.config) for word in pair]
+    roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
+    names = _names(query)
+    arguments = _arguments(query if query.expect == "holds" else replace(query, unfiltered=False))
+    found = keeping.keys(made.text, names.values(), roots, [*others, made.config, *arguments])
+    return {formula: found[name] for formula, name in names.items()}
+
+
+def _names(query: Query) -> dict[str, str]:
+    """What stands in the module for each formula: itself, or the formula that leaves letters out."""
+    left = {name for name, _ in query.unless}
+    return {name: but_for(name) if name in left else name for name in query.formulas}
+
+
+def texts(root: Path, query: Query) -> tuple[str, str]:
+    """The module and the configuration of a query.
+
+    Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError.
+    """
+    replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
+    words = (query.init, query.next, query.constants, query.history, *query.actions, *query.formulas)
+    with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
+        for change in query.mutations:
+            _mutate(root, query.name, change, Path(changed))
+        folders = [Path(changed), root / "models", *module_folders(root / "spec")]
+        roots = {*words, *replaced, *replaced.values()} - {""}
+        if query.shown is None:
+            text = module_text(query.module, folders, roots, dict(query.instead))
+        else:
+            text = module_text_of_letters(
+                query.module,
+                folders,
+                roots,
+                dict(query.instead),
+                shown=query.shown,
+                unless={name: letters for name, letters in query.unless if name in query.formulas},
+                alone=query.alone,
+                constants=query.constants,
+            )
+    if query.next == TOGETHER:
+        either = " \\/ ".join(query.actions)
+        following = f"({either}) /\\ {query.history}" if query.history else either
+        text = text.replace("\n====\n", f"\n{TOGETHER} == {following}\n====\n")
+    lacking = sorted({query.init, query.next, *query.formulas} - definitions(text))
+    if lacking:
+        raise ManifestError(f"query {query.name}: {query.module} does not define {', '.join(lacking)}")
+    initializer = _initializer(query)
+    if fixed := ", ".join(sorted(fixed_constants(text, initializer))):
+        raise ManifestError(
+            f"query {query.name}: {initializer} compares {fixed} by =; Apalache takes that as the only value, say \\in"
+        )
+    constants = "".join(f"    {name} <- {by}\n" for name, by in replaced.items())
+    return bind_arguments(text), f"INIT {query.init}\nNEXT {query.next}\n" + (
+        f"CONSTANTS\n{constants}" if constants else ""
+    )
+
+
+def instances(root: Path, query: Query, text: str) -> dict[str, str]:
+    """The modules of spec/ of which the query's module has an instance, with their texts. Raises OSError."""
+    imported = Module(query.module, text.encode()).imports
+    paths = [path for path in modules(root / "spec") if path.stem in imported]
+    return {path.stem: bind_arguments(path.read_text(encoding="utf-8")) for path in paths}
+
+
+def _mutate(root: Path, query: str, change: Mutation, folder: Path) -> None:
+    """Write the changed module. Raises `ManifestError` where the text to replace is not there once."""
+    path = folder / change.module
+    source = path if path.exists() else next((root / "spec").rglob(change.module))
+    text = source.read_text(encoding="utf-8")
+    if text.count(change.replace) != 1:
+        raise ManifestError(f"query {query}: {change.module} has not once the text {change.replace!r}")
+    path.write_text(text.replace(change.replace, change.by), encoding="utf-8")

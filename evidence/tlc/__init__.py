@@ -1,1 +1,0 @@
-"""TLC as a process: its configuration files, its messages, marks that it tells, logs as modules for it."""

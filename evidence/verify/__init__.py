@@ -1,1 +1,0 @@
-"""``s7check verify``: the project's main job."""

@@ -1,0 +1,1 @@
+"""What is shown of the specification and its checks: pages and files that are made from other files."""

@@ -1,0 +1,56 @@
+"""``s7check differences``."""
+
+from __future__ import annotations
+
+import click
+
+from evidence.views.differences.pages import RULES, differences_page, experiments_page, untold, verified, write_sources
+from evidence.views.differences.search import differences, experiments
+from evidence.views.differences.shorter import SHORTEST, filled, shorter, shortest_of_sides
+from s7check.engine.client import Engine
+from s7check.kit.collection import programs_of
+from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, GAPS, Kept, read_kept, write_kept
+
+
+@click.command("differences", short_help="Differences between CPUs, editions and readings, found by search.")
+@click.option("--search", is_flag=True, help="Search the programs of the kit anew; takes hours.")
+@click.option("--shorten", is_flag=True, help="Search for shorter logs, and for letters without one; takes an hour.")
+@click.option("--write", is_flag=True, help="Write the pages docs/rules/differences.md and experiments.md.")
+def differences_command(search: bool, shorten: bool, write: bool) -> int:
+    """Run each program that is kept on both sides, and say how many still tell them apart.
+
+    Exit codes: 0 all of them, 1 one does not, 2 wrong arguments, 3 the specification could not be evaluated.
+    """
+    with Engine() as engine:
+        if search:
+            programs = programs_of()
+            write_kept(DIFFERENCES, verified(engine, list(differences(engine, programs, click.echo))))
+            write_kept(EXPERIMENTS, verified(engine, list(experiments(engine, programs, click.echo))))
+        if search or shorten:
+            _shorten(engine)
+        kept = {file: read_kept(file) for file in (DIFFERENCES, EXPERIMENTS)}
+        code = 0
+        for file, all_kept in kept.items():
+            right = list(verified(engine, all_kept))
+            click.echo(f"{file.name}: {len(right)} of {len(all_kept)} tell their sides apart")
+            code = max(code, int(len(right) < len(all_kept)))
+        if write:
+            (RULES / "differences.md").write_text(differences_page(engine, kept[DIFFERENCES]), encoding="utf-8")
+            (RULES / "experiments.md").write_text(experiments_page(engine, kept[EXPERIMENTS]), encoding="utf-8")
+            write_sources(kept[EXPERIMENTS])
+    return code
+
+
+def _by_letters(one: Kept) -> tuple[str, list[str]]:
+    (ambiguity, first), (_, second) = one.allowed.letters[0], one.refused.letters[0]
+    return ambiguity, sorted((first, second))
+
+
+def _shorten(engine: Engine) -> None:
+    """Keep the shortest logs that are found, and what was searched."""
+    of_kit = [one for one in read_kept(DIFFERENCES) if not one.name.startswith(SHORTEST)]
+    write_kept(DIFFERENCES, [*shortest_of_sides(engine, of_kit, click.echo), *of_kit])
+    known = list(shorter(engine, read_kept(EXPERIMENTS), click.echo))
+    more, gaps = filled(engine, known, untold(known), click.echo)
+    write_kept(EXPERIMENTS, sorted([*known, *more], key=_by_letters))
+    write_kept(GAPS, gaps)

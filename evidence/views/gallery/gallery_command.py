@@ -1,0 +1,148 @@
+"""``s7check gallery``: the edge cases, found by TLC, judged by the trace checker.
+
+Exit codes: 0 each is found and is the shipped log, 1 some are not, 2 wrong arguments, 3 a tool is missing or failed,
+130 interrupted.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+import msgspec
+
+from evidence.common.checkout import ROOT
+from evidence.common.console import plain
+from evidence.common.options import tlc_option
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from evidence.tla.tlc import ToolMissingError, find_toolchain
+from evidence.views.gallery.cases import Case, cases
+from evidence.views.gallery.search import NotFoundError, Search
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
+from s7check.judging.check import check_log
+
+PACKAGED = ROOT / "trace_checker" / "s7check" / "exploring" / "gallery.json"
+"""The cases with their logs, for the explorer."""
+
+PAGE = ROOT / "docs" / "rules" / "gallery.md"
+
+REVIEW = ROOT / "docs" / "rules" / "review.md"
+_BEGIN, _END = "<!-- The gallery, by `s7check gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
+
+DIFFERS = 1
+
+
+@click.command(name="gallery", short_help="Edge cases, each the shortest behaviour that TLC finds.")
+@tlc_option
+@click.option("--write", is_flag=True, help="Write the logs, the explorer's copy of them and the page.")
+@click.argument("names", nargs=-1, metavar="[NAME]...")
+def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> int:
+    """Find each case again and compare it with its log in gallery/.
+
+    Of several behaviours of the same length TLC finds the first in its order, which is fixed; so a difference means
+    that the specification or the case has changed.
+    """
+    wrong: set[str] = set()
+    processes = Processes()
+    with session(processes, (ValueError, OSError), (ToolMissingError, EngineError)) as console, Engine() as engine:
+        search = Search(find_toolchain(jar), processes)
+        chosen = _chosen(names)
+        for case in chosen:
+            said = _settled(case, search, write) or _refused(case, engine)
+            if said:
+                wrong.add(case.name)
+            plain(console, f"{case.name}: {said or 'found, accepted'}")
+        if write:
+            PACKAGED.write_bytes(packaged())
+            PAGE.write_text(page())
+            REVIEW.write_text(with_index(REVIEW.read_text()))
+        plain(console, f"{len(chosen)} cases, {len(wrong)} not as they should be")
+    return DIFFERS if wrong else 0
+
+
+def _refused(case: Case, engine: Engine) -> str:
+    """Why the trace checker does not accept the log; empty if it does."""
+    report = check_log(str(case.log), engine, lambda *_: None)
+    return "" if report.verdict == "accepted" else str(report)
+
+
+def _chosen(names: tuple[str, ...]) -> list[Case]:
+    """Raises ValueError for a name that is none."""
+    found = {case.name: case for case in cases()}
+    if unknown := [name for name in names if name not in found]:
+        raise ValueError(f"no such case: {', '.join(unknown)}")
+    return [found[name] for name in names] if names else list(found.values())
+
+
+def _text(lines: list[dict[str, object]]) -> str:
+    return "".join(msgspec.json.encode(line).decode() + "\n" for line in lines)
+
+
+def _settled(case: Case, search: Search, write: bool) -> str:
+    """Why the log is not what TLC finds; empty if it is. With ``write`` it is made so."""
+    try:
+        text = _text(search(case))
+    except NotFoundError as error:
+        return str(error)
+    if write:
+        case.log.write_text(text)
+    elif not case.log.exists() or case.log.read_text() != text:
+        return f"TLC finds another behaviour than {case.log.relative_to(ROOT)}"
+    return ""
+
+
+def packaged() -> bytes:
+    """What the explorer shows of the cases: texts, and the log as objects."""
+    shown = [
+        {
+            "name": case.name,
+            "title": case.title,
+            "told": case.told,
+            "requirements": case.requirements,
+            "log": [msgspec.json.decode(line) for line in case.log.read_bytes().splitlines()],
+        }
+        for case in cases()
+    ]
+    return msgspec.json.format(msgspec.json.encode(shown), indent=1) + b"\n"
+
+
+def page() -> str:
+    """The page of the cases: each with its text, its requirements and its log."""
+    parts = [_INTRODUCTION]
+    for case in cases():
+        heading = f'## <a id="{case.name}"></a>{case.title}'
+        parts.append(f"{heading}\n\n{case.told}\n\n{_clauses(case)}; {_log(case)}\n")
+    return "\n".join(parts)
+
+
+def with_index(text: str) -> str:
+    """The page of the design review with a row for each case. Raises ValueError without the marks around them."""
+    before, begin, rest = text.partition(_BEGIN)
+    _, end, after = rest.partition(_END)
+    if not begin or not end:
+        raise ValueError(f"{REVIEW.relative_to(ROOT)}: expected the marks around the gallery's table")
+    rows = [
+        f"| {number} | [{case.title}](gallery.md#{case.name}) | {_clauses(case)} | {_log(case)} |\n"
+        for number, case in enumerate(cases(), 1)
+    ]
+    head = "| | case | requirements | log |\n|---|---|---|---|\n"
+    return "".join([before, begin, "\n", head, *rows, "\n", end, after])
+
+
+def _clauses(case: Case) -> str:
+    return ", ".join(f"[{name}](requirements.md#{name})" for name in case.requirements)
+
+
+def _log(case: Case) -> str:
+    return f"[{case.name}](../../gallery/{case.log.name})"
+
+
+_INTRODUCTION = """# Gallery of edge cases
+
+Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
+small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
+use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that
+may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
+"""

@@ -1,0 +1,66 @@
+"""TLC looks for the shortest behaviour of a case."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from evidence.common.checkout import ROOT
+from evidence.common.processes import Processes
+from evidence.tla import tlc
+from evidence.tla.behaviour import Line, as_log, behaviour
+from evidence.tla.modules import module_folders
+from evidence.tla.workspace import Workspace
+from evidence.views.gallery.cases import Case
+
+MODULE = "GalleryCase"
+_HEAP = 1500
+
+
+class NotFoundError(RuntimeError):
+    """TLC did not find the case; the message has TLC's words."""
+
+
+@dataclass(frozen=True)
+class Search:
+    """How long a search may take, with which TLC."""
+
+    tools: tlc.Toolchain
+    processes: Processes
+    timeout: float = 120.0
+
+    def __call__(self, case: Case) -> list[Line]:
+        """Give header and events of a shortest behaviour of the case. Raises `NotFoundError`."""
+        with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+            folder = Path(temporary).resolve()
+            scratch = folder / "scratch"
+            scratch.mkdir()
+            space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
+            (folder / space.module).write_text(module(case))
+            shutil.copy(ROOT / "models" / "MCGallery.cfg", space.config)
+            space.config.write_text(configuration(case, space.config.read_text()))
+            run = tlc.run(self.tools, space, tlc.Options(1, False, _HEAP, self.timeout), self.processes)
+        outcome = run.outcome
+        if outcome.kind != "invariant" or not outcome.trace:
+            said = outcome.errors[0] if outcome.errors else outcome.detail
+            raise NotFoundError(f"{case.name}: no behaviour found: {outcome.kind}: {said}")
+        return as_log(behaviour(outcome.trace))
+
+
+def module(case: Case) -> str:
+    """Write the module that gives the model's constants their values in this case."""
+    kinds = ", ".join(f'"{kind}"' for kind in case.kinds)
+    definitions = {"MayHappen": f"{{{kinds}}}", "Budget": str(case.budget), "Middle": case.middle, "Goal": case.goal}
+    definitions |= {f"Gallery{name}": text for name, text in case.world.items()}
+    body = "\n".join(f"Case{name} ==\n    {text}" for name, text in definitions.items())
+    return f"---- MODULE {MODULE} ----\nEXTENDS MCGallery\n{body}\n====\n"
+
+
+def configuration(case: Case, text: str) -> str:
+    """Write the configuration: the model's, with the case's definitions in the place of its constants."""
+    for name in case.world:
+        text = text.replace(f"<- Gallery{name}\n", f"<- CaseGallery{name}\n")
+    own = "\n".join(f"    {name} <- Case{name}" for name in ("MayHappen", "Budget", "Middle", "Goal"))
+    return text.replace("CONSTANTS\n", f"CONSTANTS\n{own}\n")

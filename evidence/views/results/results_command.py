@@ -1,0 +1,62 @@
+"""``s7check results``: the numbers of the documentation.
+
+Exit codes: 0 the page is up to date, 1 it is not, 2 wrong arguments or files, 3 a tool is missing or a run failed, 130
+interrupted.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from evidence.common.checkout import ROOT
+from evidence.common.options import tlc_option
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from evidence.tla.tlc import ToolMissingError
+from evidence.views.results import records
+from evidence.views.results.page import page
+from evidence.views.results.runs import RUNS, SECOND, RunError, take, take_over
+from s7check.engine.java import JavaMissingError
+
+PAGE = Path("docs/project/results.md")
+KEPT = Path("docs/project/results")
+
+STALE = 1
+
+
+@click.command(name="results", short_help="The numbers of the documentation, from runs.")
+@click.option("--write", is_flag=True, help="Write the page from the kept summaries.")
+@tlc_option
+@click.option(
+    "--report",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Run nothing: take the report that the command of the one RUN wrote there, such as build/verify/models.json.",
+)
+@click.argument("names", nargs=-1, metavar="[RUN]...", type=click.Choice(list(RUNS)))
+def results_command(*, write: bool, jar: Path | None, report: Path | None, names: tuple[str, ...]) -> None:
+    """Check that docs/project/results.md agrees with the kept summaries of runs.
+
+    With RUN: run these commands, keep a summary of each in docs/project/results and write the page. With --tlc: keep it
+    as a run on a second TLC. Exit codes: 0 the page is up to date, 1 it is not, 2 wrong arguments or files, 3 a tool is
+    missing or a run failed.
+    """
+    with session(Processes(), (records.RecordError, OSError), (RunError, ToolMissingError, JavaMissingError)):
+        if jar and not all(RUNS[name].tlc for name in names):
+            raise click.UsageError("--tlc: only for runs of TLC")
+        if report and (len(names) != 1 or not RUNS[names[0]].told):
+            told = ", ".join(name for name, run in RUNS.items() if run.told)
+            raise click.UsageError(f"--report: expected one of these runs: {told}")
+        for name in names:
+            record = take_over(name, jar, report) if report else take(name, jar, click.echo)
+            records.write(ROOT / KEPT, name + (SECOND if jar else ""), record)
+        text = page(records.read(ROOT / KEPT))
+        if write or names:
+            (ROOT / PAGE).write_text(text, encoding="utf-8")
+        if (ROOT / PAGE).read_text(encoding="utf-8") == text:
+            return
+    click.echo(f"{PAGE}: not up to date: s7check results --write")
+    sys.exit(STALE)

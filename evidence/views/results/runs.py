@@ -1,0 +1,278 @@
+"""The runs of which the documentation has numbers: their commands, and the summary that is kept of their reports."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from evidence.common.checkout import ROOT
+from evidence.tla.tlc import find_toolchain
+from evidence.views.results import records, summaries
+from evidence.views.results.records import Record, Table
+
+SECOND = "-second-tlc"
+"""End of the name of a run on another TLC than the project's own."""
+
+_REPORT = "REPORT"
+
+
+class RunError(Exception):
+    """A run that gave no report; the text says how it ended."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run: its heading on the page, its command as it is typed, and the arguments of the process.
+
+    ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
+    With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
+    `told`: fields by which a report tells that it is one of this run; without them no report is taken over.
+    """
+
+    title: str
+    about: str
+    typed: str
+    arguments: tuple[str, ...]
+    summary: Callable[[str], list[Table]]
+    codes: tuple[int, ...] = (0, 1)
+    tlc: bool = False
+    told: Mapping[str, Any] = field(default_factory=dict)
+
+
+def _s7check(
+    title: str,
+    about: str,
+    arguments: str,
+    summary: Callable[[str], list[Table]],
+    *,
+    tlc: bool = True,
+    told: Mapping[str, Any] | None = None,
+) -> Run:
+    process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
+    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {})
+
+
+RUNS = {
+    "models": _s7check(
+        "Models",
+        "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
+        "models --lane ci",
+        summaries.models,
+        told={"lane": "ci"},
+    ),
+    "models-full": _s7check(
+        "Models of the full lane",
+        "The large models as well.",
+        "models --lane full",
+        summaries.models,
+        told={"lane": "full"},
+    ),
+    "logs": Run(
+        "Logs",
+        "The logs of `traces/`, written out by `s7check cases`. A test compares verdict and line.",
+        "s7check trace --readings none --format json build/traces",
+        (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
+        summaries.logs,
+        codes=(0, 1, 2),
+    ),
+    "agreement": _s7check(
+        "Agreement",
+        "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
+        "agree --logs 10000",
+        summaries.agreement,
+    ),
+    "left-out": _s7check(
+        "Kinds left out",
+        "Random accepted logs, each with every subset of the kinds of event left out: none may get worse.",
+        "left-out --logs 100",
+        summaries.left_out,
+        tlc=False,
+        told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
+    ),
+    "left-out-sample": _s7check(
+        "Kinds left out, more logs",
+        "Other logs, each with some of these subsets, drawn by the seed.",
+        "left-out --logs 10000 --subsets 6 --seed 2",
+        summaries.left_out,
+        tlc=False,
+        told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
+    ),
+    "growth": _s7check(
+        "Logs that leave much open",
+        "Many start events at once, few kinds recorded, years between two lines: what each costs "
+        "([growth](commands.md#s7check-growth-name)).",
+        "growth",
+        summaries.growth,
+        tlc=False,
+    ),
+    "mutation": _s7check(
+        "Mutation",
+        "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
+        "mutants --against all --lane smoke --sample 600 --seed 1",
+        summaries.mutants,
+        told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
+    ),
+    "mutation-properties": _s7check(
+        "Mutation, properties alone",
+        "Mutants before the properties of the models of the smoke lane: no counts, timeouts, errors or logs. Those "
+        "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
+        "mutants --against properties --lane smoke --sample 100 --seed 1",
+        summaries.mutants,
+        told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
+    ),
+    "witnesses": _s7check(
+        "Witnesses",
+        "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
+        "witnesses",
+        summaries.witnesses,
+    ),
+    "kit": _s7check(
+        "Kit",
+        "The kit on the soft PLC in all its ways: outcomes of guards of spec/, and requirements "
+        "([kit](../checking/kit.md#what-the-programs-reach)).",
+        "reached",
+        summaries.kit,
+        tlc=False,
+        told={"kit": "reached"},
+    ),
+    "kit-faults": _s7check(
+        "Kit, faults",
+        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7check-faults-fault)).",
+        "faults",
+        summaries.kit_faults,
+        tlc=False,
+    ),
+    "kit-mutants": _s7check(
+        "Kit, mutants",
+        "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
+        "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
+        "mutants --against kit --sample 60 --seed 1",
+        summaries.kit_mutants,
+        tlc=False,
+        told={"kit": "mutants"},
+    ),
+    "fuzz": Run(
+        "Damaged logs and sources",
+        "Each gets its verdict or its refusal in one sentence; anything else is a fault ([checks](checks.md#by-hand)).",
+        "make fuzz",
+        (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
+        summaries.fuzz,
+    ),
+    "bench": Run(
+        "Speed",
+        "The trace checker and TLC on the same logs ([benchmark](../../bench/README.md)).",
+        "bench/run.py",
+        (sys.executable, "bench/run.py", "--json", _REPORT),
+        summaries.bench,
+    ),
+    "compare": Run(
+        "Beside an earlier revision",
+        "CPU seconds of this checkout and of the revision before the work on the cost of logs began, on the same logs; "
+        "none where there was no verdict in time ([benchmark](../../bench/README.md#beside-another-revision)).",
+        "bench/compare.py",
+        (sys.executable, "bench/compare.py", "--json", _REPORT),
+        summaries.bench,
+    ),
+    "explorer": Run(
+        "Steps of the explorer",
+        "All that the page asks after each line of the gallery's logs. CPU is that of the engine's and the server's "
+        "thread, the better number on a busy machine ([benchmark](../../bench/README.md)).",
+        "bench/explorer.py",
+        (sys.executable, "bench/explorer.py", "--json", _REPORT),
+        summaries.bench,
+    ),
+    "edges": _s7check(
+        "The explorer's steps and TLC's edges",
+        "What may come after each log of three exported graphs ([commands](commands.md#s7check-edges-world)).",
+        "edges",
+        summaries.edges,
+    ),
+    "proofs": _s7check(
+        "Proofs",
+        "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
+        "prove --kept",
+        summaries.proofs,
+        tlc=False,
+    ),
+}
+
+
+def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
+    """Run the command of this name and summarise its report.
+
+    Raises `RunError`, `evidence.tla.tlc.ToolMissingError`, `s7check.java.JavaMissingError`, OSError.
+    """
+    run = RUNS[name]
+    options = [] if jar is None else ["--tlc", str(jar)]
+    tools = _tools(run, jar)
+    state = records.today(), records.revision(), records.machine(), records.load()
+    began = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="s7check-results-") as folder:
+        report = Path(folder) / "report.json"
+        arguments = [str(report) if argument == _REPORT else argument for argument in run.arguments]
+        tell(f"running {run.typed}")
+        ended = subprocess.run([*arguments, *options], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
+        text = report.read_text(encoding="utf-8") if report.exists() else ended.stdout
+    if ended.returncode not in run.codes or not text:
+        raise RunError(f"{run.typed} ended with exit code {ended.returncode}: {_end(ended.stdout.splitlines())}")
+    date, revision, machine, load = state
+    return Record(
+        command=_typed(run, jar),
+        date=date,
+        revision=revision,
+        tools=tools,
+        machine=machine,
+        load=load,
+        seconds=round(time.monotonic() - began, 1),
+        exit=ended.returncode,
+        tables=run.summary(text),
+    )
+
+
+def take_over(name: str, jar: Path | None, report: Path) -> Record:
+    """Summarise a report that the command of this name wrote before, such as build/verify/models.json.
+
+    Raises `RunError` if it is of another run or the checkout has changed since,
+    `evidence.tla.tlc.ToolMissingError`, `s7check.java.JavaMissingError`, OSError.
+    """
+    run = RUNS[name]
+    text = report.read_text(encoding="utf-8")
+    try:
+        document: dict[str, Any] = json.loads(text)
+    except ValueError as error:
+        raise RunError(f"{report}: no report: {error}") from error
+    if any(document.get(key) != value for key, value in run.told.items()):
+        raise RunError(f"{report}: expected a report of {run.typed}")
+    written = report.stat().st_mtime
+    if records.changed_at() > written:
+        raise RunError(f"{report}: the checkout has changed since; run {run.typed} again")
+    return Record(
+        command=_typed(run, jar),
+        date=records.day(written),
+        revision=records.revision(),
+        tools=_tools(run, jar),
+        machine=records.machine(),
+        load=None,
+        seconds=document.get("seconds"),
+        exit=None,
+        tables=run.summary(text),
+    )
+
+
+def _typed(run: Run, jar: Path | None) -> str:
+    return " ".join([run.typed, *(["--tlc", jar.name] if jar else [])])
+
+
+def _tools(run: Run, jar: Path | None) -> list[str]:
+    return [*records.tools(), *([f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else [])]
+
+
+def _end(lines: Iterable[str]) -> str:
+    return " / ".join([line for line in lines if line.strip()][-3:])

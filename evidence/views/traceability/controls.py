@@ -1,0 +1,138 @@
+"""The manifests in models/ by requirement: properties that are checked, and negative controls.
+
+A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
+and those that its entry names. It touches those of the rule that it changes, and those of a whole specification
+where the property is that the rules implement it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from evidence.models.manifest import Entry, ManifestFile
+from evidence.tla.cfg import Cfg, CfgError, parse
+from evidence.views.traceability.entries import Entries, entries
+from evidence.views.traceability.errors import UnreadableError
+from evidence.views.traceability.modules import Definition, Module
+from evidence.views.traceability.properties import Properties
+from evidence.views.traceability.roles import rules, statements
+
+MANIFESTS = "manifest*.json"
+
+
+@dataclass(frozen=True)
+class Controls:
+    """The content of the manifests, by requirement."""
+
+    properties: tuple[Definition, ...]
+    """The properties that some model checks, and the definitions that they are made of."""
+    controls: dict[str, Entries]
+    """Direct are those where the property that fails, or the entry, names the requirement."""
+    names: frozenset[str]
+    """All negative controls."""
+    models: dict[str, tuple[str, ...]]
+    """The models that name it."""
+    unchecked: tuple[Definition, ...]
+    """Properties with requirements that no model checks or assumes."""
+
+
+def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
+    """Read the manifests in a folder and their configurations. Raises `UnreadableError`."""
+    listed = [entry for path in sorted(folder.glob(MANIFESTS)) for entry in _entries(path)]
+    listed.sort(key=lambda entry: entry.name)  # nothing is to depend on the manifest in which an entry stands
+    negative = [e for e in listed if _is_negative(e)]
+    positive = [e for e in listed if not _is_negative(e)]
+    if not negative or not positive:
+        raise UnreadableError(f"{folder / MANIFESTS}: no {'models' if negative else 'negative controls'}")
+    known = Properties(spec, models)
+    used: dict[tuple[str, str], Definition] = {}
+    assumed: set[tuple[str, str]] = set()
+    for entry in positive:
+        model, cfg = _model(entry, listed), _config(folder, entry, listed)
+        for name in _checked(entry, cfg):
+            used |= {(d.module, d.name): d for d in known.parts(model, name, instances=True)}
+        for name in cfg.names("SPECIFICATION"):
+            assumed |= {(d.module, d.name) for d in known.parts(model, name, instances=False)}
+    controls = _controls(folder, negative, listed, known, (*spec, *models))
+    named: dict[str, tuple[str, ...]] = {}
+    for entry in positive:
+        for requirement in entry.requirements:
+            named[requirement] = (*named.get(requirement, ()), entry.name)
+    needed = assumed | used.keys()
+    unchecked = [d for m in statements(spec) for d in m.definitions if d.tags and (d.module, d.name) not in needed]
+    names = frozenset(entry.name for entry in negative)
+    properties = tuple(sorted(used.values(), key=lambda d: (d.module, d.line)))
+    return Controls(properties, controls, names, named, tuple(unchecked))
+
+
+def _entries(manifest: Path) -> list[Entry]:
+    try:
+        return msgspec.json.decode(manifest.read_bytes(), type=ManifestFile).models
+    except (OSError, msgspec.MsgspecError) as error:
+        raise UnreadableError(f"{manifest}: {error}") from error
+
+
+def _controls(
+    folder: Path,
+    negative: Sequence[Entry],
+    listed: Sequence[Entry],
+    known: Properties,
+    modules: Sequence[Module],
+) -> dict[str, Entries]:
+    """The negative controls of each requirement, the direct ones first."""
+    ruling = {module.name for module in rules(modules)}
+    direct: dict[str, list[str]] = {}
+    indirect: dict[str, list[str]] = {}
+    for entry in negative:
+        model, failing = _model(entry, listed), str(entry.expect.property)
+        named = known.parts(model, failing, instances=False)
+        for requirement in [*entry.requirements, *(tag for d in named for tag in d.tags)]:
+            direct.setdefault(requirement, []).append(entry.name)
+        changed = [d for d in _changed(folder, entry, modules) if d.module in ruling]
+        touched = [*known.parts(model, failing, instances=True), *changed]
+        for requirement in [tag for d in touched for tag in d.tags]:
+            indirect.setdefault(requirement, []).append(entry.name)
+    return {name: entries(direct.get(name, []), indirect.get(name, [])) for name in {**direct, **indirect}}
+
+
+def _is_negative(entry: Entry) -> bool:
+    """As for ``s7check models``: an entry with a base is a negative control, unless it says otherwise."""
+    derived = not isinstance(entry.base, msgspec.UnsetType)
+    return derived if isinstance(entry.kind, msgspec.UnsetType) else entry.kind == "negative"
+
+
+def _base(entry: Entry, listed: Sequence[Entry]) -> Entry:
+    return next((e for e in listed if e.name == entry.base), entry)
+
+
+def _model(entry: Entry, listed: Sequence[Entry]) -> str:
+    return str(_base(entry, listed).module).removesuffix(".tla")
+
+
+def _config(folder: Path, entry: Entry, listed: Sequence[Entry]) -> Cfg:
+    path = folder / str(_base(entry, listed).config)
+    try:
+        return parse(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, CfgError) as error:
+        raise UnreadableError(f"{path}: {error}") from error
+
+
+def _checked(entry: Entry, cfg: Cfg) -> list[str]:
+    invariants = cfg.names("INVARIANT") if isinstance(entry.invariants, msgspec.UnsetType) else entry.invariants
+    properties = cfg.names("PROPERTY") if isinstance(entry.properties, msgspec.UnsetType) else entry.properties
+    return [*invariants, *properties]
+
+
+def _changed(folder: Path, entry: Entry, modules: Sequence[Module]) -> list[Definition]:
+    mutations = entry.mutate if isinstance(entry.mutate, list) else [entry.mutate]
+    changed = []
+    for mutation in mutations:
+        module = next((m for m in modules if f"{m.name}.tla" == mutation.module), None)
+        if module is None or mutation.replace.encode() not in module.text:
+            raise UnreadableError(f"{folder}: {entry.name}: its text is not in {mutation.module}")
+        changed += module.at(mutation.replace)
+    return changed
