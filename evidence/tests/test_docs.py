@@ -92,8 +92,6 @@ WIDE = {
     "docs/rules/gallery.md",
     "docs/rules/review.md",
     "docs/rules/traceability.md",
-    "spec/README.md",
-    "traces/README.md",
 }
 """Pages that still have to become narrow."""
 
