@@ -63,7 +63,7 @@ VARIABLES
     entered
 
 -----------------------------------------------------------------------------
-(* Types, for Apalache's type checker (Snowcat) *)
+(* Variables in groups; types, for Apalache's type checker (Snowcat) *)
 
 (***************************************************************************)
 (* @typeAlias: step7 = { execution: Str, start: Int, active: Bool,         *)
@@ -87,9 +87,6 @@ VARIABLES
 (* @typeAlias: step = { event: Str, ob: Int, value: Int, sdt: $date,       *)
 (*                      operand: Int, sign: Int };                         *)
 (***************************************************************************)
-
------------------------------------------------------------------------------
-(* Variables in groups *)
 
 \* @type: <<$cpu, Set(Int)>>;
 deviceVars  == <<cpu, loaded>>
