@@ -10,6 +10,7 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from datetime import datetime, timedelta
 from functools import partial
 from itertools import takewhile
 from pathlib import Path
@@ -148,7 +149,7 @@ def read(file: Path) -> Iterator[Case]:
     defaults: dict[str, Any] = {"format": "s7-interrupt-log/1"}
     drafts: dict[str, _Draft] = {}
     add: Callable[[str], None] = partial(_merge, defaults)
-    for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
+    for number, line in _whole_lines(file.read_text(encoding="utf-8")):
         try:
             if line.startswith("== "):
                 draft = _Draft.begin(number, line, defaults)
@@ -166,6 +167,18 @@ def read(file: Path) -> Iterator[Case]:
             raise CasesError(f"{file}:{draft.place}: expected {error}") from error
 
 
+def _whole_lines(text: str) -> Iterator[tuple[int, str]]:
+    """The lines with their numbers; one that begins with a space goes on with the one before."""
+    first, whole = 0, ""
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.startswith(" "):
+            whole += line
+        else:
+            yield first, whole
+            first, whole = number, line
+    yield first, whole
+
+
 @dataclass
 class _Draft:
     """A case as far as it has been read, or the beginning of several, each with an end of its own."""
@@ -179,19 +192,23 @@ class _Draft:
     lines: list[str] = field(default_factory=list)
     headless: bool = False
     at: str = ""
+    up: _Elapsed | None = None
     ends: list[_Draft] = field(default_factory=list)
 
     @classmethod
     def begin(cls, place: int, line: str, defaults: dict[str, Any]) -> _Draft:
         _, name, *words = line.split()
-        verdict = "" if not words or _REQUIREMENT.fullmatch(words[0]) else words.pop(0)
-        return cls(place, name, verdict, words, dict(defaults))
+        verdict = words.pop(0) if words and _VERDICT.fullmatch(words[0]) else ""
+        requirements = list(takewhile(_REQUIREMENT.fullmatch, words))
+        draft = cls(place, name, verdict, requirements, dict(defaults))
+        _merge(draft.header, " ".join(words[len(requirements) :]))
+        return draft
 
     def add(self, line: str) -> None:
         if line.startswith("->"):
             self._end(line[2:])
         elif line.startswith("#"):
-            self.reason = f"{self.reason} {line[1:].strip()}".lstrip()
+            self.reason = " ".join(f"{self.reason} {line[1:]}".split())
         elif line.startswith("|"):
             self.headless |= not self.lines
             self.lines.append(line[1:].removeprefix(" "))
@@ -209,7 +226,7 @@ class _Draft:
             name=f"{self.name}-{len(self.ends) + 1}",
             verdict=verdict,
             requirements=own or self.requirements,
-            reason=reason.strip(),
+            reason=" ".join(reason.split()),
             lines=list(self.lines),
             ends=[],
         )
@@ -223,24 +240,40 @@ class _Draft:
             words = part.split()
             if words and words[0][0].isdigit():
                 self.at = _moment(words.pop(0), self.header)
-            self.lines.append(json.dumps({"at": self.at, **_event(words, self.header)}))
+            event = {"at": self.at, **_event(words, self.header)}
+            if "up" in self.header:
+                self.up = (self.up or _Elapsed(self.header["up"], _clock(self.header))).after(event)
+                event["up"] = self.up.milliseconds
+            self.lines.append(json.dumps(event))
 
     def cases(self, area: str) -> Iterator[Case]:
         if self.ends:
             for end in self.ends:
                 yield from end.cases(area)
             return
-        header = dict(self.header)
-        changes = header.pop("as", [])
+        header = {name: value for name, value in self.header.items() if name not in ("as", "up")}
+        changes = self.header.get("as", [])
         lines = self.lines if self.headless else [json.dumps(header), *self.lines]
         log = "".join(line + "\n" for line in lines).encode()
         for change in changes:
             log = _BYTES_OF_FILE[change](log)
         if not _VERDICT.fullmatch(self.verdict):
-            raise ValueError(f"a verdict of {self.name}: A, or R or U and the line; found {self.verdict or 'none'}")
+            raise ValueError(f"a verdict of {self.name}, A, or R or U and the line; found {self.verdict or 'none'}")
         verdict, _ = VERDICTS[self.verdict[0]]
         at = None if verdict == "accepted" else int(self.verdict[1:] or len(lines))
         yield Case(area, self.name, verdict, at, self.requirements, self.reason, log, "gzip" in changes, self.place)
+
+
+@dataclass(frozen=True)
+class _Elapsed:
+    """The elapsed time when the clock shows ``now``."""
+
+    milliseconds: int
+    now: str
+
+    def after(self, event: dict[str, Any]) -> _Elapsed:
+        passed = datetime.fromisoformat(event["at"]) - datetime.fromisoformat(self.now)
+        return _Elapsed(self.milliseconds + passed // timedelta(milliseconds=1), event.get("to", event["at"]))
 
 
 def _merge(header: dict[str, Any], line: str) -> None:
@@ -265,7 +298,7 @@ def _merge(header: dict[str, Any], line: str) -> None:
         elif name == "cpu":
             header[name] = value.replace("_", " ")
         else:
-            header[name] = _JSON[value] if value in _JSON else int(value) if name == "latency_ms" else value
+            header[name] = _JSON[value] if value in _JSON else int(value) if name in ("latency_ms", "up") else value
 
 
 def _time_of_day(value: str) -> dict[str, object]:
@@ -327,13 +360,16 @@ def _clock(header: dict[str, Any]) -> str:
 
 
 def _moment(text: str, header: dict[str, Any]) -> str:
-    """A date and time: in full, or the end of it. It begins like the header's clock, and is written as finely."""
+    """A date and time: in full, or as hours, minutes and seconds of the day of the header's clock.
+
+    Minutes and seconds alone are those of its hour. It is written as finely as the header's clock.
+    """
     if "T" in text:
         return text
     if not _TIME.fullmatch(text):
         raise ValueError(f"a time, [H:]M:S or in full; found {text}")
     clock = _clock(header)
     hours, minutes, seconds = (text if text.count(":") == 2 else f"{clock[11:13]}:{text}").split(":")
-    seconds, point, fraction = seconds.partition(".")
-    fine = f".{fraction:0<3}" if point or "." in clock else ""
-    return f"{clock[:10]}T{hours:0>2}:{minutes:0>2}:{seconds:0>2}{fine}"
+    since = timedelta(hours=int(hours), minutes=int(minutes), seconds=float(seconds))
+    fine = "milliseconds" if "." in seconds or "." in clock else "seconds"
+    return (datetime.fromisoformat(clock[:10]) + since).isoformat(timespec=fine)

@@ -8,13 +8,10 @@ from typing import Any
 
 import click
 
-from evidence.common.checkout import MANIFEST, ROOT
-
 manifest_option = click.option(
     "--manifest",
     type=click.Path(path_type=Path, dir_okay=False),
-    default=ROOT / MANIFEST,
-    help="Default: models/manifest.json.",
+    help="Default: models/manifest.json here or in a directory above.",
 )
 tlc_option = click.option(
     "--tlc",

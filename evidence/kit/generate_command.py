@@ -1,4 +1,4 @@
-"""``s7spec kit generate``."""
+"""``s7check generate-kit``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,11 @@ from s7check.kit.program import read_program
 @click.option("--write", is_flag=True, help="Write the files of kit/programs; without it, say whether they differ.")
 @click.option("--without-paths", is_flag=True, help="Keep the paths of models as they are: TLC takes minutes for them.")
 def generate_command(seed: int, *, write: bool, without_paths: bool) -> int:
-    """Make the programs; the same seed gives the same programs."""
+    """Make the programs; the same seed gives the same programs.
+
+    Exit codes: 0 done, or nothing differs; 1 the files differ, and --write was not given; 2 a file cannot be read, 3
+    TLC is missing or failed, 130 interrupted.
+    """
     processes = Processes()
     with session(processes, (OSError, ValueError), (ToolMissingError, paths.NoGraphError)) as console:
         known = kept()

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.common.checkout import MANIFEST, ROOT
+from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.models.manifest import Model, load
+from evidence.models.manifest import Model, find_manifest, load
 from evidence.tla import tlc
 from evidence.tla.behaviour import as_log
 from evidence.tla.modules import module_folders
@@ -82,7 +82,7 @@ class Graph:
 
 def programs(processes: Processes) -> Iterator[Json]:
     """The programs of all models. Raises NoGraphError, ToolMissingError."""
-    manifest = load(ROOT / MANIFEST)
+    manifest = load(find_manifest())
     tools = tlc.find_toolchain(None)
     for model in manifest.models:
         if model.name in MODELS:

@@ -1,4 +1,7 @@
-"""``s7spec views cases``: the cases of traces/ as NDJSON files, for users and for other tools."""
+"""``s7check cases``: the cases of traces/ as NDJSON files, for users and for other tools.
+
+Exit codes: 0 written, 2 wrong arguments or case files, 3 something else failed, 130 interrupted.
+"""
 
 from __future__ import annotations
 
@@ -22,10 +25,11 @@ from evidence.common.session import session
     show_default="build/traces",
     help="Folder of the logs; its old content is removed.",
 )
-def cases_command(output: Path) -> None:
-    """Write the log of each case to AREA/accept, AREA/reject or AREA/unusable."""
+@click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True), default=TRACES)
+def cases_command(folder: Path, output: Path) -> None:
+    """Write the log of each case of FOLDER, traces/ by default, to AREA/accept, AREA/reject or AREA/unusable."""
     with session(Processes(), (CasesError, OSError), ()) as console:
-        cases = all_cases(TRACES)
+        cases = all_cases(folder)
         shutil.rmtree(output, ignore_errors=True)
         for case in cases:
             case.put(output)

@@ -153,7 +153,7 @@ def test_ends(tmp_path: Path) -> None:
         ("== a A\n31 hold\n", 3, "a time"),
         ("== a A\n0:31 hold;\n", 3, "one of set, act"),
         ("== a A\n== a A\n", 3, "another name"),
-        ("== a X\n", 2, "a verdict"),
+        ("== a X\n", 2, "FIELD=VALUE"),
         ("== a\n", 2, "a verdict"),
         ("== a A\nas=zip\n", 3, "one of crlf"),
     ],
@@ -180,3 +180,16 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert {path.relative_to(tmp_path).as_posix(): path.read_bytes() for path in written} == {
         case.file: case.log for case in all_cases()
     }
+
+
+def test_elapsed_time(tmp_path: Path) -> None:
+    """It goes on with the clock, whatever the clock is set to."""
+    events = lines(tmp_path, "== a A up=5\n0:31 clock 9:00:00\n9:00:01 hold; 60:02 release\n")[1:]
+    assert [event["up"] for event in events] == [1005, 2005, 3005]
+    assert events[2]["at"] == "2026-03-02T09:00:02.000"
+
+
+def test_a_line_that_goes_on(tmp_path: Path) -> None:
+    """A space at its beginning says so."""
+    (case,) = cases(tmp_path, "== a A\n# Why\n  it is so.\n0:31\n hold\n")
+    assert (case.reason, len(case.lines)) == ("Why it is so.", 2)

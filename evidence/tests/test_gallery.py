@@ -34,7 +34,7 @@ def test_the_trace_checker_accepts_each_log() -> None:
 
 
 def test_page_and_package_are_up_to_date() -> None:
-    """`s7spec views gallery --write` makes both."""
+    """`s7check gallery --write` makes both."""
     assert command.PACKAGED.read_bytes() == command.packaged()
     assert command.PAGE.read_text() == command.page()
     review = command.REVIEW.read_text()

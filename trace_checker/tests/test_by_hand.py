@@ -1,18 +1,18 @@
 """Logs that were judged by hand, from the requirements alone, before the checker saw them."""
 
+import json
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from evidence.common.cases import TRACES, Case, all_cases
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 from s7check.judging.verdict import Report
-from tests.by_hand.shorthand import HandLog, read
-from tests.by_hand.situations.builder import FIRST_TWO
-from tests.by_hand.situations.judge import all_cases, differences, letters_with_effect
-
-ONE_IN = 16
-"""One of so many logs of the situations is judged here; `make round` judges them all."""
+from s7check.judging.workers import Workers
 
 DOCS = Path(__file__).parents[2] / "docs"
 CONSTANTS = re.compile(
@@ -20,33 +20,86 @@ CONSTANTS = re.compile(
 )
 """The entries of readings.md whose letters the specification tells apart: name, default, letters."""
 
-LOGS = list(read(Path(__file__).parent / "by_hand" / "round.txt"))
+CASES = all_cases(TRACES / "by_hand")
+
+OF_KIND = {
+    "start": "ob",
+    "end": "ob",
+    "load": "load",
+    "delete": "load",
+    **{name: name for name in ("clock", "interrupt", "diag", "state")},
+    **dict.fromkeys(("restart", "run", "stop", "hold", "release"), "mode"),
+}
+"""Event -> its kind in ``records``; the others are calls."""
+
+LEFT_OUT = (
+    *(("call",), ("ob",), ("clock",), ("mode",), ("interrupt",), ("load", "interrupt"), ("call", "clock")),
+    *(("ob", "mode"), ("clock", "mode"), ("call", "interrupt")),
+)
 
 
-@pytest.mark.parametrize("log", LOGS, ids=lambda log: log.name)
-def test_verdict(log: HandLog, judge: Callable[[Path], Report], tmp_path: Path) -> None:
-    """The verdict, and the line of a rejected log."""
-    file = tmp_path / f"{log.name}.ndjson"
-    file.write_text(log.text(), encoding="utf-8")
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Report]:
+    """The verdict about the log of each case, found on all cores."""
+    folder = tmp_path_factory.mktemp("by_hand")
+    logs = [case.put(folder) for case in CASES]
+    with Workers(Engine) as workers:
+        found = workers.in_order(logs, lambda log, engine: check_log(str(log), engine, lambda _, __: None))
+        return {case.id: judged.result() for case, judged in zip(CASES, found, strict=True)}
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_verdict(case: Case, reports: dict[str, Report]) -> None:
+    """The verdict, and the line of a log that is not accepted."""
+    report = reports[case.id]
+    assert (report.verdict, report.line) == (case.verdict, case.line), report.message
+
+
+def objects(case: Case) -> list[dict[str, Any]]:
+    """Header and events of a log that can be read."""
+    return [json.loads(line) for line in case.lines if line.strip()]
+
+
+def judged(lines: list[dict[str, Any]], judge: Callable[[Path], Report], folder: Path) -> tuple[str, int | None]:
+    """Verdict and line about a log of these lines."""
+    file = folder / "log.ndjson"
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
     report = judge(file)
-    verdicts = {"accepted": "A", "rejected": f"R{report.line}"}
-    assert verdicts.get(report.verdict, report.verdict) == log.expected, report.message
+    return report.verdict, report.line
 
 
-def test_situations(judge: Callable[[Path], Report], tmp_path: Path) -> None:
-    """Verdict and line of every sixteenth log of the situations."""
-    named = all_cases()
-    assert len(named) == len({name for name, _ in named})
-    found = differences(named[::ONE_IN], judge, tmp_path)
-    assert [(name, case.expected, report.verdict, report.line) for name, case, report in found] == []
+def test_a_kind_left_out_makes_no_log_worse(judge: Callable[[Path], Report], tmp_path: Path) -> None:
+    """Accepted logs without the lines of some kinds are accepted, too (fine point 9)."""
+    complete = [case for case in CASES if case.verdict == "accepted" and b'"records"' not in case.log]
+    wrong, tried = [], set()
+    for number, case in enumerate(complete[::2]):
+        kinds = LEFT_OUT[number % len(LEFT_OUT)]
+        header, *events = objects(case)
+        kept = [event for event in events if OF_KIND.get(event["event"], "call") not in kinds]
+        if len(kept) == len(events):
+            continue
+        tried.add(kinds)
+        every = dict.fromkeys(("call", *(kind for kind in OF_KIND.values() if kind not in ("diag", "state"))))
+        header["records"] = [kind for kind in every if kind not in kinds]
+        if "ob" in kinds:
+            header.pop("cycle", None)
+        if judged([header, *kept], judge, tmp_path) != ("accepted", None):
+            wrong.append((case.id, kinds))
+    assert wrong == []
+    assert tried == set(LEFT_OUT)
 
 
 def test_every_letter_has_an_effect(judge: Callable[[Path], Report], tmp_path: Path) -> None:
     """The verdict of a log hangs on each letter that is no default and that the specification tells apart."""
-    some = [(name, case) for name, case in all_cases() if case.variant < len(FIRST_TWO)]
-    effective = letters_with_effect(some, judge, tmp_path)
-    page = " ".join((DOCS / "rules" / "readings.md").read_text(encoding="utf-8").split())
-    found = CONSTANTS.findall(page)
+    effective = set[tuple[str, str]]()
+    for case in (case for case in CASES if case.verdict != "unusable" and b'"readings"' in case.log):
+        header, *events = objects(case)
+        readings = header["readings"]
+        for letter in readings.items() - effective:
+            fewer = header | {"readings": {name: chosen for name, chosen in readings.items() if name != letter[0]}}
+            if judged([fewer, *events], judge, tmp_path) != (case.verdict, case.line):
+                effective.add(letter)
+    found = CONSTANTS.findall(" ".join((DOCS / "rules" / "readings.md").read_text(encoding="utf-8").split()))
     assert len(found) > 70
     letters = {(name, letter) for name, default, choice in found for letter in choice.split(", ") if letter != default}
     assert letters - effective == {("AMB-04", "c")}  # bit 5 is 0 as under (a): there is no test function

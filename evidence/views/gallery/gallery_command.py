@@ -1,4 +1,8 @@
-"""``s7spec views gallery``: the edge cases, found by TLC, judged by the trace checker."""
+"""``s7check gallery``: the edge cases, found by TLC, judged by the trace checker.
+
+Exit codes: 0 each is found and is the shipped log, 1 some are not, 2 wrong arguments, 3 a tool is missing or failed,
+130 interrupted.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +29,7 @@ PACKAGED = ROOT / "trace_checker" / "s7check" / "exploring" / "gallery.json"
 PAGE = ROOT / "docs" / "rules" / "gallery.md"
 
 REVIEW = ROOT / "docs" / "rules" / "review.md"
-_BEGIN, _END = "<!-- The gallery, by `s7spec views gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
+_BEGIN, _END = "<!-- The gallery, by `s7check gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
 
 DIFFERS = 1
 
@@ -139,6 +143,6 @@ _INTRODUCTION = """# Gallery of edge cases
 
 Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
 small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
-use. `s7spec views gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events
-that may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
+use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that
+may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
 """

@@ -10,8 +10,8 @@ from evidence.views.results.runs import RUNS, SECOND
 _INTRODUCTION = """\
 # Results
 
-The numbers of runs; no other page has any. `s7spec views results RUN` runs a command and keeps a summary of its report
-in `docs/project/results/`, `s7spec views results --write` makes this page from these summaries. The revision is that of
+The numbers of runs; no other page has any. `s7check results RUN` runs a command and keeps a summary of its report in
+`docs/project/results/`, `s7check results --write` makes this page from these summaries. The revision is that of
 the checkout at the run, with `+` if files differed from it. Load is that of the machine when the run began: other work
 lengthens the seconds.
 """

@@ -46,7 +46,7 @@ class Run:
     told: Mapping[str, Any] = field(default_factory=dict)
 
 
-def _s7spec(
+def _s7check(
     title: str,
     about: str,
     arguments: str,
@@ -55,19 +55,19 @@ def _s7spec(
     tlc: bool = True,
     told: Mapping[str, Any] | None = None,
 ) -> Run:
-    process = (sys.executable, "-m", "evidence", *arguments.split(), "--json", _REPORT)
-    return Run(title, about, f"s7spec {arguments}", process, summary, tlc=tlc, told=told or {})
+    process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
+    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {})
 
 
 RUNS = {
-    "models": _s7spec(
+    "models": _s7check(
         "Models",
         "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
         "models --lane ci",
         summaries.models,
         told={"lane": "ci"},
     ),
-    "models-full": _s7spec(
+    "models-full": _s7check(
         "Models of the full lane",
         "The large models as well.",
         "models --lane full",
@@ -76,50 +76,50 @@ RUNS = {
     ),
     "logs": Run(
         "Logs",
-        "The logs of `traces/`, written out by `s7spec views cases`. A test compares verdict and line.",
+        "The logs of `traces/`, written out by `s7check cases`. A test compares verdict and line.",
         "s7check trace --readings none --format json build/traces",
         (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
         summaries.logs,
         codes=(0, 1, 2),
     ),
-    "agreement": _s7spec(
+    "agreement": _s7check(
         "Agreement",
         "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
-        "logs agree --logs 10000",
+        "agree --logs 10000",
         summaries.agreement,
     ),
-    "left-out": _s7spec(
+    "left-out": _s7check(
         "Kinds left out",
         "Random accepted logs, each with every subset of the kinds of event left out: none may get worse.",
-        "logs left-out --logs 100",
+        "left-out --logs 100",
         summaries.left_out,
         tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
     ),
-    "left-out-sample": _s7spec(
+    "left-out-sample": _s7check(
         "Kinds left out, more logs",
         "Other logs, each with some of these subsets, drawn by the seed.",
-        "logs left-out --logs 10000 --subsets 6 --seed 2",
+        "left-out --logs 10000 --subsets 6 --seed 2",
         summaries.left_out,
         tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
     ),
-    "growth": _s7spec(
+    "growth": _s7check(
         "Logs that leave much open",
         "Many start events at once, few kinds recorded, years between two lines: what each costs "
-        "([growth](commands.md#s7spec-logs-growth-name)).",
-        "logs growth",
+        "([growth](commands.md#s7check-growth-name)).",
+        "growth",
         summaries.growth,
         tlc=False,
     ),
-    "mutation": _s7spec(
+    "mutation": _s7check(
         "Mutation",
         "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
         "mutants --against all --lane smoke --sample 600 --seed 1",
         summaries.mutants,
         told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
     ),
-    "mutation-properties": _s7spec(
+    "mutation-properties": _s7check(
         "Mutation, properties alone",
         "Mutants before the properties of the models of the smoke lane: no counts, timeouts, errors or logs. Those "
         "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
@@ -127,29 +127,29 @@ RUNS = {
         summaries.mutants,
         told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
     ),
-    "witnesses": _s7spec(
+    "witnesses": _s7check(
         "Witnesses",
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
         "witnesses",
         summaries.witnesses,
     ),
-    "kit": _s7spec(
+    "kit": _s7check(
         "Kit",
         "The kit on the soft PLC in all its ways: outcomes of guards of spec/, and requirements "
         "([kit](../checking/kit.md#what-the-programs-reach)).",
-        "kit reached",
+        "reached",
         summaries.kit,
         tlc=False,
         told={"kit": "reached"},
     ),
-    "kit-faults": _s7spec(
+    "kit-faults": _s7check(
         "Kit, faults",
-        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7spec-kit-faults-fault)).",
-        "kit faults",
+        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7check-faults-fault)).",
+        "faults",
         summaries.kit_faults,
         tlc=False,
     ),
-    "kit-mutants": _s7spec(
+    "kit-mutants": _s7check(
         "Kit, mutants",
         "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
         "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
@@ -188,13 +188,13 @@ RUNS = {
         (sys.executable, "bench/explorer.py", "--json", _REPORT),
         summaries.bench,
     ),
-    "edges": _s7spec(
+    "edges": _s7check(
         "The explorer's steps and TLC's edges",
-        "What may come after each log of three exported graphs ([commands](commands.md#s7spec-logs-edges-world)).",
-        "logs edges",
+        "What may come after each log of three exported graphs ([commands](commands.md#s7check-edges-world)).",
+        "edges",
         summaries.edges,
     ),
-    "proofs": _s7spec(
+    "proofs": _s7check(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
         "prove --kept",

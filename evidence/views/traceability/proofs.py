@@ -1,4 +1,4 @@
-"""Of how many actions a property has been proved: the kept summary of the last run of ``s7spec prove``."""
+"""Of how many actions a property has been proved: the kept summary of the last run of ``s7check prove``."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The requirements behind the IDs in a report.
 
-In a checkout ``s7spec views requirements --write`` makes ``requirements.json`` beside this module from the entries of
+In a checkout ``s7check requirements --write`` makes ``requirements.json`` beside this module from the entries of
 docs/rules/requirements.md and docs/rules/readings.md, where each has an anchor with its ID.
 """
 

@@ -1,1 +1,0 @@
-"""Logs written by hand from the requirements alone, in a shorthand."""
