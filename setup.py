@@ -1,4 +1,4 @@
-"""Puts the specification, the engine and the programs of the kit into the wheel; all else is said in pyproject.toml."""
+"""Puts the files that resources.py names, and the engine, into the wheel; all else is said in pyproject.toml."""
 
 import os
 import runpy
@@ -12,6 +12,8 @@ from setuptools.errors import ExecError
 from setuptools.modified import newer_group
 
 SPECIFICATION = Path("spec")
+RULES = ("docs/rules/requirements.md", "docs/rules/readings.md")
+GALLERY = Path("gallery")
 PROGRAMS = Path("kit/programs")
 KNOWN = ("differences.ndjson", "experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
@@ -24,7 +26,7 @@ class BuildWithData(build_py):
     """An editable installation goes on using the checkout's own files."""
 
     def run(self) -> None:
-        """Copies the packages, then specification and jars to the places in s7check/resources.py."""
+        """Copies the packages, then the other files to the places in s7check/resources.py."""
         if self.editable_mode:
             super().run()
             return
@@ -34,6 +36,10 @@ class BuildWithData(build_py):
         super().run()
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
+        shutil.copytree(GALLERY, package / "gallery")
+        (package / "rules").mkdir()
+        for page in RULES:
+            shutil.copy(page, package / "rules")
         shutil.copytree(PROGRAMS, package / "programs")
         for name in KNOWN:
             shutil.copy(PROGRAMS.parent / name, package / name)

@@ -1,6 +1,6 @@
-"""Where the specification and the engine are: in a checkout, or inside the installed package.
+"""Where the files are that the package reads: in a checkout, or inside the installed package.
 
-setup.py puts both into the wheel.
+setup.py puts them into the wheel.
 """
 
 from pathlib import Path
@@ -26,6 +26,12 @@ ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "targe
 
 PARSED = _PACKAGE / "parsed"
 """The folder of the parsed specification, which only a wheel has."""
+
+RULES = _PACKAGE / "rules" if INSTALLED else CHECKOUT / "docs" / "rules"
+"""The pages with the requirements and the readings."""
+
+GALLERY = _PACKAGE / "gallery" if INSTALLED else CHECKOUT / "gallery"
+"""The edge cases, and their logs."""
 
 KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "kit" / "programs"
 """The programs of the conformance kit, in files of a program a line."""

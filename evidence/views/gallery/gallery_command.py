@@ -23,9 +23,6 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 
-PACKAGED = ROOT / "trace_checker" / "s7check" / "exploring" / "gallery.json"
-"""The cases with their logs, for the explorer."""
-
 PAGE = ROOT / "docs" / "rules" / "gallery.md"
 
 REVIEW = ROOT / "docs" / "rules" / "review.md"
@@ -36,7 +33,7 @@ DIFFERS = 1
 
 @click.command(name="gallery", short_help="Edge cases, each the shortest behaviour that TLC finds.")
 @tlc_option
-@click.option("--write", is_flag=True, help="Write the logs, the explorer's copy of them and the page.")
+@click.option("--write", is_flag=True, help="Write the logs and the page.")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> int:
     """Find each case again and compare it with its log in gallery/.
@@ -55,7 +52,6 @@ def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> in
                 wrong.add(case.name)
             plain(console, f"{case.name}: {said or 'found, accepted'}")
         if write:
-            PACKAGED.write_bytes(packaged())
             PAGE.write_text(page())
             REVIEW.write_text(with_index(REVIEW.read_text()))
         plain(console, f"{len(chosen)} cases, {len(wrong)} not as they should be")
@@ -91,21 +87,6 @@ def _settled(case: Case, search: Search, write: bool) -> str:
     elif not case.log.exists() or case.log.read_text() != text:
         return f"TLC finds another behaviour than {case.log.relative_to(ROOT)}"
     return ""
-
-
-def packaged() -> bytes:
-    """What the explorer shows of the cases: texts, and the log as objects."""
-    shown = [
-        {
-            "name": case.name,
-            "title": case.title,
-            "told": case.told,
-            "requirements": case.requirements,
-            "log": [msgspec.json.decode(line) for line in case.log.read_bytes().splitlines()],
-        }
-        for case in cases()
-    ]
-    return msgspec.json.format(msgspec.json.encode(shown), indent=1) + b"\n"
 
 
 def page() -> str:

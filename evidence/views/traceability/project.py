@@ -20,8 +20,6 @@ REQUIREMENTS = Path("docs/rules/requirements.md")
 READINGS = Path("docs/rules/readings.md")
 REASONS = Path("docs/rules/left_out.json")
 PAGE = Path("docs/rules/traceability.md")
-CLAUSES = Path("trace_checker/s7check/report/requirements.json")
-"""The texts that reports of ``s7check trace`` show."""
 MODELS = Path("models")
 TRACES = Path("traces")
 PROOFS = Path("docs/project/results/proofs.json")
@@ -68,8 +66,8 @@ def read_project(root: Path) -> Project:
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
     paths = sorted({path for pattern in CITING for path in root.glob(pattern)} - {root / PAGE})
     return Project(
-        {clause.id: clause for clause in documents.requirements(root / REQUIREMENTS)},
-        {clause.id: clause for clause in documents.ambiguities(root / READINGS)},
+        documents.requirements(root / REQUIREMENTS),
+        documents.ambiguities(root / READINGS),
         tuple(spec),
         read_controls(root / MODELS, spec, models),
         read_logs(root / TRACES),

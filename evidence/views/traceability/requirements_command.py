@@ -12,13 +12,13 @@ from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import Matrix, build, counts
 from evidence.views.traceability.page import page
 from evidence.views.traceability.problems import notes, problems
-from evidence.views.traceability.project import CLAUSES, PAGE, Project, find_project, read_project
+from evidence.views.traceability.project import PAGE, Project, find_project, read_project
 
 GAPS, UNREADABLE = 1, 2
 
 
 @click.command("requirements", short_help="Trace each requirement to formula, property, model and logs.")
-@click.option("--write", is_flag=True, help="Write traceability.md and the texts of reports.")
+@click.option("--write", is_flag=True, help="Write traceability.md.")
 @click.option(
     "--project",
     "folder",
@@ -57,7 +57,6 @@ def _pages(root: Path, project: Project, matrix: Matrix, *, write: bool) -> list
     """The generated pages that are not up to date, after writing them if that was asked for."""
     texts = {
         PAGE: page(matrix, project),
-        CLAUSES: documents.encoded([*project.requirements.values(), *project.ambiguities.values()]),
     }
     if write:
         for path, text in texts.items():

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Sequence
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +10,7 @@ import msgspec
 from s7check.kit.program import Program, read_program
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
-from s7check.resources import CHECKOUT, INSTALLED, KIT
+from s7check.resources import CHECKOUT, GALLERY, INSTALLED, KIT
 
 _NAME = re.compile(rb'"name": ?"([^"]+)"')
 _OF_KIT = "kit/"
@@ -40,8 +39,7 @@ class Library:
 
     def contents(self) -> dict[str, Any]:
         """The gallery's cases, the names of logs and of the kit's programs; ``first`` is the log to begin with."""
-        cases = [{name: case[name] for name in ("name", "title", "told", "requirements")} for case in self._gallery]
-        return {"gallery": cases, "logs": [*self._paths, *self._programs], "first": self._opened_first()}
+        return {"gallery": self._gallery, "logs": [*self._paths, *self._programs], "first": self._opened_first()}
 
     def program(self, name: str) -> Program | None:
         """The program of the kit with this name of ``contents``; None if it is the name of a log."""
@@ -50,9 +48,8 @@ class Library:
 
     def open(self, name: str) -> dict[str, Any]:
         """The objects of a log's lines: ``header``, ``lines``. Raises UnusableLogError for no such log."""
-        for case in self._gallery:
-            if case["name"] == name:
-                return {"name": name, "header": case["log"][0], "lines": case["log"][1:]}
+        if any(case["name"] == name for case in self._gallery):
+            return read((GALLERY / f"{name}.ndjson").read_bytes(), name)
         if name not in self._paths:
             raise UnusableLogError("the name of a log that the explorer offers", name)
         return read(self._paths[name].read_bytes(), name)
@@ -82,5 +79,7 @@ def read(data: bytes, name: str) -> dict[str, Any]:
 
 
 def _gallery() -> Sequence[dict[str, Any]]:
-    cases: list[dict[str, Any]] = msgspec.json.decode((files(__package__) / "gallery.json").read_bytes())
-    return cases
+    """What is shown of each edge case."""
+    shown = ("name", "title", "told", "requirements")
+    cases: list[dict[str, Any]] = msgspec.json.decode((GALLERY / "cases.json").read_bytes())
+    return [{name: case[name] for name in shown} for case in cases]

@@ -1,20 +1,25 @@
-"""The requirements behind the IDs in a report.
+"""The requirements behind the IDs in a report: the entries of docs/rules/requirements.md and docs/rules/readings.md.
 
-In a checkout ``s7check requirements --write`` makes ``requirements.json`` beside this module from the entries of
-docs/rules/requirements.md and docs/rules/readings.md, where each has an anchor with its ID.
+A requirement is ``- **ID** text *(sources; confidence)*``, a question ``**ID** text`` and a list of its letters, each
+behind an anchor with its ID.
 """
 
 import re
 from collections.abc import Iterable
 from functools import cache
-from importlib.resources import files
 
 import msgspec
 
 from s7check.log.errors import ranges
+from s7check.resources import RULES
 
-_FILE = "requirements.json"
 _NAMED = re.compile(r"\b[A-Z]+-[0-9]{2,}\b")
+_ANCHOR = re.compile(r'<a id="([A-Z]+-\d+)">')
+_REQUIREMENT = re.compile(r'^- <a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
+_QUESTION = re.compile(r'^<a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
+_LETTER = re.compile(r"^- \(([a-d])\) (.*)$", re.MULTILINE)
+_BREAK = re.compile(r"(?<=.)\n *(?=[^\n -])")
+"""Where a sentence goes on in the next line."""
 
 
 class Clause(msgspec.Struct, frozen=True):
@@ -33,10 +38,37 @@ class Clause(msgspec.Struct, frozen=True):
         return f"docs/rules/{page}.md#{self.id}"
 
 
+def requirements_of(page: str) -> list[Clause]:
+    """The entries of the text of requirements.md. Raises ValueError for an anchor without one."""
+    text = _BREAK.sub(" ", page)
+    return _entries(text, [Clause(*found) for found in _REQUIREMENT.findall(text)])
+
+
+def questions_of(page: str) -> list[Clause]:
+    """The entries of the text of readings.md. Raises ValueError for an anchor without one."""
+    text = _BREAK.sub(" ", page)
+    found = [Clause(name, asked, letters=dict(_LETTER.findall(said))) for name, asked, said in _QUESTION.findall(text)]
+    return _entries(text, found)
+
+
+def _entries(text: str, clauses: list[Clause]) -> list[Clause]:
+    """The clauses, if there is one for each anchor of the page."""
+    ids = [clause.id for clause in clauses]
+    for name in _ANCHOR.findall(text):
+        if name not in ids:
+            raise ValueError(f"{name}: expected an entry like the others behind the anchor")
+        if ids.count(name) > 1:
+            raise ValueError(f"{name} has more than one entry")
+    if not ids:
+        raise ValueError("no entries")
+    return clauses
+
+
 @cache
 def _clauses() -> dict[str, Clause]:
-    data = (files(__package__) / _FILE).read_bytes()
-    return {clause.id: clause for clause in msgspec.json.decode(data, type=list[Clause])}
+    pages = [(requirements_of, "requirements.md"), (questions_of, "readings.md")]
+    found = [clause for read, page in pages for clause in read((RULES / page).read_text(encoding="utf-8"))]
+    return {clause.id: clause for clause in found}
 
 
 def all_clauses() -> list[Clause]:
