@@ -15,7 +15,7 @@ from evidence.common.checkout import ROOT
 from evidence.tests.test_docs import PAGES
 from evidence.views.results import records, runs, summaries
 from evidence.views.results import results_command as command
-from evidence.views.results.page import page
+from evidence.views.results.page import page, totals
 from evidence.views.results.records import Record, Table
 from evidence.views.results.runs import RUNS, SECOND
 from s7check import cli
@@ -172,7 +172,7 @@ def test_a_run_is_kept(folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: py
     assert kept.load is not None
     assert any(tool.startswith("Java ") for tool in kept.tools)
     text = (folder / command.PAGE).read_text(encoding="utf-8")
-    assert "| APLock | holds |" in text
+    assert text.count("\n- **Proofs** (`make prove`, ") == 1
     (folder / command.PAGE).write_text("", encoding="utf-8")
     assert main("--write") == 0
     assert (folder / command.PAGE).read_text(encoding="utf-8") == text
@@ -267,6 +267,20 @@ def test_page() -> None:
     assert "`s7check agree --logs 10000`, 2026-11-21, revision abc, TLC 2.18, 2 cores, exit code 0.\n" in part
     assert "### Agreement on a second TLC\n" in part
     assert "`s7check models --lane ci` has not been run." in text
+
+
+def test_totals() -> None:
+    """Columns that a run names: added up, or those of the row that does it."""
+    kept = Record(
+        command="s7check models --lane ci", date="2026-11-21", revision="abc", tools=[], machine="", load=None,
+        seconds=None, exit=0,
+        tables=[Table(["kind", "models", "seconds"], [["model", 1200, 1.5], ["control", 2, 1]])],
+    )  # fmt: skip
+    line = "- **Models** (`s7check models --lane ci`, 2026-11-21, revision abc): models: 1,202\n"
+    assert totals({"models": kept}).endswith(f"\n\n{line}")
+    (table,) = kept.tables
+    table.rows.append(["all", 3, 1])
+    assert "models: 3\n" in totals({"models": kept})
 
 
 def test_summary_of_models() -> None:

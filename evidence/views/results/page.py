@@ -1,29 +1,68 @@
-"""docs/project/results.md, as text."""
+"""docs/project/results.md, which has the totals, and the page with all numbers, as text."""
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Mapping
 
 from evidence.views.results.records import Cell, Record, Table
-from evidence.views.results.runs import RUNS, SECOND
+from evidence.views.results.runs import RUNS, SECOND, Run
 
-_INTRODUCTION = """\
+_TOTALS = """\
 # Results
 
-The numbers of runs; no other page has any. `s7check results RUN` runs a command and keeps a summary of its report in
-`docs/project/results/`, `s7check results --write` makes this page from these summaries. The revision is that of
-the checkout at the run, with `+` if files differed from it. Load is that of the machine when the run began: other work
+What was run, when, at which revision, and the totals; no other page has numbers of runs. `s7check results RUN` runs a
+command, keeps its numbers in `docs/project/results/` and writes this page. `make views` makes a page with all numbers,
+the tools and the machine. [Checks](checks.md) says what runs on every revision.
+
+"""
+
+_ALL = """\
+# Results in full
+
+All numbers of the runs of [results.md](results.md), made from `docs/project/results/`. The revision is that of the
+checkout at the run, with `+` if files differed from it. Load is that of the machine when the run began: other work
 lengthens the seconds.
 """
 
+_WIDTH = 120
+
+
+def totals(records: Mapping[str, Record]) -> str:
+    """The short page: a line for every run that is kept."""
+    return _TOTALS + "".join(
+        _wrapped(
+            f"- **{title}** (`{record.command}`, {record.date}, revision {record.revision}): {_summed(run, record)}"
+        )
+        for name, run in RUNS.items()
+        for title, record in ((run.title, records.get(name)), (f"{run.title}, second TLC", records.get(name + SECOND)))
+        if record is not None
+    )
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(text, _WIDTH, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False) + "\n"
+
+
+def _summed(run: Run, record: Record) -> str:
+    table = record.tables[0]
+    last = table.rows[-1]
+    rows = [last] if last[0] == "all" else table.rows
+    sums = {name: _sum(rows, table.columns.index(name)) for name in run.totals if name in table.columns}
+    return ", ".join(f"{name}: {_text(value)}" for name, value in sums.items()) or "see the tables"
+
+
+def _sum(rows: list[list[Cell]], column: int) -> int | float:
+    return sum(cell for row in rows if isinstance(cell := row[column], int | float))
+
 
 def page(records: Mapping[str, Record]) -> str:
-    """The page: every run with its kept summary."""
+    """The page with every run and its kept summary."""
     return "\n".join(_sections(records))
 
 
 def _sections(records: Mapping[str, Record]) -> Iterator[str]:
-    yield _INTRODUCTION
+    yield _ALL
     for name, run in RUNS.items():
         yield f"## {run.title}\n\n{run.about}\n"
         if name in records:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import platform
 import re
 import subprocess
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -64,7 +66,24 @@ def read(folder: Path) -> dict[str, Record]:
 def write(folder: Path, name: str, record: Record) -> None:
     """Keep a report. Raises OSError."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / f"{name}.json").write_bytes(msgspec.json.format(msgspec.json.encode(record), indent=1) + b"\n")
+    (folder / f"{name}.json").write_text(as_text(record), encoding="utf-8")
+
+
+def as_text(record: Record) -> str:
+    """A report as JSON with a line for each field, and for each row of a table."""
+    fields = msgspec.to_builtins(record)
+    tables = ",\n".join(_table(table) for table in fields.pop("tables"))
+    lines = [f" {_json(name)}: {_json(value)}" for name, value in fields.items()]
+    return "{\n" + ",\n".join([*lines, f' "tables": [\n{tables}\n ]']) + "\n}\n"
+
+
+def _table(table: dict[str, Any]) -> str:
+    rows = ",\n".join(f"    {_json(row)}" for row in table["rows"])
+    return f'  {{"title": {_json(table["title"])}, "columns": {_json(table["columns"])}, "rows": [\n{rows}]}}'
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False)
 
 
 def today() -> str:

@@ -17,7 +17,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.tla.tlc import ToolMissingError
 from evidence.views.results import records
-from evidence.views.results.page import page
+from evidence.views.results.page import totals
 from evidence.views.results.runs import RUNS, SECOND, RunError, take, take_over
 from s7check.engine.java import JavaMissingError
 
@@ -53,7 +53,7 @@ def results_command(*, write: bool, jar: Path | None, report: Path | None, names
         for name in names:
             record = take_over(name, jar, report) if report else take(name, jar, click.echo)
             records.write(ROOT / KEPT, name + (SECOND if jar else ""), record)
-        text = page(records.read(ROOT / KEPT))
+        text = totals(records.read(ROOT / KEPT))
         if write or names:
             (ROOT / PAGE).write_text(text, encoding="utf-8")
         if (ROOT / PAGE).read_text(encoding="utf-8") == text:

@@ -33,7 +33,8 @@ class Run:
 
     ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
     With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
-    `told`: fields by which a report tells that it is one of this run; without them no report is taken over.
+    `told`: fields by which a report tells that it is one of this run; without them no report is taken over. `totals`
+    are the columns of its first table that the short page adds up.
     """
 
     title: str
@@ -44,6 +45,7 @@ class Run:
     codes: tuple[int, ...] = (0, 1)
     tlc: bool = False
     told: Mapping[str, Any] = field(default_factory=dict)
+    totals: tuple[str, ...] = ()
 
 
 def _s7check(
@@ -54,9 +56,10 @@ def _s7check(
     *,
     tlc: bool = True,
     told: Mapping[str, Any] | None = None,
+    totals: tuple[str, ...] = (),
 ) -> Run:
     process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
-    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {})
+    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals)
 
 
 RUNS = {
@@ -66,6 +69,7 @@ RUNS = {
         "models --lane ci",
         summaries.models,
         told={"lane": "ci"},
+        totals=("models", "not as pinned", "distinct states"),
     ),
     "models-full": _s7check(
         "Models of the full lane",
@@ -73,6 +77,7 @@ RUNS = {
         "models --lane full",
         summaries.models,
         told={"lane": "full"},
+        totals=("models", "not as pinned", "distinct states"),
     ),
     "logs": Run(
         "Logs",
@@ -81,12 +86,14 @@ RUNS = {
         (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
         summaries.logs,
         codes=(0, 1, 2),
+        totals=("logs", "accepted", "rejected", "unusable"),
     ),
     "agreement": _s7check(
         "Agreement",
         "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
         "agree --logs 10000",
         summaries.agreement,
+        totals=("logs", "lines", "differ"),
     ),
     "left-out": _s7check(
         "Kinds left out",
@@ -95,6 +102,7 @@ RUNS = {
         summaries.left_out,
         tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
+        totals=("accepted logs", "with kinds left out", "got worse"),
     ),
     "left-out-sample": _s7check(
         "Kinds left out, more logs",
@@ -103,6 +111,7 @@ RUNS = {
         summaries.left_out,
         tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
+        totals=("accepted logs", "with kinds left out", "got worse"),
     ),
     "growth": _s7check(
         "Logs that leave much open",
@@ -111,6 +120,7 @@ RUNS = {
         "growth",
         summaries.growth,
         tlc=False,
+        totals=("lines", "steps"),
     ),
     "mutation": _s7check(
         "Mutation",
@@ -118,6 +128,7 @@ RUNS = {
         "mutants --against all --lane smoke --sample 600 --seed 1",
         summaries.mutants,
         told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
+        totals=("mutants", "equivalent", "killed", "survived"),
     ),
     "mutation-properties": _s7check(
         "Mutation, properties alone",
@@ -126,12 +137,14 @@ RUNS = {
         "mutants --against properties --lane smoke --sample 100 --seed 1",
         summaries.mutants,
         told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
+        totals=("mutants", "equivalent", "killed", "survived"),
     ),
     "witnesses": _s7check(
         "Witnesses",
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
         "witnesses",
         summaries.witnesses,
+        totals=("conditions", "by models", "by logs alone", "with a reason", "without"),
     ),
     "kit": _s7check(
         "Kit",
@@ -141,6 +154,7 @@ RUNS = {
         summaries.kit,
         tlc=False,
         told={"kit": "reached"},
+        totals=("programs", "logs", "guard outcomes reached", "that can be observed"),
     ),
     "kit-faults": _s7check(
         "Kit, faults",
@@ -148,6 +162,7 @@ RUNS = {
         "faults",
         summaries.kit_faults,
         tlc=False,
+        totals=("number", "found"),
     ),
     "kit-mutants": _s7check(
         "Kit, mutants",
@@ -157,6 +172,7 @@ RUNS = {
         summaries.kit_mutants,
         tlc=False,
         told={"kit": "mutants"},
+        totals=("mutants", "shown by one", "by the kit"),
     ),
     "fuzz": Run(
         "Damaged logs and sources",
@@ -164,6 +180,7 @@ RUNS = {
         "make fuzz",
         (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
+        totals=("accepted", "rejected", "unusable", "imported", "refused"),
     ),
     "bench": Run(
         "Speed",
@@ -171,6 +188,7 @@ RUNS = {
         "bench/run.py",
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
+        totals=("events", "seconds"),
     ),
     "compare": Run(
         "Beside an earlier revision",
@@ -187,12 +205,14 @@ RUNS = {
         "bench/explorer.py",
         (sys.executable, "bench/explorer.py", "--json", _REPORT),
         summaries.bench,
+        totals=("steps", "over 100 ms"),
     ),
     "edges": _s7check(
         "The explorer's steps and TLC's edges",
         "What may come after each log of three exported graphs ([commands](commands.md#s7check-edges-world)).",
         "edges",
         summaries.edges,
+        totals=("edges", "compared", "not offered"),
     ),
     "proofs": _s7check(
         "Proofs",
@@ -200,6 +220,7 @@ RUNS = {
         "prove --kept",
         summaries.proofs,
         tlc=False,
+        totals=("queries", "not as claimed", "conditions"),
     ),
 }
 
