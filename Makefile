@@ -6,6 +6,7 @@ BIN    := $(VENV)/bin
 ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 PLC    := examples/soft_plc/build/soft_plc
 AWLSIM := build/awlsim/awlsim/__init__.py
+KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
 .PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
@@ -13,7 +14,7 @@ AWLSIM := build/awlsim/awlsim/__init__.py
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
-setup: $(BIN)/s7check $(ENGINE) $(PLC)  ## install .venv, the engine, the soft PLC
+setup: $(BIN)/s7check $(ENGINE) $(PLC) $(KIT)  ## install .venv, the engine, the soft PLC, the programs of the kit
 
 engine: $(ENGINE)  ## build the trace checker's engine
 
@@ -133,6 +134,11 @@ $(AWLSIM): examples/adapters/requirements-awlsim.txt $(BIN)/s7check
 $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/main -name '*.java')
 	@echo "building the engine"
 	cd trace_checker/engine && mvn -q -B package -DskipTests
+	@touch $@
+
+$(KIT): $(BIN)/s7check $(shell find evidence/kit trace_checker/s7check/kit kit traces models/manifest.json -type f -not -name '*.pyc')
+	@echo "making the programs of the kit"
+	$(BIN)/python -m evidence.kit.programs
 	@touch $@
 
 $(PLC): $(filter-out examples/soft_plc/build/%,$(wildcard examples/soft_plc/*/*.[ch] instrumentation/*.h))

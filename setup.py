@@ -4,6 +4,7 @@ import os
 import runpy
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import setup
@@ -14,8 +15,7 @@ from setuptools.modified import newer_group
 SPECIFICATION = Path("spec")
 RULES = ("docs/rules/requirements.md", "docs/rules/readings.md")
 GALLERY = Path("gallery")
-PROGRAMS = Path("kit/programs")
-KNOWN = ("differences.ndjson", "experiments.ndjson")
+KNOWN = ("kit/differences.ndjson", "kit/experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"
 TARGET = ENGINE / "target"
@@ -40,14 +40,22 @@ class BuildWithData(build_py):
         (package / "rules").mkdir()
         for page in RULES:
             shutil.copy(page, package / "rules")
-        shutil.copytree(PROGRAMS, package / "programs")
         for name in KNOWN:
-            shutil.copy(PROGRAMS.parent / name, package / name)
+            shutil.copy(name, package)
+        make_programs(package / "programs")
         for jar in (JAR, *TARGET.glob("lib/*.jar")):
             copy = package / "jars" / jar.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(jar, copy)
         parse_specification(package)
+
+
+def make_programs(folder: Path) -> None:
+    """Makes the programs of the conformance kit."""
+    sys.path[:0] = [".", "trace_checker"]
+    from evidence.kit.programs import write
+
+    write(folder)
 
 
 def parse_specification(package: Path) -> None:

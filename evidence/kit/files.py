@@ -1,30 +1,44 @@
-"""The files of the kit: a program a line, and in each what was measured of it."""
+"""The files of the kit: the programs that the generators make, and the data that runs found, with their origin.
+
+What took a run of TLC or of the soft PLC is kept in ``kit/``. The first lines of such a file have the hash of what it
+was made from, so that data older than their origin are noticed.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import json
+from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
-from evidence.common.checkout import ROOT
+PATHS = Path("kit/paths.ndjson")
+"""The programs of paths through the graphs of models, in a checkout."""
 
-PROGRAMS = ROOT / "kit" / "programs"
-MEASURED = "reaches"
-"""The field that a run writes, and no generator."""
+REACHED = Path("kit/reached.ndjson")
+"""The requirements and the outcomes of guards that programs reach, in a checkout."""
 
-
-def as_line(program: dict[str, Any]) -> str:
-    """A program as a line of its file, without the end of the line."""
-    return json.dumps(program, ensure_ascii=False, separators=(",", ":"))
+Json = dict[str, Any]
 
 
-def unmeasured(program: dict[str, Any]) -> dict[str, Any]:
-    """The program without what was measured of it."""
-    return {name: value for name, value in program.items() if name != MEASURED}
+def as_line(value: Json) -> str:
+    """An object as a line of its file, without the end of the line."""
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
 
 
-def kept() -> dict[str, dict[str, dict[str, Any]]]:
-    """The programs of each file by their names. Raises OSError, ValueError."""
-    return {
-        file.name: {one["name"]: one for one in map(json.loads, file.read_text(encoding="utf-8").splitlines())}
-        for file in sorted(PROGRAMS.glob("*.ndjson"))
-    }
+def read_lines(file: Path) -> list[Json]:
+    """The objects of a file. Raises OSError, ValueError."""
+    return [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
+
+
+def write_lines(file: Path, lines: Iterable[Json]) -> None:
+    """Write a file, an object a line. Raises OSError."""
+    file.write_text("".join(f"{as_line(line)}\n" for line in lines), encoding="utf-8")
+
+
+def digest(texts: Iterable[str]) -> str:
+    """The hash of texts."""
+    found = hashlib.sha256()
+    for text in texts:
+        found.update(text.encode() + b"\0")
+    return found.hexdigest()[:16]

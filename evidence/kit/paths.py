@@ -14,7 +14,7 @@ import msgspec
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.models.manifest import Model, find_manifest, load
+from evidence.models.manifest import Model
 from evidence.tla import tlc
 from evidence.tla.behaviour import as_log
 from evidence.tla.modules import module_folders
@@ -25,8 +25,8 @@ from s7check.kit.from_log import Json, program_of
 MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")
 """Models whose graphs are small enough to be written down."""
 
-MARK = "-path-"
-"""In the names of the programs."""
+CAUSES = ("header", "duration", "outside", "bodies")
+"""The parts of a program that a path decides."""
 
 _HEAP = 1500
 _LONGEST = 900.0
@@ -80,15 +80,6 @@ class Graph:
         return graph
 
 
-def programs(processes: Processes) -> Iterator[Json]:
-    """The programs of all models. Raises NoGraphError, ToolMissingError."""
-    manifest = load(find_manifest())
-    tools = tlc.find_toolchain(None)
-    for model in manifest.models:
-        if model.name in MODELS:
-            yield from of_graph(graph(model, tools, processes), model)
-
-
 def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
     """The graph of a model. Raises NoGraphError."""
     with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
@@ -108,23 +99,17 @@ def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
             return Graph.of(line.rstrip("\n") for line in file)
 
 
-def of_graph(found: Graph, model: Model) -> Iterator[Json]:
-    """A program for each path, but one for those that differ only in what the CPU does of itself."""
-    area = model.requirements[0].split("-")[0]
+def of_graph(found: Graph) -> Iterator[tuple[int, Json]]:
+    """A program for each path with its number, but one for those that differ only in what the CPU does of itself."""
     kinds = {state: variables(text) for state, text in found.states.items()}
     known: set[str] = set()
     for number, path in enumerate(cover(found, kinds), 1):
         log = as_log([assignments(found.states[state]) for state in path])
-        program = program_of(
-            [msgspec.json.encode(line) for line in log],
-            f"{area}{MARK}{model.name}-{number:04}",
-            f"A path of the model {model.name}: {model.what}",
-            list(model.requirements),
-        )
-        causes = repr([program.get(part) for part in ("header", "duration", "outside", "bodies")])
-        if causes not in known:
-            known.add(causes)
-            yield program
+        program = program_of([msgspec.json.encode(line) for line in log], f"path-{number:04}", "A path.", [])
+        causes = {part: program[part] for part in CAUSES if part in program}
+        if repr(causes) not in known:
+            known.add(repr(causes))
+            yield number, causes
 
 
 def cover(found: Graph, variables: Mapping[str, Mapping[str, str]]) -> Iterator[list[str]]:

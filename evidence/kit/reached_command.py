@@ -17,8 +17,8 @@ from evidence.common.console import plain
 from evidence.common.options import json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.kit.files import MEASURED, PROGRAMS, as_line, kept, unmeasured
-from evidence.kit.reached import Reached, reach, shown_by_logs
+from evidence.kit import measured
+from evidence.kit.reached import reach, shown_by_logs
 from evidence.kit.reached_findings import as_json, as_text, findings
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
@@ -31,7 +31,7 @@ LESS = 1
 
 @click.command(name="reached", short_help="Which rules of the specification does the kit reach?")
 @json_option
-@click.option("--write", is_flag=True, help="Write into each program of the kit what it reaches.")
+@click.option("--write", is_flag=True, help="Keep what each program of the kit reaches.")
 def reached_command(json_path: Path | None, *, write: bool) -> int:
     """Run the kit on the soft PLC, with each of its options and choices, and on the specification by other readings.
 
@@ -42,21 +42,13 @@ def reached_command(json_path: Path | None, *, write: bool) -> int:
     with session(Processes(), usage, (AdapterError, EngineError)) as console:
         why = reasons.read(REASONS, reasons.Excuse)
         with Engine() as engine:
-            reached = reach(programs_of(), engine, lambda line: plain(console, line))
+            origin, programs = measured.origin(), programs_of()
+            reached = reach(programs, engine, lambda line: plain(console, line))
             shown = shown_by_logs(all_cases(), engine, reached)
         found = findings(reached, shown, why)
         for line in as_text(found):
             plain(console, line)
         if write:
-            _write(reached)
+            measured.write(origin, [program.name for program in programs], reached.by_program())
         write_json(json_path, as_json(found))
     return 0 if found.ok else LESS
-
-
-def _write(reached: Reached) -> None:
-    """Put what each program reaches into its line. Raises OSError."""
-    of = reached.by_program()
-    nothing: dict[str, list[str]] = {"requirements": [], "guards": []}
-    for name, programs in kept().items():
-        lines = [as_line({**unmeasured(one), MEASURED: of.get(one["name"], nothing)}) for one in programs.values()]
-        (PROGRAMS / name).write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")

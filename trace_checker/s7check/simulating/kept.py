@@ -1,4 +1,4 @@
-"""The logs that are known to tell two sides apart, with their programs, as files beside the kit's programs."""
+"""The logs that are known to tell two sides apart, with their programs, as files."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from s7check.log.elapsed import Clocks
 from s7check.log.events import read_event
 from s7check.log.header import read_header
 from s7check.log.values import MS_PER_MINUTE
-from s7check.resources import KIT
+from s7check.resources import FOUND
 from s7check.simulating.separation import Separation, separation_behind
 from s7check.simulating.shortest import Bound
 
-DIFFERENCES = KIT.parent / "differences.ndjson"
-EXPERIMENTS = KIT.parent / "experiments.ndjson"
-GAPS = KIT.parent / "undecided.ndjson"
+DIFFERENCES = FOUND / "differences.ndjson"
+EXPERIMENTS = FOUND / "experiments.ndjson"
+GAPS = FOUND / "undecided.ndjson"
 
 
 class Side(msgspec.Struct, frozen=True, omit_defaults=True):
