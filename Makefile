@@ -9,7 +9,7 @@ AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site
+.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -115,6 +115,9 @@ results: setup  ## docs/project/results.md from the kept summaries; RUNS="models
 
 site: setup  ## build/site: docs, specification and edge cases as static pages, with search, without network
 	$(BIN)/s7check site
+
+pictures: setup  ## docs/pictures, for the README; the explorer's needs Chromium
+	$(BIN)/python -m evidence.views.pictures
 
 clean:  ## remove everything built
 	rm -rf $(VENV) build trace_checker/engine/target examples/soft_plc/build

@@ -84,7 +84,6 @@ def test_letters_of_readings() -> None:
 
 
 WIDE = {
-    "README.md",
     "docs/checking/kit-results.md",
     "docs/project/results.md",
     "docs/rules/differences.md",

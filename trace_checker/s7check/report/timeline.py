@@ -112,7 +112,24 @@ def legend() -> Node:
         (node("rect", x=2, y=2, width=20, height=12, class_="band"), "rejected line"),
     ]
     marks = [node("li", _svg(24, 16, mark, aria_hidden="true"), text) for mark, text in items]
-    return node("ul", _svg(0, 0, *_patterns(), aria_hidden="true"), *marks, class_="legend")
+    return node("ul", patterns(), *marks, class_="legend")
+
+
+def patterns() -> Node:
+    """The patterns by which the marks of all pictures are filled, without a mark of their own."""
+
+    def hatch(name: str, colour: str) -> Node:
+        return node(
+            "pattern",
+            node("rect", width=6, height=6, class_=f"{colour} soft"),
+            node("path", d="M0 6L6 0", class_=f"{colour} hatch"),
+            id=name,
+            width=6,
+            height=6,
+            patternUnits="userSpaceOnUse",
+        )
+
+    return _svg(0, 0, node("defs", hatch("interrupted", "runs"), hatch("waiting", "waits")), aria_hidden="true")
 
 
 def _svg(width: float, height: float, *content: Node, **attributes: str) -> Node:
@@ -148,21 +165,6 @@ def _event(text: bytes) -> dict[str, Any] | None:
 
 
 # ---------------------------------------------------------------------------- the parts of the picture
-
-
-def _patterns() -> Iterator[Node]:
-    def hatch(name: str, colour: str) -> Node:
-        return node(
-            "pattern",
-            node("rect", width=6, height=6, class_=f"{colour} soft"),
-            node("path", d="M0 6L6 0", class_=f"{colour} hatch"),
-            id=name,
-            width=6,
-            height=6,
-            patternUnits="userSpaceOnUse",
-        )
-
-    yield node("defs", hatch("interrupted", "runs"), hatch("waiting", "waits"))
 
 
 def _lanes(rows: _Rows, width: float) -> Iterator[Node]:

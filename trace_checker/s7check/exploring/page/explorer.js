@@ -456,6 +456,7 @@ function wire(contents) {
 async function main() {
   const contents = await (await fetch("start")).json();
   $("legend").insertAdjacentHTML("beforeend", contents.legend); // made by the server
+  document.body.prepend($("legend").querySelector("defs").ownerSVGElement); // a closed <details> would hide the patterns
   clauses = new Map(contents.clauses.map((one) => [one.id, one]));
   wire(contents);
   showGallery(contents.gallery);
