@@ -19,7 +19,7 @@ setup: $(BIN)/s7check $(ENGINE) $(PLC) $(KIT)  ## install .venv, the engine, the
 engine: $(ENGINE)  ## build the trace checker's engine
 
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
-	$(BIN)/s7check verify
+	$(BIN)/s7spec verify
 
 test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
@@ -36,40 +36,40 @@ test-plc: setup
 	$(MAKE) -s -C examples/soft_plc test
 
 requirements: $(BIN)/s7check  ## every requirement has its formula, property, model and logs, or a written reason
-	$(BIN)/s7check requirements
+	$(BIN)/s7spec views requirements
 
 models: setup  ## model-check the CI lane; SHARD=1/4 does a quarter of it
-	$(BIN)/s7check models --lane ci $(if $(SHARD),--shard $(SHARD))
+	$(BIN)/s7spec models --lane ci $(if $(SHARD),--shard $(SHARD))
 
 models-smoke: setup  ## model-check the smoke lane
-	$(BIN)/s7check models --lane smoke
+	$(BIN)/s7spec models --lane smoke
 
 models-full: setup  ## model-check everything; SHARD=1/4 does a quarter of it
-	$(BIN)/s7check models --lane full $(if $(SHARD),--shard $(SHARD))
+	$(BIN)/s7spec models --lane full $(if $(SHARD),--shard $(SHARD))
 
 controls: setup  ## the negative controls: model, change, exit code and property, result
-	$(BIN)/s7check models 'neg-*'
+	$(BIN)/s7spec models 'neg-*'
 
 WORKERS ?= 2
 MODELS  ?= airt queue hold
 models-distributed: setup  ## TLC's distributed mode: MODELS="airt queue" on WORKERS=2 workers here (docs/project/distributed.md)
-	$(BIN)/s7check models --distributed $(WORKERS) $(MODELS)
+	$(BIN)/s7spec models --distributed $(WORKERS) $(MODELS)
 
 mutants: setup  ## mutate the specification: every mutant before the shipped logs and the models of the CI lane
-	$(BIN)/s7check mutants --against all --lane ci --json build/mutants/report.json
+	$(BIN)/s7spec mutants --against all --lane ci --json build/mutants/report.json
 
 mutants-sample: setup  ## the same for 60 mutants
-	$(BIN)/s7check mutants --against all --lane ci --sample 60
+	$(BIN)/s7spec mutants --against all --lane ci --sample 60
 
 witnesses: setup  ## is anything checked in vain? models of the CI lane and shipped logs on a specification with marks
-	$(BIN)/s7check witnesses --json build/witnesses/report.json
+	$(BIN)/s7spec witnesses --json build/witnesses/report.json
 
 LOGS ?= 10000
 agreement: setup  ## LOGS=10000 random logs: the engine and TLC give the same verdict at the same line
-	$(BIN)/s7check agree --logs $(LOGS) --json build/agreement/report.json
+	$(BIN)/s7spec logs agree --logs $(LOGS) --json build/agreement/report.json
 
 agreement-sample: setup  ## the same for 200 logs
-	$(BIN)/s7check agree --logs 200
+	$(BIN)/s7spec logs agree --logs 200
 
 TOY_RUN := $(BIN)/s7check kit run --offer examples/adapters/toy_offer.json
 kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU of the template and on awlsim; results in build/kit and docs/checking/kit-results.md
@@ -81,7 +81,7 @@ kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU
 
 REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
-	$(BIN)/s7check since $(REV) --json build/since/report.json
+	$(BIN)/s7spec since $(REV) --json build/since/report.json
 
 typecheck: $(BIN)/s7check  ## type-check every module of spec/ with Apalache (APALACHE_HOME or PATH)
 	models/apalache.sh typecheck
@@ -92,7 +92,7 @@ apalache: $(BIN)/s7check  ## bounded checks with Apalache (APALACHE_HOME or PATH
 SHARD ?= 1/1
 JOBS ?= 2
 prove: setup  ## the proofs about System and the abstract specifications by Apalache; SHARD=1/4 for a part, JOBS=2 queries at a time
-	$(BIN)/s7check prove --resume --shard $(SHARD) --jobs $(JOBS) --json build/proofs/report-$(subst /,-of-,$(SHARD)).json
+	$(BIN)/s7spec prove --resume --shard $(SHARD) --jobs $(JOBS) --json build/proofs/report-$(subst /,-of-,$(SHARD)).json
 
 FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
@@ -107,14 +107,14 @@ lint: setup  ## ruff and mypy
 	$(BIN)/mypy bench/run.py bench/compare.py bench/explorer.py
 
 bench: setup  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
-	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7check results bench)
+	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7spec views results bench)
 
 RUNS ?= --write
 results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
-	$(BIN)/s7check results $(RUNS)
+	$(BIN)/s7spec views results $(RUNS)
 
 site: setup  ## build/site: docs, specification and edge cases as static pages, with search, without network
-	$(BIN)/s7check site
+	$(BIN)/s7spec views site
 
 pictures: setup  ## docs/pictures, for the README; the explorer's needs Chromium
 	$(BIN)/python -m evidence.views.pictures

@@ -1,4 +1,4 @@
-"""``s7check verify``: the project's main job, and a table of checks done and not done."""
+"""``s7spec verify``: the project's main job, and a table of checks done and not done."""
 
 import json
 import subprocess
@@ -46,10 +46,7 @@ class Row:
 @click.command("verify", short_help="Do the main job of the project: models, soft PLC, shipped logs.")
 @click.option("--without-models", is_flag=True, help="Leave out the models of the CI lane: they run elsewhere.")
 def verify_command(*, without_models: bool) -> int:
-    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants.
-
-    Exit codes: 0 all as expected, 1 something failed or a tool is missing.
-    """
+    """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants."""
     BUILD.mkdir(parents=True, exist_ok=True)
     rows: list[Row] = []
     for title, step in STEPS.items():
@@ -63,15 +60,9 @@ def verify_command(*, without_models: bool) -> int:
 
 
 def _models() -> list[Row]:
-    results = BUILD / "models.json"
-    results.unlink(missing_ok=True)
-    begun = time.monotonic()
-    command = [sys.executable, "-m", "s7check", "models", "--lane", "ci", "--json", str(results)]
-    code = subprocess.run(command, cwd=ROOT, check=False).returncode
-    seconds = time.monotonic() - begun
-    if not results.exists():
+    code, seconds, report = _s7spec("models", "--lane", "ci")
+    if report is None:
         return [Row("models", "TLC", "", seconds, [f"the models were not run (exit code {code}); see above"])]
-    report = json.loads(results.read_bytes())
     rows = []
     for kind, models in _by_kind(report["models"]).items():
         failures = [f"model {m['name']}: {'; '.join(m['problems'])}" for m in models if m["problems"]]
@@ -80,9 +71,19 @@ def _models() -> list[Row]:
         rows.append(Row(f"models: {kind}", _tlc(report), size, sum(m["seconds"] for m in models), failures))
     if code and not any(row.failures for row in rows):
         rows.append(
-            Row("models", _tlc(report), "", seconds, [f"s7check models ended with exit code {code}; see above"])
+            Row("models", _tlc(report), "", seconds, [f"s7spec models ended with exit code {code}; see above"])
         )
     return rows
+
+
+def _s7spec(name: str, *arguments: str) -> tuple[int, float, dict[str, Any] | None]:
+    """Run a command of s7spec: its exit code, its seconds, and the report that it wrote to BUILD, if it did."""
+    results = BUILD / f"{name.replace(' ', '-')}.json"
+    results.unlink(missing_ok=True)
+    begun = time.monotonic()
+    command = [sys.executable, "-m", "evidence", *name.split(), *arguments, "--json", str(results)]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    return code, time.monotonic() - begun, json.loads(results.read_bytes()) if results.exists() else None
 
 
 def _tlc(report: dict[str, dict[str, str]]) -> str:
@@ -157,24 +158,18 @@ def _shipped_logs() -> list[Row]:
 
 @dataclass(frozen=True)
 class Command:
-    """A command of s7check with a report: `arguments` without ``--json``, and the report's words for the table."""
+    """A command of s7spec with a report: `arguments` without ``--json``, and the report's words for the table."""
 
     what: str
+    name: str
     arguments: tuple[str, ...]
     size: Callable[[dict[str, Any]], str]
     tool: Callable[[dict[str, Any]], str]
 
     def row(self) -> Row:
         """Run the command, and read its report where it wrote one."""
-        name = self.arguments[0]
-        results = BUILD / f"{name}.json"
-        results.unlink(missing_ok=True)
-        begun = time.monotonic()
-        command = [sys.executable, "-m", "s7check", *self.arguments, "--json", str(results)]
-        code = subprocess.run(command, cwd=ROOT, check=False).returncode
-        seconds = time.monotonic() - begun
-        found = json.loads(results.read_bytes()) if results.exists() else None
-        failures = [f"s7check {name} ended with exit code {code}; see above"] if code or found is None else []
+        code, seconds, found = _s7spec(self.name, *self.arguments)
+        failures = [f"s7spec {self.name} ended with exit code {code}; see above"] if code or found is None else []
         return Row(self.what, self.tool(found) if found else "", self.size(found) if found else "", seconds, failures)
 
 
@@ -182,7 +177,8 @@ def _agreement() -> list[Row]:
     return [
         Command(
             "random logs, judged alike by the engine and TLC",
-            ("agree", "--logs", str(SAMPLE)),
+            "logs agree",
+            ("--logs", str(SAMPLE)),
             lambda found: f"{found['logs']} logs, {found['accepted']} accepted, {found['lines']:,} lines",
             lambda found: f"TLC {found['tlc']}",
         ).row()
@@ -193,7 +189,8 @@ def _left_out() -> list[Row]:
     return [
         Command(
             "accepted logs, still accepted",
-            ("left-out", "--logs", str(LEFT_OUT), "--keep", str(BUILD / "left_out")),
+            "logs left-out",
+            ("--logs", str(LEFT_OUT), "--keep", str(BUILD / "left_out")),
             lambda found: f"{found['logs']} logs, {found['left_out']:,} with kinds of event left out",
             lambda _: "trace checker",
         ).row()
@@ -204,8 +201,9 @@ def _mutants() -> list[Row]:
     return [
         Command(
             "mutants of the specification, noticed",
+            "mutants",
             (
-                *("mutants", "--against", "all", "--lane", "smoke", "--fresh", "--explained"),
+                *("--against", "all", "--lane", "smoke", "--fresh", "--explained"),
                 *("--sample", str(MUTANTS), "--seed", str(SEED)),
             ),
             lambda found: f"{found['all']['mutants']} mutants, {found['all']['killed']} killed",
@@ -216,11 +214,11 @@ def _mutants() -> list[Row]:
 
 def _requirements() -> list[Row]:
     begun = time.monotonic()
-    command = [sys.executable, "-m", "s7check", "requirements"]
+    command = [sys.executable, "-m", "evidence", "views", "requirements"]
     run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    failures = [f"s7check requirements: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
+    failures = [f"s7spec views requirements: {run.stdout[-2000:]}{run.stderr}"] if run.returncode else []
     size = run.stdout.partition("  ")[0]
-    return [Row("every requirement traced, or a reason", "s7check", size, time.monotonic() - begun, failures)]
+    return [Row("every requirement traced, or a reason", "s7spec", size, time.monotonic() - begun, failures)]
 
 
 def _apalache() -> list[Row]:
@@ -244,15 +242,11 @@ def _proofs(*, found: bool) -> Row:
     title = "proofs, a sample of the actions"
     if not found:
         return Row(title, "Apalache", NO_APALACHE, 0, [], run=False)
-    begun = time.monotonic()
-    report = BUILD / "proofs.json"
-    report.unlink(missing_ok=True)
-    command = [sys.executable, "-m", "s7check", "prove", *PROOFS, "--json", str(report)]
-    code = subprocess.run(command, cwd=ROOT, check=False).returncode
-    failures = [f"s7check prove: exit code {code}; see above"] if code else []
-    queries = json.loads(report.read_bytes())["queries"] if report.exists() else []
+    code, seconds, report = _s7spec("prove", *PROOFS)
+    failures = [f"s7spec prove: exit code {code}; see above"] if code else []
+    queries = report["queries"] if report else []
     size = f"{len(queries)} queries, {sum(q['conditions'] for q in queries)} conditions; all: make prove"
-    return Row(title, "Apalache", size, time.monotonic() - begun, failures)
+    return Row(title, "Apalache", size, seconds, failures)
 
 
 def _not_in_this_lane() -> list[Row]:

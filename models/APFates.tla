@@ -7,7 +7,7 @@
 (*   3. every such step is as the properties of MCFatesAlone say.          *)
 (* Two OBs are enough: a step speaks of one OB, and of each other OB by    *)
 (* itself; OpenProp of two.                                                *)
-(* s7check prove 'fates-*'                                                 *)
+(* s7spec prove 'fates-*'                                                  *)
 (***************************************************************************)
 EXTENDS MCFatesAlone
 

@@ -6,7 +6,7 @@
 (*   1. Invariant holds in the initial state;                              *)
 (*   2. every step from every state in which it holds ends in one;         *)
 (*   3. every such step is as the ...Step formulas say.                    *)
-(* s7check prove 'life-*'                                                  *)
+(* s7spec prove 'life-*'                                                   *)
 (***************************************************************************)
 EXTENDS MCLifeAlone
 

@@ -8,7 +8,7 @@
 (*   3. every such step is as the ...Step formulas say.                    *)
 (* The classes are 1 to 3, since only their order matters. A stack in      *)
 (* ascending order is then never longer than three.                        *)
-(* s7check prove 'lock-*'                                                  *)
+(* s7spec prove 'lock-*'                                                   *)
 (***************************************************************************)
 EXTENDS MCLockAlone
 

@@ -3,7 +3,7 @@
 (* A proof by Apalache of CalendarLemma's bounds for the series of one     *)
 (* step (every minute, hour, day, week), for any start and any minute m.   *)
 (* MCCalendarLemma checks the other series, day by day.                    *)
-(* s7check prove series-steps                                              *)
+(* s7spec prove series-steps                                               *)
 (***************************************************************************)
 EXTENDS APCalendar
 

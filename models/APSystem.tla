@@ -14,7 +14,7 @@
 (* The calendar: CalendarLemma stands for the first point of a series;     *)
 (* models/MCCalendarLemma checks it. NextPointLemma follows from it and    *)
 (* stands for the next point of a setting.                                 *)
-(* models/proofs.json has the queries; `s7check prove' asks them.          *)
+(* models/proofs.json has the queries; `s7spec prove' asks them.           *)
 (***************************************************************************)
 EXTENDS InductiveSystem, APCalendar, Apalache
 

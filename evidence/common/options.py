@@ -8,10 +8,13 @@ from typing import Any
 
 import click
 
+from evidence.common.checkout import MANIFEST, ROOT
+
 manifest_option = click.option(
     "--manifest",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="Default: models/manifest.json here or in a directory above.",
+    default=ROOT / MANIFEST,
+    help="Default: models/manifest.json.",
 )
 tlc_option = click.option(
     "--tlc",

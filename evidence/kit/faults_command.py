@@ -1,8 +1,4 @@
-"""``s7check faults``: the kit against the deliberate faults of the soft PLC, known and held out.
-
-Exit codes: 0 each fault is found, 1 some are not, or a program fails without a fault; 2 wrong arguments or files, 3 a
-tool is missing or failed, 130 interrupted.
-"""
+"""``s7spec kit faults``: the kit against the deliberate faults of the soft PLC, known and held out."""
 
 from __future__ import annotations
 

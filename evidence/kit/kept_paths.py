@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
-from evidence.common.checkout import ROOT
+from evidence.common.checkout import MANIFEST, ROOT
 from evidence.common.processes import Processes
 from evidence.kit import paths
 from evidence.kit.files import PATHS, Json, as_line, digest, read_lines, write_lines
-from evidence.models.manifest import MANIFEST, Model, load
+from evidence.models.manifest import Model, load
 from evidence.tla import behaviour, cfg, values
 from evidence.tla.flatten import flatten
 from evidence.tla.modules import module_folders, reached
@@ -53,7 +53,7 @@ def problems(folder: Path = ROOT) -> list[str]:
     kept = {(line["model"], line["origin"]) for line in read_lines(folder / PATHS) if "model" in line}
     now = {(model.name, origin(model, folder)) for model in models()}
     stale = sorted({name for name, _ in kept ^ now})
-    return [f"{PATHS}: older than the model {name}: s7check paths --write" for name in stale]
+    return [f"{PATHS}: older than the model {name}: s7spec kit paths --write" for name in stale]
 
 
 def origin(model: Model, folder: Path = ROOT) -> str:

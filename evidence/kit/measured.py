@@ -39,7 +39,7 @@ def problems(folder: Path = ROOT) -> list[str]:
     """Says that it is older than what it was measured on, and the command. Raises OSError, ValueError."""
     if read_lines(folder / REACHED)[0] == {"origin": origin(folder)}:
         return []
-    return [f"{REACHED}: older than spec/, the soft PLC or a program of the kit: s7check reached --write"]
+    return [f"{REACHED}: older than spec/, the soft PLC or a program of the kit: s7spec kit reached --write"]
 
 
 def origin(folder: Path = ROOT) -> str:

@@ -1,4 +1,4 @@
-"""``s7check paths``: the programs of the kit that need TLC."""
+"""``s7spec kit paths``: the programs of the kit that need TLC."""
 
 from __future__ import annotations
 
@@ -17,10 +17,7 @@ STALE = 1
 @click.command("paths", short_help="Paths through the graphs of models, as programs of the kit.")
 @click.option("--write", is_flag=True, help="Have TLC find the paths anew, in minutes, and keep them.")
 def paths_command(*, write: bool) -> int:
-    """Say whether kit/paths.ndjson is as new as the specification and the models that the paths go through.
-
-    Exit codes: 0 it is, 1 it is not; 2 a file cannot be read, 3 TLC is missing or failed, 130 interrupted.
-    """
+    """Say whether kit/paths.ndjson is as new as the specification and the models that the paths go through."""
     processes = Processes()
     with session(processes, (OSError, ValueError), (ToolMissingError, NoGraphError)) as console:
         if write:

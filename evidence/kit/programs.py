@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from evidence.common.cases import all_cases
-from evidence.common.checkout import ROOT
+from evidence.common.checkout import MANIFEST, ROOT
 from evidence.kit import calendar, calls, meetings, nesting, shipped, waiting
 from evidence.kit.files import PATHS, REACHED, Json, as_line, read_lines
-from evidence.models.manifest import MANIFEST, load
+from evidence.models.manifest import load
 from s7check.kit.program import FORMAT, read_program
 from s7check.resources import KIT
 

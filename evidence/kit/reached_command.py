@@ -1,8 +1,4 @@
-"""``s7check reached``: which rules of the specification does the kit reach?
-
-Exit codes: 0 as much as it is to reach, 1 less, or a reason is stale; 2 wrong arguments or files, 3 a tool is missing
-or failed, 130 interrupted.
-"""
+"""``s7spec kit reached``: which rules of the specification does the kit reach?"""
 
 from __future__ import annotations
 

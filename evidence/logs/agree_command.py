@@ -1,8 +1,4 @@
-"""``s7check agree``: do the trace checker's engine and TLC give the same verdict at the same line?
-
-Exit codes: 0 they agree about all logs, 1 they differ about some, 2 wrong arguments or files, 3 a tool is missing or
-failed, 130 interrupted.
-"""
+"""``s7spec logs agree``: do the trace checker's engine and TLC give the same verdict at the same line?"""
 
 from __future__ import annotations
 

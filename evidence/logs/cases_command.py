@@ -1,7 +1,4 @@
-"""``s7check cases``: the cases of traces/ as NDJSON files, for users and for other tools.
-
-Exit codes: 0 written, 2 wrong arguments or case files, 3 something else failed, 130 interrupted.
-"""
+"""``s7spec views cases``: the cases of traces/ as NDJSON files, for users and for other tools."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""``s7check edges``: the lines that the explorer offers beside the edges of graphs that TLC exports.
-
-Exit codes: 0 every edge is offered and nothing else, 1 it is not so, 2 wrong arguments, 3 a tool is missing or failed,
-130 interrupted.
-"""
+"""``s7spec logs edges``: the lines that the explorer offers beside the edges of graphs that TLC exports."""
 
 from __future__ import annotations
 

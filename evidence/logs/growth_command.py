@@ -1,7 +1,4 @@
-"""``s7check growth``: does a log cost more than its length, whatever is in it?
-
-Exit codes: 0 none does, 1 some do, 2 wrong arguments, 130 interrupted.
-"""
+"""``s7spec logs growth``: does a log cost more than its length, whatever is in it?"""
 
 from __future__ import annotations
 
@@ -33,8 +30,7 @@ MEMORY = 300
 def growth_command(names: tuple[str, ...], limit: float, little: bool, json_path: Path | None) -> None:
     """Measure logs that leave much open: those whose name has one of NAMES, or all.
 
-    A log may take ten times the CPU of ten lines, one of 10,000 lines twenty times, and 300 MB. Exit codes: 0 each
-    keeps to that, 1 some do not, 2 wrong arguments.
+    A log may take ten times the CPU of ten lines, one of 10,000 lines twenty times, and 300 MB.
     """
     steep = 0
     costs: list[Cost] = []

@@ -1,7 +1,4 @@
-"""``s7check left-out``: does an accepted log stay accepted when kinds of event are left out?
-
-Exit codes: 0 each does, 1 some do not, 2 wrong arguments or files, 3 a tool is missing or failed, 130 interrupted.
-"""
+"""``s7spec logs left-out``: does an accepted log stay accepted when kinds of event are left out?"""
 
 from __future__ import annotations
 
@@ -85,8 +82,7 @@ def left_out_command(
 ) -> None:
     """Draw random logs, and leave subsets of the kinds of event out of each that is accepted.
 
-    None may be rejected then, and none may be without a verdict. Exit codes: 0 none is, 1 some are, 2 wrong arguments
-    or files, 3 a tool is missing or failed.
+    None may be rejected then, and none may be without a verdict.
     """
     began = time.monotonic()
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:

@@ -1,8 +1,4 @@
-"""``s7check since``: the same verdicts and pins as at an earlier revision?
-
-Exit codes: 0 no difference but expected ones, 1 others, 2 wrong arguments or files, 3 a checkout cannot be built or its
-command fails, 130 interrupted.
-"""
+"""``s7spec since``: the same verdicts and pins as at an earlier revision?"""
 
 from __future__ import annotations
 
@@ -47,8 +43,7 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
     """Compare this checkout with revision REV: verdict and line of every log, pins of every model, reasons.
 
     REV is built below build/since, which takes minutes the first time. Both judge the shipped logs and the same random
-    ones. Exit codes: 0 every difference is expected, 1 some are not, 2 wrong arguments or files, 3 a checkout
-    cannot be built, or its command fails.
+    ones.
     """
     usage = (RevisionError, pins.PinsError, ReasonsError, OSError)
     with session(Processes(), usage, (BuildError, SoftPlcError, EngineError)) as console:

@@ -28,8 +28,6 @@ ModelKind = Literal["model", "liveness", "refinement", "calendar", "witness", "n
 Violates = Literal["invariant", "action", "temporal", "initial", "deadlock", "assumption"]
 PROPERTY_KINDS = frozenset({"action", "temporal", "initial"})
 
-MANIFEST = Path("models/manifest.json")
-
 HEAP_MB = 1024
 """Java heap of a run that names none, in MB."""
 
@@ -202,23 +200,6 @@ def load(path: Path) -> Manifest:
         where = f"{path}: models[{index}] ({entry.name})"
         models.append(_resolve(where, path.parent, spec, entry, bases))
     return Manifest(path, spec, tuple(models), tuple(_unlisted(path, parsed)))
-
-
-def find_manifest() -> Path:
-    """Return the manifest of the checkout around the current directory. Raises `ManifestError` where there is none."""
-    nearest = nearest_manifest()
-    if nearest is None:
-        raise ManifestError(
-            f"neither here nor above is there {MANIFEST}: run this in a checkout of the project, or name a manifest "
-            "with --manifest"
-        )
-    return nearest
-
-
-def nearest_manifest() -> Path | None:
-    """Return the manifest of the checkout around the current directory, if there is one."""
-    here = Path.cwd()
-    return next((d / MANIFEST for d in (here, *here.parents) if (d / MANIFEST).is_file()), None)
 
 
 def parse_json(path: Path, text: str) -> Any:

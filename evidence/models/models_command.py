@@ -1,7 +1,4 @@
-"""``s7check models``: run TLC on the listed models and fail on any drift.
-
-Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong arguments or manifest, 3 Java or TLC missing, 130 interrupted.
-"""
+"""``s7spec models``: run TLC on the listed models and fail on any drift."""
 
 from __future__ import annotations
 
@@ -16,13 +13,14 @@ from pathlib import Path
 import click
 from rich.console import Console
 
+from evidence.common.checkout import MANIFEST, ROOT
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models import canaries, distributed
 from evidence.models import models_report as report
 from evidence.models.judge import Result, judge
-from evidence.models.manifest import LANES, Manifest, ManifestError, Model, find_manifest, load, nearest_manifest
+from evidence.models.manifest import LANES, Manifest, ManifestError, Model, load
 from evidence.models.manifest import shard as part_of
 from evidence.models.progress import Progress
 from evidence.models.runner import Event, Harness, run_all
@@ -94,7 +92,7 @@ def _part(_context: click.Context, _option: click.Parameter, value: str) -> tupl
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def models_command(
     lane: str,
-    manifest: Path | None,
+    manifest: Path,
     jar: Path | None,
     workers: int | None,
     jobs: int,
@@ -109,8 +107,7 @@ def models_command(
 ) -> None:
     """Run TLC on the models of the manifest and compare each result with its pins.
 
-    NAME picks models (globs work) whatever their lane. Exit codes: 0 all as pinned, 1 drift or failure, 2 wrong
-    arguments or manifest, 3 Java or TLC missing.
+    NAME picks models (globs work) whatever their lane.
     """
     if spread is None and host is not None:
         raise click.UsageError("--host goes with --distributed")
@@ -121,8 +118,7 @@ def models_command(
     cluster = None if spread is None else distributed.Cluster(spread, host)
     processes = Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
-        path = manifest or find_manifest()
-        request = Request(lane, path, jar, workers, jobs, update, json_path, verbose, names, cluster, shard, logs)
+        request = Request(lane, manifest, jar, workers, jobs, update, json_path, verbose, names, cluster, shard, logs)
         sys.exit(run_request(request, processes, console))
 
 
@@ -220,6 +216,6 @@ def _show(results: list[Result], drift: list[str], request: Request, console: Co
 
 
 def _alone(model: Model, request: Request) -> str:
-    options = "" if request.manifest == nearest_manifest() else f" --manifest {request.manifest}"
+    options = "" if request.manifest == ROOT / MANIFEST else f" --manifest {request.manifest}"
     options += f" --tlc {request.jar}" if request.jar else ""
-    return f"s7check models{options} {model.name} -v"
+    return f"s7spec models{options} {model.name} -v"

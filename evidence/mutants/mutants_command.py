@@ -1,8 +1,4 @@
-"""``s7check mutants``: change the specification in many small ways and see whether its checks notice.
-
-Exit codes: 0 every survivor has a reason, 1 some have none or a reason is stale, 2 wrong arguments or files, 3 a tool
-is missing or failed, 130 interrupted.
-"""
+"""``s7spec mutants``: change the specification in many small ways and see whether its checks notice."""
 
 from __future__ import annotations
 
@@ -23,7 +19,7 @@ from evidence.common.options import json_option, manifest_option, tlc_option, wr
 from evidence.common.processes import Processes
 from evidence.common.reasons import ReasonsError, read
 from evidence.common.session import session
-from evidence.models.manifest import LANES, Manifest, ManifestError, find_manifest, load
+from evidence.models.manifest import LANES, Manifest, ManifestError, load
 from evidence.models.runner import Harness
 from evidence.mutants import against_kit as kit
 from evidence.mutants import against_logs as logs
@@ -92,7 +88,7 @@ class Request:
 def mutants_command(
     against: str,
     lane: str,
-    manifest: Path | None,
+    manifest: Path,
     jar: Path | None,
     sample: int | None,
     seed: int,
@@ -108,16 +104,15 @@ def mutants_command(
     """Make mutants of the specification and run the checks on each until one notices.
 
     ID picks mutants (globs work). What a check came to is kept in build/mutants, so that a run goes on where the last
-    one was ended. Exit codes: 0 every survivor has a reason in survivors.json beside the manifest, or --against
-    properties, or with --against kit 95 % of those that an accepted log shows are noticed; 1 some have none or a
-    reason is stale, or fewer; 2 wrong arguments or files, 3 a tool is missing or failed.
+    one was ended. Each survivor needs a reason in survivors.json beside the manifest, and no reason may be stale; not
+    with --against properties. With --against kit 95 % of those that an accepted log shows have to be noticed.
     """
     processes = BriefProcesses()
     usage = (ManifestError, SyntaxTreeError, ReasonsError)
     missing = (tlc.ToolMissingError, EngineError, AdapterError, CheckFailedError, UnsoundBaselineError)
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
         request = Request(
-            *(against, lane, manifest or find_manifest(), jar, sample, seed, jobs),
+            *(against, lane, manifest, jar, sample, seed, jobs),
             *(thorough, fresh, explained, listing, difference, json_path, names),
         )
         sys.exit(run_request(request, processes, console))

@@ -1,8 +1,4 @@
-"""``s7check witnesses``: is anything in the specification checked in vain?
-
-Exit codes: 0 everything has a witness or a reason, 1 something has neither or a reason is stale, 2 wrong arguments or
-files, 3 a tool is missing or failed, 130 interrupted.
-"""
+"""``s7spec witnesses``: is anything in the specification checked in vain?"""
 
 from __future__ import annotations
 
@@ -19,7 +15,7 @@ from evidence.common import reasons
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.models.manifest import LANES, ManifestError, find_manifest, load
+from evidence.models.manifest import LANES, ManifestError, load
 from evidence.models.progress import Progress
 from evidence.models.runner import Harness
 from evidence.mutants import logs_model as logs
@@ -66,7 +62,7 @@ class Request:
 def witnesses_command(
     against: str,
     lane: str,
-    manifest: Path | None,
+    manifest: Path,
     jar: Path | None,
     jobs: int,
     json_path: Path | None,
@@ -74,14 +70,13 @@ def witnesses_command(
 ) -> None:
     """Run the models that pass, and the shipped logs, and see which rules and antecedents they never meet.
 
-    MODEL picks models (globs work) whatever their lane. Exit codes: 0 every action, both sides of every guard and
-    every antecedent have a witness, or a reason in witnesses.json beside the manifest, 1 some have neither or a reason
-    is stale, 2 wrong arguments or files, 3 a tool is missing or failed.
+    MODEL picks models (globs work) whatever their lane. Every action, both sides of every guard and every antecedent
+    need a witness, or a reason in witnesses.json beside the manifest.
     """
     processes = Processes()
     usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError)
     with session(processes, usage, (tlc.ToolMissingError, CollectingError)) as console:
-        request = Request(against, lane, manifest or find_manifest(), jar, jobs, json_path, names)
+        request = Request(against, lane, manifest, jar, jobs, json_path, names)
         sys.exit(run_request(request, processes, console))
 
 

@@ -1,4 +1,4 @@
-"""``s7check agree``: the logs that are drawn, what TLC says of them, and that a difference is found."""
+"""``s7spec logs agree``: the logs that are drawn, what TLC says of them, and that a difference is found."""
 
 from __future__ import annotations
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from evidence import cli
 from evidence.common.cases import Case, CasesError, all_cases, read
-from s7check import cli
 
 DEFAULTS = "cpu=S7-300 obs=1,10 clock=2026-03-02T08:00:30.000 mode=RUN\n"
 
@@ -174,7 +174,7 @@ def test_no_cases(tmp_path: Path) -> None:
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The logs of all cases are written; what was in the folder before is gone."""
     (tmp_path / "old").touch()
-    assert cli.main(["cases", "--output", str(tmp_path)]) == 0
+    assert cli.main(["views", "cases", "--output", str(tmp_path)]) == 0
     written = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert capsys.readouterr().out == f"{tmp_path}: {len(written)} logs\n"
     assert {path.relative_to(tmp_path).as_posix(): path.read_bytes() for path in written} == {

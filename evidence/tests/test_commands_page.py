@@ -8,28 +8,40 @@ import pytest
 
 import evidence
 import s7check
+from evidence import cli as s7spec
 from s7check import cli
 
 DOCS = Path(cli.__file__).parents[2] / "docs"
 CHECKING, PROJECT = ((DOCS / name / "commands.md").read_text(encoding="utf-8") for name in ("checking", "project"))
 EVERY_COMMAND = {"-h", "--help"}
-COMMANDS = cli.cli.list_commands(click.Context(cli.cli))
+PAGES = {"s7check": CHECKING, "s7spec": PROJECT}
 
 
-def page(name: str) -> str:
-    """The page with the commands of s7check itself, or the page with those of a checkout."""
-    return CHECKING if name in cli.COMMANDS else PROJECT
+def commands(name: str, group: click.Group) -> dict[str, click.Command]:
+    """Each command of a program by its words, those of its groups too; a group with options of its own is a command."""
+    context = click.Context(group)
+    found: dict[str, click.Command] = {}
+    for word in group.list_commands(context):
+        command = group.get_command(context, word)
+        assert command is not None
+        if name == "s7spec" and isinstance(command, click.Group):
+            found |= commands(f"{name} {word}", command)
+        else:
+            found[f"{name} {word}"] = command
+    return found
+
+
+COMMANDS = commands("s7check", cli.cli) | commands("s7spec", s7spec.cli)
 
 
 def section(name: str) -> str:
     """What the page says of a command."""
-    return page(name).partition(f"\n## `s7check {name}")[2].partition("\n## ")[0]
+    return PAGES[name.partition(" ")[0]].partition(f"\n## `{name}")[2].partition("\n## ")[0]
 
 
 def options(name: str) -> dict[str, str]:
     """The spellings of a command's options, each with its help."""
-    command = cli.cli.get_command(click.Context(cli.cli), name)
-    assert command is not None
+    command = COMMANDS[name]
     found = [one for one in command.params if isinstance(one, click.Option)]
     return {spelling: one.help or "" for one in found for spelling in (*one.opts, *one.secondary_opts)}
 
@@ -45,22 +57,31 @@ def test_every_option_is_described(name: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_defaults_are_named(name: str) -> None:
     """Of a choice the page says what it is by default."""
-    command = cli.cli.get_command(click.Context(cli.cli), name)
-    assert command is not None
     items = re.findall(r"^- `-.*(?:\n  .*)*", section(name), re.MULTILINE)
-    for option in command.params:
+    for option in COMMANDS[name].params:
         if isinstance(option.type, click.Choice) and isinstance(option.default, str):
             (item,) = (text for text in items if f"`{option.opts[0]} " in text.partition(":")[0])
             assert "default" in item
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name.startswith("s7check ")])
 def test_every_command_has_its_exit_codes(name: str) -> None:
     """Its section names them; some commands never end with 1."""
     (codes,) = re.findall(r"^Exit codes: (.*(?:\n.+)*)", section(name), re.MULTILINE)
     said = set(re.findall(r"(\d)\s\([^)]+\)", codes))
     assert {"0", "2", "3"} <= said <= {"0", "1", "2", "3"}
     assert set(re.findall(r"`(--?[a-z]+)`", CHECKING.partition("\n## ")[0])) >= EVERY_COMMAND
+
+
+def test_the_exit_codes_of_every_command_of_s7spec() -> None:
+    """One table has them."""
+    assert re.findall(r"^\| (\d+) \|", PROJECT, re.MULTILINE) == ["0", "1", "2", "3", "130"]
+
+
+def test_the_commands_of_both_programs() -> None:
+    """Those of users are the same in a checkout and from the wheel: s7check knows no others."""
+    assert [name for name in COMMANDS if name.startswith("s7check ")] == [f"s7check {name}" for name in cli.COMMANDS]
+    assert set(re.findall(r"^## `(s7\w+ [a-z -]*[a-z])", CHECKING + PROJECT, re.MULTILINE)) == COMMANDS.keys()
 
 
 def test_environment_variables() -> None:

@@ -1,4 +1,4 @@
-"""`s7check faults`: the kit against deliberate faults."""
+"""`s7spec kit faults`: the kit against deliberate faults."""
 
 import json
 from pathlib import Path

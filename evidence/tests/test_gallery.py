@@ -34,7 +34,7 @@ def test_the_trace_checker_accepts_each_log() -> None:
 
 
 def test_page_is_up_to_date() -> None:
-    """`s7check gallery --write` makes it."""
+    """`s7spec views gallery --write` makes it."""
     assert command.PAGE.read_text() == command.page()
     review = command.REVIEW.read_text()
     assert review == command.with_index(review)

@@ -1,4 +1,4 @@
-"""``s7check mutants`` with TLC on a specification of its own, and the shipped logs with the engine."""
+"""``s7spec mutants`` with TLC on a specification of its own, and the shipped logs with the engine."""
 
 from __future__ import annotations
 

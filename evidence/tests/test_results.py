@@ -1,4 +1,4 @@
-"""``s7check results``: the numbers of the documentation come from runs, and no other page has any."""
+"""``s7spec views results``: the numbers of the documentation come from runs, and no other page has any."""
 
 import json
 import re
@@ -11,6 +11,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from evidence import cli
 from evidence.common.checkout import ROOT
 from evidence.tests.test_docs import PAGES
 from evidence.views.results import records, runs, summaries
@@ -18,7 +19,6 @@ from evidence.views.results import results_command as command
 from evidence.views.results.page import page, totals
 from evidence.views.results.records import Record, Table
 from evidence.views.results.runs import RUNS, SECOND
-from s7check import cli
 
 GENERATED = {
     "docs/project/results.md",
@@ -79,7 +79,7 @@ def long_numbers(kept: Record) -> Iterator[str]:
 def main(*arguments: str) -> int:
     """The exit code of the command."""
     try:
-        return cli.main(["results", *arguments])
+        return cli.main(["views", "results", *arguments])
     except SystemExit as ended:
         return ended.code if isinstance(ended.code, int) else -1
 
@@ -204,13 +204,13 @@ def test_a_report_is_taken_over(folder: Path, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(records, "changed_at", lambda: 0.0)
     assert main("models", "--report", model_report(folder, "ci")) == 0
     kept = msgspec.json.decode((folder / command.KEPT / "models.json").read_bytes(), type=Record)
-    assert (kept.command, kept.seconds, kept.load, kept.exit) == ("s7check models --lane ci", 7, None, None)
+    assert (kept.command, kept.seconds, kept.load, kept.exit) == ("s7spec models --lane ci", 7, None, None)
     assert kept.tables[0].rows[-1] == ["all", 1, 0, 2, 6.5]
 
 
 @pytest.mark.parametrize(
     ("lane", "changed", "problem"),
-    [("smoke", 0.0, "expected a report of s7check models --lane ci"), ("ci", 1e12, "the checkout has changed since")],
+    [("smoke", 0.0, "expected a report of s7spec models --lane ci"), ("ci", 1e12, "the checkout has changed since")],
 )
 def test_a_report_that_is_not_taken_over(
     lane: str,
@@ -257,26 +257,27 @@ def test_a_kept_summary_that_cannot_be_read(content: str, folder: Path, capsys: 
 def test_page() -> None:
     """Numbers with thousands separated, to the right; what is not known is left out; a second TLC has its own part."""
     kept = Record(
-        command="s7check agree --logs 10000", date="2026-11-21", revision="abc", tools=["TLC 2.18"], machine="2 cores",
-        load=None, seconds=None, exit=0, tables=[Table(["log", "lines"], [["a", 1234], ["b", None]], "T")],
+        command="s7spec logs agree --logs 10000", date="2026-11-21", revision="abc", tools=["TLC 2.18"],
+        machine="2 cores", load=None, seconds=None, exit=0,
+        tables=[Table(["log", "lines"], [["a", 1234], ["b", None]], "T")],
         remarks=["A remark."],
     )  # fmt: skip
     text = page({"agreement": kept, "agreement-second-tlc": kept})
     part = text.partition("\n## Agreement\n")[2].partition("\n## ")[0]
     assert "**T**\n\n| log | lines |\n|---|---:|\n| a | 1,234 |\n| b |  |\n\nA remark.\n" in part
-    assert "`s7check agree --logs 10000`, 2026-11-21, revision abc, TLC 2.18, 2 cores, exit code 0.\n" in part
+    assert "`s7spec logs agree --logs 10000`, 2026-11-21, revision abc, TLC 2.18, 2 cores, exit code 0.\n" in part
     assert "### Agreement on a second TLC\n" in part
-    assert "`s7check models --lane ci` has not been run." in text
+    assert "`s7spec models --lane ci` has not been run." in text
 
 
 def test_totals() -> None:
     """Columns that a run names: added up, or those of the row that does it."""
     kept = Record(
-        command="s7check models --lane ci", date="2026-11-21", revision="abc", tools=[], machine="", load=None,
+        command="s7spec models --lane ci", date="2026-11-21", revision="abc", tools=[], machine="", load=None,
         seconds=None, exit=0,
         tables=[Table(["kind", "models", "seconds"], [["model", 1200, 1.5], ["control", 2, 1]])],
     )  # fmt: skip
-    line = "- **Models** (`s7check models --lane ci`, 2026-11-21, revision abc): models: 1,202\n"
+    line = "- **Models** (`s7spec models --lane ci`, 2026-11-21, revision abc): models: 1,202\n"
     assert totals({"models": kept}).endswith(f"\n\n{line}")
     (table,) = kept.tables
     table.rows.append(["all", 3, 1])

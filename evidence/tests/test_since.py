@@ -1,4 +1,4 @@
-"""``s7check since``: two revisions of a small project, whose command reads its verdict in the log."""
+"""``s7spec since``: two revisions of a small project, whose command reads its verdict in the log."""
 
 import json
 import re

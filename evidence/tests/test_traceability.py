@@ -1,4 +1,4 @@
-"""``s7check requirements``, over small projects."""
+"""``s7spec views requirements``, over small projects."""
 
 import json
 from collections.abc import Callable
@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from s7check import cli
+from evidence import cli
 
 REQUIREMENTS = """# Requirements
 
@@ -105,7 +105,7 @@ def project(tmp_path: Path) -> Path:
 @pytest.fixture
 def run(project: Path) -> Run:
     """Runs the command over the small project."""
-    return lambda *arguments: cli.main(["requirements", "--project", str(project), *arguments])
+    return lambda *arguments: cli.main(["views", "requirements", "--project", str(project), *arguments])
 
 
 def replace(path: Path, old: str, new: str) -> None:
@@ -361,7 +361,7 @@ def test_page_is_not_up_to_date(project: Path, run: Run, capsys: pytest.CaptureF
     capsys.readouterr()
     replace(project / name, "Rule", "Rules")
     assert run() == 1
-    assert f"\n{name}: not up to date: s7check requirements --write\nproblems: 1\n" in capsys.readouterr().out
+    assert f"\n{name}: not up to date: s7spec views requirements --write\nproblems: 1\n" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -420,17 +420,3 @@ def test_unreadable(
     assert captured.out == ""
     assert captured.err.startswith("Error: ")
     assert error in captured.err
-
-
-def test_no_project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    """Outside of a project there is nothing to check."""
-    monkeypatch.chdir(tmp_path)
-    assert cli.main(["requirements"]) == 2
-    assert "neither here nor above" in capsys.readouterr().err
-
-
-def test_project_above(project: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In a folder of the project it is found."""
-    assert run("--write") == 0
-    monkeypatch.chdir(project / "docs")
-    assert cli.main(["requirements"]) == 0

@@ -5,16 +5,15 @@ from pathlib import Path
 
 import pytest
 
+from evidence.common.checkout import ROOT
 from evidence.models.proofs.queries import load
 from evidence.models.proofs.report import as_json
 from evidence.views.results import records, summaries
 from evidence.views.results.records import Record
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.page import _proof
-from evidence.views.traceability.project import PROOFS, find_project
+from evidence.views.traceability.project import PROOFS
 from evidence.views.traceability.proofs import Proof, read_proofs
-
-ROOT = find_project(Path(__file__).parent)
 
 
 def test_the_kept_summary_is_read(tmp_path: Path) -> None:

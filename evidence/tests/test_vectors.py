@@ -10,9 +10,9 @@ from typing import Any
 import jsonschema_rs
 import pytest
 
+from evidence import cli
 from evidence.common.cases import TRACES, Case, read
 from evidence.views.vectors import SCHEMA, vector
-from s7check import cli
 
 Document = dict[str, Any]
 
@@ -21,7 +21,7 @@ Document = dict[str, Any]
 def pack(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Document]:
     """Each document by its path."""
     folder = tmp_path_factory.mktemp("vectors")
-    assert cli.main(["vectors", "--output", str(folder)]) == 0
+    assert cli.main(["views", "vectors", "--output", str(folder)]) == 0
     assert (folder / SCHEMA.name).read_bytes() == SCHEMA.read_bytes()
     files = [file for file in folder.rglob("*.json") if file.name != SCHEMA.name]
     return {file.relative_to(folder).as_posix(): json.loads(file.read_bytes()) for file in files}

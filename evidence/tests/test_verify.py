@@ -1,4 +1,4 @@
-"""The steps of ``s7check verify`` that ask other programs: what they say where something is missing or fails."""
+"""The steps of ``s7spec verify`` that ask other programs: what they say where something is missing or fails."""
 
 from __future__ import annotations
 

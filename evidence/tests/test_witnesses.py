@@ -1,4 +1,4 @@
-"""``s7check witnesses``: what has to be witnessed, and what TLC meets of it in a small project."""
+"""``s7spec witnesses``: what has to be witnessed, and what TLC meets of it in a small project."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""``s7check vectors``: the cases of traces/ as test vectors for other languages, a JSON file for each case file.
-
-Exit codes: 0 written, 2 wrong arguments or case files, 3 the engine is missing or failed, 130 interrupted.
-"""
+"""``s7spec views vectors``: the cases of traces/ as test vectors for other languages, a JSON file each."""
 
 from __future__ import annotations
 

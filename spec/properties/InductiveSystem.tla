@@ -4,7 +4,7 @@
 (* System for every clock, delay count and operand: Ind holds at the       *)
 (* beginning and after every action, from whatever state it holds in.      *)
 (*                                                                         *)
-(* `s7check prove' proves this; models/APSystem has the states that it     *)
+(* `s7spec prove' proves this; models/APSystem has the states that it      *)
 (* begins with.                                                            *)
 (* Left out: readings other than the defaults.                             *)
 (***************************************************************************)

@@ -1,7 +1,4 @@
-"""``s7check prove``: ask Apalache for the proofs about System, and compare each answer with the claim.
-
-Exit codes: 0 all as claimed, 1 an answer differs, 2 wrong arguments or files, 3 Apalache missing, 130 interrupted.
-"""
+"""``s7spec prove``: ask Apalache for the proofs about System, and compare each answer with the claim."""
 
 from __future__ import annotations
 
@@ -65,8 +62,7 @@ def prove_command(
 ) -> None:
     """Ask Apalache the queries of models/proofs.json.
 
-    NAME picks queries or actions of System (globs work). The answers are kept in build/proofs. Exit codes: 0 all as
-    claimed, 1 an answer differs, 2 wrong arguments or files, 3 Apalache missing.
+    NAME picks queries or actions of System (globs work). The answers are kept in build/proofs.
     """
     processes = Processes()
     with session(processes, (ManifestError, SyntaxTreeError, OSError), (ApalacheMissingError,)) as console:

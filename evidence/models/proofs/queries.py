@@ -18,7 +18,7 @@ import msgspec
 from msgspec import UNSET
 from tree_sitter import Node
 
-from evidence.models.manifest import MANIFEST as MODELS
+from evidence.common.checkout import MANIFEST as MODELS
 from evidence.models.manifest import Entry, ManifestFile, Mutation
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import closure, read_modules
@@ -270,7 +270,7 @@ class Proofs:
         """The queries whose name or action a glob matches; all without globs. Raises `ManifestError`."""
         for glob in names:
             if not any(_matches(query, glob) for query in self.queries):
-                raise ManifestError(f"no query or action is called {glob}: s7check prove --list names them")
+                raise ManifestError(f"no query or action is called {glob}: s7spec prove --list names them")
         return [q for q in self.queries if not names or any(_matches(q, glob) for glob in names)]
 
 

@@ -4,8 +4,8 @@ import json
 import re
 from collections import defaultdict
 
-from evidence.common.checkout import ROOT
-from evidence.models.manifest import MANIFEST, Manifest, Model, load
+from evidence.common.checkout import MANIFEST, ROOT
+from evidence.models.manifest import Manifest, Model, load
 from evidence.tla.modules import read_modules
 
 
@@ -23,7 +23,7 @@ def controls(manifest: Manifest) -> dict[str, list[Model]]:
 
 
 def test_the_manifest_names_each_configuration() -> None:
-    """`s7check models` fails on a file that is forgotten. Here that costs no model."""
+    """`s7spec models` fails on a file that is forgotten. Here that costs no model."""
     assert load(ROOT / MANIFEST).drift == ()
 
 

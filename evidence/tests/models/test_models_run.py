@@ -302,7 +302,7 @@ def test_interrupt_leaves_no_java(project: Project) -> None:
     project.write(document)
     temporary = project.root / "tmp"
     temporary.mkdir()
-    command = [sys.executable, "-m", "s7check", "models", "--manifest", str(project.path), "--tlc", str(project.jar)]
+    command = [sys.executable, "-m", "evidence", "models", "--manifest", str(project.path), "--tlc", str(project.jar)]
     environment = {**os.environ, "TMPDIR": str(temporary), "PYTHONPATH": str(Path(canaries.__file__).parents[2])}
     with subprocess.Popen(
         [*command, "endless"], env=environment, stderr=subprocess.PIPE, text=True, preexec_fn=heed_ctrl_c

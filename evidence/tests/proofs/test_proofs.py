@@ -1,4 +1,4 @@
-"""``s7check prove``: queries that forget nothing, texts that say the same, answers that cannot be had for nothing."""
+"""``s7spec prove``: queries that forget nothing, texts that say the same, answers that cannot be had for nothing."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from typing import Any
 import msgspec
 import pytest
 
+from evidence.cli import main
+from evidence.common.checkout import MANIFEST as MODELS
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.models.manifest import MANIFEST as MODELS
 from evidence.models.manifest import Mutation
 from evidence.models.proofs import prove_command as command
 from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
@@ -42,7 +43,6 @@ from evidence.models.proofs.text import (
 from evidence.tla.actions import conjuncts
 from evidence.tla.modules import closure, read_modules
 from evidence.tla.syntax import SyntaxTreeError, meaningful, operand, token
-from s7check.cli import main
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 

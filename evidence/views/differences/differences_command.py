@@ -1,4 +1,4 @@
-"""``s7check differences``."""
+"""``s7spec views differences``."""
 
 from __future__ import annotations
 
@@ -17,10 +17,7 @@ from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, GAPS, Kept, read_k
 @click.option("--shorten", is_flag=True, help="Search for shorter logs, and for letters without one; takes an hour.")
 @click.option("--write", is_flag=True, help="Write the pages docs/rules/differences.md and experiments.md.")
 def differences_command(search: bool, shorten: bool, write: bool) -> int:
-    """Run each program that is kept on both sides, and say how many still tell them apart.
-
-    Exit codes: 0 all of them, 1 one does not, 2 wrong arguments, 3 the specification could not be evaluated.
-    """
+    """Run each program that is kept on both sides, and say how many still tell them apart."""
     with Engine() as engine:
         if search:
             programs = programs_of()

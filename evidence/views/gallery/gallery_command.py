@@ -1,8 +1,4 @@
-"""``s7check gallery``: the edge cases, found by TLC, judged by the trace checker.
-
-Exit codes: 0 each is found and is the shipped log, 1 some are not, 2 wrong arguments, 3 a tool is missing or failed,
-130 interrupted.
-"""
+"""``s7spec views gallery``: the edge cases, found by TLC, judged by the trace checker."""
 
 from __future__ import annotations
 
@@ -26,7 +22,7 @@ from s7check.judging.check import check_log
 PAGE = ROOT / "docs" / "rules" / "gallery.md"
 
 REVIEW = ROOT / "docs" / "rules" / "review.md"
-_BEGIN, _END = "<!-- The gallery, by `s7check gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
+_BEGIN, _END = "<!-- The gallery, by `s7spec views gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
 
 DIFFERS = 1
 
@@ -124,6 +120,6 @@ _INTRODUCTION = """# Gallery of edge cases
 
 Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
 small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
-use. `s7check gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events that
-may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
+use. `s7spec views gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events
+that may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
 """

@@ -11,9 +11,9 @@ from evidence.views.results.runs import RUNS, SECOND, Run
 _TOTALS = """\
 # Results
 
-What was run, when, at which revision, and the totals; no other page has numbers of runs. `s7check results RUN` runs a
-command, keeps its numbers in `docs/project/results/` and writes this page. `make views` makes a page with all numbers,
-the tools and the machine. [Checks](checks.md) says what runs on every revision.
+What was run, when, at which revision, and the totals; no other page has numbers of runs. `s7spec views results RUN`
+runs a command, keeps its numbers in `docs/project/results/` and writes this page. `make views` makes a page with all
+numbers, the tools and the machine. [Checks](checks.md) says what runs on every revision.
 
 """
 

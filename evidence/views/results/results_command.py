@@ -1,8 +1,4 @@
-"""``s7check results``: the numbers of the documentation.
-
-Exit codes: 0 the page is up to date, 1 it is not, 2 wrong arguments or files, 3 a tool is missing or a run failed, 130
-interrupted.
-"""
+"""``s7spec views results``: the numbers of the documentation."""
 
 from __future__ import annotations
 
@@ -41,8 +37,7 @@ def results_command(*, write: bool, jar: Path | None, report: Path | None, names
     """Check that docs/project/results.md agrees with the kept summaries of runs.
 
     With RUN: run these commands, keep a summary of each in docs/project/results and write the page. With --tlc: keep it
-    as a run on a second TLC. Exit codes: 0 the page is up to date, 1 it is not, 2 wrong arguments or files, 3 a tool is
-    missing or a run failed.
+    as a run on a second TLC.
     """
     with session(Processes(), (records.RecordError, OSError), (RunError, ToolMissingError, JavaMissingError)):
         if jar and not all(RUNS[name].tlc for name in names):
@@ -58,5 +53,5 @@ def results_command(*, write: bool, jar: Path | None, report: Path | None, names
             (ROOT / PAGE).write_text(text, encoding="utf-8")
         if (ROOT / PAGE).read_text(encoding="utf-8") == text:
             return
-    click.echo(f"{PAGE}: not up to date: s7check results --write")
+    click.echo(f"{PAGE}: not up to date: s7spec views results --write")
     sys.exit(STALE)

@@ -48,7 +48,7 @@ class Run:
     totals: tuple[str, ...] = ()
 
 
-def _s7check(
+def _s7spec(
     title: str,
     about: str,
     arguments: str,
@@ -58,12 +58,12 @@ def _s7check(
     told: Mapping[str, Any] | None = None,
     totals: tuple[str, ...] = (),
 ) -> Run:
-    process = (sys.executable, "-m", "s7check", *arguments.split(), "--json", _REPORT)
-    return Run(title, about, f"s7check {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals)
+    process = (sys.executable, "-m", "evidence", *arguments.split(), "--json", _REPORT)
+    return Run(title, about, f"s7spec {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals)
 
 
 RUNS = {
-    "models": _s7check(
+    "models": _s7spec(
         "Models",
         "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
         "models --lane ci",
@@ -71,7 +71,7 @@ RUNS = {
         told={"lane": "ci"},
         totals=("models", "not as pinned", "distinct states"),
     ),
-    "models-full": _s7check(
+    "models-full": _s7spec(
         "Models of the full lane",
         "The large models as well.",
         "models --lane full",
@@ -81,48 +81,48 @@ RUNS = {
     ),
     "logs": Run(
         "Logs",
-        "The logs of `traces/`, written out by `s7check cases`. A test compares verdict and line.",
+        "The logs of `traces/`, written out by `s7spec views cases`. A test compares verdict and line.",
         "s7check trace --readings none --format json build/traces",
         (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
         summaries.logs,
         codes=(0, 1, 2),
         totals=("logs", "accepted", "rejected", "unusable"),
     ),
-    "agreement": _s7check(
+    "agreement": _s7spec(
         "Agreement",
         "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
-        "agree --logs 10000",
+        "logs agree --logs 10000",
         summaries.agreement,
         totals=("logs", "lines", "differ"),
     ),
-    "left-out": _s7check(
+    "left-out": _s7spec(
         "Kinds left out",
         "Random accepted logs, each with every subset of the kinds of event left out: none may get worse.",
-        "left-out --logs 100",
+        "logs left-out --logs 100",
         summaries.left_out,
         tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
         totals=("accepted logs", "with kinds left out", "got worse"),
     ),
-    "left-out-sample": _s7check(
+    "left-out-sample": _s7spec(
         "Kinds left out, more logs",
         "Other logs, each with some of these subsets, drawn by the seed.",
-        "left-out --logs 10000 --subsets 6 --seed 2",
+        "logs left-out --logs 10000 --subsets 6 --seed 2",
         summaries.left_out,
         tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
         totals=("accepted logs", "with kinds left out", "got worse"),
     ),
-    "growth": _s7check(
+    "growth": _s7spec(
         "Logs that leave much open",
         "Many start events at once, few kinds recorded, years between two lines: what each costs "
-        "([growth](commands.md#s7check-growth-name)).",
-        "growth",
+        "([growth](commands.md#s7spec-logs-growth-name)).",
+        "logs growth",
         summaries.growth,
         tlc=False,
         totals=("lines", "steps"),
     ),
-    "mutation": _s7check(
+    "mutation": _s7spec(
         "Mutation",
         "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
         "mutants --against all --lane smoke --sample 600 --seed 1",
@@ -130,7 +130,7 @@ RUNS = {
         told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
     ),
-    "mutation-properties": _s7check(
+    "mutation-properties": _s7spec(
         "Mutation, properties alone",
         "Mutants before the properties of the models of the smoke lane: no counts, timeouts, errors or logs. Those "
         "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
@@ -139,32 +139,32 @@ RUNS = {
         told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
     ),
-    "witnesses": _s7check(
+    "witnesses": _s7spec(
         "Witnesses",
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
         "witnesses",
         summaries.witnesses,
         totals=("conditions", "by models", "by logs alone", "with a reason", "without"),
     ),
-    "kit": _s7check(
+    "kit": _s7spec(
         "Kit",
         "The kit on the soft PLC in all its ways: outcomes of guards of spec/, and requirements "
         "([kit](../checking/kit.md#what-the-programs-reach)).",
-        "reached",
+        "kit reached",
         summaries.kit,
         tlc=False,
         told={"kit": "reached"},
         totals=("programs", "logs", "guard outcomes reached", "that can be observed"),
     ),
-    "kit-faults": _s7check(
+    "kit-faults": _s7spec(
         "Kit, faults",
-        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7check-faults-fault)).",
-        "faults",
+        "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7spec-kit-faults-fault)).",
+        "kit faults",
         summaries.kit_faults,
         tlc=False,
         totals=("number", "found"),
     ),
-    "kit-mutants": _s7check(
+    "kit-mutants": _s7spec(
         "Kit, mutants",
         "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
         "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
@@ -207,14 +207,14 @@ RUNS = {
         summaries.bench,
         totals=("steps", "over 100 ms"),
     ),
-    "edges": _s7check(
+    "edges": _s7spec(
         "The explorer's steps and TLC's edges",
-        "What may come after each log of three exported graphs ([commands](commands.md#s7check-edges-world)).",
-        "edges",
+        "What may come after each log of three exported graphs ([commands](commands.md#s7spec-logs-edges-world)).",
+        "logs edges",
         summaries.edges,
         totals=("edges", "compared", "not offered"),
     ),
-    "proofs": _s7check(
+    "proofs": _s7spec(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
         "prove --kept",

@@ -1,7 +1,4 @@
-"""``s7check site``: the docs, the specification and the gallery as static pages.
-
-Exit codes: 0 written, 2 wrong arguments or files, 3 the engine or Java is missing or failed, 130 interrupted.
-"""
+"""``s7spec views site``: the docs, the specification and the gallery as static pages."""
 
 from __future__ import annotations
 

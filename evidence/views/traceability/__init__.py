@@ -1,1 +1,1 @@
-"""Which formula, property, model and logs each requirement has: ``s7check requirements``."""
+"""Which formula, property, model and logs each requirement has: ``s7spec views requirements``."""

@@ -100,7 +100,7 @@ def _controls(
 
 
 def _is_negative(entry: Entry) -> bool:
-    """As for ``s7check models``: an entry with a base is a negative control, unless it says otherwise."""
+    """As for ``s7spec models``: an entry with a base is a negative control, unless it says otherwise."""
     derived = not isinstance(entry.base, msgspec.UnsetType)
     return derived if isinstance(entry.kind, msgspec.UnsetType) else entry.kind == "negative"
 

@@ -46,17 +46,6 @@ class Project:
     proofs: dict[str, Proof]
 
 
-def find_project(start: Path) -> Path:
-    """The folder of the project at or above `start`. Raises `UnreadableError`."""
-    for directory in (start, *start.parents):
-        if (directory / REQUIREMENTS).is_file() and (directory / "spec").is_dir():
-            return directory
-    raise UnreadableError(
-        f"neither here nor above is there {REQUIREMENTS} beside spec/: run this in a checkout of the project, or name "
-        "one with --project"
-    )
-
-
 def read_project(root: Path) -> Project:
     """Read everything. Raises `UnreadableError` for a source that is missing, unreadable or empty."""
     spec = read_modules(root / "spec")

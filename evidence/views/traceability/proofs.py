@@ -1,4 +1,4 @@
-"""Of how many actions a property has been proved: the kept summary of the last run of ``s7check prove``."""
+"""Of how many actions a property has been proved: the kept summary of the last run of ``s7spec prove``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``s7check requirements``: does every requirement have its formula, property, model and logs?"""
+"""``s7spec views requirements``: does every requirement have its formula, property, model and logs?"""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from pathlib import Path
 
 import click
 
+from evidence.common.checkout import ROOT
 from evidence.views.traceability import documents
 from evidence.views.traceability.detail import detail
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import Matrix, build, counts
 from evidence.views.traceability.page import page
 from evidence.views.traceability.problems import notes, problems
-from evidence.views.traceability.project import PAGE, Project, find_project, read_project
+from evidence.views.traceability.project import PAGE, Project, read_project
 
 GAPS, UNREADABLE = 1, 2
 
@@ -21,19 +22,18 @@ GAPS, UNREADABLE = 1, 2
 @click.option("--write", is_flag=True, help="Write traceability.md.")
 @click.option(
     "--project",
-    "folder",
+    "root",
     type=click.Path(path_type=Path, file_okay=False),
-    help="The project's folder. Default: the checkout around the current folder.",
+    default=ROOT,
+    help="The project's folder; this checkout by default.",
 )
 @click.argument("ids", nargs=-1, metavar="[ID]...")
-def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ...]) -> int:
+def requirements_command(*, write: bool, root: Path, ids: tuple[str, ...]) -> int:
     """Check that every requirement and every ambiguity has its entries, or a written reason.
 
-    With IDs: show where these are treated. Exit codes: 0 nothing is missing, 1 something is, or the pages are not up to
-    date, 2 something cannot be read.
+    With IDs: show where these are treated.
     """
     try:
-        root = folder or find_project(Path.cwd())
         project = read_project(root)
         matrix = build(project)
         if ids:
@@ -43,7 +43,8 @@ def requirements_command(*, write: bool, folder: Path | None, ids: tuple[str, ..
     except UnreadableError as error:
         click.echo(f"Error: {error}", err=True)
         return UNREADABLE
-    found = [*problems(project, matrix), *(f"{path}: not up to date: s7check requirements --write" for path in stale)]
+    outdated = [f"{path}: not up to date: s7spec views requirements --write" for path in stale]
+    found = [*problems(project, matrix), *outdated]
     click.echo(_summary(matrix))
     for note in notes(project):
         click.echo(f"note: {note}")
