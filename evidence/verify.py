@@ -18,8 +18,8 @@ from evidence.common.checkout import ROOT, SOFT_PLC, SOFT_PLC_PROGRAM
 from evidence.common.console import console
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
+from s7check.report.report import Report
 
 BUILD = ROOT / "build" / "verify"
 

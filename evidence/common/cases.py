@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from evidence.common.checkout import ROOT
 
 if TYPE_CHECKING:
-    from s7check.judging.verdict import Report
+    from s7check.report.report import Report
 
 TRACES = ROOT / "traces"
 

@@ -17,12 +17,12 @@ from s7check.asking.variants import Variant
 from s7check.coverage.measure import COMPLETE, Guard, judged
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.decisions import Decisions, decisions_of
-from s7check.judging.verdict import Report
 from s7check.kit.adapter import Ran
 from s7check.kit.program import Program
+from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.errors import UnusableLogError
+from s7check.report.report import Report
 from s7check.simulating.simulation import Simulation
 
 

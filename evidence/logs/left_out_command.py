@@ -27,8 +27,8 @@ from evidence.logs.random_logs import Generator, SoftPlcError
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
+from s7check.report.report import Report
 
 WORSE = 1
 

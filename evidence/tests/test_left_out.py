@@ -9,7 +9,7 @@ from click.testing import CliRunner
 from evidence.logs import left_out_command as command
 from evidence.logs.damage import Log
 from evidence.logs.drop import EVERY_KIND, subsets, without
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 
 LOG = Log({"cycle": True}, [{"event": name} for name in ("SET_TINT", "start", "clock", "stop", "interrupt", "load")])
 

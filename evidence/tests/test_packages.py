@@ -2,7 +2,11 @@
 
 import ast
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
+from importlib import import_module
 from pathlib import Path
+
+import pytest
 
 import evidence
 import s7check
@@ -20,6 +24,14 @@ ORDER = {
     "__main__": {"cli"},
 }
 """The packages of evidence/, and what each may import beside itself."""
+
+FLOORS = (
+    *("readable", "resources", "completion", "output", "program"),
+    *("log", "names", "letters", "engine", "report", "importing", "judging", "ending", "api"),
+    *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "coverage", "exploring", "trace_command"),
+    *("cli", "pytest_plugin", "__main__"),
+)
+"""The packages and modules of s7check from the ground up: each imports those before it."""
 
 
 def imported(package: str, folder: Path) -> Iterator[tuple[str, str]]:
@@ -41,6 +53,33 @@ def test_s7check_imports_no_tool_of_the_checkout() -> None:
     found = list(imported("s7check", Path(s7check.__path__[0])))
     assert len(found) > 100
     assert [pair for pair in found if pair[1].partition(".")[0] in ("evidence", "tests", "tree_sitter")] == []
+
+
+def test_s7check_imports_downwards() -> None:
+    """No package imports one that stands above it; `s7check` itself hands the names of the API on."""
+    found = list(imported("s7check", Path(s7check.__path__[0])))
+    assert {module.split(".")[1] for module, _ in found} - {"__init__"} == set(FLOORS)
+    height = {name: floor for floor, name in enumerate(FLOORS)}
+    wrong = [
+        (module, name)
+        for module, name in found
+        if name.startswith("s7check.") and module != "s7check.__init__" and name.split(".")[1] in height
+        if height[name.split(".")[1]] > height[module.split(".")[1]]
+    ]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("package", ["s7check", "evidence"])
+def test_no_circle_of_modules(package: str) -> None:
+    """Not even one that an import within a function hides."""
+    found = list(imported(package, Path(import_module(package).__path__[0])))
+    modules = {module for module, _ in found}
+    uses: dict[str, set[str]] = {module: set() for module in modules if not module.endswith(".__init__")}
+    for module, name in found:
+        if module in uses:
+            uses[module] |= {one for one in (name, name.rpartition(".")[0]) if one in uses}
+    assert sum(map(len, uses.values())) > 100
+    list(TopologicalSorter(uses).static_order())  # raises CycleError, which names the circle
 
 
 def test_packages_import_in_one_order() -> None:

@@ -11,7 +11,7 @@ __all__ = ["Checker", "Line", "NotAcceptedError", "Reading", "Report", "Verdict"
 
 if TYPE_CHECKING:
     from s7check.api import Checker, Line, NotAcceptedError, check
-    from s7check.judging.verdict import Reading, Report, Verdict
+    from s7check.report.report import Reading, Report, Verdict
 else:
 
     def __getattr__(name: str) -> object:

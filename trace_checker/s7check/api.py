@@ -12,13 +12,13 @@ from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import Judging, check_log
-from s7check.judging.chosen import Chosen
 from s7check.judging.replay import Replay, TooLongError, with_readings
-from s7check.judging.verdict import Reading, Report, Verdict
+from s7check.log.chosen import Chosen
 from s7check.log.errors import UnusableLogError
 from s7check.log.header import PROFILES
 from s7check.log.reader import read_log
 from s7check.log.tables import READINGS
+from s7check.report.report import Reading, Report, Verdict
 
 __all__ = ["Checker", "Line", "NotAcceptedError", "Reading", "Report", "Verdict", "check"]
 

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 import click
 
 from s7check.engine.command import EngineError
-from s7check.judging.verdict import EXIT_CODES
 from s7check.log.errors import UnusableLogError
+from s7check.report.report import EXIT_CODES
 
 
 @contextmanager

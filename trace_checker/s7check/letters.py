@@ -7,7 +7,7 @@ from typing import Any
 import click
 import msgspec
 
-from s7check.judging.chosen import Chosen
+from s7check.log.chosen import Chosen
 from s7check.log.errors import printable
 from s7check.log.header import PROFILES
 from s7check.log.profile_file import ENDING

@@ -9,21 +9,21 @@ from pathlib import Path
 
 import click
 
+from s7check.asking.onward import rejections
 from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
-from s7check.judging.chosen import NOTHING, Chosen
-from s7check.judging.onward import rejections
 from s7check.judging.replay import Replay, TooLongError, with_readings, with_steps
-from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
 from s7check.letters import Profile, set_option
+from s7check.log.chosen import NOTHING, Chosen
 from s7check.names import logs_of
 from s7check.output import echo, output_option, write_whole
 from s7check.report.as_json import to_json
 from s7check.report.as_text import TextReports
 from s7check.report.progress import ProgressBar
+from s7check.report.report import Report
 
 _WHOLE = {
     "junit": "s7check.report.as_junit:to_junit",

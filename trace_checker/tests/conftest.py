@@ -9,7 +9,7 @@ import pytest
 from s7check import trace_command
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 
 FAKE_ENGINE = Path(__file__).with_name("fake_engine.py")
 

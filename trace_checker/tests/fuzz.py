@@ -27,12 +27,12 @@ from s7check import cli
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from s7check.judging.replay import FOLLOWED, Replay, with_readings, with_steps
-from s7check.judging.verdict import Report
 from s7check.report.as_html import to_html
 from s7check.report.as_json import to_json
 from s7check.report.as_junit import to_junit
 from s7check.report.as_sarif import to_sarif
 from s7check.report.as_text import TextReports
+from s7check.report.report import Report
 from tests.shipped import CASES
 
 KEPT = Path("build") / "fuzz"

@@ -6,12 +6,13 @@ import sys
 import threading
 from pathlib import Path
 
+import click
 import pytest
 
 import s7check
 from s7check.engine import pool
 from s7check.engine.client import Engine
-from s7check.report.as_text import as_text
+from s7check.report.as_text import TextReports
 from tests.logs import HEADER, event, log_text
 from tests.shipped import log_of
 
@@ -28,7 +29,7 @@ def test_check_of_a_file() -> None:
     assert "AIRT-07" in report.requirements
     assert report.log == str(REJECTED)
     assert report.readings is None
-    assert str(report) == as_text(report)
+    assert str(report) == click.unstyle(TextReports().add(report))
     assert str(report).startswith(f"{REJECTED}:3: rejected: ")
 
 

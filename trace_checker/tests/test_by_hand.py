@@ -11,8 +11,8 @@ import pytest
 from evidence.common.cases import TRACES, Case, all_cases
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
 from s7check.judging.workers import Workers
+from s7check.report.report import Report
 
 DOCS = Path(__file__).parents[2] / "docs"
 CONSTANTS = re.compile(

@@ -18,8 +18,8 @@ from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
-from s7check.judging.verdict import Report
 from s7check.log.reader import Batch, read_log
+from s7check.report.report import Report
 from tests.conftest import FAKE_ENGINE
 from tests.logs import BEGIN, HEADER, event, log_text
 

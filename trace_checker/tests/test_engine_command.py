@@ -11,7 +11,7 @@ from s7check.engine.class_archive import archive_options
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_command
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 from tests.shipped import log_of
 
 

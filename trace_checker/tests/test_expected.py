@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from s7check import cli
-from s7check.judging.verdict import Report
 from s7check.log.source import open_log
 from s7check.log.values import instant, iso
+from s7check.report.report import Report
 from tests.logs import HEADER, event, log_text
 from tests.shipped import CASES, TRACES, log_of
 

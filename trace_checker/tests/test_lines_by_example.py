@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from s7check.engine.client import Engine
 from s7check.judging import check
 from s7check.judging.check import check_log
-from s7check.judging.verdict import Report
 from s7check.log import events, source
+from s7check.report.report import Report
 from tests.logs import HEADER, log_text
 from tests.shipped import CASES, TRACES
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from s7check.engine.answer import Candidate, Frame, Pending, Situation, Step
-from s7check.judging.verdict import Report
 from s7check.report.as_html import to_html
+from s7check.report.report import Report
 from tests.logs import event, log_text
 
 CHROMIUM = next(

@@ -8,7 +8,7 @@ import pytest
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 from tests.shipped import log_of
 
 LOGS = (

@@ -12,7 +12,7 @@ import pytest
 
 from evidence.common.cases import Case
 from s7check import cli
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 from tests.shipped import CASES, TRACES, log_of
 
 PROJECT = Path(cli.__file__).parents[2]

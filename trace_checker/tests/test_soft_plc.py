@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from s7check import cli
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 
 FOLDER = Path(cli.__file__).parents[2] / "examples" / "soft_plc"
 SCENARIOS = sorted(path.stem for path in (FOLDER / "scenarios").glob("*.json"))

@@ -1,7 +1,7 @@
 """The picture of a log."""
 
 from s7check.engine.answer import Frame, Pending, Situation, Step
-from s7check.judging.verdict import Report
+from s7check.report.report import Report
 from s7check.report.timeline import timeline
 from tests.logs import event, log_text
 

@@ -16,12 +16,12 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import rejection
 from s7check.judging.replay import Replay, with_readings
-from s7check.judging.verdict import EXIT_CODES
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
 from s7check.output import echo
 from s7check.report.as_json import to_json as report_to_json
 from s7check.report.as_text import TextReports
+from s7check.report.report import EXIT_CODES
 
 _HELP = """Say what may come after a log.
 

@@ -10,7 +10,7 @@ from s7check.asking.next_answer import NextAnswer
 from s7check.asking.rows import Row, rows
 from s7check.report import words
 from s7check.report.expected import format_allowed
-from s7check.report.lines import clause_text
+from s7check.report.report import clause_text
 
 _SHOWN = 3
 

@@ -10,12 +10,12 @@ from s7check.coverage.measure import Coverage, Guard, measure, together
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.decisions import decisions_of
-from s7check.judging.verdict import EXIT_CODES
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program
 from s7check.names import logs_of
 from s7check.output import deliver, output_option
 from s7check.report.progress import ProgressBar
+from s7check.report.report import EXIT_CODES
 
 _HELP = """Tell which rules logs exercise, and which they do not.
 

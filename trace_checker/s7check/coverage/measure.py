@@ -14,9 +14,8 @@ from s7check.engine import pool
 from s7check.engine.answer import Decision
 from s7check.engine.client import Engine
 from s7check.judging.check import Judging
-from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.decisions import Decisions, decisions_of
-from s7check.judging.verdict import Report, Verdict
+from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import OPERANDS
@@ -27,6 +26,7 @@ from s7check.log.profile_file import folder_of
 from s7check.log.reader import LogReader
 from s7check.log.source import open_log
 from s7check.log.values import word
+from s7check.report.report import Report, Verdict
 
 COMPLETE = frozenset(KINDS) - {"diag", "state"}
 """The kinds of event that a log may leave out, and then is judged by less."""

@@ -8,11 +8,11 @@ from importlib.resources import files
 import msgspec
 
 from s7check.coverage.measure import Coverage, Guard
-from s7check.judging.verdict import EXIT_CODES
 from s7check.kit.program import Program
 from s7check.log.errors import ranges
 from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
+from s7check.report.report import EXIT_CODES
 
 _MOST_PROGRAMS = 3
 """Programs named for a gap."""

@@ -14,7 +14,7 @@ from s7check.engine.command import EngineError
 from s7check.judging.replay import Replay, TooLongError
 from s7check.names import logs_of
 from s7check.output import echo, write_whole
-from s7check.report.lines import clause_text
+from s7check.report.report import clause_text
 
 _HELP = """Say which readings of the open questions logs leave.
 

@@ -17,7 +17,7 @@ from s7check.engine.client import Engine
 from s7check.explaining.sentences import by_itself, of_line
 from s7check.output import echo
 from s7check.report.expected import format_allowed
-from s7check.report.lines import clause_text
+from s7check.report.report import clause_text
 
 _HELP = """Tell a log in sentences, with the requirements behind them.
 

@@ -8,8 +8,8 @@ import click
 from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.judging.verdict import EXIT_CODES
 from s7check.log.errors import UnusableLogError
+from s7check.report.report import EXIT_CODES
 
 _LOOPBACK = "127.0.0.1"
 _HELP = """Serve a page on which a behaviour is built event by event.

@@ -20,7 +20,6 @@ from s7check.engine.client import Engine
 from s7check.exploring.library import Library
 from s7check.judging.check import rejection
 from s7check.judging.replay import FOLLOWED
-from s7check.judging.verdict import Report
 from s7check.kit.from_log import program_of
 from s7check.kit.layout import to_text
 from s7check.kit.program import Program, read_program
@@ -28,6 +27,7 @@ from s7check.log.events import OPERANDS
 from s7check.report import words
 from s7check.report.expected import format_allowed
 from s7check.report.markup import as_text
+from s7check.report.report import Report
 from s7check.report.timeline import timeline
 from s7check.simulating.simulation import Simulation
 

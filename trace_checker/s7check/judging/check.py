@@ -12,9 +12,8 @@ import click
 from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.judging.chosen import NOTHING, Chosen
 from s7check.judging.decisions import decisions_of
-from s7check.judging.verdict import Report
+from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.lines import Lines, split_lines
@@ -22,6 +21,7 @@ from s7check.log.profile_file import folder_of
 from s7check.log.reader import Batch, LogReader
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
+from s7check.report.report import Report
 
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""

@@ -10,14 +10,14 @@ from s7check.engine.answer import Alternatives, Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
-from s7check.judging.chosen import NOTHING, Chosen
-from s7check.judging.verdict import Reading, Report, Verdict
+from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.errors import UnusableLogError
 from s7check.log.profile_file import folder_of
 from s7check.log.reader import read_log
 from s7check.log.source import open_log
 from s7check.log.tables import PRIORITY_CPUS
 from s7check.report.clauses import clause, named
+from s7check.report.report import Reading, Report, Verdict
 
 LONGEST = 4 * 1024 * 1024
 """Bytes of a log that is judged again."""

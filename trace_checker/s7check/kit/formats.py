@@ -15,11 +15,11 @@ from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
 from s7check.judging.replay import Replay, with_steps
-from s7check.judging.verdict import Report
 from s7check.kit.results import STATES, Kept, Outcome, Result, outcomes
 from s7check.report.as_html import Sections, clauses
 from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
+from s7check.report.report import Report
 from s7check.report.timeline import legend
 
 _COLOURS = {"passed": "green", "failed": "red", "skipped": "yellow", "no verdict": "magenta", "not reached": "blue"}

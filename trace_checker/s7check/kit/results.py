@@ -8,8 +8,8 @@ from typing import Literal
 
 import msgspec
 
-from s7check.judging.verdict import Report, Verdict
 from s7check.report.clauses import requirements as all_requirements
+from s7check.report.report import Report, Verdict
 
 Status = Literal["passed", "failed", "skipped", "no verdict"]
 State = Literal["passed", "failed", "not reached", "skipped"]

@@ -17,7 +17,6 @@ import msgspec
 from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
-from s7check.judging.verdict import Report
 from s7check.kit.adapter import Adapter, Ran
 from s7check.kit.followed import departure
 from s7check.kit.offer import Offer
@@ -26,6 +25,7 @@ from s7check.kit.results import Result, result_of
 from s7check.log.jsonline import decode_object
 from s7check.reducing.candidate import as_text
 from s7check.reducing.reduction import reduce_log
+from s7check.report.report import Report
 
 _REDUCED = 3
 """Failed programs for a requirement whose logs are reduced."""

@@ -11,11 +11,11 @@ from s7check.asking.session import Session
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
-from s7check.judging.verdict import Report
 from s7check.log.elapsed import Clocks
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import read_event
 from s7check.log.header import read_header
+from s7check.report.report import Report
 
 Fields = Mapping[str, Any]
 

@@ -6,20 +6,19 @@ from pathlib import Path
 
 import click
 
+from s7check.asking.onward import rejections
 from s7check.completion import complete_files
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
-from s7check.judging.chosen import NOTHING
-from s7check.judging.onward import rejections
-from s7check.judging.verdict import EXIT_CODES, Report
+from s7check.log.chosen import NOTHING
 from s7check.log.errors import UnusableLogError
 from s7check.log.jsonline import decode_object
 from s7check.log.objects import objects
 from s7check.output import echo, write_whole
 from s7check.reducing.candidate import Fields, as_text
 from s7check.reducing.reduction import Reduction, reduce_log
-from s7check.report.lines import message, place
+from s7check.report.report import EXIT_CODES, Report, message, place
 
 _NOT_REJECTED = 1
 _BUDGET = 30.0

@@ -6,9 +6,9 @@ from datetime import datetime
 from typing import Any
 
 from s7check.engine.client import Engine
-from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError
 from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
+from s7check.report.report import Report
 
 _NEEDED = ("format", "cpu", "obs", "clock", "mode")
 """Fields that each header keeps; ``mode`` may be left out, but nobody knows its default by heart."""

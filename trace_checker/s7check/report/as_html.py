@@ -5,11 +5,10 @@ from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from xml.etree import ElementTree as Xml
 
-from s7check.judging.verdict import Report, Verdict
 from s7check.report import words
 from s7check.report.clauses import clause, named
-from s7check.report.lines import Cause, cause, message, place, readings, source
 from s7check.report.markup import Node, add, document, node
+from s7check.report.report import Cause, Report, Verdict, cause, message, place, readings, source
 from s7check.report.timeline import legend, timeline
 
 _CLASSES: dict[Verdict, str] = {

@@ -4,9 +4,9 @@ from typing import Any
 
 import msgspec
 
-from s7check.judging.verdict import Report
 from s7check.report import words
 from s7check.report.clauses import clause, named
+from s7check.report.report import Report
 
 
 def to_json(report: Report) -> bytes:

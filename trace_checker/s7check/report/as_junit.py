@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from xml.etree import ElementTree as Xml
 
-from s7check.judging.verdict import Report
-from s7check.report.lines import message, parts, place, source
+from s7check.report.report import Report, message, parts, place, source
 
 _KINDS = {"rejected": "failure", "unusable": "error", "no verdict": "error"}
 

@@ -8,9 +8,8 @@ from urllib.parse import quote
 import msgspec
 
 from s7check import __version__
-from s7check.judging.verdict import Report
 from s7check.report.clauses import clause
-from s7check.report.lines import message, parts, source
+from s7check.report.report import Report, message, parts, source
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _UNUSABLE = "unusable-log"

@@ -1,11 +1,11 @@
 """A few lines a log, for a terminal or a file."""
 
 from collections import Counter
+from functools import partial
 
 import click
 
-from s7check.judging.verdict import EXIT_CODES, Report
-from s7check.report.lines import Cause, Part, cause, decision, message, parts, place, readings, source
+from s7check.report.report import EXIT_CODES, Cause, Part, Report, cause, decision, in_text, parts, place, readings
 
 COLOURS = {"accepted": "green", "rejected": "red", "unusable": "yellow", "no verdict": "magenta"}
 
@@ -24,17 +24,7 @@ class TextReports:
         """The report; a cause that an earlier one has explained is named by that one's place."""
         self._verdicts[report.verdict] += not report.after
         self._deciding.update(report.requirements)
-        lines = [f"{place(report)}: {_coloured(report.verdict)}: {message(report)}"]
-        if report.event is not None:
-            lines.append(f"    {source(report.event)}")
-        for part in self._parts(report):
-            if len(part.lines) == 1 and part.heading:
-                lines.append(f"  {click.style(part.heading, bold=True)}: {part.lines[0]}")
-                continue
-            if part.heading:
-                lines.append(f"  {click.style(part.heading, bold=True)}:")
-            lines += [f"    {line}" for line in part.lines]
-        return "\n".join(lines)
+        return in_text(report, self._parts(report), _coloured(report.verdict), partial(click.style, bold=True))
 
     def _parts(self, report: Report) -> list[Part]:
         if report.verdict != "rejected":
@@ -59,8 +49,3 @@ class TextReports:
 
 def _coloured(verdict: str) -> str:
     return click.style(verdict, fg=COLOURS[verdict], bold=True)
-
-
-def as_text(report: Report) -> str:
-    """A single report, without colours."""
-    return click.unstyle(TextReports().add(report))

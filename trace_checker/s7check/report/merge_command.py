@@ -8,9 +8,9 @@ from typing import Any
 import click
 import msgspec
 
-from s7check.judging.verdict import EXIT_CODES, Verdict
 from s7check.log.errors import printable
 from s7check.output import deliver, output_option
+from s7check.report.report import EXIT_CODES, Verdict
 
 _HELP = """Merge reports of `s7check trace --format json` into one, with sums.
 

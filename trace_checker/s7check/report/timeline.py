@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from s7check.engine.answer import Pending, Situation
-from s7check.judging.verdict import Report
 from s7check.log.errors import UnusableLogError, printable, ranges
 from s7check.log.events import read_event
 from s7check.log.jsonline import decode_object
-from s7check.report.lines import source
 from s7check.report.markup import Node, add, node
+from s7check.report.report import Report, source
 
 _MOST = 80
 _AFTER = 2

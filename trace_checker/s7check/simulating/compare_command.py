@@ -15,7 +15,7 @@ from s7check.ending import ending
 from s7check.engine.client import Engine
 from s7check.kit.program import FORMAT
 from s7check.output import echo
-from s7check.report.lines import clause_text
+from s7check.report.report import clause_text
 from s7check.simulating.separation import log_of, separation
 from s7check.simulating.simulate_command import the_program
 from s7check.simulating.two_sides import difference_text

@@ -9,7 +9,7 @@ from s7check.asking.line_text import spelled
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.report.expected import format_allowed
-from s7check.report.lines import clause_text
+from s7check.report.report import clause_text
 from s7check.simulating.separation import Separation, log_of
 
 _WIDTH = 76

@@ -1,9 +1,10 @@
-"""The parts of a report that all formats for people share."""
+"""The report about one log: its fields, and the parts of it that all formats for people share."""
 
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
 
-from s7check.judging.verdict import Reading, Report
+from s7check.engine.answer import Candidate, Situation, Step
 from s7check.log.errors import printable
 from s7check.report import words
 from s7check.report.clauses import clause
@@ -11,6 +12,74 @@ from s7check.report.clauses import clause
 LONGEST_LINE = 400
 MOST_EXPECTED = 12
 _MOST_CANDIDATES = 6
+
+Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
+
+EXIT_CODES: dict[Verdict, int] = {"accepted": 0, "rejected": 1, "unusable": 2, "no verdict": 3}
+
+
+@dataclass(frozen=True)
+class Reading:
+    """The verdict about the same log under another header: ``change`` names the difference.
+
+    ``kind`` is the changed part, ``line`` the line that decides.
+    """
+
+    kind: Literal["cpu", "profile", "letter"]
+    change: str
+    verdict: Verdict
+    line: int | None = None
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdict about one log.
+
+    ``line`` is the physical line that decides, or None; ``events`` the number of events explained before it; ``event``
+    the text of the rejected line, or None if it is no longer at hand; ``expected`` the events that the specification
+    allows there; ``requirements`` the IDs that decide.
+
+    Of a rejected log also: ``late``, if the line comes too late: the events ``expected`` before it, and until when;
+    ``states``, the number of explanations of the lines before; ``situations``, those of the explanations nearest to the
+    line; ``candidates``, each an action with its first false conjunct. ``readings`` is None if no others were to be
+    tried; ``untried`` are readings for which there was no time. ``asked`` are the open questions whose letter the
+    verdict depends on, None if it may depend on any. ``lines`` are the log's lines from the first one, as
+    far as they are at hand, ``steps`` the situations after them. ``after`` says how the judging
+    went on behind the rejection before, if this is not the first.
+    """
+
+    log: str
+    verdict: Verdict
+    message: str
+    line: int | None = None
+    events: int = 0
+    event: bytes | None = None
+    expected: list[str] = field(default_factory=list)
+    requirements: list[str] = field(default_factory=list)
+    late: list[str] = field(default_factory=list)
+    states: int = 0
+    situations: list[Situation] = field(default_factory=list)
+    candidates: list[Candidate] = field(default_factory=list)
+    readings: list[Reading] | None = None
+    untried: list[str] = field(default_factory=list)
+    outcomes: list[int] = field(default_factory=list, repr=False)
+    open: list[int] = field(default_factory=list, repr=False)
+    classes: list[int] = field(default_factory=list, repr=False)
+    asked: list[str] | None = field(default=None, repr=False)
+    decided: list[str] = field(default_factory=list)
+    decidable: int = 0
+    lines: list[bytes] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+    after: str = ""
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code that the verdict stands for."""
+        return EXIT_CODES[self.verdict]
+
+    def __str__(self) -> str:
+        """The report as ``s7check trace`` prints it, without colours."""
+        return in_text(self, parts(self), self.verdict)
 
 
 Cause = tuple[str, tuple[str, ...], tuple[tuple[str, str], ...]]
@@ -45,6 +114,23 @@ def message(report: Report) -> str:
         return f"{report.message}; judged on after {report.after}" if report.after else report.message
     met = f"; {len(report.decided)} of {report.decidable} requirements decided something" if report.decidable else ""
     return f"{report.message} ({report.events} events){met}"
+
+
+def in_text(
+    report: Report, shown: Iterable[Part], verdict: str, heading: Callable[[str], str] = lambda text: text
+) -> str:
+    """The verdict, in such a spelling, the line and these parts of the report."""
+    lines = [f"{place(report)}: {verdict}: {message(report)}"]
+    if report.event is not None:
+        lines.append(f"    {source(report.event)}")
+    for part in shown:
+        if len(part.lines) == 1 and part.heading:
+            lines.append(f"  {heading(part.heading)}: {part.lines[0]}")
+            continue
+        if part.heading:
+            lines.append(f"  {heading(part.heading)}:")
+        lines += [f"    {line}" for line in part.lines]
+    return "\n".join(lines)
 
 
 def parts(report: Report) -> Iterator[Part]:
