@@ -130,7 +130,7 @@ def all_cases(folder: Path = TRACES) -> list[Case]:
     files = sorted(folder.glob("*.txt"))
     if not files:
         raise FileNotFoundError(f"{folder}: no case file, *.txt")
-    return [case for file in files for case in read(file)]
+    return [case for file in files for case in read_cases(file)]
 
 
 def difference(case: Case, report: Report) -> str | None:
@@ -143,7 +143,7 @@ def difference(case: Case, report: Report) -> str | None:
     return f"{case.id}: expected {wanted}; got {got}: {report.message}"
 
 
-def read(file: Path) -> Iterator[Case]:
+def read_cases(file: Path) -> Iterator[Case]:
     """The cases of one file, whose name is their area. Raises `CasesError`, OSError."""
     area = file.stem
     defaults: dict[str, Any] = {"format": "s7-interrupt-log/1"}

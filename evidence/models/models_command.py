@@ -69,9 +69,9 @@ def _part(_context: click.Context, _option: click.Parameter, value: str) -> tupl
 @json_option
 @click.option(
     "--logs",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="FOLDER",
-    help="Write the behaviour of each violation as a log, FOLDER/NAME.ndjson.",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Write the behaviour of each violation as a case of this file.",
 )
 @click.option("-v", "--verbose", is_flag=True, help="Show TLC's whole output and whole traces.")
 @click.option(

@@ -172,13 +172,13 @@ def _limit(text: str, lines: int | None) -> str:
     return "\n".join([*split[:lines], f"... {len(split) - lines} lines left out, -v shows them ..."])
 
 
-def write_logs(folder: Path, results: list[Result]) -> None:
-    """Write the behaviour of each violation as a log; not of a lasso, and not of a model without System. OSError."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for result in results:
+def write_logs(file: Path, results: list[Result]) -> None:
+    """Write the behaviour of each violation as a case; not of a lasso, and not of a model without System. OSError."""
+    text = []
+    for result in sorted(results, key=lambda result: result.model.name):
         if result.outcome.kind not in ("invariant", "action"):
             continue
         states = behaviour(result.outcome.trace)
         if all(map(of_system, states)):
-            lines = [json.dumps(line) for line in as_log(states)]
-            (folder / f"{result.model.name}.ndjson").write_text("\n".join(lines) + "\n", encoding="utf-8")
+            text += [f"== {result.model.name} A\n", *(f"| {json.dumps(line)}\n" for line in as_log(states))]
+    file.write_text("".join(text), encoding="utf-8")

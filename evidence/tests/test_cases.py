@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from evidence import cli
-from evidence.common.cases import Case, CasesError, all_cases, read
+from evidence.common.cases import Case, CasesError, all_cases, read_cases
 
 DEFAULTS = "cpu=S7-300 obs=1,10 clock=2026-03-02T08:00:30.000 mode=RUN\n"
 
@@ -16,7 +16,7 @@ def cases(folder: Path, text: str) -> list[Case]:
     """The cases of a file with these lines behind its defaults."""
     file = folder / "AREA.txt"
     file.write_text(DEFAULTS + text, encoding="utf-8")
-    return list(read(file))
+    return list(read_cases(file))
 
 
 def lines(folder: Path, text: str) -> list[dict[str, object]]:

@@ -11,7 +11,7 @@ import jsonschema_rs
 import pytest
 
 from evidence import cli
-from evidence.common.cases import TRACES, Case, read
+from evidence.common.cases import TRACES, Case, read_cases
 from evidence.views.vectors import SCHEMA, vector
 
 Document = dict[str, Any]
@@ -32,7 +32,7 @@ def test_each_case_is_a_vector(pack: dict[str, Document]) -> None:
     left = dict(pack)
     for file in TRACES.rglob("*.txt"):
         document = left.pop(file.relative_to(TRACES).with_suffix(".json").as_posix())
-        cases = list(read(file))
+        cases = list(read_cases(file))
         assert document["numberOfTests"] == len(document["tests"]) == len(cases)
         for case, test in zip(cases, document["tests"], strict=True):
             assert (test["id"], test.get("line"), test["requirements"]) == (case.id, case.line, case.requirements)

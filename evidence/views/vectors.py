@@ -12,7 +12,7 @@ import click
 import msgspec
 
 import s7check
-from evidence.common.cases import TRACES, Case, CasesError, read
+from evidence.common.cases import TRACES, Case, CasesError, read_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
@@ -45,7 +45,7 @@ def vectors_command(output: Path) -> None:
         shutil.copy(SCHEMA, output)
         logs = 0
         for file in sorted(TRACES.rglob("*.txt")):
-            cases = list(read(file))
+            cases = list(read_cases(file))
             logs += len(cases)
             path = output / file.relative_to(TRACES).with_suffix(".json")
             path.parent.mkdir(exist_ok=True)

@@ -61,11 +61,6 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
         """The control of models/manifest.json in which TLC comes to it, such as "letter-49b-EndProp"."""
         return f"letter-{_short(self.letter)}-{self.formula}"
 
-    @property
-    def log(self) -> Path:
-        """The behaviour of the control as a log, from the checkout."""
-        return Path("models/letters") / f"{self.control}.ndjson"
-
 
 def _short(letters: str) -> str:
     return letters.replace("AMB-", "").replace(" ", "").replace(",", "-")

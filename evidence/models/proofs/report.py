@@ -57,7 +57,7 @@ def as_json(proofs: Proofs, answers: Answers) -> dict[str, Any]:
                 "action": cell.action,
                 "formula": f"{cell.formula}, {cell.letter}" if cell.letter else cell.formula,
                 "tried": cell.tried,
-                "log": cell.log.as_posix() if cell in proofs.contradicted else "",
+                "log": cell.control if cell in proofs.contradicted else "",
             }
             for cell in proofs.file.not_proved
         ],

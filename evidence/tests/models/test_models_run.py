@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from click.testing import CliRunner
 
+from evidence.common.cases import read_cases
 from evidence.models import canaries
 from evidence.models.models_command import models_command
 from s7check.engine.client import Engine
@@ -29,20 +30,20 @@ if TYPE_CHECKING:
 def test_a_violation_becomes_a_log(tmp_path: Path, jar: Path) -> None:
     """A control that changes a property: System has the behaviour, so that the trace checker accepts its log."""
     name = "neg-waiting-error-cancelled"
-    ran = CliRunner().invoke(models_command, ["--tlc", str(jar), "--logs", str(tmp_path / "logs"), name])
+    ran = CliRunner().invoke(models_command, ["--tlc", str(jar), "--logs", str(tmp_path / "logs.txt"), name])
     assert ran.exit_code == 0, ran.output
-    (log,) = (tmp_path / "logs").iterdir()
-    assert log.name == f"{name}.ndjson"
-    assert [json.loads(line).get("event") for line in log.read_text().splitlines()][-1] == "CAN_DINT"
+    (case,) = read_cases(tmp_path / "logs.txt")
+    assert case.name == name
+    assert json.loads(case.lines[-1])["event"] == "CAN_DINT"
     with Engine() as engine:
-        assert check_log(str(log), engine, lambda *_: None).verdict == "accepted"
+        assert check_log(str(case.put(tmp_path)), engine, lambda *_: None).verdict == "accepted"
 
 
 def test_a_violation_without_a_log(project: Project) -> None:
     """States of another specification, a lasso, a deadlock: no log, and no failure."""
-    folder = project.root / "logs"
-    assert project.run("--logs", str(folder))[0] == 0
-    assert list(folder.iterdir()) == []
+    file = project.root / "logs.txt"
+    assert project.run("--logs", str(file))[0] == 0
+    assert file.read_bytes() == b""
 
 
 def test_all_as_pinned(project: Project) -> None:

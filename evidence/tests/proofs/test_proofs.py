@@ -16,6 +16,7 @@ import msgspec
 import pytest
 
 from evidence.cli import main
+from evidence.common.cases import read_cases
 from evidence.common.checkout import MANIFEST as MODELS
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
@@ -554,15 +555,15 @@ def test_a_letter_that_is_left_out_is_refuted(proofs: Proofs) -> None:
     assert 'LetterOf75 \\in {"a"}' in text
 
 
-def test_what_a_letter_contradicts_is_in_a_log(proofs: Proofs) -> None:
+def test_what_a_letter_contradicts_is_in_a_log(proofs: Proofs, tmp_path: Path) -> None:
     """TLC comes to it by this letter alone, and the trace checker explains it; no log is of anything else."""
     cells = {cell.control: cell for cell in proofs.contradicted}
-    assert {f"{name}.ndjson" for name in cells} == {path.name for path in (ROOT / "models/letters").iterdir()}
+    logs = {case.name: case for case in read_cases(ROOT / "models" / "letters.txt")}
+    assert logs.keys() == cells.keys()
     with Engine() as engine:
-        for cell in cells.values():
-            header = json.loads((ROOT / cell.log).read_text().partition("\n")[0])
-            assert header["readings"] == named_letters(cell.letter)
-            report = check_log(str(ROOT / cell.log), engine, lambda *_: None)
+        for name, cell in cells.items():
+            assert logs[name].header["readings"] == named_letters(cell.letter)
+            report = check_log(str(logs[name].put(tmp_path)), engine, lambda *_: None)
             assert report.verdict == "accepted", str(report)
 
 

@@ -222,7 +222,7 @@ def proofs(text: str) -> list[Table]:
         for row in report["formulas"]
     ]
     left: list[list[Cell]] = [
-        [cell["formula"], cell["action"], cell["tried"], _linked(cell["log"])] for cell in report["not_proved"]
+        [cell["formula"], cell["action"], cell["tried"], cell["log"]] for cell in report["not_proved"]
     ]
     return [
         Table(
@@ -241,11 +241,6 @@ def proofs(text: str) -> list[Table]:
         ),
         *([Table(["formula", "action", "tried", "a behaviour, by TLC"], left, "Not proved")] if left else []),
     ]
-
-
-def _linked(log: str) -> str:
-    """A link from the page to a file of the checkout."""
-    return f"[{PurePath(log).stem}](../../{log})" if log else ""
 
 
 def _unknown(row: dict[str, Any]) -> str:
