@@ -46,7 +46,7 @@ _FACTORS = {
         "step7 once",
         "step7 minute",
         "step7 hourly",
-        "step7 past once",
+        "step7 past one-shot interrupt",
         "not activated",
         "delay",
         "delay again",
@@ -99,7 +99,7 @@ _ABOUT: dict[str, dict[str, tuple[str, ...]]] = {
     "source": {
         **dict.fromkeys(PERIODS, ("TINT-23", "TINT-33")),
         **{f"step7 {kind}": ("TINT-04", "TINT-25") for kind in ("once", "minute", "hourly")},
-        "step7 past once": ("OBS-56",),
+        "step7 past one-shot interrupt": ("OBS-56",),
         "not activated": ("TINT-05",),
         "delay": ("DINT-03",),
         "delay again": ("DINT-07",),
@@ -192,8 +192,8 @@ class _Meeting:
             more["priority"] = {"10": 9, "20": 9, "35": 9}
         if choice["source"].startswith("step7"):
             kind = choice["source"].removeprefix("step7 ")
-            start = later(self._clock, -DAY) if kind == "past once" else self._start
-            execution = "once" if kind == "past once" else kind
+            start = later(self._clock, -DAY) if kind == "past one-shot interrupt" else self._start
+            execution = "once" if kind == "past one-shot interrupt" else kind
             more["step7"] = {"tod": {"10": {"execution": execution, "start": start, "active": True}}}
         return header(choice["cpu"], self._clock, mode, tuple(sorted(obs)), **more)
 

@@ -85,7 +85,6 @@ def test_letters_of_readings() -> None:
 
 WIDE = {
     "docs/checking/kit-results.md",
-    "docs/project/results.md",
     "docs/rules/differences.md",
     "docs/rules/experiments.md",
     "docs/rules/gallery.md",

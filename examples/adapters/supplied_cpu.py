@@ -84,7 +84,7 @@ class SuppliedCpu(ToyCpu):
         self.tods = self.configured(header.get("mode") == "STARTUP")
 
     def configured(self, restarted):
-        """What STEP 7 has set. A once in the past is called after a restart [OBS-56], else it is over."""
+        """What STEP 7 has set. A one-shot interrupt in the past is called after a restart [OBS-56], else it is over."""
         tods = {}
         for ob, given in self.step7.items():
             if given.get("execution", "none") == "none":
@@ -153,7 +153,7 @@ class SuppliedCpu(ToyCpu):
         self.waiting = [one for one in self.waiting if one[0] != ob]
 
     def used_up(self, ob):
-        """A once interrupt is over when its OB is called, or could not be [TINT-08, AMB-12, AMB-46]."""
+        """A one-shot interrupt is over when its OB is called, or could not be [TINT-08, AMB-12, AMB-46]."""
         tod = self.tods.get(ob)
         if tod and tod.period == ONCE and tod.next is None:
             del self.tods[ob]

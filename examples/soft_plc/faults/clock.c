@@ -27,7 +27,7 @@ static bool repeats(const struct s7cpu *cpu)
     return cpu->config.family != S7CPU_S7_300 && has(cpu, FAULT_REPEAT_S7_400);
 }
 
-/* Once interrupts whose OB runs and whose point lies ahead again. */
+/* One-shot interrupts whose OB runs and whose point lies ahead again. */
 static void arm_again(struct s7cpu *cpu, int64_t before)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {

@@ -101,7 +101,7 @@ static const struct {
                             "a blocked time error without OB 80 stops the CPU [IRT-01, AMB-23]"},
     [FAULT_IRT_DROPS_QUEUED] = {"irt-drops-queued", "SFC 39 drops requests that wait [AMB-72]"},
     [FAULT_IRT_JOB_STAYS] = {
-        "irt-job-stays", "a blocked once or delay stays active when it is lost [DINT-20, AMB-12]"},
+        "irt-job-stays", "a blocked one-shot interrupt or delay stays active when it is lost [DINT-20, AMB-12]"},
     [FAULT_IRT_NO_STATUS] = {"irt-no-status", "STATUS bit 1 is always 0 [IRT-17, TINT-73]"},
     [FAULT_IRT_CLASS_FIRST] = {"irt-class-first",
                                "MODE 01 means the first OB of the class only [IRT-07]"},
@@ -134,7 +134,7 @@ static const struct {
                              "a missing OB 82, 83 or 86 does not stop the CPU [OBS-23]"},
     [FAULT_FIFO] = {"fifo", "the oldest request goes first, whatever its class [OBS-03, AMB-69]"},
     [FAULT_ONCE_RUNS_TWICE] = {"once-runs-twice",
-                               "a clock set back inside its OB arms a once again [CLK-12]"},
+                               "a clock set back inside its OB arms a one-shot interrupt again [CLK-12]"},
     [FAULT_BACK_BLOCKS_NEW] = {"back-blocks-new",
                                "S7-400: after the clock went back a new setting waits for the old "
                                "time [CLK-09, AMB-57]"},

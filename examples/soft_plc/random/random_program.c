@@ -87,7 +87,7 @@ static int64_t clamp(int64_t t)
 static void draw_sdt(struct random_program *r, int64_t now, int period, struct s7cpu_date *c)
 {
     int64_t t = now;
-    if (period == 0 && percent(r, 80)) /* a once that is not past */
+    if (period == 0 && percent(r, 80)) /* a one-shot interrupt that is not past */
         t += between(r, 1, 2) * S7CPU_MINUTE;
     else if (percent(r, 80))
         t += between(r, -2, 3) * S7CPU_MINUTE;

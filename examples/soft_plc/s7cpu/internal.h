@@ -133,7 +133,7 @@ void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point);
 void s7_tod_ended(struct s7cpu *cpu, int ob);
 
 /* tod.c */
-/* A once interrupt is over: its OB was called, or would have been and is missing [TINT-08,
+/* A one-shot interrupt is over: its OB was called, or would have been and is missing [TINT-08,
  * AMB-46]. */
 void s7_tod_used_up(struct s7cpu *cpu, int ob);
 /* Drops what SFCs have set; the STEP 7 parameters apply [OBS-50]. */
@@ -175,7 +175,7 @@ struct s7cpu_state s7_state(const struct s7cpu *cpu, int ob);
 /* irt.c: SFC 39 and 40 */
 int s7_irt_disable(struct s7cpu *cpu, int mode, int ob_nr);
 int s7_irt_enable(struct s7cpu *cpu, int mode, int ob_nr);
-/* True where a start event of OB 10 to 23 is lost; a once interrupt is over with it. */
+/* True where a start event of OB 10 to 23 is lost; a one-shot interrupt is over with it. */
 bool s7_irt_loses(struct s7cpu *cpu, int ob);
 
 /* irt_mask.c: the mask of every OB */

@@ -50,8 +50,8 @@ int s7_irt_enable(struct s7cpu *cpu, int mode, int ob_nr)
     return ret;
 }
 
-/* The event is lost and its point used up [IRT-04, IRT-18, DINT-20]; AMB-12, reading a: a once
- * interrupt is over then. */
+/* The event is lost and its point used up [IRT-04, IRT-18, DINT-20]; AMB-12, reading a: a
+ * one-shot interrupt is over then. */
 bool s7_irt_loses(struct s7cpu *cpu, int ob)
 {
     if (!s7_irt_blocks(cpu, ob))

@@ -94,16 +94,16 @@ struct s7cpu_choices {
     /* OBS-03, AMB-69 (a): of interrupts that occurred in this moment the lowest class starts
      * first, to be interrupted at once; else the highest. */
     bool lowest_of_a_moment_first;
-    /* AMB-34: STATUS bit 2 of a once interrupt is 0 from its request on; else 1 until it starts. */
+    /* AMB-34: STATUS bit 2 of a one-shot interrupt is 0 from its request on; else 1 until its start. */
     bool waiting_once_is_inactive;
     /* AMB-49: a missing OB stops the CPU when SFC 42 ends the delay; else at once. */
     bool stop_waits_for_delay;
     /* AMB-56, S7-400 and CPU 318, clock back: points after the last one for which the OB was called
      * are served; else none before the point that was next. */
     bool uncalled_points_are_served;
-    /* AMB-60: SFC 30 for a once interrupt that waits answers 80A1; else 0000. */
+    /* AMB-60: SFC 30 for a one-shot interrupt that waits answers 80A1; else 0000. */
     bool waiting_once_is_past;
-    /* AMB-71: a once interrupt is over at the end of its OB; else at the start. */
+    /* AMB-71: a one-shot interrupt is over at the end of its OB; else at the start. */
     bool once_ends_with_its_ob;
     /* AMB-79: seconds 60 to 99 of SDT are ignored; else 8091. */
     bool wrong_seconds_are_ignored;
@@ -121,8 +121,8 @@ struct s7cpu_config {
     int priority[S7CPU_OBS]; /* 0: default class; s7cpu_class_range() says which may differ */
     struct s7cpu_step7 step7[S7CPU_TODS]; /* OB 10 + index */
     int64_t clock;
-    /* STOP, STARTUP or RUN. In RUN OB 1 is running and its past STEP 7 once is over; in STARTUP
-     * OB 100 is running, if it is loaded. */
+    /* STOP, STARTUP or RUN. In RUN OB 1 is running and its past STEP 7 one-shot interrupt
+     * is over; in STARTUP OB 100 is running, if it is loaded. */
     enum s7cpu_mode mode;
     int buffer; /* start events from outside that a class holds, 1 or more */
 };
@@ -210,7 +210,7 @@ typedef void s7cpu_sink(void *context, const struct s7cpu_event *event);
 /* A time-of-day interrupt, OB 10 + index. */
 struct s7cpu_tod {
     bool set, active;
-    bool called; /* a once interrupt whose OB runs */
+    bool called; /* a one-shot interrupt whose OB runs */
     int64_t start;
     int period;
     int64_t next;   /* the point that is due next; S7CPU_NEVER where none is left */

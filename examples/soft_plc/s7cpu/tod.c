@@ -34,7 +34,7 @@ static void take_step7(struct s7cpu *cpu, int k)
     t->active = s->active;
     t->start = s->start;
     t->period = period_of(s->execution);
-    if (t->active) /* [OBS-56]: a once is called even where it is past */
+    if (t->active) /* [OBS-56]: a one-shot interrupt is called even where it is past */
         t->next = t->period == PERIOD_ONCE ? t->start
                                            : s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
 }
@@ -49,7 +49,7 @@ void s7_tod_begin_running(struct s7cpu *cpu)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         take_step7(cpu, k);
-        if (cpu->tod[k].next < s7cpu_clock(cpu)) /* the past once had its run */
+        if (cpu->tod[k].next < s7cpu_clock(cpu)) /* the past one-shot interrupt had its run */
             s7_tod_used_up(cpu, S7CPU_TOD_FIRST + k);
     }
 }

@@ -1,6 +1,6 @@
-/* A once interrupt is cancelled by the call of its OB [TINT-08], AMB-08 (reading a). AMB-71, a or
- * c: when the OB starts or when it ends; a clock that is set back meanwhile does not arm it again
- * [CLK-12], and a SET_TINT inside the OB lasts [TINT-65]. */
+/* A one-shot interrupt is cancelled by the call of its OB [TINT-08], AMB-08 (reading a). AMB-71,
+ * a or c: when the OB starts or when it ends; a clock that is set back meanwhile does not arm it
+ * again [CLK-12], and a SET_TINT inside the OB lasts [TINT-65]. */
 #include "internal.h"
 
 void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
@@ -16,7 +16,7 @@ void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
 }
 
 /* AMB-46, reading a: a missing OB counts as called: its point is over, a periodic one stays active,
- * a once is used up. */
+ * a one-shot interrupt is used up. */
 void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point)
 {
     cpu->tod[ob - S7CPU_TOD_FIRST].served = point;

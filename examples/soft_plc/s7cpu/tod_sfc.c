@@ -26,7 +26,7 @@ static int64_t start_point(const struct s7cpu_date *sdt)
     return s7cpu_ms(&start);
 }
 
-/* [TINT-36, TINT-37, TINT-61, TINT-62], AMB-02: only a once interrupt can be past; equal is not
+/* [TINT-36, TINT-37, TINT-61, TINT-62], AMB-02: only a one-shot interrupt can be past; equal is not
  * (AMB-37). */
 static bool is_past(const struct s7cpu *cpu, int64_t start, int period)
 {
