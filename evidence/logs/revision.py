@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+
+from evidence.common.cases import Case, all_cases
 
 
 class RevisionError(ValueError):
@@ -33,13 +37,18 @@ class Checkout:
         """The folder of the manifest and the reasons."""
         return self.root / "models"
 
-    def logs(self) -> dict[str, Path]:
-        """The logs that it ships, by verdict and file name: a log may move to another folder and stays the same."""
-        files = [path for path in (self.root / "traces").rglob("*") if path.is_file()]
-        return {f"{p.parent.name}/{p.name}": p for p in sorted(files) if p.parent.name in VERDICT_FOLDERS}
+    def cases(self) -> list[Case]:
+        """Its cases; before they were text, an area had a file for each log, and an index. Raises `CasesError`."""
+        traces = self.root / "traces"
+        indexes = sorted(traces.glob("*/index.json"))
+        indexed = [_of_index(entry, index.parent) for index in indexes for entry in json.loads(index.read_bytes())]
+        return indexed or all_cases(traces)
 
 
-VERDICT_FOLDERS = ("accept", "reject", "unusable")
+def _of_index(entry: dict[str, Any], area: Path) -> Case:
+    path = area / entry["file"]
+    said = entry["verdict"], entry.get("line"), entry["requirements"], entry["reason"]
+    return Case(area.name, path.name.partition(".")[0], *said, path.read_bytes(), packed=path.suffix == ".gz")
 
 
 def find(root: Path, name: str) -> str:

@@ -7,9 +7,25 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from evidence.common.cases import Case
 from evidence.logs.since_judging import Judged
 
 NO_VERDICT = "no verdict"
+
+Content = tuple[str, ...]
+"""Header and events of a log, however they are spelled."""
+
+_WORDS = ("verdict", "line", "requirements", "reason")
+"""What a case says of its log."""
+
+
+@dataclass(frozen=True)
+class Logs:
+    """The cases of a checkout, with the file and the content of each log, by the names of the cases."""
+
+    cases: Mapping[str, Case]
+    files: Mapping[str, Path]
+    content: Mapping[str, Content]
 
 
 @dataclass(frozen=True)
@@ -37,18 +53,34 @@ class Comparison:
     notes: list[str] = field(default_factory=list)
 
 
-def renamed(before: Mapping[str, Path], now: Mapping[str, Path]) -> dict[str, str]:
-    """The name in this checkout of each earlier log that is still there, under its name or with its very text."""
-    by_text: defaultdict[bytes, list[str]] = defaultdict(list)
-    for name, path in now.items():
+def renamed(before: Mapping[str, Content], now: Mapping[str, Content]) -> dict[str, str]:
+    """The name in this checkout of each earlier log that is still there, under its name or with its very content."""
+    by_content: defaultdict[Content, list[str]] = defaultdict(list)
+    for name, content in now.items():
         if name not in before:
-            by_text[path.read_bytes()].append(name)
+            by_content[content].append(name)
     found = {}
-    for name, path in before.items():
+    for name, content in before.items():
         if name in now:
             found[name] = name
-        elif same := by_text[path.read_bytes()]:
+        elif same := by_content[content]:
             found[name] = same.pop(0)
+    return found
+
+
+def cases(before: Logs, now: Logs, names: Mapping[str, str]) -> Comparison:
+    """Compare what logs consist of; other words about them are noted. `names` maps earlier names to present ones."""
+    found = Comparison("cases with the same events and words", new=len(now.cases) - len(names))
+    for old, new in names.items():
+        was, case = before.cases[old], now.cases[new]
+        words = [name for name in _WORDS if getattr(was, name) != getattr(case, name)]
+        if before.content[old] != now.content[new]:
+            found.differences.append(Difference(f"case/{old}", "its log has other events"))
+        elif words:
+            found.notes.append(f"case/{old}: another {', '.join(words)}")
+        else:
+            found.same += 1
+            found.moved += old != new
     return found
 
 

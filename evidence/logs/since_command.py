@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from evidence.common.cases import CasesError
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
 from evidence.common.options import json_option, write_json
 from evidence.common.processes import Processes
@@ -20,8 +21,10 @@ from evidence.logs import since_report as report
 from evidence.logs.random_logs import Generator, SoftPlcError
 from evidence.logs.revision import BuildError, Checkout, RevisionError, checkout, find
 from evidence.logs.since_judging import judge
+from evidence.tla import log_as_tla
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.log.errors import UnusableLogError
 
 DIFFERENT = 1
 
@@ -42,17 +45,17 @@ WANTED = ROOT / "docs" / "rules" / "since"
 def since_command(revision: str, logs: int, seed: int, expected: Path | None, json_path: Path | None) -> None:
     """Compare this checkout with revision REV: verdict and line of every log, pins of every model, reasons.
 
-    REV is built below build/since, which takes minutes the first time. Both judge the shipped logs and the same random
-    ones.
+    REV is built below build/since, which takes minutes the first time. Both judge the logs of their cases and the same
+    random ones.
     """
-    usage = (RevisionError, pins.PinsError, ReasonsError, OSError)
+    usage = (RevisionError, CasesError, pins.PinsError, ReasonsError, OSError)
     with session(Processes(), usage, (BuildError, SoftPlcError, EngineError)) as console:
         commit = find(ROOT, revision)
         expected = expected or _wanted(commit)
         excuses = read(expected, Excuse) if expected else []
         click.echo(f"building {commit[:12]}")
         before, now = checkout(ROOT, commit), Checkout(ROOT)
-        comparisons = [_shipped(before, now, click.echo)]
+        comparisons = _shipped(before, now, click.echo)
         if logs:
             comparisons.append(_random(before, now, logs, seed, click.echo))
         comparisons += _pins(before, now)
@@ -68,13 +71,31 @@ def _wanted(commit: str) -> Path | None:
     return next((path for path in sorted(WANTED.glob("*.json")) if commit.startswith(path.stem)), None)
 
 
-def _shipped(before: Checkout, now: Checkout, tell: Callable[[str], None]) -> compare.Comparison:
-    """Every shipped log has to get a verdict: two checkers that fail alike are no evidence."""
-    old, new = before.logs(), now.logs()
-    tell(f"judging {len(old)} and {len(new)} shipped logs")
-    found = compare.logs("shipped logs", "log", judge(before, old), judge(now, new), compare.renamed(old, new))
+def _shipped(before: Checkout, now: Checkout, tell: Callable[[str], None]) -> list[compare.Comparison]:
+    """Every log of a case has to get a verdict: two checkers that fail alike are no evidence."""
+    with tempfile.TemporaryDirectory(prefix="s7check-since-") as temporary:
+        old, new = _logs(before, Path(temporary) / "before"), _logs(now, Path(temporary) / "now")
+        tell(f"judging the logs of {len(old.cases)} and {len(new.cases)} cases")
+        names = compare.renamed(old.content, new.content)
+        found = compare.logs("logs of cases", "log", judge(before, old.files), judge(now, new.files), names)
     found.differences += found.undecided
-    return found
+    return [compare.cases(old, new, names), found]
+
+
+def _logs(checkout: Checkout, folder: Path) -> compare.Logs:
+    """The logs of a checkout, written to a folder and read by this one."""
+    cases = {case.id: case for case in checkout.cases()}
+    files = {name: case.put(folder) for name, case in cases.items()}
+    return compare.Logs(cases, files, {name: _content(file) for name, file in files.items()})
+
+
+def _content(file: Path) -> compare.Content:
+    """Of a log that cannot be read, the line."""
+    try:
+        header, events = log_as_tla.read(file)
+    except UnusableLogError as error:
+        return (f"line {error.line} cannot be read",)
+    return header, *events
 
 
 def _random(before: Checkout, now: Checkout, logs: int, seed: int, tell: Callable[[str], None]) -> compare.Comparison:

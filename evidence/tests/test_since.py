@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from evidence.common.cases import Case
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
 from evidence.common.reasons import Excuse, read
 from evidence.logs import since_command as command
@@ -22,10 +23,21 @@ import json, sys
 output, *logs = sys.argv[sys.argv.index("--output") + 1:]
 with open(output, "w") as file:
     for log in logs:
-        verdict, line, *ids = open(log).read().split()
+        verdict, line, *ids = json.loads(open(log).read().splitlines()[-1])["x_said"].split()
         report = {"verdict": verdict.replace("_", " "), "line": int(line) or None, "requirements": ids, "message": "so"}
         print(json.dumps(report), file=file)
 """
+TEXT = "traces/TINT.txt"
+
+
+def case(name: str, verdict: str, said: str, second: int) -> str:
+    """A case of which the command says this; the reader passes over the field x_said."""
+    fields = {"event": "run", "at": f"2026-03-02T06:00:0{second}", "x_said": said}
+    return f"== {name} {verdict} TINT-01\n# Why.\n0:00 hold\n| {json.dumps(fields)}\n"
+
+
+CASES = "cpu=S7-300 obs=1 clock=2026-03-02T06:00:00\n" + case("one", "A", "accepted 0", 1)
+CASES += case("two", "R3", "rejected 3 TINT-01", 2)
 MANIFEST = {"models": [{"name": "airt", "expect": {"exit": 0, "states": 7}}, {"name": "neg", "expect": {"exit": 12}}]}
 SURVIVORS = [{"id": "A/B/constant/01", "reason": "Out of reach."}, {"id": "A/C/constant/02", "reason": "As good."}]
 
@@ -51,8 +63,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     write(root / "Makefile", "setup:\n\tmkdir -p .venv/bin\n\tcp s7check .venv/bin/\n\tchmod +x .venv/bin/s7check\n")
     write(root / "s7check", S7CHECK)
     write(root / ".gitignore", "/build/\n/.venv/\n")
-    write(root / "traces" / "accept" / "one.ndjson", "accepted 0")
-    write(root / "traces" / "reject" / "two.ndjson", "rejected 3 TINT-01")
+    write(root / "traces" / "TINT.txt", CASES)
     write(root / "models" / "manifest.json", MANIFEST)
     write(root / "models" / "survivors.json", SURVIVORS)
     write(root / "models" / "witnesses.json", [])
@@ -76,17 +87,16 @@ def since(project: Path) -> Since:
 
 
 def test_nothing_differs(since: Since, project: Path) -> None:
-    """Also not if a log and a model are new, and a log is in another folder or has another name."""
-    write(project / "traces" / "accept" / "new.ndjson", "accepted 0")
+    """Also not if a log and a model are new, and a log has another name."""
+    text = CASES.replace("== one", "== uno") + case("new", "A", "accepted 0", 3)
+    write(project / "traces" / "TINT.txt", text)
     write(project / "models" / "manifest.json", {"models": [*MANIFEST["models"], {"name": "dint", "expect": {}}]})
-    (project / "traces" / "TINT" / "reject").mkdir(parents=True)
-    (project / "traces" / "reject" / "two.ndjson").rename(project / "traces" / "TINT" / "reject" / "two.ndjson")
-    (project / "traces" / "accept" / "one.ndjson").rename(project / "traces" / "accept" / "uno.ndjson")
     code, said = since()
     assert code == 0, said
     assert "no unexpected difference" in said
-    assert [line.split() for line in said.splitlines() if line.startswith(("shipped", "models"))] == [
-        ["shipped", "logs", "2", "1", "0", "0", "1"],
+    assert [line.split() for line in said.splitlines() if line.startswith(("cases", "logs", "models"))] == [
+        ["cases", "with", "the", "same", "events", "and", "words", "2", "1", "0", "0", "1"],
+        ["logs", "of", "cases", "2", "1", "0", "0", "1"],
         ["models", "and", "negative", "controls,", "pinned", "2", "0", "0", "0", "1"],
     ]
 
@@ -94,9 +104,10 @@ def test_nothing_differs(since: Since, project: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "content", "difference"),
     [
-        ("traces/accept/one.ndjson", "rejected 2", "log/accept/one.ndjson: accepted; now rejected at line 2: so"),
-        ("traces/reject/two.ndjson", "rejected 4", "rejected at line 3; now rejected at line 4: so"),
-        ("traces/reject/two.ndjson", "no_verdict 0", "rejected at line 3; now no verdict: so"),
+        (TEXT, CASES.replace("accepted 0", "rejected 2"), "log/TINT/one: accepted; now rejected at line 2: so"),
+        (TEXT, CASES.replace("rejected 3", "rejected 4"), "rejected at line 3; now rejected at line 4: so"),
+        (TEXT, CASES.replace("rejected 3", "no_verdict 0"), "rejected at line 3; now no verdict: so"),
+        (TEXT, CASES.replace("06:00:01", "06:00:09"), "case/TINT/one: its log has other events"),
         ("models/manifest.json", {"models": MANIFEST["models"][:1]}, "model/neg: exit 12; the model is gone"),
         ("models/manifest.json", {"models": [{"name": "airt", "expect": {"exit": 0, "states": 8}}]}, "now exit 0, sta"),
         ("models/survivors.json", SURVIVORS[:1], "survivor/A/C/constant/02: gone: As good."),
@@ -124,8 +135,8 @@ def test_the_projects_own_expected_differences(
     commit = subprocess.run(
         ["git", "-C", str(project), "rev-parse", "main"], capture_output=True, text=True, check=True
     )
-    write(project / "traces" / "reject" / "two.ndjson", "accepted 0")
-    wanted = [{"id": "log/reject/two.ndjson", "reason": "TINT-01: a rule."}]
+    write(project / TEXT, CASES.replace("rejected 3", "accepted 0"))
+    wanted = [{"id": "log/TINT/two", "reason": "TINT-01: a rule."}]
     write(tmp_path / "since" / "fffffff.json", wanted)
     assert since()[0] == 1
     write(tmp_path / "since" / f"{commit.stdout[:7]}.json", wanted)
@@ -147,42 +158,41 @@ def test_each_expected_difference_names_its_requirement(path: Path) -> None:
 
 def test_a_log_that_is_gone(since: Since, project: Path) -> None:
     """It is not passed over."""
-    (project / "traces" / "accept" / "one.ndjson").unlink()
+    write(project / TEXT, CASES.partition("== two")[0].replace("06:00:01", "06:00:09").replace("one", "other"))
     code, said = since()
     assert code == 1
-    assert "log/accept/one.ndjson: accepted; the log is gone" in said
+    assert "log/TINT/one: accepted; the log is gone" in said
 
 
 def test_no_verdict_is_none(since: Since, project: Path) -> None:
     """Two checkers that fail alike do not agree."""
-    write(project / "traces" / "accept" / "one.ndjson", "no_verdict 0")
+    write(project / TEXT, CASES.replace("accepted 0", "no_verdict 0"))
     git(project, "commit", "--all", "--message", "Second")
     code, said = since()
     assert code == 1
-    assert "log/accept/one.ndjson: no verdict: so" in said
+    assert "log/TINT/one: no verdict: so" in said
 
 
 def test_notes(since: Since, project: Path) -> None:
     """Other requirements, a reason that moved with its text, and an expectation that nothing meets are no failures."""
-    write(project / "traces" / "reject" / "two.ndjson", "rejected 3 TINT-02")
+    write(project / TEXT, CASES.replace("rejected 3 TINT-01", "rejected 3 TINT-02").replace("# Why.", "# Because."))
     write(project / "models" / "survivors.json", [SURVIVORS[0], SURVIVORS[1] | {"id": "A/D/constant/03"}])
     write(project / "expected.json", [{"id": "model/*", "reason": "Perhaps."}])
     code, said = since("main", "--expected", str(project / "expected.json"))
     assert code == 0, said
-    assert "note: log/reject/two.ndjson: requirements TINT-01; now TINT-02" in said
+    assert "note: log/TINT/two: requirements TINT-01; now TINT-02" in said
+    assert "note: case/TINT/two: another reason" in said
     assert "note: survivor/A/C/constant/02: now A/D/constant/03" in said
     assert "note: model/*: expected to differ, and nothing does" in said
 
 
 def test_json(since: Since, project: Path, tmp_path: Path) -> None:
     """The same for programs."""
-    write(project / "traces" / "accept" / "one.ndjson", "rejected 2")
+    write(project / TEXT, CASES.replace("accepted 0", "rejected 2"))
     assert since("main", "--json", str(tmp_path / "out.json"))[0] == 1
     document = json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))
     assert document["ok"] is False
-    assert [one["differences"][0]["id"] for one in document["compared"] if one["differences"]] == [
-        "log/accept/one.ndjson"
-    ]
+    assert [one["differences"][0]["id"] for one in document["compared"] if one["differences"]] == ["log/TINT/one"]
 
 
 def test_wrong_arguments_and_failures(since: Since, project: Path) -> None:
@@ -215,3 +225,19 @@ def test_random_logs() -> None:
     assert found.same + len(found.undecided) == 8
     assert found.same > 0
     assert found.differences == []
+
+
+def test_a_revision_with_a_file_for_each_log(tmp_path: Path) -> None:
+    """Verdict, line, requirements and reason stand in the index of an area."""
+    entry = {
+        "file": "reject/two.ndjson.gz",
+        "verdict": "rejected",
+        "line": 3,
+        "requirements": ["TINT-01"],
+        "reason": "No.",
+    }
+    write(tmp_path / "traces" / "TINT" / "index.json", [entry])
+    write(tmp_path / "traces" / "TINT" / "reject" / "two.ndjson.gz", "log")
+    (found,) = Checkout(tmp_path).cases()
+    assert found == Case("TINT", "two", "rejected", 3, ["TINT-01"], "No.", b"log", packed=True)
+    assert found.file == "TINT/reject/two.ndjson.gz"

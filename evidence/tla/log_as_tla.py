@@ -45,7 +45,7 @@ def module(name: str, files: Sequence[Path], invariant: str) -> str:
 
 
 def read(file: Path) -> tuple[str, list[str]]:
-    """The header and the events of a log, each with the fields that its line has."""
+    """The header and the events of a log, each with the fields that its line has, in one order."""
     header: dict[str, Any] = {}
     events: list[dict[str, Any]] = []
     with open_log(str(file)) as source:
@@ -87,7 +87,7 @@ def _event(event: dict[str, Any]) -> str:
 
 
 def _changed(record: str, fields: dict[str, str]) -> str:
-    return f"[{record} EXCEPT {', '.join(f'!.{name} = {text}' for name, text in fields.items())}]"
+    return f"[{record} EXCEPT {', '.join(f'!.{name} = {text}' for name, text in sorted(fields.items()))}]"
 
 
 def _set(values: Iterable[Any]) -> str:
