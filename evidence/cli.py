@@ -31,7 +31,7 @@ VIEWS = {
     "results": "evidence.views.results.results_command:results_command",
     "gallery": "evidence.views.gallery.gallery_command:gallery_command",
     "differences": "evidence.views.differences.differences_command:differences_command",
-    "cases": "evidence.logs.cases_command:cases_command",
+    "cases": "evidence.views.cases:cases_command",
     "vectors": "evidence.views.vectors:vectors_command",
     "site": "evidence.views.site.site_command:site_command",
 }

@@ -41,8 +41,10 @@ class Checkout:
         """Its cases; before they were text, an area had a file for each log, and an index. Raises `CasesError`."""
         traces = self.root / "traces"
         indexes = sorted(traces.glob("*/index.json"))
-        indexed = [_of_index(entry, index.parent) for index in indexes for entry in json.loads(index.read_bytes())]
-        return indexed or all_cases(traces)
+        if indexes:
+            return [_of_index(entry, index.parent) for index in indexes for entry in json.loads(index.read_bytes())]
+        by_hand = traces / "by_hand"
+        return all_cases(traces) + (all_cases(by_hand) if by_hand.is_dir() else [])
 
 
 def _of_index(entry: dict[str, Any], area: Path) -> Case:
