@@ -70,9 +70,7 @@ def _models() -> list[Row]:
         size = f"{len(models)} models, {states:,} distinct states"
         rows.append(Row(f"models: {kind}", _tlc(report), size, sum(m["seconds"] for m in models), failures))
     if code and not any(row.failures for row in rows):
-        rows.append(
-            Row("models", _tlc(report), "", seconds, [f"s7spec models ended with exit code {code}; see above"])
-        )
+        rows.append(Row("models", _tlc(report), "", seconds, [f"s7spec models ended with exit code {code}; see above"]))
     return rows
 
 

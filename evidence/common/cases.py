@@ -145,26 +145,27 @@ def difference(case: Case, report: Report) -> str | None:
 
 def read_cases(file: Path) -> Iterator[Case]:
     """The cases of one file, whose name is their area. Raises `CasesError`, OSError."""
-    area = file.stem
     defaults: dict[str, Any] = {"format": "s7-interrupt-log/1"}
-    drafts: dict[str, _Draft] = {}
+    drafts: list[_Draft] = []
     add: Callable[[str], None] = partial(_merge, defaults)
-    for number, line in _whole_lines(file.read_text(encoding="utf-8")):
-        try:
+    place = 0
+    try:
+        for place, line in _whole_lines(file.read_text(encoding="utf-8")):
             if line.startswith("== "):
-                draft = _Draft.begin(number, line, defaults)
-                if draft.name in drafts:
-                    raise ValueError(f"another name than {draft.name}, which an earlier case has")
-                drafts[draft.name], add = draft, draft.add
+                drafts.append(_Draft.begin(place, line, defaults))
+                add = drafts[-1].add
             elif line.strip() and not line.startswith("//"):
                 add(line)
-        except ValueError as error:
-            raise CasesError(f"{file}:{number}: expected {error}") from error
-    for draft in drafts.values():
-        try:
-            yield from draft.cases(area)
-        except ValueError as error:
-            raise CasesError(f"{file}:{draft.place}: expected {error}") from error
+        names = set[str]()
+        for draft in drafts:
+            place = draft.place
+            for case in draft.cases(file.stem):
+                if case.name in names:
+                    raise ValueError(f"another name than {case.name}, which an earlier case has")
+                names.add(case.name)
+                yield case
+    except ValueError as error:
+        raise CasesError(f"{file}:{place}: expected {error}") from error
 
 
 def _whole_lines(text: str) -> Iterator[tuple[int, str]]:
@@ -286,19 +287,21 @@ def _merge(header: dict[str, Any], line: str) -> None:
         if _REQUIREMENT.fullmatch(name):
             header["readings"] = {**header.get("readings", {}), name: value}
         elif group == "priority":
-            header[group] = {**header.get(group, {}), ob: int(value)}
+            header[group] = {**header.get(group, {}), ob: _number(name, value, 10)}
         elif group == "step7":
             header[group] = {"tod": {**header.get(group, {"tod": {}})["tod"], ob: _time_of_day(value)}}
         elif name == "obs":
-            header[name] = [int(number) for number in value.split(",")]
+            header[name] = [_number(name, number, 10) for number in value.split(",")]
         elif name == "records":
             header[name] = value.split(",")
         elif name == "as":
             header[name] = [_one_of(_BYTES_OF_FILE, change) for change in value.split(",")]
+        elif name in ("latency_ms", "up"):
+            header[name] = _number(name, value, 10)
         elif name == "cpu":
             header[name] = value.replace("_", " ")
         else:
-            header[name] = _JSON[value] if value in _JSON else int(value) if name in ("latency_ms", "up") else value
+            header[name] = _JSON.get(value, value)
 
 
 def _time_of_day(value: str) -> dict[str, object]:

@@ -156,6 +156,8 @@ def test_ends(tmp_path: Path) -> None:
         ("== a X\n", 2, "FIELD=VALUE"),
         ("== a\n", 2, "a verdict"),
         ("== a A\nas=zip\n", 3, "one of crlf"),
+        ("== a A obs=1,two\n", 2, "a whole number for obs"),
+        ("== a-2 A\n== a\n-> A\n-> A\n", 3, "another name than a-2"),
     ],
 )
 def test_wrong_lines(text: str, line: int, expected: str, tmp_path: Path) -> None:

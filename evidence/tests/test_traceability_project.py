@@ -1,6 +1,5 @@
 """``s7spec views requirements`` over this project."""
 
-
 import pytest
 
 from evidence import cli
