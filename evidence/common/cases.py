@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evidence.common.checkout import ROOT
+from s7check.log.events import FIELDS
 
 if TYPE_CHECKING:
     from s7check.report.report import Report
@@ -38,19 +39,10 @@ _EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "en": ("EN_IRT", ("mode", "ob", "ret")),
     "dair": ("DIS_AIRT", ("ret",)),
     "eair": ("EN_AIRT", ("ret",)),
-    "start": ("start", ("ob",)),
-    "end": ("end", ("ob",)),
-    "clock": ("clock", ("to",)),
-    "restart": ("restart", ("type",)),
-    "run": ("run", ()),
-    "hold": ("hold", ()),
-    "release": ("release", ()),
-    "stop": ("stop", ("cause",)),
-    "int": ("interrupt", ("ob", "flt_id")),
-    "load": ("load", ("ob",)),
-    "delete": ("delete", ("ob",)),
-    "diag": ("diag", ("id", "ob", "priority")),
-    "state": ("state", ("ob",)),
+    **{
+        "int" if name == "interrupt" else name: (name, tuple(field for field in fields if field != "info"))
+        for name, fields in FIELDS.items()
+    },
 }
 """Short name -> event and its operands; the last ones may be left out."""
 

@@ -90,7 +90,7 @@ def event_of(before: State, after: State) -> Line | None:
     if name in _UNSEEN:
         return None
     event = {"event": "stop" if name == "switch" else name, "at": moment(before["clock"])}
-    event.update(_FIELDS[name](step, after))
+    event.update(_FIELDS.get(name, _plain)(step, after))
     if name == "start" and (fault := _fault(before, step["ob"])):
         event["info"] = {"flt_id": f"16#{fault:02X}"}
     return event
@@ -132,12 +132,8 @@ def _sdt(date: dict[str, int]) -> str:
     return "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}".format(**date)
 
 
-def _nothing(_: Line, __: State) -> Line:
-    return {}
-
-
-def _ob(step: Line, _: State) -> Line:
-    return {"ob": step["ob"]}
+def _plain(step: Line, _: State) -> Line:
+    return {"ob": step["ob"]} if step["ob"] else {}
 
 
 def _interrupt(step: Line, _: State) -> Line:
@@ -169,16 +165,9 @@ _FIELDS: dict[str, Callable[[Line, State], Line]] = {
     "EN_IRT": _call("mode", "ob"),
     "DIS_AIRT": _call(),
     "EN_AIRT": _call(),
-    "start": _ob,
-    "end": _ob,
-    "run": _nothing,
     "stop": _stop,
-    "switch": _nothing,
     "interrupt": _interrupt,
     "clock": _clock,
-    "load": _ob,
-    "delete": _ob,
     "restart": _restart,
-    "hold": _nothing,
-    "release": _nothing,
 }
+"""Of events that have more than an OB or nothing."""

@@ -3,7 +3,6 @@ import { Model, asProgram, branch, fromLink, fromText, ndjson, toLink } from "./
 
 const $ = (id) => document.getElementById(id);
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
-const OF_THE_WORLD = ["clock", "interrupt", "restart", "hold", "release", "load", "delete"];
 const MANY = 6;
 const MANY_WAYS = "The log can be explained in very many ways, and only some of them were looked at.";
 const CALLS = {
@@ -231,11 +230,13 @@ function showLines() {
 function showPossible() {
   showTime();
   const here = view.possible;
-  const calls = Object.keys(CALLS).filter((name) => here.some((line) => line.event.event === name));
+  const names = [...new Set(here.map((line) => line.event.event))];
+  const calls = Object.keys(CALLS).filter((name) => names.includes(name));
+  const world = names.filter((name) => !OF_THE_CPU.includes(name) && !calls.includes(name));
   const groups = [
     ["The CPU", OF_THE_CPU.flatMap((name) => acts(name, here))],
     ["The program", calls.map((name) => call(name, here))],
-    ["The world", OF_THE_WORLD.flatMap((name) => acts(name, here))],
+    ["The world", world.flatMap((name) => acts(name, here))],
   ];
   const shown = groups.flatMap(([title, found]) => (found.length ? [h("h3", {}, title), ...found] : []));
   $("possible").replaceChildren(...shown);
