@@ -9,7 +9,7 @@ AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results clean site pictures
+.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results views kept clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -72,12 +72,12 @@ agreement-sample: setup  ## the same for 200 logs
 	$(BIN)/s7spec logs agree --logs 200
 
 TOY_RUN := $(BIN)/s7check kit run --offer examples/adapters/toy_offer.json
-kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU of the template and on awlsim; results in build/kit and docs/checking/kit-results.md
+kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU of the template and on awlsim; results in build/kit, outcomes in kit/implementations.ndjson
 	mkdir -p build/kit
 	$(BIN)/s7check kit run --output build/kit/soft_plc.html --output build/kit/soft_plc.json -- $(PLC) --kit
 	-$(TOY_RUN) --output build/kit/toy.html --output build/kit/toy.json -- $(BIN)/python examples/adapters/template.py
 	-PYTHONPATH=build/awlsim $(BIN)/s7check kit run --offer examples/adapters/awlsim_offer.json --output build/kit/awlsim.html --output build/kit/awlsim.json -- $(BIN)/python examples/adapters/awlsim_adapter.py
-	$(BIN)/s7check kit matrix --output docs/checking/kit-results.md soft_PLC=build/kit/soft_plc.json toy_CPU=build/kit/toy.json awlsim=build/kit/awlsim.json
+	$(BIN)/python -m evidence.kit.implementations soft_PLC=build/kit/soft_plc.json toy_CPU=build/kit/toy.json awlsim=build/kit/awlsim.json
 
 REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
@@ -110,8 +110,16 @@ bench: setup  ## speed of the trace checker beside TLC, kept for docs/project/re
 	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7spec views results bench)
 
 RUNS ?= --write
-results: setup  ## docs/project/results.md from the kept summaries; RUNS="models logs" runs these commands first
+results: setup  ## docs/project/results.md from the kept numbers; RUNS="models logs" runs these commands first
 	$(BIN)/s7spec views results $(RUNS)
+
+views: setup  ## build/views: pages, sources of experiments and the programs of the kit, from the kept data
+	$(BIN)/s7spec views make
+
+kept: setup  ## the kept data that are made by TLC and the soft PLC, anew: minutes; `make kit` keeps its outcomes itself
+	$(BIN)/s7spec kit paths --write
+	$(MAKE) $(KIT)
+	$(BIN)/s7spec kit reached --write
 
 site: setup  ## build/site: docs, specification and edge cases as static pages, with search, without network
 	$(BIN)/s7spec views site

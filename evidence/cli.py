@@ -27,6 +27,7 @@ KIT = {
     "faults": "evidence.kit.faults_command:faults_command",
 }
 VIEWS = {
+    "make": "evidence.views.views_command:make_command",
     "requirements": "evidence.views.traceability.requirements_command:requirements_command",
     "results": "evidence.views.results.results_command:results_command",
     "gallery": "evidence.views.gallery.gallery_command:gallery_command",

@@ -37,8 +37,12 @@ EXAMPLES = {"models/MCName.tla", "models/MCName.cfg", "docs/rules/since/REV.json
 
 
 def anchors(page: Path) -> set[str]:
-    """The places of a page that a link can name: its headings, as code hosts spell them, and its anchors."""
-    text = page.read_text(encoding="utf-8")
+    """The places of a page that a link can name."""
+    return anchors_of(page.read_text(encoding="utf-8"))
+
+
+def anchors_of(text: str) -> set[str]:
+    """The places in a text that a link can name: its headings, as code hosts spell them, and its anchors."""
     headings = (
         re.sub(r"[^\w\- ]", "", found.lower()).replace(" ", "-") for found in HEADING.findall(CODE.sub("", text))
     )

@@ -33,13 +33,6 @@ def test_the_trace_checker_accepts_each_log() -> None:
             assert report.verdict == "accepted", str(report)
 
 
-def test_page_is_up_to_date() -> None:
-    """`s7spec views gallery --write` makes it."""
-    assert command.PAGE.read_text() == command.page()
-    review = command.REVIEW.read_text()
-    assert review == command.with_index(review)
-
-
 def test_a_case_is_found_again() -> None:
     """By TLC, as shipped; and not where its goal is never reached."""
     case = next(one for one in cases() if one.name == "delay-taken-back-too-often")

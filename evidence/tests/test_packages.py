@@ -18,7 +18,7 @@ ORDER = {
     "mutants": {"common", "tla", "models"},
     "logs": {"common", "tla", "models"},
     "kit": {"common", "tla", "models"},
-    "views": {"common", "tla", "models"},
+    "views": {"common", "tla", "models", "kit"},
     "verify": {"common"},
     "cli": {"common"},
     "__main__": {"cli"},

@@ -20,13 +20,7 @@ from evidence.views.results.page import page, totals
 from evidence.views.results.records import Record, Table
 from evidence.views.results.runs import RUNS, SECOND
 
-GENERATED = {
-    "docs/project/results.md",
-    "docs/rules/traceability.md",
-    "docs/rules/differences.md",
-    "docs/rules/experiments.md",
-    "CHANGELOG.md",
-}
+GENERATED = {"docs/project/results.md", "CHANGELOG.md"}
 """Pages that may have numbers of runs; those of a change log are of its day."""
 
 COUNTED = (

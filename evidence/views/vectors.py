@@ -38,20 +38,25 @@ def vectors_command(output: Path) -> None:
     A log is valid, invalid from a line on, or acceptable under a reading that the sources leave open.
     """
     with session(Processes(), (CasesError, OSError), (EngineError,)) as console:
-        with Engine() as engine:
-            defaults = dict(engine.alternatives().defaults)
-        shutil.rmtree(output, ignore_errors=True)
-        output.mkdir(parents=True)
-        shutil.copy(SCHEMA, output)
-        logs = 0
-        for file in sorted(TRACES.rglob("*.txt")):
-            cases = list(read_cases(file))
-            logs += len(cases)
-            path = output / file.relative_to(TRACES).with_suffix(".json")
-            path.parent.mkdir(exist_ok=True)
-            document = vectors(file.stem, cases, defaults)
-            path.write_bytes(msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n")
-        plain(console, f"{output}: {logs} vectors")
+        plain(console, f"{output}: {write(output)} vectors")
+
+
+def write(output: Path) -> int:
+    """Write the files to a folder of their own; how many logs they have. Raises CasesError, OSError, EngineError."""
+    with Engine() as engine:
+        defaults = dict(engine.alternatives().defaults)
+    shutil.rmtree(output, ignore_errors=True)
+    output.mkdir(parents=True)
+    shutil.copy(SCHEMA, output)
+    logs = 0
+    for file in sorted(TRACES.rglob("*.txt")):
+        cases = list(read_cases(file))
+        logs += len(cases)
+        path = output / file.relative_to(TRACES).with_suffix(".json")
+        path.parent.mkdir(exist_ok=True)
+        document = vectors(file.stem, cases, defaults)
+        path.write_bytes(msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n")
+    return logs
 
 
 def vectors(area: str, cases: list[Case], defaults: Mapping[str, str]) -> dict[str, Any]:

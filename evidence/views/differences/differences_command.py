@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from evidence.views.differences.pages import RULES, differences_page, experiments_page, untold, verified, write_sources
+from evidence.views.differences.pages import untold, verified
 from evidence.views.differences.search import differences, experiments
 from evidence.views.differences.shorter import SHORTEST, filled, shorter, shortest_of_sides
 from s7check.engine.client import Engine
@@ -15,8 +15,7 @@ from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, GAPS, Kept, read_k
 @click.command("differences", short_help="Differences between CPUs, editions and readings, found by search.")
 @click.option("--search", is_flag=True, help="Search the programs of the kit anew; takes hours.")
 @click.option("--shorten", is_flag=True, help="Search for shorter logs, and for letters without one; takes an hour.")
-@click.option("--write", is_flag=True, help="Write the pages docs/rules/differences.md and experiments.md.")
-def differences_command(search: bool, shorten: bool, write: bool) -> int:
+def differences_command(search: bool, shorten: bool) -> int:
     """Run each program that is kept on both sides, and say how many still tell them apart."""
     with Engine() as engine:
         if search:
@@ -25,16 +24,12 @@ def differences_command(search: bool, shorten: bool, write: bool) -> int:
             write_kept(EXPERIMENTS, verified(engine, list(experiments(engine, programs, click.echo))))
         if search or shorten:
             _shorten(engine)
-        kept = {file: read_kept(file) for file in (DIFFERENCES, EXPERIMENTS)}
         code = 0
-        for file, all_kept in kept.items():
+        for file in (DIFFERENCES, EXPERIMENTS):
+            all_kept = read_kept(file)
             right = list(verified(engine, all_kept))
             click.echo(f"{file.name}: {len(right)} of {len(all_kept)} tell their sides apart")
             code = max(code, int(len(right) < len(all_kept)))
-        if write:
-            (RULES / "differences.md").write_text(differences_page(engine, kept[DIFFERENCES]), encoding="utf-8")
-            (RULES / "experiments.md").write_text(experiments_page(engine, kept[EXPERIMENTS]), encoding="utf-8")
-            write_sources(kept[EXPERIMENTS])
     return code
 
 

@@ -19,17 +19,12 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 
-PAGE = ROOT / "docs" / "rules" / "gallery.md"
-
-REVIEW = ROOT / "docs" / "rules" / "review.md"
-_BEGIN, _END = "<!-- The gallery, by `s7spec views gallery --write`. -->\n", "<!-- End of the gallery. -->\n"
-
 DIFFERS = 1
 
 
 @click.command(name="gallery", short_help="Edge cases, each the shortest behaviour that TLC finds.")
 @tlc_option
-@click.option("--write", is_flag=True, help="Write the logs and the page.")
+@click.option("--write", is_flag=True, help="Write the logs.")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> int:
     """Find each case again and compare it with its log in gallery/.
@@ -47,9 +42,6 @@ def gallery_command(jar: Path | None, write: bool, names: tuple[str, ...]) -> in
             if said:
                 wrong.add(case.name)
             plain(console, f"{case.name}: {said or 'found, accepted'}")
-        if write:
-            PAGE.write_text(page())
-            REVIEW.write_text(with_index(REVIEW.read_text()))
         plain(console, f"{len(chosen)} cases, {len(wrong)} not as they should be")
     return DIFFERS if wrong else 0
 
@@ -83,43 +75,3 @@ def _settled(case: Case, search: Search, write: bool) -> str:
     elif not case.log.exists() or case.log.read_text() != text:
         return f"TLC finds another behaviour than {case.log.relative_to(ROOT)}"
     return ""
-
-
-def page() -> str:
-    """The page of the cases: each with its text, its requirements and its log."""
-    parts = [_INTRODUCTION]
-    for case in cases():
-        heading = f'## <a id="{case.name}"></a>{case.title}'
-        parts.append(f"{heading}\n\n{case.told}\n\n{_clauses(case)}; {_log(case)}\n")
-    return "\n".join(parts)
-
-
-def with_index(text: str) -> str:
-    """The page of the design review with a row for each case. Raises ValueError without the marks around them."""
-    before, begin, rest = text.partition(_BEGIN)
-    _, end, after = rest.partition(_END)
-    if not begin or not end:
-        raise ValueError(f"{REVIEW.relative_to(ROOT)}: expected the marks around the gallery's table")
-    rows = [
-        f"| {number} | [{case.title}](gallery.md#{case.name}) | {_clauses(case)} | {_log(case)} |\n"
-        for number, case in enumerate(cases(), 1)
-    ]
-    head = "| | case | requirements | log |\n|---|---|---|---|\n"
-    return "".join([before, begin, "\n", head, *rows, "\n", end, after])
-
-
-def _clauses(case: Case) -> str:
-    return ", ".join(f"[{name}](requirements.md#{name})" for name in case.requirements)
-
-
-def _log(case: Case) -> str:
-    return f"[{case.name}](../../gallery/{case.log.name})"
-
-
-_INTRODUCTION = """# Gallery of edge cases
-
-Each case is a shortest behaviour of the specification that fulfils the predicates of the case. It is the shortest in a
-small world: [cases.json](../../gallery/cases.json) says which OBs, times and interventions of program and world TLC may
-use. `s7spec views gallery` finds all cases again. `s7check explore` opens each by one click: its timeline, the events
-that may come at any line, and why others may not. [review.md](review.md) tells eighteen longer cases step by step.
-"""

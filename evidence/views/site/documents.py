@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -37,14 +37,17 @@ class Document:
     files: set[Path] = field(default_factory=set)
 
 
-def document(source: Path, place: str) -> Document:
-    """Render a Markdown file of the checkout as the page `place`, such as ``rules/review.html``."""
+def document(source: Path, text: str, place: str, views: Container[Path]) -> Document:
+    """Render Markdown as the page `place`, such as ``rules/review.html``.
+
+    `source` is the file of the checkout that has the text, or would have it; `views` are files that would be there.
+    """
     parser = MarkdownIt("commonmark", {"html": True}).enable("table")
-    tokens = parser.parse(source.read_text(encoding="utf-8"))
+    tokens = parser.parse(text)
     files: set[Path] = set()
     for token in _all(tokens):
         if token.type == "link_open":
-            token.attrs["href"] = _address(str(token.attrs["href"]), source, place, files.add)
+            token.attrs["href"] = _address(str(token.attrs["href"]), source, place, views, files.add)
     sections = list(_sections(tokens, place))
     title = sections[0].title if sections else source.stem
     return Document(title, parser.renderer.render(tokens, parser.options, {}), sections, files)
@@ -65,13 +68,13 @@ def relative(to: str, place: str) -> str:
     return Path(os.path.relpath(to, Path(place).parent)).as_posix()
 
 
-def _address(address: str, source: Path, place: str, refer: Callable[[Path], None]) -> str:
+def _address(address: str, source: Path, place: str, views: Container[Path], refer: Callable[[Path], None]) -> str:
     if "://" in address or address.startswith("#"):
         return address
     found = _ADDRESS.fullmatch(address)
     assert found is not None
     target = (source.parent / found["path"]).resolve()
-    if not target.is_file() or not target.is_relative_to(ROOT):
+    if not (target.is_file() or target in views) or not target.is_relative_to(ROOT):
         return "#"
     to = page_of(target)
     if to.startswith("files/"):

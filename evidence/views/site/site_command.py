@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from importlib.resources import files
 from pathlib import Path
 
@@ -15,8 +15,10 @@ from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
 from evidence.common.session import session
+from evidence.views.made import views
 from evidence.views.site.documents import Document, Section, document, page_of, relative
 from evidence.views.site.modules import formulas, module_page
+from evidence.views.traceability.errors import UnreadableError
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
@@ -46,8 +48,9 @@ _CASES = ROOT / "gallery" / "cases.json"
 )
 def site_command(output: Path) -> int:
     """Write the pages. They load nothing from elsewhere and work from the file system."""
-    with session(Processes(), (OSError,), (EngineError,)) as console:
-        pages = dict(_pages())
+    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
+        made = {ROOT / place: text for place, text in views().items()}
+        pages = dict(_pages(made))
         if output.exists():
             shutil.rmtree(output)
         for place, page in pages.items():
@@ -57,18 +60,18 @@ def site_command(output: Path) -> int:
         for source in sorted({file for page in pages.values() for file in page.files}):
             target = output / page_of(source)
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, target)
+            target.write_bytes(made[source].encode() if source in made else source.read_bytes())
         _write_extras(output, [section for page in pages.values() for section in page.sections])
         plain(console, f"{len(pages)} pages in {output}")
     return 0
 
 
-def _pages() -> Iterator[tuple[str, Document]]:
-    for source in sorted((ROOT / "docs").rglob("*.md")):
-        if source.name == "README.md":
-            yield "index.html", document(source, "index.html")
-        else:
-            yield page_of(source), document(source, page_of(source))
+def _pages(made: Mapping[Path, str]) -> Iterator[tuple[str, Document]]:
+    kept = {source: source.read_text(encoding="utf-8") for source in (ROOT / "docs").rglob("*.md")}
+    for source, text in sorted({**kept, **made}.items()):
+        if source.suffix == ".md":
+            place = "index.html" if source.name == "README.md" else page_of(source)
+            yield place, document(source, text, place, made)
     yield from _modules()
     yield "gallery.html", _gallery()
 

@@ -15,9 +15,8 @@ _INTRODUCTION = """\
 # Traceability
 
 What each requirement of [requirements.md](requirements.md) has, and how `spec/` treats each ambiguity of
-[readings.md](readings.md). `s7spec views requirements --write` makes this page. `s7spec views requirements` fails where
-it is not up to date, and where a requirement has neither an entry nor a reason; `s7spec views requirements TINT-14`
-shows one requirement with files and lines.
+[readings.md](readings.md). `s7spec views requirements` fails where a requirement has neither an entry nor a reason;
+`s7spec views requirements TINT-14` shows one requirement with files and lines.
 
 | column | comes from |
 |---|---|

@@ -19,7 +19,6 @@ from s7check.report.clauses import Clause
 REQUIREMENTS = Path("docs/rules/requirements.md")
 READINGS = Path("docs/rules/readings.md")
 REASONS = Path("docs/rules/left_out.json")
-PAGE = Path("docs/rules/traceability.md")
 MODELS = Path("models")
 TRACES = Path("traces")
 PROOFS = Path("docs/project/results/proofs.json")
@@ -53,7 +52,7 @@ def read_project(root: Path) -> Project:
     for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):
         if not any(definition.tags for module in stating for definition in module.definitions):
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
-    paths = sorted({path for pattern in CITING for path in root.glob(pattern)} - {root / PAGE})
+    paths = sorted({path for pattern in CITING for path in root.glob(pattern)})
     return Project(
         documents.requirements(root / REQUIREMENTS),
         documents.ambiguities(root / READINGS),

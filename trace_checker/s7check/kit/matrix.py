@@ -8,7 +8,8 @@ from s7check.kit.results import Outcome
 from s7check.report.clauses import clause
 
 _MARKS = {"passed": "passed", "failed": "**failed**", "skipped": "skipped", "not reached": ""}
-_SHOWN = 3
+SHOWN = 3
+"""Failed programs that are named for a requirement."""
 
 
 def to_matrix(runs: Mapping[str, Sequence[Outcome]]) -> str:
@@ -43,6 +44,6 @@ def _cell(outcome: Outcome | None) -> str:
 
 
 def _programs(outcome: Outcome) -> str:
-    more = len(outcome.failed) - _SHOWN
-    shown = ", ".join(f"`{name}`" for name in outcome.failed[:_SHOWN])
+    more = len(outcome.failed) - SHOWN
+    shown = ", ".join(f"`{name}`" for name in outcome.failed[:SHOWN])
     return shown + (" and others" if more > 0 else "")

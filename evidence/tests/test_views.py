@@ -1,0 +1,63 @@
+"""The views: they are made, their links lead somewhere, and no copy of them is kept."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from evidence.common.checkout import ROOT
+from evidence.kit import kept_paths, measured
+from evidence.tests.test_docs import CODE, LINK, anchors_of
+from evidence.views import vectors, views_command
+from evidence.views.made import views
+
+
+@pytest.fixture(scope="module")
+def made() -> dict[Path, str]:
+    """All views."""
+    return views()
+
+
+def test_every_link_has_an_end(made: dict[Path, str]) -> None:
+    """In the checkout or among the views, as if they stood in the checkout."""
+    texts = {ROOT / place: text for place, text in made.items()}
+    dangling = []
+    for page, text in texts.items():
+        for link in LINK.findall(CODE.sub("", text)) if page.suffix == ".md" else ():
+            target, _, place = link.partition("#")
+            file = (page.parent / target).resolve() if target else page
+            there = texts.get(file) or (file.read_text(encoding="utf-8") if file.is_file() else None)
+            if "://" not in link and (there is None or (place and place not in anchors_of(there))):
+                dangling.append(f"{page.relative_to(ROOT)}: {link}")
+    assert dangling == []
+
+
+def test_none_is_tracked(made: dict[Path, str]) -> None:
+    """A copy in the repository would grow old."""
+    files = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\n")
+    assert not made.keys() & {Path(file) for file in files}
+
+
+def test_they_are_written(tmp_path: Path, made: dict[Path, str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the programs of the kit, and nothing else stays; data that are too old are named, and fail the command."""
+    output = tmp_path / "views"
+    output.mkdir()
+    (output / "old.md").write_text("")
+    monkeypatch.setattr(views_command, "views", lambda: made)
+    monkeypatch.setattr(vectors, "write", lambda folder: 7)
+    monkeypatch.setattr(kept_paths, "problems", list)
+    monkeypatch.setattr(measured, "problems", lambda: ["kit/reached.ndjson: older"])
+    result = CliRunner().invoke(views_command.make_command, ["--output", str(output)], standalone_mode=False)
+    assert result.return_value == views_command.STALE
+    assert re.search(
+        r": [0-9]+ pages and sources, [0-9]+ programs of the kit, 7 vectors\nkit/reached.ndjson: older\n", result.output
+    )
+    assert {file.relative_to(output) for file in output.rglob("*") if file.is_file()} == {
+        *made,
+        *(Path("kit/programs") / f"{area}.ndjson" for area in ("AIRT", "AMB", "CLK", "DINT", "IRT", "OBS", "TINT")),
+    }
+    monkeypatch.setattr(measured, "problems", list)
+    result = CliRunner().invoke(views_command.make_command, ["--output", str(output)], standalone_mode=False)
+    assert result.return_value == 0
