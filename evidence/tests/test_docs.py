@@ -87,23 +87,11 @@ def test_letters_of_readings() -> None:
     }
 
 
-WIDE = {
-    "docs/checking/kit-results.md",
-    "docs/rules/differences.md",
-    "docs/rules/experiments.md",
-    "docs/rules/gallery.md",
-    "docs/rules/review.md",
-    "docs/rules/traceability.md",
-}
-"""Pages that still have to become narrow."""
-
-
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
 def test_width(page: Path) -> None:
     """A line has at most 120 characters."""
     lines = page.read_text(encoding="utf-8").splitlines()
-    wide = [number for number, line in enumerate(lines, 1) if len(line) > 120]
-    assert wide == [] or page.relative_to(ROOT).as_posix() in WIDE
+    assert [number for number, line in enumerate(lines, 1) if len(line) > 120] == []
 
 
 def test_pages_were_found() -> None:
