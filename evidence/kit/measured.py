@@ -24,15 +24,16 @@ def write(origin: str, names: Iterable[str], of: Mapping[str, Json]) -> None:
 
 
 def _lines(of: Mapping[str, Json]) -> Iterator[Json]:
-    """A line for the programs that reach the same requirements, and one for each outcome of a guard."""
+    """A line for the programs that reach the same requirements, and one for the outcomes of guards of a definition."""
     alike: dict[str, list[str]] = {}
-    guards: dict[str, list[str]] = {}
+    guards: dict[str, dict[str, list[str]]] = {}
     for name, found in sorted(of.items()):
         alike.setdefault(" ".join(found["requirements"]), []).append(name)
         for guard in found["guards"]:
-            guards.setdefault(guard, []).append(name)
+            module, definition, outcome = guard.split("/", 2)
+            guards.setdefault(f"{module}/{definition}", {}).setdefault(outcome, []).append(name)
     yield from ({"requirements": names, "programs": alike[names]} for names in sorted(alike))
-    yield from ({"guard": guard, "programs": guards[guard]} for guard in sorted(guards))
+    yield from ({"definition": name, "guards": dict(sorted(guards[name].items()))} for name in sorted(guards))
 
 
 def problems(folder: Path = ROOT) -> list[str]:

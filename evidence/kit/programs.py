@@ -6,6 +6,7 @@ files to where the checkout's s7check looks for them.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -68,14 +69,13 @@ def by_area() -> dict[str, list[str]]:
 
 def reaches() -> dict[str, Json]:
     """What each program reaches that was measured, by its name. Raises OSError, ValueError."""
-    found: dict[str, Json] = {}
+    found: defaultdict[str, Json] = defaultdict(lambda: {"requirements": [], "guards": []})
     for line in read_lines(ROOT / REACHED):
         for name in line.get("programs", ()):
-            of = found.setdefault(name, {"requirements": [], "guards": []})
-            if "guard" in line:
-                of["guards"].append(line["guard"])
-            else:
-                of["requirements"] = line["requirements"].split()
+            found[name]["requirements"] = line["requirements"].split()
+        for outcome, names in line.get("guards", {}).items():
+            for name in names:
+                found[name]["guards"].append(f"{line['definition']}/{outcome}")
     return found
 
 
