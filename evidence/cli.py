@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from evidence.common.checkout import check_folder
+from evidence.common.checkout import ROOT
 from s7check.program import Commands, run
 
 COMMANDS = {
@@ -36,6 +36,17 @@ VIEWS = {
     "vectors": "evidence.views.vectors:vectors_command",
     "site": "evidence.views.site.site_command:site_command",
 }
+
+
+def check_folder(folder: Path) -> None:
+    """The tools read the files of ROOT. Raises `ClickException` for a folder in another checkout, or in none."""
+    here = folder.resolve()
+    around = next((f for f in (here, *here.parents) if (f / Path(__file__).relative_to(ROOT)).is_file()), None)
+    if around != ROOT:
+        place = f"in the checkout {around}" if around else "in no checkout"
+        raise click.ClickException(
+            f"{here} is {place}, but this s7spec checks {ROOT}: go there, or run another checkout's .venv/bin/s7spec"
+        )
 
 
 @click.group(cls=Commands, places=COMMANDS, context_settings={"help_option_names": ["-h", "--help"]})

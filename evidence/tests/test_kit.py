@@ -2,6 +2,8 @@
 
 import json
 import shutil
+import subprocess
+import sys
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -88,6 +90,13 @@ def test_files_are_written(tmp_path: Path) -> None:
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
         file.name: file.read_bytes() for file in KIT.iterdir()
     }
+
+
+def test_setup_py_makes_the_programs() -> None:
+    """Where pip builds the wheel there is msgspec, and none of the other packages that the tools use."""
+    hidden = ("click", "rich", "starlette", "tree_sitter", "tree_sitter_tlaplus")
+    script = f"import sys; sys.modules.update(dict.fromkeys({hidden})); import evidence.kit.programs"
+    subprocess.run([sys.executable, "-c", script], cwd=ROOT, check=True)
 
 
 @pytest.fixture

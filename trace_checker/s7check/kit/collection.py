@@ -8,7 +8,7 @@ from pathlib import Path
 
 from s7check.kit.program import Program, read_programs
 from s7check.log.errors import UnusableLogError
-from s7check.resources import KIT
+from s7check.resources import INSTALLED, KIT
 
 _ENDINGS = (".json", ".ndjson")
 
@@ -22,6 +22,9 @@ def programs_of(files: Sequence[Path] = ()) -> list[Program]:
 
     Raises UnreadableProgramError, also for a name that two programs have.
     """
+    if not files and not KIT.is_dir():
+        remedy = "install s7check again" if INSTALLED else "run `make setup`"
+        raise UnreadableProgramError(f"{KIT}: expected the folder with the programs of the kit: {remedy}")
     programs: dict[str, Program] = {}
     for file in _files(files or [KIT]):
         try:

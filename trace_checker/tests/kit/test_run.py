@@ -8,6 +8,7 @@ from xml.etree import ElementTree as Xml
 import pytest
 
 from s7check.cli import main
+from s7check.kit import collection
 from s7check.kit.offer import Offer
 from s7check.kit.program import read_program
 from s7check.kit.results import Result, outcomes
@@ -176,6 +177,15 @@ def test_wrong_arguments(folder: Path, capsys: pytest.CaptureFixture[str]) -> No
     file.write_text(json.dumps(program("right")), encoding="utf-8")
     assert main(["kit", "run", "--programs", str(file), "--", str(folder / "nowhere")]) == 2
     assert "cannot be started" in capsys.readouterr().err
+
+
+def test_no_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """In a checkout that was not set up the message says what to do."""
+    monkeypatch.setattr(collection, "KIT", tmp_path / "programs")
+    assert main(["kit", "list"]) == 2
+    assert f"{tmp_path / 'programs'}: expected the folder with the programs of the kit: run `make setup`" in (
+        capsys.readouterr().err
+    )
 
 
 def test_show_and_list(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
