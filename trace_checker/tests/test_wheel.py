@@ -185,6 +185,20 @@ def test_no_second_specification(unpacked: Path) -> None:
     assert not (PROJECT / "trace_checker" / "s7check" / "spec").exists()
 
 
+def test_programs_gallery_and_rules(unpacked: Path) -> None:
+    """The wheel has the kit's programs as the checkout makes them, and the files that are read there."""
+    package = unpacked / "s7check"
+    for folder, packed in ((resources.KIT, "programs"), (resources.GALLERY, "gallery")):
+        assert {file.name: file.read_bytes() for file in (package / packed).iterdir()} == {
+            file.name: file.read_bytes() for file in folder.iterdir()
+        }
+    for page in (package / "rules").iterdir():
+        assert page.read_bytes() == (resources.RULES / page.name).read_bytes()
+    assert {page.name for page in (package / "rules").iterdir()} == {"readings.md", "requirements.md"}
+    for name in ("differences.ndjson", "experiments.ndjson"):
+        assert (package / name).read_bytes() == (resources.FOUND / name).read_bytes()
+
+
 def test_nothing_to_build_the_engine_with(tmp_path: Path) -> None:
     """Without the engine and without Maven there is one sentence, not a wheel that does not work."""
     for name in ("setup.py", "pyproject.toml", "README.md", "LICENSE"):
