@@ -28,7 +28,7 @@ def test_no_checkout(
 
 def test_another_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """A work tree below this checkout is not this checkout."""
-    other = tmp_path / "evidence" / "common" / "checkout.py"
+    other = tmp_path / "evidence" / "cli.py"
     other.parent.mkdir(parents=True)
     other.touch()
     (tmp_path / "spec").mkdir()
