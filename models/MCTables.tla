@@ -45,6 +45,20 @@ LettersAgree ==
          /\ p[2] \in Letters(p[1]) \/ p = <<"AMB-06", "delay">>
     /\ Profile("") = {}
 
+(* [OBS-04] [OBS-05] [AMB-65] [AMB-73] [CLK-09] [CLK-10] An S7-300, and    *)
+(* the two other families, which differ in nothing here.                   *)
+FamiliesAgree ==
+    /\ FamilyNames = {"S7-300", "S7-400", "CPU 318"}
+    /\ Cardinality(KnownFamilies) = 3
+    /\ \A f \in KnownFamilies :
+         LET isS7300 == f.name = "S7-300"
+         IN  /\ f.errorClass = IF isS7300 THEN 26 ELSE 25
+             /\ f.settable <=> ~isS7300
+             /\ f.lacks = IF isS7300 THEN {30, 31, 32, 33, 34, 60, 70, 72}
+                                    ELSE {60, 70, 72}
+             /\ f.restarts = IF isS7300 THEN {"warm"} ELSE {"warm", "cold"}
+             /\ f.repeats <=> isS7300
+
 (* [OBS-04] Table 7.1; [OBS-05] OB 57 has the class that is set. *)
 ClassesInv ==
     /\ ClassOf(1) = 1
@@ -104,6 +118,7 @@ NamedInv == \A a \in Ambiguities : \A letter \in Letters(a) :
 (* TLC takes only formulas that depend on the state for an invariant. *)
 LettersInv == mode = "STOP" => LettersAgree
 MonthsInv  == mode = "STOP" => MonthsAgree
+FamiliesInv == mode = "STOP" => FamiliesAgree
 
 -----------------------------------------------------------------------------
 (* Readings *)

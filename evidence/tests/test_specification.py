@@ -7,7 +7,7 @@ from tree_sitter import Node
 from evidence.tests.test_witnesses import ROOT
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import read_modules
-from evidence.tla.syntax import Module, operand, references, token
+from evidence.tla.syntax import Module, operand, references, token, walk
 from s7check.resources import modules
 
 
@@ -80,6 +80,17 @@ def test_letters_are_compared_in_readings_alone() -> None:
         if any("Reading" in references(unit) for unit in module.definitions.values())
     }
     assert asking == {"Readings"}
+
+
+def test_families_are_named_in_one_module() -> None:
+    """Every other module asks for a fact of the family."""
+    families = {'"S7-300"', '"S7-400"', '"CPU 318"'}
+    naming = {
+        name
+        for name, module in read_modules(ROOT / "spec").items()
+        if families & {token(node) for node in walk(module.root) if node.type == "string"}
+    }
+    assert naming == {"Families"}
 
 
 def test_modules_extend_few_others_in_turn() -> None:

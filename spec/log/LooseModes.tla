@@ -51,7 +51,7 @@ LooseEnd(e) ==
 \* @type: $event => Bool;
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
-    /\ e.type = "cold" /\ cpu.family = "S7-300" => S7300RestartsCold
+    /\ RestartExists(e.type)
     /\ mode'  = IF ModeKnown THEN "STARTUP" ELSE "RUN"
     /\ startup' = e.type
     /\ tod'   = [o \in TodObs |-> Configured(cpu.step7[o])]

@@ -76,7 +76,7 @@ RearmProp ==
     [][ Did("clock") =>
           \A o \in TodObs : tod[o].active /\ mode \notin {"STOP", "HOLD"} =>
             /\ ~Before(At(tod'[o].next), clock')
-            /\ /\ cpu.family = "S7-300" /\ tod[o].period = Minutely
+            /\ /\ Family.repeats /\ tod[o].period = Minutely
                /\ ~Before(clock', At(tod[o].start))
                => IsFirstMinute(tod'[o].next, clock') ]_vars
 

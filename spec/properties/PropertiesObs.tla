@@ -23,7 +23,7 @@ PriorityOrderInv ==
     /\ \A o \in 55..57 : DefaultClass(o) = DefaultClass(10)
     /\ DefaultClass(47) < DefaultClass(60)
     /\ DefaultClass(60) <= DefaultClass(ProgramErrorOb)
-    /\ cpu.family = "S7-300"
+    /\ Family.errorClass = 26
          <=> DefaultClass(ProgramErrorOb) = DefaultClass(TimeErrorOb)
     /\ DefaultClass(ProgramErrorOb) <= DefaultClass(TimeErrorOb)
     /\ DefaultClass(TimeErrorOb) < DefaultClass(100)
@@ -46,7 +46,7 @@ ClassInv ==
           /\ o = TimeErrorOb => c \in {26, 28}
           /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
           /\ o \in 81..87 /\ c # 28 =>
-               c = (IF cpu.family = "S7-300" THEN 26 ELSE 25)
+               c = Family.errorClass
           /\ o \in StartupObs => c = 27
 
 (* [OBS-41] No OB runs in STOP, and nothing is waiting. *)

@@ -24,6 +24,7 @@ Allowed(event, ob, field, value) ==
 NotCovered(h) ==
     { r[1] : r \in { q \in h.readings : q[2] \notin Letters(q[1]) } }
       \cup (IF h.profile \in {""} \cup ProfileNames THEN {} ELSE {h.profile})
+      \cup (IF h.cpu \in FamilyNames THEN {} ELSE {h.cpu})
 
 \* @type: Str => <<Str, Str>>;
 DefaultOf(a) == <<a, Defaults[a]>>
@@ -41,11 +42,26 @@ AnswersOfCalls ==
       <<"EN_IRT", {OK, BadOb, BadMode}>>,
       <<"EN_AIRT", {OK, NotDelayed}>> }
 
-(* The choices of a header: CPUs, profiles, and the letters of each        *)
-(* ambiguity; the PERIODs and the answers of calls.                        *)
+(* The numbers that a log can give to an OB. *)
+ObNumbersOfLogs == 1..122
+
+(* The words of a log. Of a header: families, those whose priority classes *)
+(* can be set, and these classes; profiles; the letters of each question,  *)
+(* and those that formulas tell apart. Of lines: OBs by their kind; the    *)
+(* PERIODs and the answers of calls.                                       *)
 Alternatives ==
-    [ families |-> {"S7-300", "S7-400", "CPU 318"},
+    [ families |-> FamilyNames,
+      settable |-> { f.name : f \in { g \in KnownFamilies : g.settable } },
+      classes  |-> { <<o, SettableClasses(o)>>
+                     : o \in { p \in ObNumbersOfLogs :
+                                 SettableClasses(p) # {} } },
+      obs      |-> ObNumbersOfLogs,
+      tod_obs  |-> TodObs,
+      dint_obs |-> DintObs,
+      external |-> ExternalObs,
+      faulty   |-> {TimeErrorOb, ProgramErrorOb},
       profiles |-> ProfileNames,
+      choices  |-> { <<q[1], q[3]>> : q \in Questions },
       letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
       defaults |-> { DefaultOf(a) : a \in Ambiguities },
       periods  |-> PeriodCodes,

@@ -51,7 +51,7 @@ OfClock(to) ==
                   \cup When(TimeErrorOb \notin loaded, {"CLK-05"}))
       \cup When(mode # "STOP" /\ IsBack(to)
                   /\ \E o \in TodObs : tod[o].active,
-                IF cpu.family = "S7-300" THEN {"CLK-10"} ELSE {"CLK-09"})
+                IF Family.repeats THEN {"CLK-10"} ELSE {"CLK-09"})
 
 \* @type: ($event, Seq($event)) => Set(Str);
 Grounds(e, past) ==

@@ -62,6 +62,6 @@ SinceClock(past, last) ==
     LET how == ClockWasSet(past, last)
     IN  IF how = 0 THEN {}
         ELSE IF how > 0 THEN {"CLK-03"}
-        ELSE IF cpu.family # "S7-300" THEN {"CLK-09"}
+        ELSE IF ~Family.repeats THEN {"CLK-09"}
         ELSE IF Remembers THEN {"CLK-11"} ELSE {"CLK-10"}
 =============================================================================

@@ -42,7 +42,7 @@ RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
 \* @type: $moment => Set(Int);
 CalledBySetBack(to) ==
     IF /\ IsBack(to) /\ Watching
-       /\ cpu.family = "S7-300" /\ SetBackCallsActiveObs
+       /\ Family.repeats /\ SetBackCallsActiveObs
     THEN { o \in TodObs : /\ tod[o].active /\ ~tod[o].called /\ ~Idle(o)
                           /\ ~PendingIn(RequestsThatStay(to), o) }
     ELSE {}

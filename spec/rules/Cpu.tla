@@ -7,7 +7,10 @@
 (* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
 (* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
 (***************************************************************************)
-EXTENDS Integers, Sequences, State
+EXTENDS Sequences, Families, State
+
+(* The facts of this CPU's family. *)
+Family == FamilyOf(cpu.family)
 
 -----------------------------------------------------------------------------
 (* OBs *)
@@ -41,7 +44,7 @@ DefaultClass(o) ==
       [] o \in {60, 70}    -> 25
       [] o = 72            -> 28
       [] o = TimeErrorOb   -> 26
-      [] o \in 81..87      -> IF cpu.family = "S7-300" THEN 26 ELSE 25
+      [] o \in 81..87      -> Family.errorClass
       [] OTHER             -> 27
 
 (* [OBS-05] *)

@@ -10,10 +10,7 @@
 EXTENDS Calls, Errors
 
 (* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
-Lacking ==
-    IF LackingObsAreRefused
-    THEN {60, 70, 72} \cup (IF cpu.family = "S7-300" THEN 30..34 ELSE {})
-    ELSE {}
+Lacking == IF LackingObsAreRefused THEN Family.lacks ELSE {}
 ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
 ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 

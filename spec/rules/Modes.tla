@@ -63,6 +63,10 @@ RestartRequests ==
 
 NoneBlocked == [blocked |-> {}, silent |-> {}]
 
+(* [AMB-65] *)
+\* @type: Str => Bool;
+RestartExists(type) == type \notin Family.restarts => S7300RestartsCold
+
 (* [OBS-25] *)
 RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
                                                   ELSE NoCause
@@ -72,7 +76,7 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 \* @type: Str => Bool;
 Restart(type) ==
     /\ mode = "STOP"
-    /\ type = "cold" /\ cpu.family = "S7-300" => S7300RestartsCold
+    /\ RestartExists(type)
     /\ mode'    = "STARTUP"
     /\ startup' = type
     /\ Reconfigure

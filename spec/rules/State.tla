@@ -7,7 +7,7 @@
 (* Sources: requirements, section 5.1.                                     *)
 (***************************************************************************)
 VARIABLES
-    (* The CPU at hand. family: "S7-300", "S7-400" or "CPU 318"; priority:  *)
+    (* The CPU at hand. family: its name in module Families; priority:      *)
     (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
     (* parameters of the time-of-day interrupts; readings: the letters that *)
     (* differ from the default. It never changes, with one exception: where *)

@@ -9,7 +9,7 @@
 EXTENDS Calendar, Cpu
 
 (* CPUs and OBs loaded. *)
-Families == {"S7-300", "S7-400", "CPU 318"}
+Families == FamilyNames
 \* @type: Set(Int -> $step7);
 Step7Settings ==
     [ TodObs -> [ execution : {"none", "once", "minute", "hourly", "daily",

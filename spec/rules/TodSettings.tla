@@ -79,7 +79,7 @@ LongestMemory == 8
 
 (* [CLK-10] [CLK-11] An S7-300 serves points again after the clock was set *)
 (* back; other CPUs remember the points that were served [AMB-17].         *)
-Remembers == cpu.family # "S7-300" \/ S7300RemembersServed
+Remembers == ~Family.repeats \/ S7300RemembersServed
 
 (* [CLK-09] The OB is called for point p, which joins the runs of points   *)
 (* beside it. A lost point [IRT-18] is over but not served; so is a        *)

@@ -172,13 +172,23 @@ class Decision(msgspec.Struct, frozen=True):
 
 
 class Alternatives(msgspec.Struct, frozen=True):
-    """The choices that a header and a call have, ``Alternatives`` of the specification.
+    """The words of a log: what a header and a call may say, ``Alternatives`` of the specification.
 
-    ``answers`` are calls with the RET_VALs that they may have, but for SFC 41, which answers a count.
+    ``settable`` are families whose priority ``classes`` can be set. ``choices`` are the letters that a header may name,
+    ``letters`` those that formulas tell apart. The OBs of ``faulty`` come with a fault id. ``answers`` are calls with
+    the RET_VALs that they may have, but for SFC 41, which answers a count.
     """
 
     families: list[str] = []
+    settable: list[str] = []
+    classes: list[tuple[int, list[int]]] = []
+    obs: list[int] = []
+    tod_obs: list[int] = []
+    dint_obs: list[int] = []
+    external: list[int] = []
+    faulty: list[int] = []
     profiles: list[str] = []
+    choices: list[tuple[str, list[str]]] = []
     letters: list[tuple[str, list[str]]] = []
     defaults: list[tuple[str, str]] = []
     periods: list[int] = []
