@@ -147,7 +147,7 @@ $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/ma
 	cd trace_checker/engine && mvn -q -B package -DskipTests
 	@touch $@
 
-$(KIT): $(BIN)/s7check $(shell find evidence/kit trace_checker/s7check/kit kit traces models/manifest.json -type f -not -name '*.pyc')
+$(KIT): $(BIN)/s7check $(shell find evidence/common evidence/kit trace_checker/s7check/kit kit traces models/manifest.json -type f -not -name '*.pyc')
 	@echo "making the programs of the kit"
 	$(BIN)/python -m evidence.kit.programs
 	@touch $@
