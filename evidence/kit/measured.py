@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
 from pathlib import Path
 
 from evidence.common.checkout import ROOT, SOFT_PLC
 from evidence.kit.files import REACHED, Json, as_line, digest, read_lines, write_lines
 from evidence.kit.programs import programs
 from evidence.tla.modules import read_modules
+from s7check.log.errors import ranges
 
 _SOFT_PLC = ("faults", "plc", "random", "s7cpu", "scenario")
 """The folders that the soft PLC is built from."""
@@ -24,15 +26,21 @@ def write(origin: str, names: Iterable[str], of: Mapping[str, Json]) -> None:
 
 
 def _lines(of: Mapping[str, Json]) -> Iterator[Json]:
-    """A line for the programs that reach the same requirements, and one for the outcomes of guards of a definition."""
-    alike: dict[str, list[str]] = {}
+    """The programs by area, and for each requirement their numbers in this order; then the outcomes of guards.
+
+    These are gathered by definition, each outcome with the names of its few programs.
+    """
+    names = sorted(of)
+    requirements: dict[str, list[int]] = {}
     guards: dict[str, dict[str, list[str]]] = {}
-    for name, found in sorted(of.items()):
-        alike.setdefault(" ".join(found["requirements"]), []).append(name)
-        for guard in found["guards"]:
+    for number, name in enumerate(names):
+        for requirement in of[name]["requirements"]:
+            requirements.setdefault(requirement, []).append(number)
+        for guard in of[name]["guards"]:
             module, definition, outcome = guard.split("/", 2)
             guards.setdefault(f"{module}/{definition}", {}).setdefault(outcome, []).append(name)
-    yield from ({"requirements": names, "programs": alike[names]} for names in sorted(alike))
+    yield from ({"programs": list(alike)} for _, alike in groupby(names, key=lambda name: name.partition("-")[0]))
+    yield from ({"requirement": name, "numbers": ranges(requirements[name])} for name in sorted(requirements))
     yield from ({"definition": name, "guards": dict(sorted(guards[name].items()))} for name in sorted(guards))
 
 

@@ -6,7 +6,6 @@ files to where the checkout's s7check looks for them.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -69,12 +68,16 @@ def by_area() -> dict[str, list[str]]:
 
 def reaches() -> dict[str, Json]:
     """What each program reaches that was measured, by its name. Raises OSError, ValueError."""
-    found: defaultdict[str, Json] = defaultdict(lambda: {"requirements": [], "guards": []})
-    for line in read_lines(ROOT / REACHED):
-        for name in line.get("programs", ()):
-            found[name]["requirements"] = line["requirements"].split()
-        for outcome, names in line.get("guards", {}).items():
-            for name in names:
+    lines = read_lines(ROOT / REACHED)
+    names = [name for line in lines for name in line.get("programs", ())]
+    found: dict[str, Json] = {name: {"requirements": [], "guards": []} for name in names}
+    for line in lines:
+        for part in filter(None, line.get("numbers", "").split(", ")):
+            first, _, last = part.partition("-")
+            for name in names[int(first) : int(last or first) + 1]:
+                found[name]["requirements"].append(line["requirement"])
+        for outcome, few in line.get("guards", {}).items():
+            for name in few:
                 found[name]["guards"].append(f"{line['definition']}/{outcome}")
     return found
 
