@@ -16,7 +16,7 @@
 (* stands for the next point of a setting.                                 *)
 (* models/proofs.json has the queries; `s7spec prove' asks them.           *)
 (***************************************************************************)
-EXTENDS InductiveSystem, APCalendar, Apalache
+EXTENDS Inductive, APCalendar, Apalache
 
 CONSTANTS
     (* The CPU at hand, the operands of a call, the moment of an event of  *)

@@ -5,7 +5,7 @@
 (* event that comes again has a place of its own, although those of two    *)
 (* OBs for one point share a place [OBS-02] [AMB-29].                      *)
 (***************************************************************************)
-EXTENDS MCBase, InductiveSystem
+EXTENDS MCBase, Inductive
 
 MCTodObs == {10, 11}
 MCFamilies == {"S7-300"}

@@ -11,7 +11,7 @@
 (* Source: requirements, sections 1 to 6.                                  *)
 (***************************************************************************)
 EXTENDS PropertiesObs, PropertiesAirt, PropertiesModes, PropertiesTod,
-        PropertiesSeries, PropertiesClock, PropertiesDint, PropertiesIrt
+        PropertiesClock, PropertiesDint, PropertiesIrt
 
 \* @type: $moment => Bool;
 IsMoment(t) == t.min \in 0..LastMinute /\ t.ms \in 0..59999
