@@ -10,7 +10,7 @@
 (* Left out: the conjunct of an action that is false; the engine finds it  *)
 (* in the action itself.                                                   *)
 (***************************************************************************)
-EXTENDS Grounds, Offers, Widening
+EXTENDS Reasons, Merging
 
 (* An event that may be observed, with its OB and one of its fields. *)
 \* @type: (Str, Int, Str, Int) => $allowed;
