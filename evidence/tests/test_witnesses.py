@@ -183,7 +183,7 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
         c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Lines/Answered/"))
     }
     assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
-    assert seen["ret = delay + 1"]["TRUE"] == ["logs"]
+    assert seen["ret \\in DisAirtAnswers ( delay )"]["TRUE"] == ["logs"]
 
 
 def test_logs_that_tlc_judges_otherwise() -> None:

@@ -22,14 +22,14 @@ AnswersTo(e) ==
            SetAnswers(e.ob, e.sdt, e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
-      [] e.event = "QRY_TINT" -> Answers(e.ob, ObErrors(e.ob))
-      [] e.event = "SRT_DINT" -> Answers(e.ob, SrtErrors(e.ob, e.dtime))
+      [] e.event = "QRY_TINT" -> QryAnswers(e.ob)
+      [] e.event = "SRT_DINT" -> SrtAnswers(e.ob, e.dtime)
       [] e.event = "CAN_DINT" -> CanDintAnswers(e.ob)
-      [] e.event = "QRY_DINT" -> Answers(e.ob, DintErrors(e.ob))
-      [] e.event = "DIS_IRT"  -> Usual(IrtErrors(e.mode, e.ob, DisModes))
-      [] e.event = "EN_IRT"   -> Usual(IrtErrors(e.mode, e.ob, EnModes))
-      [] e.event = "DIS_AIRT" -> {delay + 1}
-      [] OTHER                -> {IF delay = 0 THEN NotDelayed ELSE delay - 1}
+      [] e.event = "QRY_DINT" -> QryDintAnswers(e.ob)
+      [] e.event = "DIS_IRT"  -> DisIrtAnswers(e.mode, e.ob)
+      [] e.event = "EN_IRT"   -> EnIrtAnswers(e.mode, e.ob)
+      [] e.event = "DIS_AIRT" -> DisAirtAnswers(delay)
+      [] OTHER                -> EnAirtAnswers(delay)
 
 (* The values that STATUS may have.                                        *)
 \* @type: $event => Set(Int);

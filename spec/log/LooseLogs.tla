@@ -40,38 +40,45 @@ Marked(o) == \E r \in requests : r.ob = o
 \* @type: Int => Bool;
 SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o]).set
 
+(* A one-shot interrupt may already have run; an unseen restart clears     *)
+(* every setting.                                                          *)
 \* @type: Int => Bool;
-MayBeSet(o) == tod[o].set \/ SetByStep7(o)
-(* A once may be over. An unseen restart takes every setting away. *)
+MayBeSet(o) == Unseen("call") \/ tod[o].set \/ SetByStep7(o)
 \* @type: Int => Bool;
 MayBeUnset(o) ==
-    \/ ~tod[o].set \/ HasOnePoint(tod[o].period)
+    \/ Unseen("call") \/ ~tod[o].set \/ HasOnePoint(tod[o].period)
     \/ CanTintNeedsActive \/ ~ModeKnown
+\* @type: Int => Bool;
+MayBePast(o) == \/ Unseen("call") \/ SetByStep7(o)
+                \/ tod[o].set /\ HasOnePoint(tod[o].period)
 
 \* @type: Int => Bool;
-MayBeActive(o) == tod[o].active \/ (SetByStep7(o) /\ cpu.step7[o].active)
+MayBeActive(o) == \/ Unseen("call") \/ tod[o].active
+                  \/ SetByStep7(o) /\ cpu.step7[o].active
 \* @type: Int => Bool;
 MayBeInactive(o) ==
-    \/ ~tod[o].active \/ HasOnePoint(tod[o].period) \/ ~ModeKnown
-    \/ PointFrom(tod[o], clock.min + 1) = Never
+    \/ Unseen("call") \/ ~tod[o].active \/ HasOnePoint(tod[o].period)
+    \/ ~ModeKnown \/ PointFrom(tod[o], clock.min + 1) = Never
 
 \* @type: Int => Bool;
-MayBeOver(o) == ~dint[o].started \/ dint[o].left <= 1 \/ ~ModeKnown
+MayBeStarted(o) == Unseen("call") \/ dint[o].started \/ Marked(o)
+\* @type: Int => Bool;
+MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
+                \/ dint[o].left <= 1 \/ ~ModeKnown
 
-(* [AIRT-04] The OB that delays may have ended unseen. *)
-Delays == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
+(* [AIRT-04] The counts of delays. The OB may have ended unseen.           *)
+Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
                         THEN {} ELSE {0})
 
 (* [OBS-25] STARTUP may be over.                                           *)
-MayRun == \/ Unseen("load")
-          \/ stopCause = NoCause
+MayRun == \/ Unseen("load") \/ stopCause = NoCause
           \/ ~ModeKnown /\ RestartStop = NoCause
 
 (* Start events of the OB may have come.                                   *)
 \* @type: Int => Bool;
 MayBeRequested(o) ==
     /\ ~Deselected(o)
-    /\ CASE o \in TodObs      -> Unseen("call") \/ MayBeActive(o) \/ Marked(o)
+    /\ CASE o \in TodObs      -> MayBeActive(o) \/ Marked(o)
          [] o \in DintObs     -> Unseen("call") \/ Marked(o)
          [] o \in ExternalObs -> Unseen("interrupt") \/ Marked(o)
          [] OTHER             -> FALSE
@@ -84,55 +91,52 @@ MissingMayBeRequested ==
 -----------------------------------------------------------------------------
 (* Calls *)
 
-\* @type: (Bool, Set(Int)) => Set(Set(Int));
-If(condition, errors) == IF condition THEN {errors} ELSE {}
+(* What is possible of a fact that may hold, and may not. *)
+\* @type: (Bool, Bool) => Set(Bool);
+Either(may, mayNot) == (IF may THEN {TRUE} ELSE {})
+                         \cup (IF mayNot THEN {FALSE} ELSE {})
+
+(* The answers of SFC 41 and 42 at any count; RET_VAL ends at 32767. *)
+AnyDisAirtAnswer == UNION { DisAirtAnswers(c) : c \in 0..32766 }
+AnyEnAirtAnswer  == UNION { EnAirtAnswers(c) : c \in 0..32768 }
 
 (* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
-    LET unseen == Unseen("call")
-        tods   == e.ob \in TodObs
-        dints  == e.ob \in DintObs
-        any(sets) == UNION { Answers(e.ob, s) : s \in sets }
-    IN  CASE e.event = "CAN_TINT" /\ tods ->
-               any(If(unseen \/ MayBeSet(e.ob), {})
-                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet}))
-          [] e.event = "ACT_TINT" /\ tods ->
-               any(If(unseen \/ MayBeSet(e.ob), {})
-                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet})
-                     \cup If(\/ unseen \/ SetByStep7(e.ob)
-                             \/ tod[e.ob].set /\ HasOnePoint(tod[e.ob].period),
-                             {PastStart}))
-          [] e.event = "CAN_DINT" /\ dints ->
-               any(If(unseen \/ dint[e.ob].started \/ Marked(e.ob), {})
-                     \cup If(unseen \/ MayBeOver(e.ob), {NotStarted}))
-          [] e.event = "DIS_AIRT" -> IF unseen THEN 1..32767
-                                     ELSE { d + 1 : d \in Delays }
+    LET o == e.ob
+        \* @type: Set(Set(Int)) => Set(Int);
+        any(errors) == UNION { Answers(o, s) : s \in errors }
+    IN  CASE e.event = "CAN_TINT" /\ o \in TodObs ->
+               any({ CanErrorsIf(isSet)
+                     : isSet \in Either(MayBeSet(o), MayBeUnset(o)) })
+          [] e.event = "ACT_TINT" /\ o \in TodObs ->
+               any({ ActErrorsIf(isSet, isPast)
+                     : isSet  \in Either(MayBeSet(o), MayBeUnset(o)),
+                       isPast \in Either(MayBePast(o), TRUE) })
+          [] e.event = "CAN_DINT" /\ o \in DintObs ->
+               any({ CanDintErrorsIf(started)
+                     : started \in Either(MayBeStarted(o), MayBeOver(o)) })
+          [] e.event = "DIS_AIRT" ->
+               IF Unseen("call") THEN AnyDisAirtAnswer
+               ELSE UNION { DisAirtAnswers(c) : c \in Counts }
           [] e.event = "EN_AIRT"  ->
-               IF unseen THEN (0..32767) \cup {NotDelayed}
-               ELSE { IF d = 0 THEN NotDelayed ELSE d - 1 : d \in Delays }
+               IF Unseen("call") THEN AnyEnAirtAnswer
+               ELSE UNION { EnAirtAnswers(c) : c \in Counts }
           [] OTHER                -> AnswersTo(e)
 
-\* @type: Int => Set(Int);
-LooseBit1(o) == IF Unseen("call") \/ (Blocked(o) /\ ~ModeKnown) THEN {0, 2}
-                ELSE IF Blocked(o) THEN {2} ELSE {0}
-\* @type: Int => Set(Int);
-LooseBit2(o) ==
-    LET on  == IF o \in TodObs THEN MayBeActive(o)
-               ELSE dint[o].started \/ Marked(o)
-        off == IF o \in TodObs THEN MayBeInactive(o) ELSE MayBeOver(o)
-    IN  IF Unseen("call") THEN {0, 4}
-        ELSE (IF on THEN {4} ELSE {}) \cup (IF off THEN {0} ELSE {})
+\* @type: Int => Set(Bool);
+LooseBlocked(o) == {Blocked(o)} \cup
+                     Either(Unseen("call"), Unseen("call") \/ ~ModeKnown)
+\* @type: Int => Set(Bool);
+LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
+                                  ELSE Either(MayBeStarted(o), MayBeOver(o))
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
-    LET sure == (IF Blocked(o) THEN 2 ELSE 0)
-                  + (IF o \in loaded THEN 16 ELSE 0)
-        bit4 == (IF MayBeLoaded(o) THEN {16} ELSE {})
-                  \cup (IF MayBeMissing(o) THEN {0} ELSE {})
-    IN  { (IF ModeKnown THEN s ELSE s - (s % 2) + bit0) - sure + bit1 + b
-          : s \in StatusWithBit2(o, LooseBit2(o)), bit0 \in {0, 1},
-            bit1 \in LooseBit1(o), b \in bit4 }
+    StatusOf(IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
+             { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
+             { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
+             IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 
 (* The settings that follow from the answer. *)
 \* @type: ($event, Int) => (Int -> $tod);
@@ -155,8 +159,7 @@ IsLooseAnswer(e) ==
                      THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
          /\ delay' = CASE Unseen("call") -> 0
                        [] e.event = "DIS_AIRT" -> ret
-                       [] e.event = "EN_AIRT" ->
-                            IF ret = NotDelayed THEN 0 ELSE ret
+                       [] e.event = "EN_AIRT" -> IF ret > 32767 THEN 0 ELSE ret
                        [] OTHER -> delay
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
@@ -171,22 +174,6 @@ LooseCall(e) ==
 
 -----------------------------------------------------------------------------
 (* Starts *)
-
-(* The fault in the start information of OB 80 or OB 85, or UnknownFault. *)
-\* @type: $event => Int;
-ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
-
-(* The request of an unseen start event. Its unknown fields fit every      *)
-(* line.                                                                   *)
-\* @type: (Int, Int, Int) => $request;
-UnseenRequest(o, fault, class) ==
-    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
-                       !.dtime = -1, !.during = -1, !.since = NoMoment ]
-
-(* An error may have come in STARTUP. *)
-\* @type: (Int, Int) => Set(Int);
-ClassesOf(o, fault) ==
-    IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
 
 (* [OBS-20] OB 85 may still wait for an OB that was missing and is loaded. *)
 \* @type: Int => Bool;
@@ -242,7 +229,7 @@ LooseInterruptStarts(e) ==
       /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
       /\ ModeAllows(r)
       /\ StackKnown => Preempts(r)
-      /\ StackKnown /\ ~Unseen("call") => 0 \in Delays
+      /\ StackKnown /\ ~Unseen("call") => 0 \in Counts
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
       /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes
       /\ stack' = IF Unseen("ob") THEN stack
@@ -392,18 +379,16 @@ LooseEntry(e) ==
 
 \* @type: $event => Bool;
 LooseState(e) ==
-    LET known == mode # "STOP" /\ ~Unseen("call")
-        bit1  == { b \div 2 : b \in LooseBit1(e.ob) }
-        bit2  == { b \div 4 : b \in LooseBit2(e.ob) }
-    IN  /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
-        /\ known => /\ e.blocked \in {-1} \cup bit1
-                    /\ e.entries_off = 1 => Silenced(e.ob)
-                    /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
-                    /\ e.ob \in TodObs \cup DintObs =>
-                         e.active \in {-1} \cup bit2
-                    /\ ModeKnown => FitsLeft(e)
-        /\ NothingEntered
-        /\ UNCHANGED cpuVars
+    /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
+    /\ mode # "STOP" /\ ~Unseen("call") =>
+         /\ \E b \in LooseBlocked(e.ob) : FitsTruth(e.blocked, b)
+         /\ e.entries_off = 1 => Silenced(e.ob)
+         /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
+         /\ e.ob \in TodObs \cup DintObs =>
+              \E a \in LooseActive(e.ob) : FitsTruth(e.active, a)
+         /\ ModeKnown => FitsLeft(e)
+    /\ NothingEntered
+    /\ UNCHANGED cpuVars
 
 -----------------------------------------------------------------------------
 (* Lines *)

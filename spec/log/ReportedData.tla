@@ -162,6 +162,25 @@ FitsRequest(r, e) ==
     /\ FitsTime(r, e)
 
 -----------------------------------------------------------------------------
+(* Start events that no line shows *)
+
+(* The fault in the start information of OB 80 or OB 85, or UnknownFault. *)
+\* @type: $event => Int;
+ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
+
+(* The request of an unseen start event. Its unknown fields fit every      *)
+(* line.                                                                   *)
+\* @type: (Int, Int, Int) => $request;
+UnseenRequest(o, fault, class) ==
+    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
+                       !.dtime = -1, !.during = -1, !.since = NoMoment ]
+
+(* An error may have come in STARTUP. *)
+\* @type: (Int, Int) => Set(Int);
+ClassesOf(o, fault) ==
+    IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
+
+-----------------------------------------------------------------------------
 (* Entries of the diagnostic buffer *)
 
 (* Entries that have to come, if the log has entries. *)

@@ -31,15 +31,16 @@ DefaultOf(a) == <<a, Defaults[a]>>
 (* The RET_VALs of each call, except SFC 41, which answers a count. *)
 AnswersOfCalls ==
     { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
-      <<"CAN_TINT", {OK, BadOb, NotSet}>>,
-      <<"ACT_TINT", {OK, BadOb, NotSet, PastStart}>>,
+      <<"CAN_TINT", {OK, BadOb} \cup CanErrorsIf(FALSE)>>,
+      <<"ACT_TINT", {OK, BadOb} \cup ActErrorsIf(FALSE, TRUE)
+                      \cup ActErrorsIf(TRUE, TRUE)>>,
       <<"QRY_TINT", {OK, BadOb}>>,
       <<"SRT_DINT", {OK, BadOb, BadDtime}>>,
-      <<"CAN_DINT", {OK, BadOb, NotStarted}>>,
+      <<"CAN_DINT", {OK, BadOb} \cup CanDintErrorsIf(FALSE)>>,
       <<"QRY_DINT", {OK, BadOb}>>,
       <<"DIS_IRT", {OK, BadOb, BadMode}>>,
       <<"EN_IRT", {OK, BadOb, BadMode}>>,
-      <<"EN_AIRT", {OK, NotDelayed}>> }
+      <<"EN_AIRT", EnAirtAnswers(0) \cup EnAirtAnswers(1)>> }
 
 (* The choices of a header: CPUs, profiles, and the letters of each        *)
 (* ambiguity; the PERIODs and the answers of calls.                        *)
