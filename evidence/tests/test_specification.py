@@ -65,6 +65,16 @@ def test_modules_are_short() -> None:
     assert long == []
 
 
+def test_modules_build_on_few_others() -> None:
+    """At most 15 modules stand behind each other, by EXTENDS, and 9 of those with rules."""
+    modules = read_modules(ROOT / "spec")
+
+    def depth(name: str) -> int:
+        return 1 + max((depth(other) for other in modules[name].imports & modules.keys()), default=0)
+
+    assert (depth("System") <= 9, depth("Explain") <= 15) == (True, True)
+
+
 def test_lines_have_79_columns() -> None:
     """No line of a module of the specification or of a model is longer."""
     files = [*modules(ROOT / "spec"), *modules(ROOT / "models")]

@@ -180,10 +180,10 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     code, _, document = run(tmp_path, "--against", "logs")
     assert code == 1
     seen = {
-        c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "CallLines/Answered/"))
+        c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Lines/Answered/"))
     }
     assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
-    assert seen["ret = delay + 1"]["TRUE"] == ["logs"]
+    assert seen["ret \\in DisAirtAnswers ( delay )"]["TRUE"] == ["logs"]
 
 
 def test_logs_that_tlc_judges_otherwise() -> None:

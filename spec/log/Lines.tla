@@ -1,4 +1,4 @@
--------------------------------- MODULE Lines -------------------------------
+------------------------------- MODULE Lines --------------------------------
 (***************************************************************************)
 (* The action that a line of a log stands for.                             *)
 (*                                                                         *)
@@ -6,7 +6,56 @@
 (* Left out: lines of kinds that the log does not have completely          *)
 (* (PartialLogs).                                                          *)
 (***************************************************************************)
-EXTENDS Modes, CallLines, Elapsing
+EXTENDS Airt, Irt, TimeOfDay, TimeDelay, Modes, Elapsing
+
+-----------------------------------------------------------------------------
+(* Calls *)
+
+CallEvents == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT",
+               "SRT_DINT", "CAN_DINT", "QRY_DINT",
+               "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
+
+(* The values that RET_VAL may have.                                       *)
+\* @type: $event => Set(Int);
+AnswersTo(e) ==
+    CASE e.event = "SET_TINT" ->
+           SetAnswers(e.ob, e.sdt, e.period)
+      [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
+      [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
+      [] e.event = "QRY_TINT" -> QryAnswers(e.ob)
+      [] e.event = "SRT_DINT" -> SrtAnswers(e.ob, e.dtime)
+      [] e.event = "CAN_DINT" -> CanDintAnswers(e.ob)
+      [] e.event = "QRY_DINT" -> QryDintAnswers(e.ob)
+      [] e.event = "DIS_IRT"  -> DisIrtAnswers(e.mode, e.ob)
+      [] e.event = "EN_IRT"   -> EnIrtAnswers(e.mode, e.ob)
+      [] e.event = "DIS_AIRT" -> DisAirtAnswers(delay)
+      [] OTHER                -> EnAirtAnswers(delay)
+
+(* The values that STATUS may have.                                        *)
+\* @type: $event => Set(Int);
+StatusesOf(e) == IF e.event = "QRY_TINT" THEN Statuses(e.ob)
+                                         ELSE DintStatuses(e.ob)
+
+(* The call of the line, with this RET_VAL.                                *)
+\* @type: ($event, Int) => Bool;
+Answered(e, ret) ==
+    CASE e.event = "SET_TINT" -> SetTint(e.ob, e.sdt, e.period, ret)
+      [] e.event = "CAN_TINT" -> CanTint(e.ob, ret)
+      [] e.event = "ACT_TINT" -> ActTint(e.ob, ret)
+      [] e.event = "QRY_TINT" -> QryTint(e.ob, ret, e.status)
+      [] e.event = "SRT_DINT" -> SrtDint(e.ob, e.dtime, e.sign, ret)
+      [] e.event = "CAN_DINT" -> CanDint(e.ob, ret)
+      [] e.event = "QRY_DINT" -> QryDint(e.ob, ret, e.status)
+      [] e.event = "DIS_IRT"  -> DisIrt(e.mode, e.ob, ret)
+      [] e.event = "EN_IRT"   -> EnIrt(e.mode, e.ob, ret)
+      [] e.event = "DIS_AIRT" -> DisAirt(ret)
+      [] OTHER                -> EnAirt(ret)
+
+\* @type: $event => Bool;
+IsCall(e) == \E ret \in Given(e.ret, AnswersTo(e)) : Answered(e, ret)
+
+-----------------------------------------------------------------------------
+(* Starts, and events from outside *)
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
 (* following ones. If a log begins in RUN, its first OB 1 may have any.    *)

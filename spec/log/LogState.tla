@@ -1,17 +1,102 @@
 ------------------------------ MODULE LogState ------------------------------
 (***************************************************************************)
-(* The state of an explanation, beside the state of the CPU.               *)
+(* The records that stand for the lines of a log, and the state of an      *)
+(* explanation, beside the state of the CPU.                               *)
 (*                                                                         *)
-(* Source: docs/checking/log-format.md, header and fine points 1, 2 and 9. *)
-(* Left out: nothing.                                                      *)
+(* A field that a line does not give has the value -1 or, as a moment,     *)
+(* NoMoment.  The trace checker's engine fills the records from the log.   *)
+(* Every event has the time that has elapsed, `up'; `counter' is the field *)
+(* `up' of the line itself.  `step' is the unit in which `at' is written,  *)
+(* in ms.  In `state' lines 0 is false and 1 is true.                      *)
+(*                                                                         *)
+(* Source: docs/checking/log-format.md, the fields of header and events;   *)
+(* fine points 1, 2 and 9.                                                 *)
+(* Left out: fields whose name begins with x_.                             *)
 (***************************************************************************)
-EXTENDS Cpu, LogEvents
+EXTENDS Cpu
+
+(***************************************************************************)
+(* @typeAlias: terms = { latency: Int, cycle: Bool, records: Set(Str),     *)
+(*                       loose: Bool, endless: Set($request),              *)
+(*                       unsure: Set(Int),                                 *)
+(*                       early: Set({ ob: Int, since: $moment }) };        *)
+(* @typeAlias: obStep7 = { ob: Int, execution: Str, start: Int,            *)
+(*                         active: Bool, deselected: Bool };               *)
+(* @typeAlias: header = { cpu: Str, obs: Set(Int), clock: $moment,         *)
+(*                        mode: Str, latency: Int, cycle: Bool,            *)
+(*                        priority: Set(<<Int, Int>>),                     *)
+(*                        step7: Set($obStep7),                            *)
+(*                        readings: Set(<<Str, Str>>), profile: Str,       *)
+(*                        records: Set(Str) };                             *)
+(* @typeAlias: allowed = { event: Str, ob: Int, field: Str, value: Int };  *)
+(* @typeAlias: info = { strt_info: Int, flt_id: Int, priority: Int,        *)
+(*                      period: Int, sign: Int, dtime: Int,                *)
+(*                      error_info: Int, ev: Int, ev_ob: Int,              *)
+(*                      time: $moment };                                   *)
+(* @typeAlias: event = { event: Str, at: $moment, step: Int, up: $moment,  *)
+(*                       counter: $moment, ob: Int, sdt: $date,            *)
+(*                       period: Int, dtime: Int, sign: Int, mode: Int,    *)
+(*                       ret: Int, status: Int, to: $moment, type: Str,    *)
+(*                       cause: Int, flt_id: Int, id: Int, priority: Int,  *)
+(*                       info: $info, active: Int, blocked: Int,           *)
+(*                       loaded: Int, entries_off: Int, left: Int };       *)
+(* @typeAlias: reading = { clock: $moment, up: $moment, step: Int };       *)
+(* @typeAlias: change = { from: $moment, up: $moment };                    *)
+(* @typeAlias: tag = { of: $request, nth: Int };                           *)
+(* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
+(*   arrivals: $request -> $moment, reports: Set($report) };               *)
+(* @typeAlias: report = { entry: $entry, age: Int, times: Int };           *)
+(***************************************************************************)
+
+-----------------------------------------------------------------------------
+(* Lines *)
+
+\* @type: $moment;
+NoMoment == [min |-> -1, ms |-> 0]
+
+\* @type: $date;
+NoDate == [ year |-> 0, month |-> 0, day |-> 0, hour |-> 0, minute |-> 0,
+            second |-> 0, ms |-> 0 ]
+
+\* @type: $info;
+NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
+            sign |-> -1, dtime |-> -1, error_info |-> -1, ev |-> -1,
+            ev_ob |-> -1, time |-> NoMoment ]
+
+\* @type: $event;
+NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
+             counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
+             dtime |-> -1, sign |-> -1, mode |-> -1, ret |-> -1,
+             status |-> -1, to |-> NoMoment, type |-> "", cause |-> -1,
+             flt_id |-> -1, id |-> -1, priority |-> -1, info |-> NoInfo,
+             active |-> -1, blocked |-> -1, loaded |-> -1,
+             entries_off |-> -1, left |-> -1 ]
+
+(* The values that a field may have: the given value, or all that are      *)
+(* possible.                                                               *)
+\* @type: (Int, Set(Int)) => Set(Int);
+Given(value, possible) == IF value = -1 THEN possible ELSE {value}
+
+-----------------------------------------------------------------------------
+(* The header *)
+
+\* @type: $header;
+NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
+              latency |-> 0, cycle |-> FALSE, priority |-> {}, step7 |-> {},
+              readings |-> {}, profile |-> "", records |-> {} ]
+
+(* STEP 7 has set nothing.                                                 *)
+NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
+                  deselected |-> FALSE ]
+
+-----------------------------------------------------------------------------
+(* The state of an explanation *)
 
 VARIABLES
     (* latency: an OB starts at most so many ms after it may. cycle: the    *)
     (* log has every start and end of OB 1. records: the kinds of event     *)
     (* that the log has completely. loose: the log does not tell when an OB *)
-    (* has to start (LooseLogs). After Widening: endless, open requests     *)
+    (* has to start (LooseLogs). After Merging: endless, open requests      *)
     (* that stand for any number; unsure, OBs for which some explanations   *)
     (* had a request and others had none. early: the delays that were over  *)
     (* 1 ms before their time, and the moments when they were.              *)

@@ -1,20 +1,23 @@
------------------------------- MODULE LooseLogs -----------------------------
+----------------------------- MODULE LooseLogs ------------------------------
 (***************************************************************************)
 (* Logs that do not tell when an OB has to start, because they may miss    *)
 (* calls, changes of the mode or of the clock, or both OBs and start       *)
-(* events; and logs with too many explanations (Widening).                 *)
+(* events; and logs with too many explanations (Merging).                  *)
 (*                                                                         *)
-(* Judged are facts that hold whatever happened unseen: answers that no    *)
-(* setting allows, OBs that nothing can have started, classes, modes,      *)
-(* missing OBs, start information. No start event is timed and nothing is  *)
-(* due, so one state explains such a log. It holds possibilities:          *)
-(* `requests' has a mark for each OB that may have been requested; tod,    *)
-(* dint, irt and delay are the settings by the calls in the log.           *)
+(* Only facts that hold no matter what happened unseen are checked:        *)
+(* answers that no setting allows, OBs that nothing can have started,      *)
+(* classes, modes, missing OBs, start information. No start event is timed *)
+(* and nothing is due, so one state explains such a log. It holds          *)
+(* possibilities: `requests' has a mark for each OB that may have been     *)
+(* requested; tod, dint, irt and delay are the settings by the calls in    *)
+(* the log. If changes of the mode may be unseen, `mode' is always RUN and *)
+(* forbids nothing.                                                        *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
-(* Left out: the order of requests; info.time.                             *)
+(* Left out: the order of requests; info.time; entries of the diagnostic   *)
+(* buffer, except that of DIS_IRT.                                         *)
 (***************************************************************************)
-EXTENDS Trace
+EXTENDS Lines
 
 -----------------------------------------------------------------------------
 (* Possibilities *)
@@ -37,38 +40,45 @@ Marked(o) == \E r \in requests : r.ob = o
 \* @type: Int => Bool;
 SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o]).set
 
+(* A one-shot interrupt may already have run; an unseen restart clears     *)
+(* every setting.                                                          *)
 \* @type: Int => Bool;
-MayBeSet(o) == tod[o].set \/ SetByStep7(o)
-(* A once may be over. An unseen restart takes every setting away. *)
+MayBeSet(o) == Unseen("call") \/ tod[o].set \/ SetByStep7(o)
 \* @type: Int => Bool;
 MayBeUnset(o) ==
-    \/ ~tod[o].set \/ HasOnePoint(tod[o].period)
+    \/ Unseen("call") \/ ~tod[o].set \/ HasOnePoint(tod[o].period)
     \/ CanTintNeedsActive \/ ~ModeKnown
+\* @type: Int => Bool;
+MayBePast(o) == \/ Unseen("call") \/ SetByStep7(o)
+                \/ tod[o].set /\ HasOnePoint(tod[o].period)
 
 \* @type: Int => Bool;
-MayBeActive(o) == tod[o].active \/ (SetByStep7(o) /\ cpu.step7[o].active)
+MayBeActive(o) == \/ Unseen("call") \/ tod[o].active
+                  \/ SetByStep7(o) /\ cpu.step7[o].active
 \* @type: Int => Bool;
 MayBeInactive(o) ==
-    \/ ~tod[o].active \/ HasOnePoint(tod[o].period) \/ ~ModeKnown
-    \/ PointFrom(tod[o], clock.min + 1) = Never
+    \/ Unseen("call") \/ ~tod[o].active \/ HasOnePoint(tod[o].period)
+    \/ ~ModeKnown \/ PointFrom(tod[o], clock.min + 1) = Never
 
 \* @type: Int => Bool;
-MayBeOver(o) == ~dint[o].started \/ dint[o].left <= 1 \/ ~ModeKnown
+MayBeStarted(o) == Unseen("call") \/ dint[o].started \/ Marked(o)
+\* @type: Int => Bool;
+MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
+                \/ dint[o].left <= 1 \/ ~ModeKnown
 
-(* [AIRT-04] The OB that delays may have ended unseen. *)
-Delays == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
+(* [AIRT-04] The counts of delays. The OB may have ended unseen.           *)
+Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
                         THEN {} ELSE {0})
 
 (* [OBS-25] STARTUP may be over.                                           *)
-MayRun == \/ Unseen("load")
-          \/ stopCause = NoCause
+MayRun == \/ Unseen("load") \/ stopCause = NoCause
           \/ ~ModeKnown /\ RestartStop = NoCause
 
 (* Start events of the OB may have come.                                   *)
 \* @type: Int => Bool;
 MayBeRequested(o) ==
     /\ ~Deselected(o)
-    /\ CASE o \in TodObs      -> Unseen("call") \/ MayBeActive(o) \/ Marked(o)
+    /\ CASE o \in TodObs      -> MayBeActive(o) \/ Marked(o)
          [] o \in DintObs     -> Unseen("call") \/ Marked(o)
          [] o \in ExternalObs -> Unseen("interrupt") \/ Marked(o)
          [] OTHER             -> FALSE
@@ -81,55 +91,52 @@ MissingMayBeRequested ==
 -----------------------------------------------------------------------------
 (* Calls *)
 
-\* @type: (Bool, Set(Int)) => Set(Set(Int));
-If(condition, errors) == IF condition THEN {errors} ELSE {}
+(* What is possible of a fact that may hold, and may not. *)
+\* @type: (Bool, Bool) => Set(Bool);
+Either(may, mayNot) == (IF may THEN {TRUE} ELSE {})
+                         \cup (IF mayNot THEN {FALSE} ELSE {})
+
+(* The answers of SFC 41 and 42 at any count; RET_VAL ends at 32767. *)
+AnyDisAirtAnswer == UNION { DisAirtAnswers(c) : c \in 0..32766 }
+AnyEnAirtAnswer  == UNION { EnAirtAnswers(c) : c \in 0..32768 }
 
 (* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
-    LET unseen == Unseen("call")
-        tods   == e.ob \in TodObs
-        dints  == e.ob \in DintObs
-        any(sets) == UNION { Answers(e.ob, s) : s \in sets }
-    IN  CASE e.event = "CAN_TINT" /\ tods ->
-               any(If(unseen \/ MayBeSet(e.ob), {})
-                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet}))
-          [] e.event = "ACT_TINT" /\ tods ->
-               any(If(unseen \/ MayBeSet(e.ob), {})
-                     \cup If(unseen \/ MayBeUnset(e.ob), {NotSet})
-                     \cup If(\/ unseen \/ SetByStep7(e.ob)
-                             \/ tod[e.ob].set /\ HasOnePoint(tod[e.ob].period),
-                             {PastStart}))
-          [] e.event = "CAN_DINT" /\ dints ->
-               any(If(unseen \/ dint[e.ob].started \/ Marked(e.ob), {})
-                     \cup If(unseen \/ MayBeOver(e.ob), {NotStarted}))
-          [] e.event = "DIS_AIRT" -> IF unseen THEN 1..32767
-                                     ELSE { d + 1 : d \in Delays }
+    LET o == e.ob
+        \* @type: Set(Set(Int)) => Set(Int);
+        any(errors) == UNION { Answers(o, s) : s \in errors }
+    IN  CASE e.event = "CAN_TINT" /\ o \in TodObs ->
+               any({ CanErrorsIf(isSet)
+                     : isSet \in Either(MayBeSet(o), MayBeUnset(o)) })
+          [] e.event = "ACT_TINT" /\ o \in TodObs ->
+               any({ ActErrorsIf(isSet, isPast)
+                     : isSet  \in Either(MayBeSet(o), MayBeUnset(o)),
+                       isPast \in Either(MayBePast(o), TRUE) })
+          [] e.event = "CAN_DINT" /\ o \in DintObs ->
+               any({ CanDintErrorsIf(started)
+                     : started \in Either(MayBeStarted(o), MayBeOver(o)) })
+          [] e.event = "DIS_AIRT" ->
+               IF Unseen("call") THEN AnyDisAirtAnswer
+               ELSE UNION { DisAirtAnswers(c) : c \in Counts }
           [] e.event = "EN_AIRT"  ->
-               IF unseen THEN (0..32767) \cup {NotDelayed}
-               ELSE { IF d = 0 THEN NotDelayed ELSE d - 1 : d \in Delays }
+               IF Unseen("call") THEN AnyEnAirtAnswer
+               ELSE UNION { EnAirtAnswers(c) : c \in Counts }
           [] OTHER                -> AnswersTo(e)
 
-\* @type: Int => Set(Int);
-LooseBit1(o) == IF Unseen("call") \/ (Blocked(o) /\ ~ModeKnown) THEN {0, 2}
-                ELSE IF Blocked(o) THEN {2} ELSE {0}
-\* @type: Int => Set(Int);
-LooseBit2(o) ==
-    LET on  == IF o \in TodObs THEN MayBeActive(o)
-               ELSE dint[o].started \/ Marked(o)
-        off == IF o \in TodObs THEN MayBeInactive(o) ELSE MayBeOver(o)
-    IN  IF Unseen("call") THEN {0, 4}
-        ELSE (IF on THEN {4} ELSE {}) \cup (IF off THEN {0} ELSE {})
+\* @type: Int => Set(Bool);
+LooseBlocked(o) == {Blocked(o)} \cup
+                     Either(Unseen("call"), Unseen("call") \/ ~ModeKnown)
+\* @type: Int => Set(Bool);
+LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
+                                  ELSE Either(MayBeStarted(o), MayBeOver(o))
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
-    LET sure == (IF Blocked(o) THEN 2 ELSE 0)
-                  + (IF o \in loaded THEN 16 ELSE 0)
-        bit4 == (IF MayBeLoaded(o) THEN {16} ELSE {})
-                  \cup (IF MayBeMissing(o) THEN {0} ELSE {})
-    IN  { (IF ModeKnown THEN s ELSE s - (s % 2) + bit0) - sure + bit1 + b
-          : s \in StatusWithBit2(o, LooseBit2(o)), bit0 \in {0, 1},
-            bit1 \in LooseBit1(o), b \in bit4 }
+    StatusOf(IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
+             { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
+             { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
+             IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 
 (* The settings that follow from the answer. *)
 \* @type: ($event, Int) => (Int -> $tod);
@@ -152,8 +159,7 @@ IsLooseAnswer(e) ==
                      THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
          /\ delay' = CASE Unseen("call") -> 0
                        [] e.event = "DIS_AIRT" -> ret
-                       [] e.event = "EN_AIRT" ->
-                            IF ret = NotDelayed THEN 0 ELSE ret
+                       [] e.event = "EN_AIRT" -> IF ret > 32767 THEN 0 ELSE ret
                        [] OTHER -> delay
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
@@ -168,22 +174,6 @@ LooseCall(e) ==
 
 -----------------------------------------------------------------------------
 (* Starts *)
-
-(* The fault in the start information of OB 80 or OB 85, or UnknownFault. *)
-\* @type: $event => Int;
-ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
-
-(* The request of an unseen start event. Its unknown fields fit every      *)
-(* line.                                                                   *)
-\* @type: (Int, Int, Int) => $request;
-UnseenRequest(o, fault, class) ==
-    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
-                       !.dtime = -1, !.during = -1, !.since = NoMoment ]
-
-(* An error may have come in STARTUP. *)
-\* @type: (Int, Int) => Set(Int);
-ClassesOf(o, fault) ==
-    IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
 
 (* [OBS-20] OB 85 may still wait for an OB that was missing and is loaded. *)
 \* @type: Int => Bool;
@@ -239,10 +229,222 @@ LooseInterruptStarts(e) ==
       /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
       /\ ModeAllows(r)
       /\ StackKnown => Preempts(r)
-      /\ StackKnown /\ ~Unseen("call") => 0 \in Delays
+      /\ StackKnown /\ ~Unseen("call") => 0 \in Counts
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
       /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes
       /\ stack' = IF Unseen("ob") THEN stack
                   ELSE Append(stack, Frame(e.ob, r.class))
       /\ delay' = 0
+
+-----------------------------------------------------------------------------
+(* OBs start and end *)
+
+(* OB 1 and the startup OB stand first in the stack. *)
+\* @type: $event => Bool;
+LooseFirstStarts(e) ==
+    /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
+    /\ e.ob = CycleOb => MayRun
+    /\ StackKnown => Len(stack) = 1
+    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1 ELSE 27)
+    /\ e.ob # CycleOb => MayBeLoaded(e.ob)
+    /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+
+\* @type: $event => Bool;
+LooseStart(e) ==
+    /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
+       ELSE LooseInterruptStarts(e)
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+
+\* @type: $event => Bool;
+LooseEnd(e) ==
+    /\ ModeKnown => mode \notin {"STOP", "HOLD"}
+    /\ \/ Unseen("ob") /\ UNCHANGED stack
+       \/ /\ Running.ob = e.ob /\ Len(stack) > 1
+          /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
+       \/ /\ e.ob \in {CycleOb} \cup StartupObs
+          /\ ModeKnown => /\ Len(stack) = 1
+                          /\ mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
+          /\ stack' = <<stack[1]>>
+    /\ delay' = 0
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+
+-----------------------------------------------------------------------------
+(* Modes *)
+
+\* @type: $event => Bool;
+LooseRestart(e) ==
+    /\ ModeKnown => mode = "STOP"
+    /\ RestartExists(e.type)
+    /\ mode'  = IF ModeKnown THEN "STARTUP" ELSE "RUN"
+    /\ startup' = e.type
+    /\ tod'   = [o \in TodObs |-> Configured(cpu.step7[o])]
+    /\ dint' = NoJobs /\ irt' = NoneBlocked /\ delay' = 0
+    /\ requests'  = RestartRequests
+    /\ stopCause' = RestartStop
+    /\ stack' = <<Frame(StartupOb(e.type), 27)>>
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, clock>>
+
+\* @type: $event => Bool;
+LooseRun(e) ==
+    /\ ModeKnown => mode = "STARTUP"
+    /\ MayRun
+    /\ mode' = "RUN" /\ startup' = "none" /\ stack' = <<Frame(CycleOb, 1)>>
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, delay>>
+
+\* @type: $event => Bool;
+LooseStop(e) ==
+    /\ IF mode = "STOP" THEN UNCHANGED <<mode, stack>>
+       ELSE /\ mode' = IF ModeKnown THEN "STOP" ELSE "RUN"
+            /\ stack' = IF ModeKnown THEN <<>> ELSE <<Frame(CycleOb, 1)>>
+    /\ requests' = {} /\ dint' = NoJobs /\ delay' = 0 /\ stopCause' = NoCause
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, startup, clock, tod, irt>>
+
+\* @type: Str => Bool;
+LooseHold(to) ==
+    /\ ModeKnown => mode = IF to = "HOLD" THEN "RUN" ELSE "HOLD"
+    /\ mode' = IF ModeKnown THEN to ELSE "RUN"
+    /\ requests' = IF to = "RUN" /\ Timed \cap TodObs # {}
+                   THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
+                   ELSE requests
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, stopCause,
+                   runVars>>
+
+-----------------------------------------------------------------------------
+(* The clock, start events, entries, the state of an OB *)
+
+(* [TINT-11] Between now and t lies a whole minute: a possible point.      *)
+\* @type: $moment => Bool;
+PassesMinute(t) ==
+    Before(IF SecondsAreKept THEN clock
+           ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
+
+(* ... of an interrupt that may be active.                                 *)
+\* @type: $moment => Bool;
+PassesPoint(t) ==
+    /\ PassesMinute(t)
+    /\ \E o \in Timed \cap TodObs :
+         \/ Unseen("call")
+         \/ \E s \in {tod[o], Configured(cpu.step7[o])} :
+              s.active /\ ~Before(t, [ min |-> PointFrom(s, clock.min),
+                                      ms |-> s.offset ])
+
+(* The marks of OB 80 where the CPU may skip points up to moment t with    *)
+(* these faults: by a setting of the clock, or in an unseen HOLD.          *)
+\* @type: ($moment, Set(Int)) => Set($request);
+SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
+                        THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
+
+\* @type: Set(Int);
+SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
+
+\* @type: $event => Bool;
+LooseClock(e) ==
+    /\ clock' = e.to
+    /\ requests' = requests
+                     \cup SkipMarks(e.to, {SkippedByClock} \cup SkipsInHold)
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, settingVars, stopCause, runVars>>
+
+\* @type: $event => Bool;
+LooseEvent(e) ==
+    /\ requests' =
+         IF mode = "STOP" THEN requests
+         ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
+                   runVars>>
+
+(* [OBS-26] The cycle time may have been exceeded twice: the entry of that *)
+(* STOP is 4568, too, though OB 80 is loaded.                              *)
+CycleMayBeExceeded ==
+    \/ Unseen("interrupt")
+    \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
+
+(* An unseen event may have caused this entry.                             *)
+\* @type: $event => Bool;
+LooseEntry(e) ==
+    /\ e.id - ErrorEntry \in ObNotLoaded => MissingMayBeRequested
+    /\ e.id = NoTimeErrorOb =>
+         MayBeMissing(TimeErrorOb) \/ CycleMayBeExceeded
+    /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
+    /\ NothingEntered
+    /\ UNCHANGED <<cpuVars, reports>>
+
+\* @type: $event => Bool;
+LooseState(e) ==
+    /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
+    /\ mode # "STOP" /\ ~Unseen("call") =>
+         /\ \E b \in LooseBlocked(e.ob) : FitsTruth(e.blocked, b)
+         /\ e.entries_off = 1 => Silenced(e.ob)
+         /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
+         /\ e.ob \in TodObs \cup DintObs =>
+              \E a \in LooseActive(e.ob) : FitsTruth(e.active, a)
+         /\ ModeKnown => FitsLeft(e)
+    /\ NothingEntered
+    /\ UNCHANGED cpuVars
+
+-----------------------------------------------------------------------------
+(* Lines *)
+
+\* @type: $event => Bool;
+LooseShows(e) ==
+    /\ CASE e.event \in CallEvents -> LooseCall(e)
+         [] e.event = "start"      -> LooseStart(e)
+         [] e.event = "end"        -> LooseEnd(e)
+         [] e.event = "interrupt"  -> LooseEvent(e)
+         [] e.event = "clock"      -> LooseClock(e)
+         [] e.event = "load"       -> LooseLoad(e.ob)
+         [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
+         [] e.event = "restart"    -> LooseRestart(e)
+         [] e.event = "run"        -> LooseRun(e)
+         [] e.event = "hold"       -> LooseHold("HOLD")
+         [] e.event = "release"    -> LooseHold("RUN")
+         [] e.event = "stop"       -> LooseStop(e)
+         [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
+                                      ELSE IsEntry(e)
+         [] e.event = "state"      -> LooseState(e)
+    /\ UNCHANGED <<terms, up, waiting, eventVars>>
+    /\ IF e.event = "diag" THEN TRUE ELSE Report(0)
+
+-----------------------------------------------------------------------------
+(* Time *)
+
+(* Without `up' in a line nobody knows how much time has elapsed if the    *)
+(* clock may have been set.                                                *)
+\* @type: $event => Bool;
+ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
+
+(* A delay ends at the earliest when so many ms have elapsed. An unseen    *)
+(* HOLD may have made it longer.                                           *)
+\* @type: (Int, Bool) => (Int -> $job);
+LooseJobs(d, known) ==
+    [ o \in DintObs |->
+        IF ~dint[o].started \/ mode = "HOLD" \/ dint[o].left = Gone
+        THEN dint[o]
+        ELSE [ dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d
+                                                             ELSE Gone ] ]
+
+\* @type: $event => Bool;
+LooseElapse(e) ==
+    LET d     == Span(up, e.up)
+        known == ElapsedKnown(e)
+    IN  /\ known => EntriesLate(d) = {}
+        /\ clock' = e.at
+        /\ up' = e.up
+        /\ dint' = LooseJobs(d, known)
+        /\ requests' = requests
+             \cup { Mark(o, 0) : o \in { j \in DintObs :
+                                   dint'[j].started /\ dint'[j].left = Gone } }
+             \cup SkipMarks(e.at, SkipsInHold)
+        /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
+        /\ NothingEntered
+        /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,
+                       lineVars, waiting, eventVars>>
 =============================================================================

@@ -1,4 +1,4 @@
------------------------------ MODULE PartialLogs ----------------------------
+---------------------------- MODULE PartialLogs -----------------------------
 (***************************************************************************)
 (* Logs that leave kinds of event out (`records' of the header): an event  *)
 (* of such a kind may happen unseen at any point.                          *)
@@ -6,14 +6,15 @@
 (* Unseen starts and ends of OBs are actions, tried at every point. Unseen *)
 (* loading is tried where something depends on it. Unseen start events     *)
 (* cannot be enumerated: an OB starts as if its start event had come.      *)
-(* LooseModes judges logs that do not tell when an OB has to start.        *)
+(* LooseLogs has the rules for logs that do not tell when an OB has to     *)
+(* start.                                                                  *)
 (*                                                                         *)
 (* The trace checker's engine evaluates Elapse, Silent and Observe, for    *)
 (* complete logs as well.                                                  *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
 (* Left out: nothing.                                                      *)
 (***************************************************************************)
-EXTENDS LooseModes
+EXTENDS Trace, LooseLogs
 
 -----------------------------------------------------------------------------
 (* OBs *)

@@ -1,15 +1,108 @@
--------------------------------- MODULE Trace -------------------------------
+------------------------------- MODULE Trace --------------------------------
 (***************************************************************************)
 (* The specification explains a log one line at a time: Begin takes the    *)
-(* header. Before each further line time elapses to it (Towards), then     *)
-(* hidden steps may happen (HiddenBefore), then the line is observed       *)
-(* (Shows).                                                                *)
+(* header, the CPU as it is when the log begins. Before each further line  *)
+(* time elapses to it (Towards), then hidden steps may happen              *)
+(* (HiddenBefore), then the line is observed (Shows).                      *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md with its fine points; AMB-69.       *)
 (* Left out: kinds of event that the log does not have completely          *)
 (* (PartialLogs).                                                          *)
 (***************************************************************************)
-EXTENDS LogHeader, Lines
+EXTENDS Lines
+
+-----------------------------------------------------------------------------
+(* The header *)
+
+(* The state before a header is read.                                      *)
+Init ==
+    /\ cpu = [ family |-> "", priority |-> [o \in {} |-> 0],
+               step7 |-> [o \in {} |-> NoParameters],
+               readings |-> [a \in {} |-> ""] ]
+    /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
+    /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
+    /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
+    /\ entered = {}
+    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
+                loose |-> FALSE, endless |-> {}, unsure |-> {},
+                early |-> {}]
+    /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
+    /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
+    /\ arrivals = [r \in {} |-> At(0)]
+
+(* A letter of the header overrides the letter of its profile. *)
+\* @type: $header => Set(<<Str, Str>>);
+ReadingsOf(h) ==
+    h.readings \cup { p \in Profile(h.profile) :
+                        ~\E r \in h.readings : r[1] = p[1] }
+
+\* @type: $header => $cpu;
+CpuOf(h) ==
+    [ family   |-> h.cpu,
+      priority |-> [ o \in { p[1] : p \in h.priority } |->
+                       (CHOOSE p \in h.priority : p[1] = o)[2] ],
+      readings |-> [ a \in { r[1] : r \in ReadingsOf(h) } |->
+                       (CHOOSE r \in ReadingsOf(h) : r[1] = a)[2] ],
+      step7    |-> [ o \in TodObs |->
+                       IF \E p \in h.step7 : p.ob = o
+                       THEN LET s == CHOOSE p \in h.step7 : p.ob = o
+                            IN  [ execution |-> s.execution,
+                                  start |-> s.start, active |-> s.active,
+                                  deselected |-> s.deselected ]
+                       ELSE NoParameters ] ]
+
+(* A once that STEP 7 set in the past has already been called in RUN. A    *)
+(* point that equals the clock may have been reached or not.               *)
+\* @type: ($header, Int, Int) => $tod;
+TodAtBegin(h, o, called) ==
+    LET t == Configured(CpuOf(h).step7[o])
+        n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
+    IN  IF ~t.active THEN t
+        ELSE IF h.mode = "RUN" /\ HasOnePoint(t.period) /\ n = Never
+        THEN UsedUp(t)
+        ELSE [t EXCEPT !.next = n]
+
+(* Nothing tells when an OB has to start if calls, changes of the mode or  *)
+(* changes of the clock may be unseen; nor if both OBs and start events    *)
+(* may be unseen.                                                          *)
+\* @type: $header => Bool;
+LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
+              \/ {"ob", "interrupt"} \cap h.records = {}
+
+(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU   *)
+(* has just been restarted; the type of the restart is not known. The      *)
+(* primes: this header decides how STEP 7's parameters are read.           *)
+\* @type: $header => Bool;
+Begin(h) ==
+    /\ cpu'    \in CpusByLeapDay(CpuOf(h))
+    /\ loaded' = h.obs
+    /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
+    /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
+    /\ clock'  = h.clock
+    /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
+         tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
+                                   ELSE TodAtBegin(h, o, called)' ]
+    /\ dint' = NoJobs
+    /\ irt' = NoneBlocked
+    /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
+    /\ stack'  = IF mode' = "RUN" THEN <<Frame(CycleOb, 1)>>
+                 ELSE IF h.mode = "STARTUP" /\ LooseBy(h)
+                 THEN <<Frame(StartupOb(startup'), 27)>> ELSE <<>>
+    /\ delay'  = 0
+    /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
+    /\ NothingEntered
+    /\ terms'  = [latency |-> h.latency, records |-> h.records,
+                  cycle |-> h.cycle /\ "ob" \in h.records,
+                  loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
+                  early |-> {}]
+    /\ up'     = At(0)
+    /\ waiting' = [c \in {} |-> 0]
+    /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"
+    /\ overruns' = 0
+    /\ arrivals' = [r \in { AsItCame(q) : q \in requests' } |-> At(0)]
+    /\ changes' = {}
+    /\ pace' = NoReading
+    /\ reports' = {}
 
 -----------------------------------------------------------------------------
 (* Points and delays of the moment of a line *)

@@ -10,7 +10,7 @@
 (* Left out: the conjunct of an action that is false; the engine finds it  *)
 (* in the action itself.                                                   *)
 (***************************************************************************)
-EXTENDS Grounds, Offers, Widening
+EXTENDS Reasons, Merging
 
 (* An event that may be observed, with its OB and one of its fields. *)
 \* @type: (Str, Int, Str, Int) => $allowed;
@@ -32,15 +32,16 @@ DefaultOf(a) == <<a, Defaults[a]>>
 (* The RET_VALs of each call, except SFC 41, which answers a count. *)
 AnswersOfCalls ==
     { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
-      <<"CAN_TINT", {OK, BadOb, NotSet}>>,
-      <<"ACT_TINT", {OK, BadOb, NotSet, PastStart}>>,
+      <<"CAN_TINT", {OK, BadOb} \cup CanErrorsIf(FALSE)>>,
+      <<"ACT_TINT", {OK, BadOb} \cup ActErrorsIf(FALSE, TRUE)
+                      \cup ActErrorsIf(TRUE, TRUE)>>,
       <<"QRY_TINT", {OK, BadOb}>>,
       <<"SRT_DINT", {OK, BadOb, BadDtime}>>,
-      <<"CAN_DINT", {OK, BadOb, NotStarted}>>,
+      <<"CAN_DINT", {OK, BadOb} \cup CanDintErrorsIf(FALSE)>>,
       <<"QRY_DINT", {OK, BadOb}>>,
       <<"DIS_IRT", {OK, BadOb, BadMode}>>,
       <<"EN_IRT", {OK, BadOb, BadMode}>>,
-      <<"EN_AIRT", {OK, NotDelayed}>> }
+      <<"EN_AIRT", EnAirtAnswers(0) \cup EnAirtAnswers(1)>> }
 
 (* The numbers that a log can give to an OB. *)
 ObNumbersOfLogs == 1..122

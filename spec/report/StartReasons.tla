@@ -1,11 +1,327 @@
 ---------------------------- MODULE StartReasons ----------------------------
 (***************************************************************************)
-(* Reasons why a start is rejected although its start event has come.      *)
+(* Reasons why the start of an OB is rejected: its start event has not     *)
+(* come, or it may not start by it. They follow from the state before the  *)
+(* line, from the line e, and from the lines before it, `past': the latest *)
+(* lines, and the last older line of each event, OB and MODE.              *)
 (*                                                                         *)
-(* Source: requirements, sections 4 and 5, table 7.2.                      *)
-(* Left out: a start without a start event (UncausedReasons).              *)
+(* Source: requirements, sections 1 to 6, tables 7.2 and 7.5.              *)
+(* Left out: a start that comes too late, other lines (Reasons).           *)
 (***************************************************************************)
-EXTENDS UncausedReasons
+EXTENDS PartialLogs
+
+-----------------------------------------------------------------------------
+(* The lines before *)
+
+\* @type: Set(Int) => Int;
+LastIn(positions) ==
+    IF positions = {} THEN 0
+    ELSE CHOOSE i \in positions : \A k \in positions : k <= i
+
+(* The last line with one of these events, for any OB and for one OB; 0 if *)
+(* there is none.                                                          *)
+\* @type: (Seq($event), Set(Str)) => Int;
+LastOf(past, names) == LastIn({ i \in DOMAIN past : past[i].event \in names })
+\* @type: (Seq($event), Set(Str), Int) => Int;
+LastWith(past, names, o) ==
+    LastIn({ i \in DOMAIN past : past[i].event \in names /\ past[i].ob = o })
+
+\* @type: (Seq($event), Int) => Int;
+LastStart(past, o) == LastWith(past, {"start"}, o)
+
+(* The start of the OB before its last one.                                *)
+\* @type: (Seq($event), Int) => Int;
+StartBefore(past, o) ==
+    LastIn({ i \in DOMAIN past : /\ i < LastStart(past, o) /\ past[i].ob = o
+                                 /\ past[i].event = "start" })
+
+(* How many lines with these events for the OB follow position i.          *)
+\* @type: (Seq($event), Set(Str), Int, Int) => Int;
+TimesSince(past, names, o, i) ==
+    Cardinality({ k \in DOMAIN past : /\ k > i /\ past[k].ob = o
+                                     /\ past[k].event \in names })
+
+\* @type: $event => Bool;
+Worked(e) == e.ret \in {OK, -1}
+
+(* Requirements that count only under a condition. *)
+\* @type: (Bool, Set(Str)) => Set(Str);
+When(condition, ids) == IF condition THEN ids ELSE {}
+
+(* The direction in which the clock was last set after position i: 1       *)
+(* forward, -1 back; 0 if it was not set.                                  *)
+\* @type: (Seq($event), Int) => Int;
+ClockWasSet(past, i) ==
+    LET k == LastOf(past, {"clock"})
+    IN  IF k <= i THEN 0 ELSE IF Before(past[k].to, past[k].at) THEN -1 ELSE 1
+
+-----------------------------------------------------------------------------
+(* SFC 39 and SFC 40: an OB is blocked, or a start event was lost *)
+
+(* Line e blocks or enables OB o.                                          *)
+\* @type: ($event, Int) => Bool;
+Means(e, o) == /\ e.event \in {"DIS_IRT", "EN_IRT"} /\ Worked(e)
+               /\ CASE Level(e.mode) = 0 -> TRUE
+                    [] Level(e.mode) = 1 -> ClassNumber(o) = e.ob
+                    [] OTHER             -> o = e.ob
+
+\* @type: (Seq($event), Int) => Set(Int);
+IrtLines(past, o) == { i \in DOMAIN past : Means(past[i], o) }
+
+\* @type: $event => Set(Str);
+OfMode(e) ==
+    IF e.event = "EN_IRT"
+    THEN {"IRT-13"} \cup When(Level(e.mode) = 1, {"IRT-14"})
+    ELSE CASE Level(e.mode) = 0 -> {"IRT-06"}
+           [] Level(e.mode) = 1 -> {"IRT-07"}
+           [] OTHER             -> {"IRT-08"}
+
+(* The requirements that decide whether the OB is blocked. *)
+\* @type: (Seq($event), Int) => Set(Str);
+BlockRequirements(past, o) ==
+    LET lines == IrtLines(past, o)
+        last  == LastIn(lines)
+        dis   == { i \in lines : past[i].event = "DIS_IRT" }
+    IN  IF lines = {} THEN {"IRT-01"}
+        ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
+        ELSE OfMode(past[last])
+               \cup When(LastOf(past, {"end", "hold"}) > last,
+                         {"IRT-02", "IRT-03"})
+               \cup When(
+                      Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
+                      {"IRT-20"})
+               \cup When(Cardinality(dis) > 1 /\ last \notin dis, {"IRT-16"})
+
+(* The OB starts although it is blocked. *)
+\* @type: (Seq($event), Int) => Set(Str);
+ThoughBlocked(past, o) ==
+    IF DisIrtStopsCatchUp /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
+    ELSE {"IRT-01", "IRT-04"} \cup BlockRequirements(past, o)
+           \cup When(o = TimeErrorOb, {"OBS-33"})
+
+(* Start events came only while the OB was blocked; they are lost. *)
+\* @type: (Seq($event), Int) => Bool;
+LostMeanwhile(past, o) ==
+    LET last == LastIn(IrtLines(past, o))
+    IN  /\ last > 0 /\ past[last].event = "EN_IRT"
+        /\ last > LastStart(past, o)
+        /\ last > LastWith(past, {"interrupt", "SRT_DINT", "ACT_TINT"}, o)
+
+(* The OB is not blocked, and its start event has had no effect. *)
+\* @type: (Seq($event), Int) => Set(Str);
+ThoughNotBlocked(past, o) ==
+    LET lines == IrtLines(past, o)
+        last  == LastIn(lines)
+        other == LastOf(past, {"DIS_IRT"})
+    IN  IF Blocked(o) THEN {"IRT-01"}  \* it came before
+        ELSE IF last > LastStart(past, o)
+        THEN {"IRT-15"} \cup BlockRequirements(past, o)
+        ELSE IF lines = {} /\ irt.blocked # {} /\ other > 0
+        THEN OfMode(past[other]) \cup {"IRT-11"}
+        ELSE {}
+
+-----------------------------------------------------------------------------
+(* Time: a series, a delay, a clock that was set, a HOLD, a STARTUP *)
+
+(* The requirements of STEP 7's setting of an interrupt. *)
+\* @type: (Int, Seq($event)) => Set(Str);
+Step7Requirements(o, past) ==
+    LET call == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT"}, o)
+    IN  When(cpu.step7[o].execution # "none",
+             IF LastOf(past, {"restart"}) > call THEN {"OBS-50"}
+             ELSE IF call = 0 THEN {"TINT-06"} ELSE {"TINT-38"})
+
+(* The rules that say when an interrupt of this PERIOD is due. *)
+\* @type: (Int, Int, Seq($event)) => Set(Str);
+SeriesRequirements(o, period, past) ==
+    LET set == LastWith(past, {"SET_TINT"}, o)
+    IN  {"TINT-32"}
+          \cup (CASE period = Hourly     -> {"TINT-34"}
+                  [] period = EndOfMonth -> {"TINT-19"}
+                  [] period = Monthly    -> {"TINT-18"}
+                  [] OTHER               -> {"TINT-24"})
+          \cup When(period \in Weekly \cup {Hourly, Yearly, Minutely, Daily},
+                    {"TINT-33"})
+          \cup When(/\ set > 0
+                    /\ past[set].sdt.second # 0 \/ past[set].sdt.ms # 0,
+                    {"TINT-11"})
+
+(* The rules that say when the delay of a job is over. *)
+\* @type: (Int, Seq($event)) => Set(Str);
+OfDelay(o, past) ==
+    LET srt == LastWith(past, {"SRT_DINT"}, o)
+    IN  When(LastOf(past, {"clock"}) > srt \/ Unseen("clock"), {"DINT-18"})
+          \cup When(LastOf(past, {"hold"}) > srt, {"DINT-19"})
+          \cup When(TimesSince(past, {"SRT_DINT"}, o, LastStart(past, o)) > 1,
+                    {"DINT-07"}
+                      \cup When(DintCallsWithdrawRuns(cpu), {"DINT-15"}))
+
+-----------------------------------------------------------------------------
+(* Since a line *)
+
+(* Since position `last' the CPU has gone on to RUN, or HOLD has come.     *)
+\* @type: (Seq($event), Int, Int) => Set(Str);
+SinceRun(past, o, last) ==
+    When(LastOf(past, {"run"}) > last,
+             {"OBS-44"} \cup When(o \in TodObs, {"TINT-13"})
+                        \cup When(o \in DintObs, {"DINT-11"})
+                        \cup When(o \in ExternalObs, {"OBS-42"}))
+          \cup When(LastOf(past, {"hold", "release"}) > last,
+                    {"OBS-45"} \cup When(o \in TodObs, {"OBS-46"})
+                               \cup When(o \in DintObs, {"DINT-19"}))
+
+(* Since position `last' the clock was set.                                *)
+\* @type: (Seq($event), Int) => Set(Str);
+SinceClock(past, last) ==
+    LET how == ClockWasSet(past, last)
+    IN  IF how = 0 THEN {}
+        ELSE IF how > 0 THEN {"CLK-03"}
+        ELSE IF ~Family.repeats THEN {"CLK-09"}
+        ELSE IF Remembers THEN {"CLK-11"} ELSE {"CLK-10"}
+
+-----------------------------------------------------------------------------
+(* Time-of-day interrupts *)
+
+(* The program has changed the catch-up in OB 80 [CLK-04].                 *)
+\* @type: (Int, Seq($event)) => Bool;
+TouchedInOb80(o, past) ==
+    LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT", "DIS_IRT"}, o)
+      > LastStart(past, TimeErrorOb)
+    /\ LastStart(past, TimeErrorOb) > 0
+
+(* The OB has just run, and no start point has come since. *)
+\* @type: (Int, Seq($event)) => Bool;
+RanForPoint(o, past) ==
+    LET last == LastStart(past, o)
+    IN  /\ last > 0 /\ past[last].at.min < tod[o].next
+        /\ clock.min - past[last].at.min \in {0, 1}
+        /\ PointFrom(tod[o], past[last].at.min + 1) = tod[o].next
+
+(* Why a point of a time-of-day interrupt has not led to a start event.    *)
+\* @type: (Int, Seq($event)) => Set(Str);
+NoTodRequest(o, past) ==
+    LET last == LastWith(past, {"SET_TINT", "CAN_TINT", "start"}, o)
+    IN  IF Deselected(o) THEN {"TINT-02", "OBS-25"}
+        ELSE IF LostMeanwhile(past, o) THEN {"IRT-04", "IRT-18"}
+        ELSE IF OnStack(o) THEN {"OBS-02", "TINT-14"}
+        ELSE IF ~tod[o].active /\ LastOf(past, {"restart"}) > last
+        THEN {"TINT-02", "OBS-50"}
+        ELSE IF ~tod[o].set
+        THEN IF last = 0 THEN {"TINT-02", "TINT-05"}
+             ELSE IF past[last].event = "start" THEN {"TINT-08", "CLK-12"}
+             ELSE IF past[last].event = "SET_TINT" THEN {"TINT-31"}
+             ELSE {"TINT-02", "TINT-50", "TINT-54"}
+        ELSE IF ~tod[o].active THEN {"TINT-02", "TINT-05", "TINT-31"}
+        ELSE LET again == RanForPoint(o, past)
+                 from  == IF again THEN StartBefore(past, o)
+                          ELSE LastStart(past, o)
+                 moved == SinceClock(past, from) \cup SinceRun(past, o, from)
+                 special ==
+                   moved
+                     \cup When(Blocked(TimeErrorOb), {"OBS-33"})
+                     \cup When(ClockWasSet(past, from) # 0
+                                 /\ TouchedInOb80(o, past),
+                               {"CLK-04", "TINT-54"})
+                     \cup When(clock.min <= tod[o].repeatTo
+                                 /\ WasServed(tod[o], clock.min, cpu),
+                               {"CLK-09"})
+                     \cup When(again, {"OBS-07"})
+                     \cup When(again /\ moved = {}, {"TINT-10", "TINT-32"})
+                     \cup When(again /\ moved = {}
+                                 /\ LastStart(past, TimeErrorOb) > from,
+                               {"TINT-14"})
+             IN  IF special # {} THEN special
+                 ELSE SeriesRequirements(o, tod[o].period, past)
+                        \cup Step7Requirements(o, past)
+                        \cup When(~HasOnePoint(tod[o].period), {"TINT-10"})
+
+-----------------------------------------------------------------------------
+(* Time-delay interrupts *)
+
+\* @type: (Int, Seq($event)) => Set(Str);
+NoDintRequest(o, past) ==
+    LET last == LastWith(past, {"SRT_DINT", "CAN_DINT", "start"}, o)
+    IN  IF LostMeanwhile(past, o) THEN {"IRT-04", "DINT-20"}
+        ELSE IF OnStack(o) THEN {"OBS-02", "DINT-10"}
+        ELSE IF dint[o].started
+        THEN {"DINT-03", "DINT-06"} \cup OfDelay(o, past)
+        ELSE IF LastOf(past, {"restart"}) > last THEN {"DINT-02", "DINT-13"}
+        ELSE IF last = 0 THEN {"DINT-02"}
+        ELSE IF past[last].event = "CAN_DINT" THEN {"DINT-02", "DINT-14"}
+        ELSE {"DINT-02"}
+               \cup When(LastStart(past, TimeErrorOb) > StartBefore(past, o),
+                         {"DINT-10"})
+
+-----------------------------------------------------------------------------
+(* OB 80 and OB 85 *)
+
+(* The fault in the line decides; without a fault, the lines before it. *)
+\* @type: ($event, Seq($event)) => Set(Str);
+NoTimeError(e, past) ==
+    LET fault == e.info.flt_id
+        last  == LastStart(past, TimeErrorOb)
+    IN  IF TimeErrorOb \notin loaded THEN {"OBS-22", "OBS-30"}
+        ELSE {"OBS-30"}
+          \cup When(LostMeanwhile(past, TimeErrorOb), {"OBS-33", "IRT-04"})
+          \cup When(/\ fault \in {-1, SkippedByClock}
+                    /\ LastOf(past, {"clock"}) > last,
+                    {"CLK-02", "OBS-32"})
+          \cup When(/\ fault \in {-1, SkippedInHold}
+                    /\ LastOf(past, {"release"}) > last,
+                    {"OBS-46"})
+          \cup When(fault = StillRunning,
+                    When(\E o \in TodObs : OnStack(o), {"TINT-14"})
+                      \cup When(\E o \in DintObs : OnStack(o), {"DINT-10"}))
+          \cup When(fault = SkippedByClock, {"CLK-02"})
+          \cup When(fault = SkippedInHold, {"OBS-46"})
+          \cup When(fault = BufferOverflow, {"OBS-08"})
+          \cup When(/\ fault \in {-1, SkippedByClock}
+                    /\ ~\E o \in TodObs : tod[o].active, {"CLK-14"})
+          \cup When(/\ fault = SkippedByClock
+                    /\ LastOf(past, {"DIS_AIRT"}) > LastOf(past, {"clock"}),
+                    {"CLK-18"})
+
+(* The missing OBs whose interrupt was activated or started. *)
+\* @type: Seq($event) => Set(Str);
+NoProgramError(past) ==
+    LET tods  == { o \in TodObs \ loaded : LastWith(past, {"ACT_TINT"}, o) > 0
+                                          \/ tod[o].active }
+        dints == { o \in DintObs \ loaded :
+                     LastWith(past, {"SRT_DINT"}, o) > 0 }
+    IN  {"OBS-20"}
+          \cup When(tods # {}, {"TINT-16", "TINT-17"})
+          \cup When(dints # {}, {"DINT-09"})
+          \cup When(\E o \in tods \cup dints : Blocked(o), {"IRT-01"})
+          \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
+                    {"AIRT-01", "AIRT-09"})
+          \cup When(MissingObEndsItsSource, {"OBS-28"})
+          \cup When(MissingIsTimeError, {"OBS-24"})
+
+-----------------------------------------------------------------------------
+
+\* @type: ($event, Seq($event)) => Set(Str);
+WithoutRequest(e, past) ==
+    LET o == e.ob
+    IN  CASE mode = "STOP"                -> {"OBS-41"}
+          [] mode = "HOLD"                -> {"OBS-45"}
+          [] ClassOf(o) = 0               -> {"OBS-06", "TINT-02", "OBS-25"}
+          [] Blocked(o)                   -> ThoughBlocked(past, o)
+          [] mode = "STARTUP" /\ o \in TodObs  -> {"OBS-42", "TINT-13"}
+          [] mode = "STARTUP" /\ o \in DintObs ->
+               {"OBS-42", "DINT-12", "DINT-11"}
+          [] o \in TodObs                 -> NoTodRequest(o, past)
+          [] o \in DintObs                -> NoDintRequest(o, past)
+          [] o = TimeErrorOb              -> NoTimeError(e, past)
+          [] o = ProgramErrorOb           -> NoProgramError(past)
+          [] o \in {CycleOb} \cup StartupObs ->
+               IF mode = "STARTUP"
+               THEN {"OBS-42"} \cup When(e.info.time # NoMoment, {"OBS-10"})
+               ELSE {"OBS-03"} \cup When(stack = <<>>, {"OBS-10"})
+          [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
+          [] OTHER                        ->
+               {"OBS-01", "OBS-07"} \cup SinceRun(past, o, LastStart(past, o))
+                 \cup When(LastOf(past, {"restart"})
+                             > LastWith(past, {"interrupt"}, o), {"OBS-52"})
 
 -----------------------------------------------------------------------------
 (* Start information that does not fit the request *)

@@ -10,11 +10,18 @@
 (***************************************************************************)
 EXTENDS Calls
 
+(* The answers at this count. *)
+\* @type: Int => Set(Int);
+DisAirtAnswers(count) == {count + 1}
+
+\* @type: Int => Set(Int);
+EnAirtAnswers(count) == {IF count = 0 THEN NotDelayed ELSE count - 1}
+
 (* [AIRT-03] [AIRT-06] *)
 \* @type: Int => Bool;
 DisAirt(ret) ==
     /\ Called
-    /\ ret = delay + 1
+    /\ ret \in DisAirtAnswers(delay)
     /\ delay' = delay + 1
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
@@ -24,7 +31,7 @@ DisAirt(ret) ==
 \* @type: Int => Bool;
 EnAirt(ret) ==
     /\ Called
-    /\ ret = (IF delay = 0 THEN NotDelayed ELSE delay - 1)
+    /\ ret \in EnAirtAnswers(delay)
     /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,

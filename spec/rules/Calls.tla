@@ -29,17 +29,31 @@ Answers(o, errors) ==
            [] DeselectedIsOrdinary -> Usual(errors)
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
-(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB; bit2: the possible    *)
-(* values of that bit, 0 or 4. By default bit 0 of a deselected OB in RUN  *)
-(* is not judged [AMB-03]. No test function is active [AMB-04]. The clock  *)
-(* is base time, bit 6. A delay by SFC 41 does not show [AIRT-13].         *)
+(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB with these values of   *)
+(* its bits. No test function is active [AMB-04]. The clock is base time,  *)
+(* bit 6. A delay by SFC 41 does not show [AIRT-13].                       *)
+\* @type: (Set(Int), Set(Int), Set(Int), Set(Int)) => Set(Int);
+StatusOf(bit0, bit1, bit2, bit4) ==
+    { a + b + c + d + (IF Bit5MeansNoTest THEN 32 ELSE 0)
+      : a \in bit0, b \in bit1, c \in bit2, d \in bit4 }
+
+(* [TINT-72] By default bit 0 of a deselected OB in RUN is not judged      *)
+(* [AMB-03].                                                               *)
+\* @type: Int => Set(Int);
+StartupBit(o) == IF mode = "STARTUP" THEN {1}
+                 ELSE IF ~Deselected(o) THEN {0}
+                 ELSE IF Bit0MeansStartup THEN {0, 1} ELSE {1}
+
+(* [TINT-73] *)
+\* @type: Int => Set(Int);
+BlockedBit(o) == {IF Blocked(o) THEN 2 ELSE 0}
+
+(* [TINT-76] *)
+\* @type: Int => Set(Int);
+LoadedBit(o) == {IF o \in loaded THEN 16 ELSE 0}
+
+(* bit2: its possible values.                                              *)
 \* @type: (Int, Set(Int)) => Set(Int);
 StatusWithBit2(o, bit2) ==
-    LET bit0 == IF mode = "STARTUP" THEN {1}
-                ELSE IF ~Deselected(o) THEN {0}
-                ELSE IF Bit0MeansStartup THEN {0, 1} ELSE {1}
-        rest == (IF Blocked(o) THEN 2 ELSE 0)
-                  + (IF o \in loaded THEN 16 ELSE 0)
-                  + (IF Bit5MeansNoTest THEN 32 ELSE 0)
-    IN  { b + c + rest : b \in bit0, c \in bit2 }
+    StatusOf(StartupBit(o), BlockedBit(o), bit2, LoadedBit(o))
 =============================================================================

@@ -44,6 +44,12 @@ IrtErrors(m, o, modes) ==
     THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
     ELSE IF NumberFits(m, o) THEN {} ELSE {BadOb}
 
+\* @type: (Int, Int) => Set(Int);
+DisIrtAnswers(m, o) == Usual(IrtErrors(m, o, DisModes))
+
+\* @type: (Int, Int) => Set(Int);
+EnIrtAnswers(m, o) == Usual(IrtErrors(m, o, EnModes))
+
 (* [AMB-21] One flag for each OB; under (b) one for each of three levels.  *)
 \* @type: (Int, Int) => Set(Int);
 Meant(m, o) ==
@@ -86,7 +92,7 @@ EntriesOfDisIrt(m) ==
 \* @type: (Int, Int, Int) => Bool;
 DisIrt(m, o, ret) ==
     /\ Called
-    /\ ret \in Usual(IrtErrors(m, o, DisModes))
+    /\ ret \in DisIrtAnswers(m, o)
     /\ IF ret = OK
        THEN /\ irt'      = BlockedWith(Meant(m, o), WithoutEntries(m))
             /\ requests' = RequestsAfterDisIrt(Meant(m, o))
@@ -104,7 +110,7 @@ IrtAfterEnIrt(m, o) ==
 \* @type: (Int, Int, Int) => Bool;
 EnIrt(m, o, ret) ==
     /\ Called
-    /\ ret \in Usual(IrtErrors(m, o, EnModes))
+    /\ ret \in EnIrtAnswers(m, o)
     /\ irt' = IF ret = OK THEN IrtAfterEnIrt(m, o) ELSE irt
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, outcomeVars,

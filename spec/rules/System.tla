@@ -11,8 +11,8 @@
 (* does not depend on it; properties use it.                               *)
 (*                                                                         *)
 (* Source: requirements, sections 5 and 6.                                 *)
-(* Left out: start information (StartInfo); the latency of a real CPU      *)
-(* (Waiting).                                                              *)
+(* Left out: start information (ReportedData); the latency of a real CPU   *)
+(* (Elapsing).                                                             *)
 (***************************************************************************)
 EXTENDS Surroundings, Airt, Irt, TimeOfDay, Clock, Scheduler, Modes
 

@@ -88,6 +88,9 @@ DelayTimes == 1..60000
 SrtErrors(o, dtime) ==
     DintErrors(o) \cup (IF dtime \in DelayTimes THEN {} ELSE {BadDtime})
 
+\* @type: (Int, Int) => Set(Int);
+SrtAnswers(o, dtime) == Answers(o, SrtErrors(o, dtime))
+
 (* [DINT-07] [DINT-22] [AMB-74] Started anew, it begins from the start. *)
 \* @type: ($job, Int, Int) => $job;
 StartedWith(job, dtime, sign) ==
@@ -110,7 +113,7 @@ StartsJob(o, dtime, sign) ==
 \* @type: (Int, Int, Int, Int) => Bool;
 SrtDint(o, dtime, sign, ret) ==
     /\ Called /\ Ended(o)
-    /\ ret \in Answers(o, SrtErrors(o, dtime))
+    /\ ret \in SrtAnswers(o, dtime)
     /\ IF ret = OK THEN StartsJob(o, dtime, sign)
        ELSE UNCHANGED <<cpu, dint>> /\ Nothing
     /\ UNCHANGED <<loaded, modeVars, clock, tod, irt, runVars>>
@@ -118,16 +121,26 @@ SrtDint(o, dtime, sign, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 33 *)
 
-(* [DINT-14] [DINT-15] While its OB waits, a job that is over can be       *)
-(* cancelled, or is no longer started [AMB-11].                            *)
+(* The errors that follow from what is known of the job. *)
+\* @type: Bool => Set(Int);
+CanDintErrorsIf(started) == IF started THEN {} ELSE {NotStarted}
+
+(* [DINT-14] [DINT-15] Whether the call finds the job started. While its   *)
+(* OB waits, a job that is over can be cancelled, or is no longer started  *)
+(* [AMB-11]; if the OB may wait, both are possible.                        *)
+\* @type: (Int, $cpu) => Set(Bool);
+FoundStarted(o, c) ==
+    IF dint[o].started THEN {TRUE}
+    ELSE IF ~DintCallsWithdrawRuns(c) THEN {FALSE}
+    ELSE IF PendingIn(requests, o) THEN {TRUE}
+    ELSE IF OpenIn(requests, o) THEN {TRUE, FALSE} ELSE {FALSE}
+
+(* [DINT-14] [DINT-15] *)
 \* @type: (Int, $cpu) => Set(Int);
 CanDintAnswersOf(o, c) ==
-    LET withdraws == DintCallsWithdrawRuns(c)
-    IN  IF o \notin DintObs THEN Answers(o, {BadOb})
-        ELSE IF dint[o].started THEN Answers(o, {})
-        ELSE (IF withdraws /\ Elapsed(o) THEN Answers(o, {}) ELSE {})
-               \cup (IF withdraws /\ PendingIn(requests, o) THEN {}
-                     ELSE Answers(o, {NotStarted}))
+    IF o \notin DintObs THEN Answers(o, {BadOb})
+    ELSE UNION { Answers(o, CanDintErrorsIf(started))
+                 : started \in FoundStarted(o, c) }
 
 \* @type: Int => Set(Int);
 CanDintAnswers(o) ==
@@ -154,11 +167,14 @@ DintStatuses(o) ==
     StatusWithBit2(o, IF dint[o].started THEN {4}
                       ELSE IF Elapsed(o) THEN {0, 4} ELSE {0})
 
+\* @type: Int => Set(Int);
+QryDintAnswers(o) == Answers(o, DintErrors(o))
+
 (* [DINT-16] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;
 QryDint(o, ret, status) ==
     /\ Called /\ Ended(o)
-    /\ ret \in Answers(o, DintErrors(o))
+    /\ ret \in QryDintAnswers(o)
     /\ ret = OK => status = -1 \/ status \in DintStatuses(o)
     /\ NothingEntered
     /\ UNCHANGED cpuVars

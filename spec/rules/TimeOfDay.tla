@@ -116,12 +116,15 @@ SetTint(o, sdt, period, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 29 *)
 
+(* The errors that follow from what is known of the setting. *)
+\* @type: Bool => Set(Int);
+CanErrorsIf(isSet) == IF isSet THEN {} ELSE {NotSet}
+
 (* [TINT-51] [TINT-52] [AMB-09] *)
 \* @type: Int => Set(Int);
 CanErrors(o) ==
     IF o \notin TodObs THEN {BadOb}
-    ELSE IF ~tod[o].set \/ (CanTintNeedsActive /\ ~tod[o].active) THEN {NotSet}
-    ELSE {}
+    ELSE CanErrorsIf(tod[o].set /\ (~CanTintNeedsActive \/ tod[o].active))
 
 (* Whether a one-shot interrupt that is over is still set is open [AMB-48] *)
 (* [AMB-55].                                                               *)
@@ -142,15 +145,19 @@ CanTint(o, ret) ==
 -----------------------------------------------------------------------------
 (* SFC 30 *)
 
+(* The errors that follow from what is known of the setting. *)
+\* @type: (Bool, Bool) => Set(Int);
+ActErrorsIf(isSet, isPast) ==
+    IF isPast THEN {PastStart} ELSE IF isSet THEN {} ELSE {NotSet}
+
 (* [TINT-61] [TINT-62] *)
 \* @type: Int => Set(Int);
 ActErrors(o) ==
     IF o \notin TodObs THEN {BadOb}
-    ELSE IF ~tod[o].set THEN {NotSet}
-    ELSE IF /\ ~tod[o].active
-            /\ HasOnePoint(tod[o].period)
-            /\ IsPast(FirstMoment(tod[o]), clock)
-         THEN {PastStart} ELSE {}
+    ELSE ActErrorsIf(tod[o].set, /\ tod[o].set
+                                 /\ ~tod[o].active
+                                 /\ HasOnePoint(tod[o].period)
+                                 /\ IsPast(FirstMoment(tod[o]), clock))
 
 (* A one-shot interrupt that is over may still be active [AMB-48]          *)
 (* [AMB-55].                                                               *)
@@ -242,11 +249,14 @@ ActiveBit(o) ==
 \* @type: Int => Set(Int);
 Statuses(o) == StatusWithBit2(o, ActiveBit(o))
 
+\* @type: Int => Set(Int);
+QryAnswers(o) == Answers(o, ObErrors(o))
+
 (* [TINT-70] [TINT-71] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;
 QryTint(o, ret, status) ==
     /\ Called
-    /\ ret \in Answers(o, ObErrors(o))
+    /\ ret \in QryAnswers(o)
     /\ ret = OK => status = -1 \/ status \in Statuses(o)
     /\ NothingEntered
     /\ UNCHANGED cpuVars

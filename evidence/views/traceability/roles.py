@@ -1,7 +1,7 @@
 """The roles of the modules of spec/.
 
-The rules are the parts of the system and of the explanation of a log. Modules that build on the explanation of a log
-only say why a log is rejected. The others state properties of the rules.
+The rules are the parts of the system and of the explanation of a log. The other modules behind a report only merge
+explanations, or say why a log is rejected. Those behind no report state properties of the rules.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from evidence.views.traceability.modules import Definition, Module
 
 SYSTEM = "System"
 EXPLANATION = "PartialLogs"
+REPORT = "Explain"
 READINGS = "Readings"
 """The module with a name for each answer to a question that the sources leave open."""
 
@@ -25,8 +26,8 @@ def rules(spec: Sequence[Module]) -> list[Module]:
 
 def statements(spec: Sequence[Module]) -> list[Module]:
     """The modules with statements about the rules: properties, and specifications that the rules implement."""
-    names = extended({SYSTEM, EXPLANATION}, spec)
-    return [m for m in spec if m.name not in names and EXPLANATION not in extended({m.name}, spec)]
+    names = extended({SYSTEM, EXPLANATION, REPORT}, spec)
+    return [module for module in spec if module.name not in names]
 
 
 def lookups(ambiguity: str, ruling: Sequence[Module]) -> list[Definition]:

@@ -62,7 +62,7 @@ final class Contract {
     DECIDING("Deciding", 2),
     TOO_LATE("TooLate", 1),
     LATE_REQUIREMENTS("LateRequirements", 2),
-    OFFERS("Offers", 0),
+    NEXT_LINES("NextLines", 0),
     WITH_ANSWERS("WithAnswers", 1),
     LIKEWISE("Likewise", 1),
     DATED("Dated", 2),
@@ -71,7 +71,7 @@ final class Contract {
     END_OF_TIME("EndOfTime", 0),
     LAST_IN_TIME("LastInTime", 0),
     TOO_LATE_NOW("TooLateNow", 0),
-    GROUNDS("Grounds", 2);
+    WHY_POSSIBLE("WhyPossible", 2);
 
     final String tla;
     final int arity;
@@ -374,8 +374,8 @@ final class Contract {
   }
 
   /** Lines without a time that come into question after this state. */
-  List<Value> offers(State state) {
-    return Values.elements(value(Operator.OFFERS, state));
+  List<Value> nextLines(State state) {
+    return Values.elements(value(Operator.NEXT_LINES, state));
   }
 
   /** The line with each value that the CPU may give with it in this state. */
@@ -437,8 +437,8 @@ final class Contract {
   }
 
   /** The requirements by which the line is possible in this state. */
-  JsonArray grounds(State state, Value event, Value past) {
-    return array(Operator.GROUNDS, state, event, past);
+  JsonArray whyPossible(State state, Value event, Value past) {
+    return array(Operator.WHY_POSSIBLE, state, event, past);
   }
 
   /** The event as an object, without the fields that it does not give. */

@@ -120,7 +120,7 @@ final class Parting {
   private Set<Value> offers(Pair pair) {
     var offers = new LinkedHashSet<Value>(bounds.given);
     for (State state : pair.mine.states()) {
-      for (Value offer : spec.offers(state)) {
+      for (Value offer : spec.nextLines(state)) {
         if (isInside((RecordValue) offer.toRcd())) {
           offers.add(offer);
         }

@@ -225,7 +225,7 @@ final class Session {
       return offers;
     }
     for (State state : now.states()) {
-      for (Value offer : spec.offers(state)) {
+      for (Value offer : spec.nextLines(state)) {
         if (question.only.isEmpty() || question.only.contains(name(offer))) {
           offers.add(offer);
         }
@@ -264,7 +264,7 @@ final class Session {
           offer.until = index;
           possible = true;
           if (offer.from == index) {
-            spec.grounds(state, dated, past).forEach(id -> offer.requirements.add(id.getAsString()));
+            spec.whyPossible(state, dated, past).forEach(id -> offer.requirements.add(id.getAsString()));
           }
         }
       }

@@ -1,23 +1,40 @@
-------------------------------- MODULE Offers -------------------------------
+----------------------------- MODULE NextLines ------------------------------
 (***************************************************************************)
 (* Candidates for the next line of a log: events with operands and values. *)
-(* The engine tries each by the operators that judge a log, so an offered  *)
-(* line need not be possible.                                              *)
+(* The engine tries each by the operators that judge a log, so a candidate *)
+(* need not be possible.                                                   *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events.                            *)
 (* Left out: lines of kind `state', which never have to come; all operands *)
 (* of calls and clocks but some that stand for the others.                 *)
 (***************************************************************************)
-EXTENDS CallReasons
+EXTENDS PartialLogs
+
+-----------------------------------------------------------------------------
+(* The right answer *)
+
+\* @type: $event => Set(Int);
+RightAnswers(e) == IF terms.loose THEN LooseAnswers(e) ELSE AnswersTo(e)
+
+\* @type: $event => Set(Int);
+RightStatuses(e) == IF terms.loose THEN LooseStatuses(e.ob) ELSE StatusesOf(e)
+
+\* @type: $event => Bool;
+AnswerRight(e) == e.ret = -1 \/ e.ret \in RightAnswers(e)
+
+(* [AMB-70] (b) The delay has to end before this call. *)
+\* @type: $event => Bool;
+BeforeItsEnd(e) ==
+    e.event \in {"SRT_DINT", "CAN_DINT", "QRY_DINT"} /\ ~Ended(e.ob)
+
+-----------------------------------------------------------------------------
+(* Operands that stand for the others *)
 
 \* @type: Str => $event;
 Line(name) == [NoEvent EXCEPT !.event = name]
 
 \* @type: (Str, Int) => $event;
 LineOf(name, o) == [NoEvent EXCEPT !.event = name, !.ob = o]
-
------------------------------------------------------------------------------
-(* Operands that stand for the others *)
 
 (* The least of these OBs, if there is one.                                *)
 \* @type: Set(Int) => Set(Int);
@@ -55,7 +72,7 @@ EnModeOperands  == {0, 1, 2, 3}
 IrtOperands == ObOperands(Blockable)
                  \cup { ClassNumber(o) : o \in Blockable \cap loaded }
 
-CallOffers ==
+CallLines ==
     {Line("DIS_AIRT"), Line("EN_AIRT")}
       \cup { [LineOf("SET_TINT", o) EXCEPT !.sdt = DateAt(NextMinute),
                                            !.period = Once]
@@ -92,7 +109,7 @@ OutsideFaults == {<<TimeErrorOb, CycleTimeExceeded>>, <<TimeErrorOb, \h0B>>,
                   <<ProgramErrorOb, \hA3>>}
 
 (* Lines that do not depend on the state just before them. *)
-Offers ==
+NextLines ==
     { LineOf("start", o) : o \in loaded \cup {CycleOb} }
       \cup { LineOf("end", o) : o \in { stack[i].ob : i \in DOMAIN stack }
                                         \cup {CycleOb} \cup StartupObs }
@@ -108,7 +125,7 @@ Offers ==
             ELSE {[Line("stop") EXCEPT !.cause = stopCause]})
       \cup { [Line("diag") EXCEPT !.id = r.entry.id]
              : r \in IF DiagRecorded THEN reports ELSE {} }
-      \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallOffers)
+      \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallLines)
 
 (* The line with each value that the CPU may give with it.                 *)
 \* @type: $event => Set($event);

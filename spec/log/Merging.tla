@@ -1,4 +1,4 @@
------------------------------- MODULE Widening ------------------------------
+------------------------------ MODULE Merging -------------------------------
 (***************************************************************************)
 (* The engine merges or shrinks explanations when there are many. The      *)
 (* result allows at least as much: every line that an explanation allowed  *)
@@ -10,14 +10,13 @@
 (* Meet: explanations that differ only in waiting start events from        *)
 (* outside become one. A start event is open afterwards unless all of them *)
 (* have it for sure.                                                       *)
-(*                                                                         *)
-(* Loosen, LastResort: of one explanation certain facts are left, where    *)
-(* nobody can follow all of them.                                          *)
+(* Loosen, LastResort: when there are too many explanations to follow,     *)
+(* each is reduced to the facts that hold regardless.                      *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine points 9 and 11.              *)
-(* Left out: what is judged by certain facts (LooseLogs).                  *)
+(* Left out: how a log is judged by such facts (LooseLogs).                *)
 (***************************************************************************)
-EXTENDS PartialLogs
+EXTENDS Modes, Elapsing
 
 -----------------------------------------------------------------------------
 (* Many open requests of one OB *)

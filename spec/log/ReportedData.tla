@@ -1,0 +1,299 @@
+---------------------------- MODULE ReportedData ----------------------------
+(***************************************************************************)
+(* What the CPU tells of a start event: the start information of its OB,   *)
+(* and entries of the diagnostic buffer.                                   *)
+(*                                                                         *)
+(* Does the information of a line fit the request by which the OB starts?  *)
+(* Each entry in a line has a cause. If the log has such lines, each cause *)
+(* leads to an entry within the latency.                                   *)
+(*                                                                         *)
+(* Source: requirements, table 7.2 (start information), table 7.5 (event   *)
+(* ids); docs/checking/log-format.md, fine point 9.                        *)
+(* Left out: bytes that table 7.2 leaves open; entries of other events.    *)
+(* Table 7.5 has those of OB 80, OB 85, STOP by rule and SFC 39.           *)
+(***************************************************************************)
+EXTENDS Calendar, Requests, LogState
+
+-----------------------------------------------------------------------------
+(* Events of an OB *)
+
+(* Table 7.5. Parameters decide which of the four hardware events leads to *)
+(* which of OB 40 to 47.                                                   *)
+\* @type: Int => Set(Int);
+EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
+                 [] o \in 20..23 -> {\h1121 + o - 20}
+                 [] o \in 30..38 -> {\h1131 + o - 30}
+                 [] o \in 40..47 -> \h1141..\h1144
+                 [] OTHER        -> {}
+EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
+(* Events of the OBs that calls start. The CPU itself makes the errors of  *)
+(* these events: such an error does not come from outside.                 *)
+EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
+
+(* The table names no event for the other OBs: none of these events is     *)
+(* theirs.                                                                 *)
+\* @type: (Int, Int) => Bool;
+FitsEvent(given, o) ==
+    given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
+                                     ELSE given \in EventsOf(o)
+
+\* @type: (Int, Int) => Bool;
+FitsNumber(given, o) ==
+    EventsOf(o) # {} => given \in {-1} \cup { ev % 256 : ev \in EventsOf(o) }
+
+-----------------------------------------------------------------------------
+(* Fields of the start information *)
+
+\* @type: (Int, Int) => Bool;
+Fits(given, value) == given = -1 \/ value = -1 \/ given = value
+
+(* [CLK-06] Bit k stands for OB 10 + k. *)
+\* @type: Set(Int) => Int;
+LateMask(obs) ==
+    LET b(o, v) == IF o \in obs THEN v ELSE 0
+    IN  b(10, 1) + b(11, 2) + b(12, 4) + b(13, 8) + b(14, 16) + b(15, 32)
+          + b(16, 64) + b(17, 128)
+
+\* @type: (Int, Int) => Bool;
+FitsPeriod(given, period) ==
+    \/ Fits(given, period)
+    \/ BothPeriodsAreWeekly /\ given \in Weekly /\ period \in Weekly
+
+(* The latest moment for which line e may stand: its `at' may be written   *)
+(* in seconds or minutes.                                                  *)
+\* @type: $event => $moment;
+Latest(e) == After(clock, e.step - 1)
+
+(* The clock shows `to' at most so many ms after `time'. *)
+\* @type: ($moment, $moment, Int) => Bool;
+Within(time, to, ms) == Before(time, to) => Span(time, to) <= ms
+
+(* [OBS-10] A time within the latency before line e, by the clock as it is *)
+(* or as it was before it was set.                                         *)
+\* @type: ($moment, $event) => Bool;
+JustBefore(time, e) ==
+    \/ ~Before(Latest(e), time) /\ Within(time, clock, terms.latency)
+    \/ \E c \in changes :
+         LET ago == Span(c.up, up)
+         IN  /\ ago <= terms.latency
+             /\ ~Before(c.from, time)
+             /\ Within(time, c.from, terms.latency - ago)
+
+(* [DINT-06] The end of a delay may have been 1 ms early, though no line   *)
+(* of that millisecond made it so.                                         *)
+\* @type: $request => Bool;
+MayBeEarlier(r) ==
+    LET o == IF r.ob \in DintObs THEN r.ob ELSE r.cause
+    IN  o \in DintObs /\ [ob |-> o, since |-> r.since] \notin terms.early
+
+(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80    *)
+(* for skipped points the new time. Another start shows the moment of its  *)
+(* start event or a later one [OBS-10]. A clock that was set back may be   *)
+(* before that moment. The moment of an unseen start event is not known.   *)
+\* @type: ($request, $event) => Bool;
+FitsTime(r, e) ==
+    LET time  == e.info.time
+        exact == IF r.ob \in TodObs THEN r.follows \in Skips
+                                    ELSE r.fault \in Skips /\ r.late # {}
+        shown == IF MayBeEarlier(r) THEN After(time, 1) ELSE time
+    IN  \/ time = NoMoment \/ r.since = NoMoment
+        \/ time = r.since
+        \/ /\ ~exact
+           /\ \/ ~Before(shown, r.since) /\ ~Before(Latest(e), time)
+              \/ /\ changes # {} \/ Before(clock, r.since)
+                 /\ JustBefore(time, e)
+
+(* [AMB-31] Under (a) the OB may have waited since the delay was over.     *)
+\* @type: (Int, Int) => Bool;
+FitsDtime(given, dtime) ==
+    Fits(given, dtime) \/ (DtimeIsElapsedTime /\ given > dtime)
+
+-----------------------------------------------------------------------------
+(* Errors: OB 80 and OB 85 *)
+
+(* [AMB-28] *)
+\* @type: (Int, Int) => Bool;
+FitsFault(fault, value) ==
+    \/ Fits(value, fault)
+    \/ fault \in ObNotLoaded /\ value \in ObNotLoaded /\ MissingObIsEitherFault
+
+(* [AMB-27] The OB that caused the error.                                  *)
+\* @type: ($request, $info) => Bool;
+FitsCause(r, i) ==
+    \/ /\ r.cause = 0
+       /\ r.fault = CycleTimeExceeded => Fits(i.ev_ob, r.during)
+       /\ r.fault \in FaultsOfStart => i.ev \notin EventsOfCalls
+    \/ /\ r.cause # 0
+       /\ FitsEvent(i.ev, r.cause)
+       /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
+                        THEN r.during ELSE r.cause)
+       /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
+          ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
+
+(* [CLK-06] At least one OB is late, even if the log does not tell which. *)
+\* @type: ($request, Int) => Bool;
+FitsMask(r, given) ==
+    r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
+                                        ELSE given \in {-1} \cup (1..255)
+
+(* The fields that the start information and the entry of an error share. *)
+\* @type: ($request, $info) => Bool;
+FitsError(r, i) ==
+    /\ Fits(i.priority, r.class)
+    /\ FitsFault(r.fault, i.flt_id)
+    /\ FitsFault(r.fault, i.strt_info)
+    /\ FitsCause(r, i)
+    /\ FitsMask(r, i.error_info)
+
+-----------------------------------------------------------------------------
+
+(* [DINT-03] *)
+\* @type: ($request, $info) => Bool;
+FitsInterrupt(r, i) ==
+    /\ Fits(i.priority, r.class)
+    /\ FitsNumber(i.strt_info, r.ob)
+    /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
+    /\ r.ob \in DintObs => Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)
+
+\* @type: ($request, $event) => Bool;
+FitsRequest(r, e) ==
+    /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, e.info)
+                                                 ELSE FitsInterrupt(r, e.info)
+    /\ FitsTime(r, e)
+
+-----------------------------------------------------------------------------
+(* Start events that no line shows *)
+
+(* The fault in the start information of OB 80 or OB 85, or UnknownFault. *)
+\* @type: $event => Int;
+ToldFault(e) == IF e.info.flt_id # -1 THEN e.info.flt_id ELSE UnknownFault
+
+(* The request of an unseen start event. Its unknown fields fit every      *)
+(* line.                                                                   *)
+\* @type: (Int, Int, Int) => $request;
+UnseenRequest(o, fault, class) ==
+    [ NoRequest EXCEPT !.ob = o, !.fault = fault, !.class = class, !.word = -1,
+                       !.dtime = -1, !.during = -1, !.since = NoMoment ]
+
+(* An error may have come in STARTUP. *)
+\* @type: (Int, Int) => Set(Int);
+ClassesOf(o, fault) ==
+    IF o \in AsyncErrorObs THEN {ErrorClass(o, fault), 28} ELSE {ClassOf(o)}
+
+-----------------------------------------------------------------------------
+(* Entries of the diagnostic buffer *)
+
+(* Entries that have to come, if the log has entries. *)
+DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
+                     \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
+(* Entries that need a cause: these, and 454A.                             *)
+JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
+
+(* OB number 0 or 16#FF stands for no OB. *)
+\* @type: ($entry, $event) => Bool;
+FitsEntry(entry, e) ==
+    /\ \/ e.id = entry.id
+       \/ /\ e.id - ErrorEntry \in ObNotLoaded
+          /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
+    /\ \/ entry.of.ob = 0
+       \/ /\ e.ob \in {0, 255, entry.of.ob}
+          /\ Fits(e.priority, entry.of.class)
+          /\ FitsError(entry.of, e.info)
+
+(* An unseen event may have caused this entry. Only DIS_IRT causes the     *)
+(* entry of disabled entries.                                              *)
+\* @type: Int => Bool;
+CauseUnseen(id) ==
+    LET kinds == IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"}
+    IN  ~(kinds \subseteq terms.records)
+
+-----------------------------------------------------------------------------
+(* Entries that the log has not shown yet *)
+
+(* The fields of an entry that a line can show. If the log has no such     *)
+(* lines, the active OB and the certainty of the entry do not matter.      *)
+\* @type: $entry => $entry;
+AsReported(entry) ==
+    LET told == [ entry EXCEPT !.of.since = At(0), !.of.rank = 0,
+                               !.of.open = FALSE ]
+    IN  IF DiagRecorded THEN told
+        ELSE [told EXCEPT !.open = FALSE, !.of.during = -1]
+
+(* If the log has no such lines, three equal entries stand for any number. *)
+Many == 3
+
+\* @type: Int => Int;
+OneMore(times) == IF DiagRecorded \/ times < Many THEN times + 1 ELSE Many
+\* @type: Int => Int;
+OneLess(times) == IF DiagRecorded \/ times < Many THEN times - 1 ELSE Many
+
+(* [OBS-26] The cycle time was exceeded twice in a cycle: the CPU may stop, *)
+(* and the STOP has one entry, which the log may show before or after it.  *)
+ExceededTwice    == overruns = 2
+EntryOfCycleTime == [id |-> NoTimeErrorOb, of |-> NoRequest, open |-> TRUE]
+
+EntriesOfCycleTime ==
+    IF ~ExceededTwice /\ ExceededTwice' THEN {EntryOfCycleTime} ELSE {}
+
+(* [AMB-49] The entry of a STOP that waits for the end of a delay comes    *)
+(* with the STOP; not at all if the CPU is stopped before. [OBS-26] So     *)
+(* does the entry of a STOP by the cycle time.                             *)
+\* @type: $report => Bool;
+WaitsWithStop(r) ==
+    \/ r.entry.id = stopCause /\ ~StopIsDue
+    \/ /\ r.entry = AsReported(EntryOfCycleTime)
+       /\ ExceededTwice /\ mode # "STOP"
+
+\* @type: $report => $report;
+AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
+
+Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
+              THEN { AfterStop(r) : r \in reports } ELSE reports
+
+(* The entries of this step have to be shown; their cause was `age' ms     *)
+(* ago. Entries that an unseen event may have caused are not kept.         *)
+\* @type: Int => Bool;
+Report(age) ==
+    LET shown == { m \in entered' \cup EntriesOfCycleTime :
+                     m.id \in JudgedEntries /\ ~CauseUnseen(m.id) }
+        new == { AsReported(n) : n \in shown }
+        a   == IF DiagRecorded THEN age ELSE 0
+        same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
+        times(n) == IF same(n) = {} THEN 1
+                    ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
+    IN  reports' = IF new = {} THEN Unreported
+                   ELSE (Unreported \ UNION { same(n) : n \in new })
+                          \cup { [entry |-> n, age |-> a, times |-> times(n)]
+                                 : n \in new }
+
+(* The entries that would be too late in d ms. *)
+\* @type: Int => Set($report);
+EntriesLate(d) ==
+    IF reports = {} \/ ~DiagRecorded THEN {}
+    ELSE { r \in reports : /\ ~r.entry.open /\ ~WaitsWithStop(r)
+                           /\ r.entry.id \in DemandedEntries
+                           /\ r.age + d > terms.latency }
+
+(* The entries grow older. An entry that need not come is forgotten after  *)
+(* the latency.                                                            *)
+\* @type: Int => Set($report);
+ReportsAfter(d) ==
+    IF reports = {} \/ ~DiagRecorded THEN reports
+    ELSE { IF WaitsWithStop(r) THEN r ELSE [r EXCEPT !.age = @ + d]
+           : r \in { q \in reports : \/ q.age + d <= terms.latency
+                                    \/ WaitsWithStop(q) } }
+
+-----------------------------------------------------------------------------
+
+(* A line shows an entry that no line has shown yet. *)
+\* @type: $event => Bool;
+IsEntry(e) ==
+    LET fits == { r \in reports : FitsEntry(r.entry, e) }
+    IN  /\ UNCHANGED cpuVars
+        /\ NothingEntered
+        /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
+           ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
+                  reports' = (reports \ {r}) \cup
+                               IF OneLess(r.times) = 0 THEN {}
+                               ELSE {[r EXCEPT !.times = OneLess(@)]}
+=============================================================================
