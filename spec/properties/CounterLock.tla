@@ -32,11 +32,11 @@ VARIABLES
     (* interrupted.                                                         *)
     \* @type: Seq(Int);
     running,
-    (* The number of start events that wait in each class ...               *)
+    (* The number of start events that wait in each class.                  *)
     \* @type: Int -> Int;
     waiting,
-    (* ... and the classes in which a program may start without one that is *)
-    (* sure to wait.                                                        *)
+    (* The classes in which a program may start although no start event is  *)
+    (* definitely waiting.                                                  *)
     \* @type: Set(Int);
     perhaps,
     (* The last step was a call that withdraws start events, or a deletion. *)

@@ -32,7 +32,7 @@ SkipProp ==
                     /\ r.since = clock'
           ELSE stopCause' # NoCause ]_vars
 
-(* An open request may have become certain; it is not new. *)
+(* An open request may have been confirmed; it is not new. *)
 \* @type: Int => Set($request);
 NewOf(o) == { r \in requests' \ requests :
                 r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }

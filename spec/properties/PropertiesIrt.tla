@@ -96,7 +96,7 @@ NothingNewProp ==
               <= Cardinality({ r \in requests : r.ob = o }) ]_vars
 
 (* [IRT-18] [AMB-12] A lost point is used up; so is a one-shot interrupt,  *)
-(* unless a certain or open request of its OB waits [AMB-71].              *)
+(* unless a definite or open request of its OB waits [AMB-71].             *)
 LostPointProp ==
     [][ Did("reached") /\ step'.ob \in irt.blocked =>
           /\ LET waits == \E r \in requests : r.ob = step'.ob

@@ -90,8 +90,8 @@ SetProp ==
           /\ ~PendingIn(requests', step'.ob) ]_vars
 
 (* A one-shot interrupt whose only point is past and none of whose runs is *)
-(* certain to come; its OB may run for an earlier setting. The sources     *)
-(* leave open whether it is still set [AMB-48] [AMB-55].                   *)
+(* definite; its OB may run for an earlier setting. The sources leave open *)
+(* whether it is still set [AMB-48] [AMB-55].                              *)
 Over(o) == /\ tod[o].period = Once /\ tod[o].next = Never
            /\ ~PendingIn(requests, o) /\ ~tod[o].called
 

@@ -17,7 +17,7 @@ Dispatched == Did("start") /\ step'.ob \notin StartupObs \cup {CycleOb}
 Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
 (* [OBS-10] A request stays as it was when its start event occurred; only  *)
-(* its place changes, and an open one may become certain.                  *)
+(* its place changes, and an open one may be confirmed.                    *)
 \* @type: $request => $request;
 Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
 Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }

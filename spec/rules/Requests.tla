@@ -37,7 +37,7 @@ ModeAllows(r) == \/ mode = "RUN"
 -----------------------------------------------------------------------------
 (* Queues *)
 
-(* The OB waits for sure. *)
+(* The OB is definitely pending. *)
 \* @type: (Set($request), Int) => Bool;
 PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 

@@ -109,7 +109,7 @@ AgainWhilePending(new) ==
 LateRun(new) == [new EXCEPT !.follows = StillRunning]
 
 (* A running OB has at most one later run: the waiting run, or a new one.  *)
-(* An open waiting run becomes certain, or the new run replaces it.        *)
+(* An open waiting run is confirmed, or the new run replaces it.           *)
 \* @type: $request => Set(Set($request));
 WithOneLateRun(new) ==
     IF PendingIn(requests, new.ob) THEN {requests}

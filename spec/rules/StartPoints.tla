@@ -160,7 +160,7 @@ CatchUps(fault, obs, absent) ==
                             IF o \in absent THEN 0 ELSE fault)
                  EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
 
-(* An OB has no catch-up of its own: its open request becomes certain. *)
+(* An OB has no catch-up of its own: its open request is confirmed. *)
 \* @type: Set(Int) => Set($request);
 MadeCertain(merged) ==
     { IF /\ r.ob \in merged /\ ~PendingIn(requests, r.ob)

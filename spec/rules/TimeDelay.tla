@@ -64,7 +64,8 @@ Ended(o) == CallsComeAfterTheEnd /\ o \in DintObs
 \* @type: Int => Set(Int);
 DintErrors(o) == IF o \notin DintObs THEN {BadOb} ELSE {}
 
-(* [DINT-15] The delay is over and its OB waits, certainly or perhaps. *)
+(* [DINT-15] The delay is over and its OB is pending, definitely or        *)
+(* perhaps.                                                                *)
 \* @type: Int => Bool;
 Elapsed(o) == PendingIn(requests, o) \/ OpenIn(requests, o)
 

@@ -17,17 +17,17 @@ ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
                                         ELSE requests
 
-(* [TINT-30] [TINT-50] A call sets the interrupt anew or unsets it ...     *)
+(* [TINT-30] [TINT-50] A call sets the interrupt anew or unsets it. *)
 \* @type: (Int, $tod) => Bool;
 SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
                         /\ requests' = Withdrawn(o)
 
-(* ... or, refused, changes nothing [AMB-20]. *)
+(* [AMB-20] A refused call changes nothing. *)
 SettingStays == UNCHANGED <<tod, requests>>
 
 (* An active one-shot interrupt whose point has passed, and no run is      *)
-(* certain to come: there is no catch-up, or it is open [AMB-48] [AMB-55]. *)
-(* No source says whether the interrupt is still active.                   *)
+(* definite: there is no catch-up, or it is open [AMB-48] [AMB-55]. No     *)
+(* source says whether the interrupt is still active.                      *)
 \* @type: Int => Bool;
 Spent(o) ==
     /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
