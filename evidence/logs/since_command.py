@@ -28,9 +28,6 @@ from s7check.log.errors import UnusableLogError
 
 DIFFERENT = 1
 
-WANTED = ROOT / "docs" / "rules" / "since"
-"""Expected differences by revision: the first letters of its hash, ``.json``."""
-
 
 @click.command(name="since", short_help="Same verdicts and pins as at an earlier revision?")
 @click.option("--logs", type=click.IntRange(0), default=200, show_default=True, help="How many random logs.")
@@ -38,7 +35,7 @@ WANTED = ROOT / "docs" / "rules" / "since"
 @click.option(
     "--expected",
     type=click.Path(path_type=Path, dir_okay=False, exists=True),
-    help="Differences that are wanted: a JSON list of {id, reason}; an id may be a glob. Default: docs/rules/since.",
+    help="Differences that are wanted: a JSON list of {id, reason}; an id may be a glob.",
 )
 @json_option
 @click.argument("revision", metavar="REV")
@@ -51,7 +48,6 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
     usage = (RevisionError, CasesError, pins.PinsError, ReasonsError, OSError)
     with session(Processes(), usage, (BuildError, SoftPlcError, EngineError)) as console:
         commit = find(ROOT, revision)
-        expected = expected or _wanted(commit)
         excuses = read(expected, Excuse) if expected else []
         click.echo(f"building {commit[:12]}")
         before, now = checkout(ROOT, commit), Checkout(ROOT)
@@ -64,11 +60,6 @@ def since_command(revision: str, logs: int, seed: int, expected: Path | None, js
         report.show(console, explained)
         write_json(json_path, report.as_json(explained))
     sys.exit(0 if explained.ok else DIFFERENT)
-
-
-def _wanted(commit: str) -> Path | None:
-    """The project's own file of expected differences to this commit, if there is one."""
-    return next((path for path in sorted(WANTED.glob("*.json")) if commit.startswith(path.stem)), None)
 
 
 def _shipped(before: Checkout, now: Checkout, tell: Callable[[str], None]) -> list[compare.Comparison]:

@@ -32,7 +32,7 @@ FOLDERS = "bench|docs|evidence|examples|gallery|instrumentation|kit|models|spec|
 PLACE = re.compile(rf"`((?:{FOLDERS})/[\w./*-]*)`")
 SETTLED = re.compile(r"Default ([a-e]): .*?Specification: (?:constant \(([a-e, ]+)\))?")
 """Of a question in readings.md the default, and the letters that are constants."""
-EXAMPLES = {"models/MCName.tla", "models/MCName.cfg", "docs/rules/since/REV.json"}
+EXAMPLES = {"models/MCName.tla", "models/MCName.cfg"}
 """Names that stand for others."""
 
 

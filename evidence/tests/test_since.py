@@ -1,7 +1,6 @@
 """``s7spec since``: two revisions of a small project, whose command reads its verdict in the log."""
 
 import json
-import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -12,11 +11,9 @@ from click.testing import CliRunner
 
 from evidence.common.cases import Case
 from evidence.common.checkout import ROOT, SOFT_PLC_PROGRAM
-from evidence.common.reasons import Excuse, read
 from evidence.logs import since_command as command
 from evidence.logs.revision import Checkout
 from evidence.logs.since_command import since_command
-from s7check.report.clauses import clause
 
 S7CHECK = """#!/usr/bin/env python3
 import json, sys
@@ -125,35 +122,6 @@ def test_a_difference(since: Since, project: Path, file: str, content: Any, diff
     code, said = since("main", "--expected", str(expected))
     assert code == 0, said
     assert "(Wanted.)" in said
-
-
-def test_the_projects_own_expected_differences(
-    since: Since, project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A file named after the revision explains them without an option; one of another revision does not."""
-    monkeypatch.setattr(command, "WANTED", tmp_path / "since")
-    commit = subprocess.run(
-        ["git", "-C", str(project), "rev-parse", "main"], capture_output=True, text=True, check=True
-    )
-    write(project / TEXT, CASES.replace("rejected 3", "accepted 0"))
-    wanted = [{"id": "log/TINT/two", "reason": "TINT-01: a rule."}]
-    write(tmp_path / "since" / "fffffff.json", wanted)
-    assert since()[0] == 1
-    write(tmp_path / "since" / f"{commit.stdout[:7]}.json", wanted)
-    code, said = since()
-    assert code == 0, said
-    assert "now accepted: so (TINT-01: a rule.)" in said
-
-
-@pytest.mark.parametrize("path", sorted(command.WANTED.glob("*.json")), ids=lambda path: path.stem)
-def test_each_expected_difference_names_its_requirement(path: Path) -> None:
-    """First the requirements or ambiguities, then the change; no difference has two entries."""
-    entries = read(path, Excuse)
-    assert len({one.id for one in entries}) == len(entries)
-    named = [re.match(r"[A-Z]+-\d+(?:, [A-Z]+-\d+)*: ", one.reason) for one in entries]
-    assert all(named)
-    ids = [name for one in named if one for name in one[0][:-2].split(", ")]
-    assert [name for name in ids if not clause(name).text] == []
 
 
 def test_a_log_that_is_gone(since: Since, project: Path) -> None:
