@@ -196,8 +196,8 @@ def test_a_difference_is_found(tools: tlc.Toolchain, generator: Generator, tmp_p
     spec = tmp_path / "spec"
     shutil.copytree(SPECIFICATION, spec)
     text = (spec / "rules" / "Airt.tla").read_text()
-    assert "ELSE delay - 1" in text
-    (spec / "rules" / "Airt.tla").write_text(text.replace("ELSE delay - 1", "ELSE delay + 1"))
+    assert "ELSE count - 1}" in text
+    (spec / "rules" / "Airt.tla").write_text(text.replace("ELSE count - 1}", "ELSE count + 1}"))
     kept = tmp_path / "kept"
     results = tmp_path / "results.json"
     arguments = ["--logs", "20", "--seed", "7", "--spec", str(spec), "--keep", str(kept), "--json", str(results)]

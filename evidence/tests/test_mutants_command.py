@@ -150,11 +150,13 @@ def copy(tmp_path: Path) -> Path:
     return tmp_path / "spec"
 
 
-@pytest.mark.parametrize(("by", "how"), [("ret = delay + 2", {"log", "error"}), ("ret = nothing", {"invalid"})])
+@pytest.mark.parametrize(("by", "how"), [("{count + 2}", {"log", "error"}), ("{nothing}", {"invalid"})])
 def test_mutants_with_the_shipped_logs(copy: Path, tmp_path: Path, by: str, how: set[str]) -> None:
     """A wrong answer is noticed by a log; an unknown name is no specification."""
     airt = copy / "rules" / "Airt.tla"
-    airt.write_text(airt.read_text().replace("ret = delay + 1", by))
+    text = airt.read_text()
+    assert "{count + 1}" in text
+    airt.write_text(text.replace("{count + 1}", by))
     cases = [case for case in all_cases() if case.area == "AIRT"]
     judged = logs.judge(copy, logs.keep(cases, tmp_path / "cases.json"))
     assert judged.how in how

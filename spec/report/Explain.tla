@@ -33,7 +33,7 @@ DefaultOf(a) == <<a, Defaults[a]>>
 AnswersOfCalls ==
     { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
       <<"CAN_TINT", {OK, BadOb} \cup CanErrorsIf(FALSE)>>,
-      <<"ACT_TINT", {OK, BadOb} \cup ActErrorsIf(FALSE, TRUE)
+      <<"ACT_TINT", {OK, BadOb} \cup ActErrorsIf(FALSE, FALSE)
                       \cup ActErrorsIf(TRUE, TRUE)>>,
       <<"QRY_TINT", {OK, BadOb}>>,
       <<"SRT_DINT", {OK, BadOb, BadDtime}>>,
