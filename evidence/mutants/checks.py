@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import subprocess
 import sys
 import time
 from collections.abc import Iterable, Mapping
@@ -49,15 +48,6 @@ VIOLATIONS: Mapping[str, How] = {
 
 class CheckFailedError(RuntimeError):
     """A check came to nothing, for a reason outside of the specification."""
-
-
-class BriefProcesses(Processes):
-    """Java processes that live for seconds: the second compiler would cost more than it saves."""
-
-    def start(self, command: list[str], directory: Path, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[str]:
-        """Start a process in a group of its own. Raises `InterruptedRunError` after `close`."""
-        quick = ["-XX:TieredStopAtLevel=1"] if "tlc2.TLC" in command else []
-        return super().start([command[0], *quick, *command[1:]], directory, stdin)
 
 
 class Check(Protocol):

@@ -7,7 +7,7 @@ import hashlib
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -26,7 +26,7 @@ from evidence.mutants import against_logs as logs
 from evidence.mutants import mutants_report as report
 from evidence.mutants import survivors as reasons
 from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
-from evidence.mutants.checks import BriefProcesses, Check, CheckFailedError, LogsCheck, ModelCheck
+from evidence.mutants.checks import Check, CheckFailedError, LogsCheck, ModelCheck
 from evidence.mutants.findings import Findings
 from evidence.mutants.listing import Mutant, mutants
 from evidence.tla import tlc
@@ -107,7 +107,7 @@ def mutants_command(
     one was ended. Each survivor needs a reason in survivors.json beside the manifest, and no reason may be stale; not
     with --against properties. With --against kit 95 % of those that an accepted log shows have to be noticed.
     """
-    processes = BriefProcesses()
+    processes = Processes()
     usage = (ManifestError, SyntaxTreeError, ReasonsError)
     missing = (tlc.ToolMissingError, EngineError, AdapterError, CheckFailedError, UnsoundBaselineError)
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
@@ -185,7 +185,8 @@ def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], proce
         harness = Harness(manifest, tlc.find_toolchain(request.jar), processes, workers=1)
         models = read_modules(manifest.directory)
         passing = [m for m in manifest.select(request.lane, ()) if m.expect.exit == 0]
-        stages.append([ModelCheck(harness, model, spec, models) for model in passing])
+        # A run lives for seconds: the second compiler would cost more than it saves.
+        stages.append([ModelCheck(harness, replace(model, brief=True), spec, models) for model in passing])
     return stages
 
 
