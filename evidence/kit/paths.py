@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import re
-import tempfile
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from pathlib import Path
 
 import msgspec
 
@@ -19,7 +17,6 @@ from evidence.tla import tlc
 from evidence.tla.behaviour import as_log
 from evidence.tla.modules import module_folders
 from evidence.tla.values import assignments
-from evidence.tla.workspace import Workspace
 from s7check.kit.from_log import Json, program_of
 
 MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")
@@ -82,15 +79,11 @@ class Graph:
 
 def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
     """The graph of a model. Raises NoGraphError."""
-    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-        folder = Path(temporary).resolve()
-        scratch = folder / "scratch"
-        scratch.mkdir()
-        space = Workspace(folder, model.module.name, (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
-        (folder / space.module).write_bytes((ROOT / "models" / model.module).read_bytes())
-        # With a view the states of one view would share the step of the first that TLC found.
-        space.config.write_text(_VIEW.sub("", model.config), encoding="utf-8")
-        dump = folder / "graph.dot"
+    library = (*module_folders(ROOT / "spec"), ROOT / "models")
+    text = (ROOT / "models" / model.module).read_text(encoding="utf-8")
+    # With a view the states of one view would share the step of the first that TLC found.
+    with tlc.workspace(library, model.module.stem, text, _VIEW.sub("", model.config)) as space:
+        dump = space.directory / "graph.dot"
         options = tlc.Options(1, model.deadlock, _HEAP, _LONGEST, args=("-dump", "dot", str(dump)))
         run = tlc.run(tools, space, options, processes)
         if run.outcome.kind != "passed" or not dump.exists():

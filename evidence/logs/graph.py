@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import msgspec
 
@@ -17,7 +15,6 @@ from evidence.tla import tlc
 from evidence.tla.behaviour import Line, State, as_log, event_of
 from evidence.tla.modules import module_folders
 from evidence.tla.values import assignments
-from evidence.tla.workspace import Workspace
 
 MODULE = "Edges"
 _HEAP = 1500
@@ -95,14 +92,9 @@ class Graph:
 
 def exported(world: World, tools: tlc.Toolchain, processes: Processes, timeout: float) -> Graph:
     """The graph of a model in its world. Raises `NotExportedError`."""
-    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-        folder = Path(temporary).resolve()
-        scratch = folder / "scratch"
-        scratch.mkdir()
-        space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
-        (folder / space.module).write_text(_module(world))
-        space.config.write_text(_configuration(world))
-        dot = folder / "graph.dot"
+    library = (*module_folders(ROOT / "spec"), ROOT / "models")
+    with tlc.workspace(library, MODULE, _module(world), _configuration(world)) as space:
+        dot = space.directory / "graph.dot"
         options = tlc.Options(1, False, _HEAP, timeout, args=("-dump", "dot", str(dot)))
         run = tlc.run(tools, space, options, processes)
         if run.outcome.kind != "passed":

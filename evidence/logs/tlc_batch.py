@@ -7,7 +7,6 @@ explained.
 from __future__ import annotations
 
 import re
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +16,6 @@ from evidence.logs.verdicts import Judged
 from evidence.models.manifest import HEAP_MB
 from evidence.tla import log_as_tla, tlc
 from evidence.tla.modules import module_folders
-from evidence.tla.workspace import CONFIG_NAME, Workspace, as_one_module
 from s7check.log.source import open_log
 
 MODULE = "Agreement"
@@ -51,14 +49,10 @@ class Batch:
 
 def judge(tools: tlc.Toolchain, processes: Processes, spec: Path, files: Sequence[Path]) -> Batch:
     """Judge the logs by the specification in the folder `spec`. Raises `BatchError`, `InterruptedRunError`."""
-    with tempfile.TemporaryDirectory(prefix="s7check-agree-", ignore_cleanup_errors=True) as temporary:
-        folder = Path(temporary).resolve()
-        scratch = folder / "scratch"
-        scratch.mkdir()
-        (folder / f"{MODULE}.tla").write_text(log_as_tla.module(MODULE, files, _REACHED), encoding="utf-8")
-        (folder / CONFIG_NAME).write_text(f"{log_as_tla.CONFIGURATION}INVARIANT Reached\n", encoding="utf-8")
-        space = as_one_module(Workspace(folder, f"{MODULE}.tla", module_folders(spec), scratch))
-        run = tlc.run(tools, space, _OPTIONS, processes)
+    text = log_as_tla.module(MODULE, files, _REACHED)
+    config = f"{log_as_tla.CONFIGURATION}INVARIANT Reached\n"
+    with tlc.workspace(module_folders(spec), MODULE, text, config) as space:
+        run = tlc.run(tools, space.as_one_module(), _OPTIONS, processes)
     if run.outcome.kind != "passed":
         if _BEGUN not in run.output:
             raise BatchError(f"TLC does not begin: {run.outcome.detail}")

@@ -8,8 +8,6 @@ kept under ``build/`` by the jar's hash.
 from __future__ import annotations
 
 import json
-import shutil
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +17,6 @@ from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.tla import tlc
 from evidence.tla.messages import Outcome
-from evidence.tla.workspace import CONFIG_NAME, Workspace
 
 State = Literal["present", "absent", "unknown"]
 
@@ -119,8 +116,9 @@ def _ask(canary: Canary, tools: tlc.Toolchain, processes: Processes, directory: 
     version = ""
     for _ in range(canary.attempts):
         try:
-            with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-                run = tlc.run(tools, _workspace(Path(temporary).resolve(), canary, directory), options, processes)
+            text, config = ((directory / f"{canary.module}.{kind}").read_text() for kind in ("tla", "cfg"))
+            with tlc.workspace([directory], canary.module, text, config) as space:
+                run = tlc.run(tools, space, options, processes)
         except OSError:
             return "unknown", version
         version = version or run.outcome.version
@@ -129,14 +127,6 @@ def _ask(canary: Canary, tools: tlc.Toolchain, processes: Processes, directory: 
         if not canary.sound(run.outcome):
             return "present", version
     return "absent", version
-
-
-def _workspace(root: Path, canary: Canary, directory: Path) -> Workspace:
-    shutil.copyfile(directory / f"{canary.module}.tla", root / f"{canary.module}.tla")
-    shutil.copyfile(directory / f"{canary.module}.cfg", root / CONFIG_NAME)
-    scratch = root / "scratch"
-    scratch.mkdir()
-    return Workspace(root, f"{canary.module}.tla", (root,), scratch)
 
 
 def _read(kept: Path) -> Answers | None:

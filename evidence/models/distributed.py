@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import socket
-import tempfile
 import threading
 import time
 import zipfile
@@ -19,13 +18,11 @@ from pathlib import Path
 from subprocess import Popen
 
 from evidence.common.processes import InterruptedRunError, kill
-from evidence.models.copies import StaleMutationError, prepare
 from evidence.models.judge import Result
 from evidence.models.manifest import Model
-from evidence.models.runner import Harness
+from evidence.models.runner import Event, Harness, StaleMutationError, prepare
 from evidence.tla import tlc
 from evidence.tla.messages import Message, Parser, interpret
-from evidence.tla.workspace import Workspace
 
 SERVER = "tlc2.tool.distributed.TLCServer"
 WORKER = "tlc2.tool.distributed.TLCWorker"
@@ -87,7 +84,7 @@ def worker_command(java: str, jar: str, host: str, properties: tuple[str, ...] =
     return [java, *properties, f"-D{WORKER}.threadCount=1", "-cp", jar, WORKER, host]
 
 
-def server_command(tools: tlc.Toolchain, space: Workspace, model: Model, cluster: Cluster, port: int) -> list[str]:
+def server_command(tools: tlc.Toolchain, space: tlc.Workspace, model: Model, cluster: Cluster, port: int) -> list[str]:
     """Return the command of the server."""
     return [
         tools.java,
@@ -106,13 +103,22 @@ def server_command(tools: tlc.Toolchain, space: Workspace, model: Model, cluster
     ]
 
 
-def check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None] = lambda _: None) -> Result:
-    """Run one model and judge it; `tell` has lines for the user. Raises `InterruptedRunError`."""
+def run_all(harness: Harness, models: list[Model], cluster: Cluster, tell: Callable[[Event], None]) -> list[Result]:
+    """Run one model after the other, since each takes all workers, and judge it. Raises `InterruptedRunError`."""
+    return [_check(harness, model, cluster, tell) for model in models]
+
+
+def _check(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[Event], None]) -> Result:
+    def say(text: str) -> None:
+        tell(Event(model, text))
+
+    tell(Event(model))
     for again in range(TRIES):
-        result = _check_once(harness, model, cluster, tell)
+        result = _check_once(harness, model, cluster, say)
         if not _server_broke(result) or again == TRIES - 1:
             break
-        tell("TLC's server ended by an exception: the model is run again")
+        say("TLC's server ended by an exception: the model is run again")
+    tell(Event(model, result=result))
     return result
 
 
@@ -124,13 +130,11 @@ def _server_broke(result: Result) -> bool:
 
 def _check_once(harness: Harness, model: Model, cluster: Cluster, tell: Callable[[str], None]) -> Result:
     began = time.monotonic()
-    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-        root = Path(temporary).resolve()
+    with tlc.temporary_folder() as root:
         try:
-            space = prepare(root, harness.manifest.spec, harness.manifest.directory, model)
+            space = prepare(root, harness.manifest, model)
         except StaleMutationError as stale:
-            parser = Parser()
-            return _result(model, parser, None, 0.0, cluster, "", str(stale))
+            return _result(model, Parser(), None, 0.0, cluster, "", str(stale))
         run = _Run(harness, model, cluster, space, root, tell)
         try:
             code, problem = run.until_done(began + SLACK * model.seconds[1])
@@ -150,7 +154,7 @@ class _Run:
         harness: Harness,
         model: Model,
         cluster: Cluster,
-        space: Workspace,
+        space: tlc.Workspace,
         root: Path,
         tell: Callable[[str], None],
     ) -> None:

@@ -1,13 +1,18 @@
-"""The result of a run against its pins."""
+"""The result of a run against its pins, and new pins by results (``--update``)."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
-from evidence.models.manifest import Model, expected_kinds
+from evidence.models.manifest import Model, load, parse_json
 from evidence.tla.messages import Counts, Kind, Outcome
 
 COUNTS = ("states", "distinct", "depth")
+WIDTH = 118
+"""Columns of a line of the manifest."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +51,7 @@ def judge(model: Model, outcome: Outcome, exit_code: int, seconds: float, worker
 def expectation(model: Model) -> str:
     """Return all pins in one line."""
     expect = model.expect
-    said = [f"exit {exit_codes(model)} ({' or '.join(sorted(expected_kinds(model)))})"]
+    said = [f"exit {exit_codes(model)} ({' or '.join(sorted(model.kinds))})"]
     if expect.property:
         said.append(expect.property)
     said += [f"{getattr(expect, name)} {name}" for name in COUNTS if getattr(expect, name) is not None]
@@ -55,19 +60,15 @@ def expectation(model: Model) -> str:
 
 def exit_codes(model: Model) -> str:
     """Say which exit code is pinned."""
-    return "12 or 13" if _either(model) else str(model.expect.exit)
-
-
-def _either(model: Model) -> bool:
-    return model.expect.exit in (12, 13) and model.expect.property in model.checked("PROPERTY")
+    return " or ".join(map(str, model.exits))
 
 
 def _verdict(model: Model, outcome: Outcome, exit_code: int) -> list[str]:
     expect = model.expect
-    if outcome.kind not in expected_kinds(model):
+    if outcome.kind not in model.kinds:
         named = "".join(f" ({name})" for name in outcome.names if name not in outcome.detail)
         return [f"{outcome.kind}: {outcome.detail}{named}"]
-    if exit_code != expect.exit and not (_either(model) and exit_code in (12, 13)):
+    if exit_code not in model.exits:
         return [f"exit {exit_code}"]
     if expect.property is None:
         return []
@@ -111,3 +112,48 @@ def _counts(model: Model, counts: Counts, kind: Kind, workers: int) -> list[str]
         elif pinned != came:
             problems.append(f"{came} {name}, pinned {pinned}")
     return problems
+
+
+def update(path: Path, results: list[Result]) -> tuple[list[str], list[Result]]:
+    """Set the counts of the results that differ in nothing else: counts and depth, never an exit code or a property.
+
+    A violation's counts are set only where some are pinned already. Return a line for each change (none: the file is
+    untouched), and the results by the new pins.
+    """
+    document = parse_json(path, path.read_text(encoding="utf-8"))
+    changes = []
+    entries = {entry["name"]: entry for entry in document["models"]}
+    for result in results:
+        if result.problems or not result.count_problems:
+            continue
+        expect = entries[result.model.name]["expect"]
+        for name in COUNTS:
+            came = getattr(result.outcome.counts, name)
+            several = name == "depth" and result.model.workers > 1
+            wanted = name in expect or (result.outcome.kind == "passed" and not several)
+            if wanted and came is not None and expect.get(name) != came:
+                changes.append(f"{result.model.name}: {name} {expect.get(name, 'not pinned')} -> {came}")
+                expect[name] = came
+    if not changes:
+        return [], results
+    path.write_text(render(document) + "\n", encoding="utf-8")
+    pinned = {model.name: model for model in load(path).models}
+    return changes, [r if r.exit is None or r.problems else _again(r, pinned[r.model.name], r.exit) for r in results]
+
+
+def _again(result: Result, model: Model, exit_code: int) -> Result:
+    return judge(model, result.outcome, exit_code, result.seconds, result.workers, result.output)
+
+
+def render(value: Any, indent: int = 0) -> str:
+    """Return JSON with every value that fits on one line, so that a manifest stays readable and diffs small."""
+    flat = json.dumps(value, ensure_ascii=False)
+    if len(flat) + indent <= WIDTH and indent > 0:
+        return flat
+    inner = " " * (indent + 2)
+    if isinstance(value, dict) and value:
+        parts = [f"{inner}{json.dumps(k, ensure_ascii=False)}: {render(v, indent + 2)}" for k, v in value.items()]
+        return "{\n" + ",\n".join(parts) + f"\n{' ' * indent}}}"
+    if isinstance(value, list) and value:
+        return "[\n" + ",\n".join(inner + render(v, indent + 2) for v in value) + f"\n{' ' * indent}]"
+    return flat

@@ -13,7 +13,8 @@ import fnmatch
 import json
 import re
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Annotated, Any, Literal
 
@@ -115,9 +116,9 @@ class ManifestFile(msgspec.Struct, forbid_unknown_fields=True):
 class Model:
     """A model ready to run: everything from its base filled in, its configuration edited.
 
-    `module` is relative to the manifest's directory; `config` is the configuration's text, not a path; `seconds` the
-    band (least, most) of wall time; `workers` the most TLC workers it may have; `brief` whether the run is short;
-    `base` the entry that it changes.
+    `module` is relative to the manifest's directory; `config` is the configuration's text, not a path, `invariants` and
+    `properties` what it checks; `seconds` the band (least, most) of wall time; `workers` the most TLC workers it may
+    have; `brief` whether the run is short; `base` the entry that it changes.
     """
 
     name: str
@@ -136,10 +137,30 @@ class Model:
     seconds: tuple[float, float]
     expect: Expect
     base: str = ""
+    invariants: tuple[str, ...] = ()
+    properties: tuple[str, ...] = ()
 
-    def checked(self, keyword: str) -> tuple[str, ...]:
-        """Return the names under INVARIANT or PROPERTY of the configuration."""
-        return cfg_file.parse(self.config).names(keyword)
+    @property
+    def exits(self) -> tuple[int, ...]:
+        """TLC's exit codes that are as pinned."""
+        return (12, 13) if self.kinds_of_exit == PROPERTY_KINDS else (self.expect.exit,)
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The kinds of outcome (``messages.Kind``) that are as pinned."""
+        return frozenset({self.expect.violates}) if self.expect.violates else self.kinds_of_exit
+
+    @property
+    def kinds_of_exit(self) -> frozenset[str]:
+        """The kinds of outcome that go with the pinned exit code and property."""
+        if self.expect.exit in (12, 13):
+            return PROPERTY_KINDS if self.expect.property in self.properties else frozenset({"invariant"})
+        return frozenset({{0: "passed", 10: "assumption", 11: "deadlock"}[self.expect.exit]})
+
+    def with_property(self, name: str) -> Model:
+        """The model with one PROPERTY alone, beside all its invariants."""
+        config = cfg_file.replace_section(self.config, "PROPERTY", [name])
+        return replace(self, config=config, properties=(name,))
 
 
 @dataclass(frozen=True)
@@ -231,42 +252,18 @@ def _located(error: msgspec.ValidationError, raw: Any) -> str:
 
 
 def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry]) -> Model:
-    base = entry
-    if not isinstance(entry.base, UnsetType):
-        if entry.base not in bases:
-            raise ManifestError(f"{where}.base: {entry.base!r} is not the name of an entry with a module of its own")
-        base = bases[entry.base]
-        for field in ("module", "config"):
-            if getattr(entry, field) is not UNSET:
-                raise ManifestError(f"{where}.{field}: an entry with a base has it from there")
-    derived = base is not entry
     mutations = tuple(entry.mutate if isinstance(entry.mutate, list) else [entry.mutate])
-    changed = entry.overrides or mutations or entry.invariants is not UNSET or entry.properties is not UNSET
-    if derived and not (changed or entry.args is not UNSET or entry.deadlock is not UNSET):
-        raise ManifestError(f"{where}: changes nothing of its base {base.name}")
-
-    def value(field: str, default: Any = UNSET) -> Any:
-        for source in (entry, base):
-            if getattr(source, field) is not UNSET:
-                return getattr(source, field)
-        if default is UNSET:
-            raise ManifestError(f"{where}.{field}: missing")
-        return default
-
-    kind: ModelKind = entry.kind if not isinstance(entry.kind, UnsetType) else "negative"
+    base = _base(where, entry, mutations, bases)
+    derived = base is not entry
+    value = partial(_value, where, entry, base)
     if not derived and isinstance(entry.kind, UnsetType):
         raise ManifestError(f"{where}.kind: missing")
-    workers = 1
-    if kind not in _SINGLE_WORKER:
-        workers = value("workers", 1)
-    elif not isinstance(entry.workers, UnsetType) and entry.workers != 1:
+    kind: ModelKind = "negative" if isinstance(entry.kind, UnsetType) else entry.kind
+    single = kind in _SINGLE_WORKER
+    if single and entry.workers not in (UNSET, 1):
         raise ManifestError(f"{where}.workers: a {kind} runs with 1 worker, its trace or liveness needs it")
-    least, most = value("seconds")
-    if derived and entry.seconds is UNSET:
-        least = 0.0  # a violation ends the search early
-    if not 0 <= least < most:
-        raise ManifestError(f"{where}.seconds: {least}..{most} is not a band")
     _check_mutations(where, directory, spec, mutations)
+    cfg = _config(where, directory, entry, value("config"))
     model = Model(
         name=entry.name,
         kind=kind,
@@ -274,19 +271,54 @@ def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[
         what=entry.what if not isinstance(entry.what, UnsetType) else _describe(where, entry, mutations),
         requirements=tuple(entry.requirements or base.requirements),
         module=_file(where, directory, "module", value("module"), ".tla"),
-        config=_config(where, directory, entry, value("config")),
+        config=cfg.text,
         mutations=mutations,
         deadlock=value("deadlock", True),
-        workers=workers,
+        workers=1 if single else value("workers", 1),
         brief=kind == "negative" if isinstance(entry.brief, UnsetType) else entry.brief,
         heap=value("heap", HEAP_MB),
         args=tuple(value("args", [])),
-        seconds=(least, most),
+        seconds=_seconds(where, entry, value("seconds")),
         expect=entry.expect,
         base=base.name if derived else "",
+        invariants=cfg.names("INVARIANT"),
+        properties=cfg.names("PROPERTY"),
     )
-    _check_model(where, model)
+    _check_model(where, model, cfg.names("CHECK_DEADLOCK"))
+    if kind == "negative" and model.expect.property in model.properties:
+        return model.with_property(model.expect.property)
     return model
+
+
+def _value(where: str, entry: Entry, base: Entry, field: str, default: Any = UNSET) -> Any:
+    """Return a field of the entry, else of its base, else the default; without any it is missing."""
+    found = [value for value in (getattr(entry, field), getattr(base, field), default) if value is not UNSET]
+    if not found:
+        raise ManifestError(f"{where}.{field}: missing")
+    return found[0]
+
+
+def _seconds(where: str, entry: Entry, band: tuple[float, float]) -> tuple[float, float]:
+    """Return the band of wall time; a violation of a model that is changed ends the search early."""
+    least, most = (0.0, band[1]) if entry.seconds is UNSET else band
+    if not 0 <= least < most:
+        raise ManifestError(f"{where}.seconds: {least}..{most} is not a band")
+    return least, most
+
+
+def _base(where: str, entry: Entry, mutations: tuple[Mutation, ...], bases: dict[str, Entry]) -> Entry:
+    """Return the entry that this one changes; itself if it has a module of its own."""
+    if isinstance(entry.base, UnsetType):
+        return entry
+    if entry.base not in bases:
+        raise ManifestError(f"{where}.base: {entry.base!r} is not the name of an entry with a module of its own")
+    for field in ("module", "config"):
+        if getattr(entry, field) is not UNSET:
+            raise ManifestError(f"{where}.{field}: an entry with a base has it from there")
+    own = (entry.invariants, entry.properties, entry.args, entry.deadlock)
+    if not (entry.overrides or mutations or any(field is not UNSET for field in own)):
+        raise ManifestError(f"{where}: changes nothing of its base {entry.base}")
+    return bases[entry.base]
 
 
 def _describe(where: str, entry: Entry, mutations: tuple[Mutation, ...]) -> str:
@@ -310,7 +342,7 @@ def _file(where: str, directory: Path, field: str, name: str, suffix: str) -> Pu
     return PurePosixPath(name)
 
 
-def _config(where: str, directory: Path, entry: Entry, name: str) -> str:
+def _config(where: str, directory: Path, entry: Entry, name: str) -> cfg_file.Cfg:
     text = (directory / _file(where, directory, "config", name, ".cfg")).read_text(encoding="utf-8")
     try:
         cfg_file.parse(text)
@@ -320,10 +352,9 @@ def _config(where: str, directory: Path, entry: Entry, name: str) -> str:
         for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
             if not isinstance(names, UnsetType):
                 text = cfg_file.replace_section(text, keyword, names)
-        cfg_file.parse(text)
+        return cfg_file.parse(text)
     except cfg_file.CfgError as error:
         raise ManifestError(f"{where}: {name}: {error}") from error
-    return text
 
 
 def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[Mutation, ...]) -> None:
@@ -334,15 +365,14 @@ def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[M
             raise ManifestError(f"{where}.mutate.module: {mutation.module} is not in exactly one of spec and models")
 
 
-def _check_model(where: str, model: Model) -> None:
-    """Check the rules that concern several fields."""
+def _check_model(where: str, model: Model, check_deadlock: tuple[str, ...]) -> None:
+    """Check the rules that concern several fields; `check_deadlock` is said by the configuration."""
     expect = model.expect
-    cfg = cfg_file.parse(model.config)
     reserved = [arg for arg in model.args if arg.lower() in _RESERVED_ARGS]
     if reserved:
         raise ManifestError(f"{where}.args: {reserved[0]} is not for a manifest")
     contradiction = "FALSE" if model.deadlock else "TRUE"
-    if contradiction in cfg.names("CHECK_DEADLOCK"):
+    if contradiction in check_deadlock:
         raise ManifestError(
             f"{where}.deadlock: the configuration says CHECK_DEADLOCK {contradiction}: "
             f"say {contradiction.lower()} here too"
@@ -353,28 +383,17 @@ def _check_model(where: str, model: Model) -> None:
         raise ManifestError(f"{where}.expect.exit: a {model.kind} has to pass")
     if expect.depth is not None and model.workers > 1:
         raise ManifestError(f"{where}.expect.depth: TLC's depth is exact with 1 worker only")
-    invariants, properties = cfg.names("INVARIANT"), cfg.names("PROPERTY")
     if expect.exit in (12, 13):
         if expect.property is None:
             raise ManifestError(f"{where}.expect.property: missing")
-        if expect.property not in invariants + properties:
+        if expect.property not in model.invariants + model.properties:
             raise ManifestError(f"{where}.expect.property: the configuration does not check {expect.property}")
-        if expect.property in invariants and expect.exit != 12:
+        if expect.property in model.invariants and expect.exit != 12:
             raise ManifestError(f"{where}.expect.exit: {expect.property} is an INVARIANT, its exit is 12")
     elif expect.property is not None and expect.exit != 10:
         raise ManifestError(f"{where}.expect.property: exit {expect.exit} names none")
-    if expect.violates is not None and expect.violates not in expected_kinds(model, pinned=False):
+    if expect.violates is not None and expect.violates not in model.kinds_of_exit:
         raise ManifestError(f"{where}.expect.violates: {expect.violates} does not go with exit and property")
-
-
-def expected_kinds(model: Model, *, pinned: bool = True) -> frozenset[str]:
-    """Return the outcome kinds (``messages.Kind``) that the model may come to; `pinned`: only `violates`, if any."""
-    expect = model.expect
-    if pinned and expect.violates is not None:
-        return frozenset({expect.violates})
-    if expect.exit in (12, 13):
-        return frozenset({"invariant"}) if expect.property in model.checked("INVARIANT") else PROPERTY_KINDS
-    return frozenset({{0: "passed", 10: "assumption", 11: "deadlock"}[expect.exit]})
 
 
 def _unlisted(path: Path, parsed: ManifestFile) -> list[str]:

@@ -2,51 +2,27 @@
 
 from __future__ import annotations
 
-import contextlib
 import re
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
 from rich.console import Console
 
 from evidence.common.checkout import MANIFEST, ROOT
+from evidence.common.console import plain
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.models import canaries, distributed
+from evidence.models import canaries, distributed, judge
 from evidence.models import models_report as report
-from evidence.models.judge import Result, judge
-from evidence.models.manifest import LANES, Manifest, ManifestError, Model, load
+from evidence.models.manifest import LANES, ManifestError, Model, load
 from evidence.models.manifest import shard as part_of
-from evidence.models.progress import Progress
-from evidence.models.runner import Event, Harness, run_all
-from evidence.models.update import update
+from evidence.models.runner import Harness, run_all
 from evidence.tla import tlc
-from evidence.tla.resident import Residents
 
 DRIFT = 1
-
-
-@dataclass(frozen=True)
-class Request:
-    """The command's arguments."""
-
-    lane: str
-    manifest: Path
-    jar: Path | None
-    workers: int | None
-    jobs: int
-    update: bool
-    json: Path | None
-    verbose: bool
-    names: tuple[str, ...]
-    cluster: distributed.Cluster | None = None
-    shard: tuple[int, int] = (1, 1)
-    logs: Path | None = None
 
 
 def _part(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
@@ -109,113 +85,79 @@ def models_command(
 
     NAME picks models (globs work) whatever their lane.
     """
+    cluster = _cluster(spread, host, update=update)
+    processes = Processes()
+    with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
+        harness = Harness(load(manifest), _toolchain(jar, cluster), processes, workers)
+        models = part_of(harness.manifest.select(lane, names), *shard)
+        part = lane if shard[1] == 1 else f"{lane}, shard {shard[0]}/{shard[1]}"
+        began = time.monotonic()
+        answers = canaries.run_canaries(harness.tools, harness.manifest.directory.parent / "build", processes)
+        report.show_canaries(console, harness.tools, answers)
+        results, drift = _run(harness, models, cluster, jobs, names, console)
+        if not models:
+            drift.insert(0, f"{manifest}: no model is in {part}: nothing was checked")
+        if update:
+            results = _update(manifest, results, console)
+        if logs is not None:
+            report.write_logs(logs, results)
+        came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)
+        done = report.Report(harness.tools, answers, None if names else part, *came)
+        report.show(console, done, _command(manifest, jar), verbose=verbose)
+        write_json(json_path, report.as_json(done))
+        sys.exit(0 if done.ok else DRIFT)
+
+
+def _cluster(spread: int | None, host: str | None, *, update: bool) -> distributed.Cluster | None:
     if spread is None and host is not None:
         raise click.UsageError("--host goes with --distributed")
     if spread == 0 and host is None:
         raise click.UsageError("--distributed 0 needs workers elsewhere: say --host")
     if spread is not None and update:
         raise click.UsageError("--distributed pins nothing: its counts but the distinct states differ")
-    cluster = None if spread is None else distributed.Cluster(spread, host)
-    processes = Processes()
-    with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
-        request = Request(lane, manifest, jar, workers, jobs, update, json_path, verbose, names, cluster, shard, logs)
-        sys.exit(run_request(request, processes, console))
+    return None if spread is None else distributed.Cluster(spread, host)
 
 
-def run_request(request: Request, processes: Processes, console: Console) -> int:
-    """Do the work and return the exit code."""
-    manifest = load(request.manifest)
-    selected = part_of(manifest.select(request.lane, request.names), *request.shard)
-    tools = tlc.find_toolchain(request.jar)
-    if request.cluster is not None and not distributed.works(tools):
+def _toolchain(jar: Path | None, cluster: distributed.Cluster | None) -> tlc.Toolchain:
+    tools = tlc.find_toolchain(jar)
+    if cluster is not None and not distributed.works(tools):
         raise tlc.ToolMissingError(
             f"the distributed mode of {tools.jar} does not work: see docs/project/distributed.md"
         )
-    began = time.monotonic()
-    answers = canaries.run_canaries(tools, manifest.directory.parent / "build", processes)
-    report.show_canaries(console, tools, answers)
-    drift = list(manifest.drift)
-    if not selected:
-        drift.append(f"{manifest.path}: no model is in {_lane(request)}: nothing was checked")
-    harness = Harness(manifest, tools, processes, request.workers)
-    if request.cluster is not None:
-        possible = _distributable(selected, console)
-        drift += [f"{m.name} was named and not run" for m in selected if m not in possible and m.name in request.names]
-        selected = possible
-        if not selected:
-            drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
-    with Progress(console, len(selected)) as progress:
-        if request.cluster is None:
-            with contextlib.closing(Residents(processes, request.jobs)) as residents:
-                results = run_all(replace(harness, residents=residents), selected, request.jobs, progress)
-        else:
-            results = _run_distributed(harness, selected, request.cluster, progress)
-    if request.update:
-        results = _update(manifest, results, request, console)
-    seconds = time.monotonic() - began
-    if request.logs is not None:
-        report.write_logs(request.logs, results)
-    _show(results, drift, request, console)
-    lane = None if request.names else _lane(request)
-    report.show_tables(console, results, answers.version, lane, seconds)
-    document = report.as_json(tools, answers, lane, results, drift, seconds)
-    write_json(request.json, document)
-    return DRIFT if drift or not all(r.ok for r in results) else 0
+    return tools
 
 
-def _lane(request: Request) -> str:
-    number, of = request.shard
-    return request.lane if of == 1 else f"{request.lane}, shard {number}/{of}"
+def _run(
+    harness: Harness,
+    models: list[Model],
+    cluster: distributed.Cluster | None,
+    jobs: int,
+    names: tuple[str, ...],
+    console: Console,
+) -> tuple[list[judge.Result], list[str]]:
+    """Return the results, and a line for each thing that was asked for and not run."""
+    if cluster is None:
+        with report.Progress(console, len(models)) as progress:
+            return run_all(harness, models, jobs, progress), []
+    against = {model.name: reason for model in models if (reason := distributed.reason_against(model))}
+    for name, reason in against.items():
+        plain(console, f"not run: {name}: {reason}")
+    drift = [f"{name} was named and not run" for name in against if name in names]
+    possible = [model for model in models if model.name not in against]
+    if not possible:
+        drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
+    with report.Progress(console, len(possible)) as progress:
+        return distributed.run_all(harness, possible, cluster, progress), drift
 
 
-def _distributable(selected: list[Model], console: Console) -> list[Model]:
-    for model in selected:
-        if against := distributed.reason_against(model):
-            console.print(f"not run: {model.name}: {against}", markup=False, soft_wrap=True)
-    return [m for m in selected if distributed.reason_against(m) is None]
-
-
-def _run_distributed(
-    harness: Harness, models: list[Model], cluster: distributed.Cluster, tell: Callable[[Event], None]
-) -> list[Result]:
-    """Run one model after the other: each takes all workers."""
-    return [_distribute(harness, model, cluster, tell) for model in models]
-
-
-def _distribute(harness: Harness, model: Model, cluster: distributed.Cluster, tell: Callable[[Event], None]) -> Result:
-    tell(Event(model))
-    result = distributed.check(harness, model, cluster, lambda text: tell(Event(model, text)))
-    tell(Event(model, result=result))
-    return result
-
-
-def _update(manifest: Manifest, results: list[Result], request: Request, console: Console) -> list[Result]:
-    """Pin the counts that came, and judge by the new pins."""
-    changes = update(manifest.path, results)
+def _update(manifest: Path, results: list[judge.Result], console: Console) -> list[judge.Result]:
+    changes, results = judge.update(manifest, results)
     for change in changes or ["nothing"]:
-        console.print(f"updated {change}", markup=False, soft_wrap=True)
-    if not changes:
-        return results
-    pinned = {m.name: m for m in load(request.manifest).models}
-    return [
-        judge(pinned[r.model.name], r.outcome, r.exit, r.seconds, r.workers, r.output)
-        if r.exit is not None and not r.problems
-        else r
-        for r in results
-    ]
+        plain(console, f"updated {change}")
+    return results
 
 
-def _show(results: list[Result], drift: list[str], request: Request, console: Console) -> None:
-    for result in results:
-        if request.verbose and result.output:
-            console.print(result.output, markup=False, soft_wrap=True)
-        if not result.ok:
-            report.show_failure(console, result, _alone(result.model, request), verbose=request.verbose)
-    for line in drift:
-        console.print(f"drift: {line}", markup=False, style="red", soft_wrap=True)
-
-
-def _alone(model: Model, request: Request) -> str:
-    options = "" if request.manifest == ROOT / MANIFEST else f" --manifest {request.manifest}"
-    options += f" --tlc {request.jar}" if request.jar else ""
-    return f"s7spec models{options} {model.name} -v"
+def _command(manifest: Path, jar: Path | None) -> str:
+    """Return the command that runs a model of this manifest, without the model's name."""
+    options = "" if manifest == ROOT / MANIFEST else f" --manifest {manifest}"
+    return f"s7spec models{options}" + (f" --tlc {jar}" if jar else "")

@@ -1,20 +1,23 @@
-"""The output: failures, the table at the end, and the results as JSON."""
+"""The output: progress, failures, the table at the end, the results as JSON, the violations as cases."""
 
 from __future__ import annotations
 
 import json
+import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
+from rich.live import Live
 from rich.table import Table
 from rich.text import Text
 
 from evidence.common.console import plain
 from evidence.models.canaries import Answers
 from evidence.models.judge import Result, exit_codes, expectation
-from evidence.models.manifest import Mutation, expected_kinds
-from evidence.models.progress import brief
+from evidence.models.manifest import Mutation
+from evidence.models.runner import Event
 from evidence.tla.behaviour import as_log, behaviour, of_system
 from evidence.tla.tlc import Toolchain
 
@@ -22,6 +25,76 @@ HEAD_STATES = 3
 TAIL_STATES = 12
 STATE_LINES = 40
 ERROR_LINES = 40
+QUIET_SECONDS = 20
+"""Least time between two progress lines of one model where there is no terminal."""
+
+
+class Progress:
+    """Shows running models: a live table on a terminal, lines elsewhere. A context manager; call it with each event."""
+
+    def __init__(self, console: Console, total: int) -> None:
+        """Show the progress of `total` models on `console`."""
+        self._console = console
+        self._total = total
+        self._done = 0
+        self._running: dict[str, str] = {}
+        self._told: dict[str, float] = {}
+        self._live = Live(console=console, refresh_per_second=4, transient=True) if console.is_terminal else None
+
+    def __enter__(self) -> Progress:
+        """Start showing."""
+        if self._live:
+            self._live.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Stop showing."""
+        if self._live:
+            self._live.stop()
+
+    def __call__(self, event: Event) -> None:
+        """Show one event."""
+        name = event.model.name
+        line = None
+        if event.result is not None:
+            self._done += 1
+            self._running.pop(name, None)
+            line = f"[{self._done}/{self._total}] {name}: {brief(event.result)}, {event.result.seconds:.1f} s"
+        else:
+            self._running[name] = event.text or "started"
+            now = time.monotonic()
+            if not self._live and (not event.text or now - self._told[name] >= QUIET_SECONDS):
+                self._told[name] = now
+                line = f"        {name}: {self._running[name]}"
+        if self._live:
+            self._live.update(Text("\n".join(f"        {n}: {text}" for n, text in self._running.items())))
+        if line:
+            plain(self._console, line)
+
+
+def brief(result: Result) -> str:
+    """Return "as pinned: ..." or "DRIFT: ..." with what came."""
+    if result.ok:
+        names = result.model.expect.property if result.outcome.kind != "passed" else None
+        return f"as pinned: {result.outcome.kind}{f' {names}' if names else ''}"
+    return f"DRIFT: {(result.problems + result.count_problems)[0]}"
+
+
+@dataclass(frozen=True)
+class Report:
+    """All that came of a run. `lane` is None where models were named; `drift` concerns no model."""
+
+    tools: Toolchain
+    answers: Answers
+    lane: str | None
+    results: list[Result]
+    drift: list[str]
+    seconds: float
+
+    @property
+    def ok(self) -> bool:
+        """Whether all is as pinned."""
+        return not self.drift and all(result.ok for result in self.results)
 
 
 def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
@@ -31,7 +104,30 @@ def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
         plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
 
 
-def show_failure(console: Console, result: Result, alone: str, *, verbose: bool) -> None:
+def show(console: Console, report: Report, command: str, *, verbose: bool) -> None:
+    """Show the failures, the table of the models, that of the negative controls, and the sum.
+
+    `command` runs a model of the manifest if its name follows.
+    """
+    results = report.results
+    for result in results:
+        if verbose and result.output:
+            plain(console, result.output)
+        if not result.ok:
+            _show_failure(console, result, f"{command} {result.model.name} -v", verbose=verbose)
+    for line in report.drift:
+        plain(console, f"drift: {line}", style="red")
+    controls = [r for r in results if r.model.kind == "negative"]
+    if len(controls) < len(results):
+        console.print(_models([r for r in results if r not in controls]))
+    if controls:
+        console.print(_controls(controls))
+    good, version = sum(r.ok for r in results), report.answers.version or "of unknown version"
+    said = f"{good} of {len(results)} models as pinned, TLC {version}, {report.seconds:.0f} s"
+    plain(console, f"lane {report.lane}: {said}" if report.lane else said)
+
+
+def _show_failure(console: Console, result: Result, alone: str, *, verbose: bool) -> None:
     """Show a drift: expected, came, how to run it alone, TLC's errors, the trace."""
     model = result.model
     console.rule(f"{model.name}: drift", style="red", align="left")
@@ -46,10 +142,10 @@ def show_failure(console: Console, result: Result, alone: str, *, verbose: bool)
         if result.outcome.kind == "broken":
             for error in result.outcome.errors:
                 plain(console, _limit(error, None if verbose else ERROR_LINES))
-        show_trace(console, result.outcome.trace, verbose=verbose)
+        _show_trace(console, result.outcome.trace, verbose=verbose)
 
 
-def show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> None:
+def _show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> None:
     """Show the states of an error trace as TLC printed them; the middle of a long one only if `verbose`."""
     if not trace:
         return
@@ -60,18 +156,6 @@ def show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> No
             plain(console, f"          ... {skipped} states left out, -v shows them ...")
         if index < HEAD_STATES or index >= HEAD_STATES + skipped:
             plain(console, _limit(state, None if verbose else STATE_LINES))
-
-
-def show_tables(console: Console, results: list[Result], version: str, lane: str | None, seconds: float) -> None:
-    """Show the table of the models, that of the negative controls, and the sum. `lane` is None where some are named."""
-    controls = [r for r in results if r.model.kind == "negative"]
-    if len(controls) < len(results):
-        console.print(_models([r for r in results if r not in controls]))
-    if controls:
-        console.print(_controls(controls))
-    good = sum(r.ok for r in results)
-    said = f"{good} of {len(results)} models as pinned, TLC {version or 'of unknown version'}, {seconds:.0f} s"
-    plain(console, f"lane {lane}: {said}" if lane else said)
 
 
 def _models(results: list[Result]) -> Table:
@@ -100,7 +184,7 @@ def _controls(results: list[Result]) -> Table:
             Text(model.base),
             Text("\n".join(map(_change, model.mutations)) or model.what),
             exit_codes(model),
-            Text(model.expect.property or " or ".join(sorted(expected_kinds(model)))),
+            Text(model.expect.property or " or ".join(sorted(model.kinds))),
             _coloured(result, f"as pinned: exit {result.exit}, {result.outcome.kind}" if result.ok else brief(result)),
             f"{result.seconds:.1f}",
         )
@@ -130,17 +214,16 @@ def _change(mutation: Mutation) -> str:
     return f"{mutation.module}: {' '.join(was) or 'nothing'} -> {' '.join(by) or 'nothing'}"
 
 
-def as_json(
-    tools: Toolchain, answers: Answers, lane: str | None, results: list[Result], drift: list[str], seconds: float
-) -> dict[str, Any]:
-    """Return all that came as a JSON document. `lane` is None where models were named; `drift` concerns no model."""
+def as_json(report: Report) -> dict[str, Any]:
+    """Return the report as a JSON document."""
+    tools, answers = report.tools, report.answers
     return {
-        "ok": not drift and all(r.ok for r in results),
-        "lane": lane,
-        "seconds": round(seconds, 1),
+        "ok": report.ok,
+        "lane": report.lane,
+        "seconds": round(report.seconds, 1),
         "tlc": {"version": answers.version, "jar": tools.jar.name, "sha256": tools.sha256},
         "canaries": {a.module: {"issue": a.issue, "state": a.state, "defect": a.defect} for a in answers.answers},
-        "drift": drift,
+        "drift": report.drift,
         "models": [
             {
                 "name": r.model.name,
@@ -160,7 +243,7 @@ def as_json(
                 "seconds": round(r.seconds, 1),
                 "problems": [*r.problems, *r.count_problems],
             }
-            for r in results
+            for r in report.results
         ],
     }
 

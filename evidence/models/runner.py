@@ -1,9 +1,11 @@
-"""Which models run when, and all runs that a model needs for its result."""
+"""Which models run when, and all runs that a model needs for its result, each on a copy of the specification."""
 
 from __future__ import annotations
 
+import contextlib
+import os
 import queue
-import tempfile
+import shutil
 import threading
 import time
 from collections.abc import Callable
@@ -11,11 +13,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from evidence.common.processes import InterruptedRunError, Processes
-from evidence.models.copies import StaleMutationError, prepare
 from evidence.models.judge import Result, judge
-from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model
-from evidence.tla import cfg, tlc
+from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model, Mutation
+from evidence.tla import tlc
 from evidence.tla.messages import Message, Outcome, progress
+from evidence.tla.modules import module_folders
 from evidence.tla.resident import Residents
 
 
@@ -37,6 +39,7 @@ class _Running:
     """A running model: since when (monotonic seconds), and the last progress message of TLC."""
 
     model: Model
+    thread: threading.Thread
     began: float
     text: str = "running"
 
@@ -64,70 +67,8 @@ class Harness:
         return model.workers if self.workers is None or model.workers == 1 else self.workers
 
 
-def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
-    """Run one model and judge it. Raises `InterruptedRunError`.
-
-    A negative control that has to violate a PROPERTY is run with that one alone, beside all its invariants. What a
-    JVM says that ran TLC before counts only if it is as pinned: else the control has a JVM of its own.
-    """
-    if harness.residents is not None and not _may_share(harness, model):
-        harness = replace(harness, residents=None)
-    narrow = model
-    if model.kind == "negative" and model.expect.property in model.checked("PROPERTY"):
-        narrow = _only(model, model.expect.property)
-    try:
-        run = _run(harness, narrow, listen)
-    except StaleMutationError as stale:
-        return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
-    outcome = _attribute(harness, narrow, run)
-    result = judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
-    if harness.residents is None or (result.ok and not outcome.liveness_checked):
-        return result
-    return check(replace(harness, residents=None), model, listen)
-
-
-def _may_share(harness: Harness, model: Model) -> bool:
-    """Whether a JVM may run this after another control of the same model: TLC checks no liveness twice in a JVM."""
-    base = next((m for m in harness.manifest.models if m.name == model.base), None)
-    return model.kind == "negative" and model.brief and base is not None and base.kind == "model"
-
-
-def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> tlc.TlcRun:
-    options = tlc.Options(
-        workers=harness.workers_of(model),
-        deadlock=model.deadlock,
-        heap=model.heap,
-        timeout=model.seconds[1],
-        brief=model.brief,
-        args=model.args,
-    )
-    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-        space = prepare(Path(temporary).resolve(), harness.manifest.spec, harness.manifest.directory, model)
-        shared = harness.residents and harness.residents.run(model.base, harness.tools, space, options, listen)
-        return shared or tlc.run(harness.tools, space, options, harness.processes, listen)
-
-
-def _only(model: Model, name: str) -> Model:
-    return replace(model, config=cfg.replace_section(model.config, "PROPERTY", [name]))
-
-
-def _attribute(harness: Harness, model: Model, run: tlc.TlcRun) -> Outcome:
-    """Find out which PROPERTY was violated where TLC did not name it.
-
-    TLC 2.18 names no temporal property, and any TLC gives only the place of a conjunct of a property such as another
-    module's Spec. If the configuration has one PROPERTY it is that one. If it has several, each is run alone, until
-    one is violated in the same way.
-    """
-    outcome = run.outcome
-    if outcome.kind not in PROPERTY_KINDS or outcome.names:
-        return outcome
-    properties = model.checked("PROPERTY")
-    if len(properties) == 1:
-        return replace(outcome, names=properties)
-    for name in properties:
-        if _run(harness, _only(model, name), lambda _: None).outcome.kind == outcome.kind:
-            return replace(outcome, names=(name,))
-    return outcome
+class StaleMutationError(ValueError):
+    """The text that a mutation replaces does not occur exactly once: the manifest is behind the specification."""
 
 
 def run_all(harness: Harness, models: list[Model], jobs: int, tell: Callable[[Event], None]) -> list[Result]:
@@ -138,41 +79,51 @@ def run_all(harness: Harness, models: list[Model], jobs: int, tell: Callable[[Ev
     """
     # The controls of a model stand together, so that they find a JVM that ran the one before.
     waiting = sorted(models, key=lambda m: (-sum(m.seconds), m.base))
-    events: queue.Queue[Event | BaseException] = queue.Queue()
-    results: dict[str, Result] = {}
-    free = jobs
-    threads: list[threading.Thread] = []
     running: dict[str, _Running] = {}
-    try:
-        while len(results) < len(models):
-            while waiting and (cores := min(harness.workers_of(waiting[0]), jobs)) <= free:
-                free -= cores
-                model = waiting.pop(0)
-                running[model.name] = _Running(model, time.monotonic())
-                tell(Event(model))
-                threads.append(threading.Thread(target=_work, args=(harness, model, events), daemon=True))
-                threads[-1].start()
-            try:
-                event = events.get(timeout=TICK_SECONDS)
-            except queue.Empty:
+    results: dict[str, Result] = {}
+    events: queue.Queue[Event | BaseException] = queue.Queue()
+
+    def cores(model: Model) -> int:
+        return min(harness.workers_of(model), jobs)
+
+    with contextlib.closing(Residents(harness.processes, jobs)) as residents:
+        try:
+            while len(results) < len(models):
+                while waiting and cores(waiting[0]) + sum(cores(going.model) for going in running.values()) <= jobs:
+                    model = waiting.pop(0)
+                    tell(Event(model))
+                    running[model.name] = _start(replace(harness, residents=residents), model, events)
+                for event in _next(events, running):
+                    if event.result is not None:
+                        results[event.model.name] = event.result
+                        del running[event.model.name]
+                    tell(event)
+        finally:
+            if running:
+                harness.processes.close()
                 for going in running.values():
-                    tell(going.event())
-                continue
-            if isinstance(event, BaseException):
-                raise event
-            if event.result is not None:
-                free += min(harness.workers_of(event.model), jobs)
-                results[event.model.name] = event.result
-                del running[event.model.name]
-                tell(event)
-            else:
-                running[event.model.name].text = event.text
-    finally:
-        if len(results) < len(models):
-            harness.processes.close()
-            for thread in threads:
-                thread.join(timeout=5)
+                    going.thread.join(timeout=5)
     return [results[m.name] for m in models]
+
+
+def _start(harness: Harness, model: Model, events: queue.Queue[Event | BaseException]) -> _Running:
+    thread = threading.Thread(target=_work, args=(harness, model, events), daemon=True)
+    thread.start()
+    return _Running(model, thread, time.monotonic())
+
+
+def _next(events: queue.Queue[Event | BaseException], running: dict[str, _Running]) -> list[Event]:
+    """Wait for a result; else say how far each running model is."""
+    try:
+        event = events.get(timeout=TICK_SECONDS)
+    except queue.Empty:
+        return [going.event() for going in running.values()]
+    if isinstance(event, BaseException):
+        raise event
+    if event.result is None:
+        running[event.model.name].text = event.text
+        return []
+    return [event]
 
 
 def _work(harness: Harness, model: Model, events: queue.Queue[Event | BaseException]) -> None:
@@ -186,3 +137,103 @@ def _work(harness: Harness, model: Model, events: queue.Queue[Event | BaseExcept
         pass
     except BaseException as error:
         events.put(error)  # the main thread raises it
+
+
+def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
+    """Run one model and judge it. Raises `InterruptedRunError`.
+
+    What a JVM says that ran TLC before counts only if it is as pinned: else the control has a JVM of its own.
+    """
+    if harness.residents is not None and _may_share(harness, model):
+        result = _check(harness, model, listen)
+        if result.ok and not result.outcome.liveness_checked:
+            return result
+    return _check(replace(harness, residents=None), model, listen)
+
+
+def _may_share(harness: Harness, model: Model) -> bool:
+    """Whether a JVM may run this after another control of the same model: TLC checks no liveness twice in a JVM."""
+    base = next((m for m in harness.manifest.models if m.name == model.base), None)
+    return model.kind == "negative" and model.brief and base is not None and base.kind == "model"
+
+
+def _check(harness: Harness, model: Model, listen: Callable[[Message], None]) -> Result:
+    try:
+        run = _run(harness, model, listen)
+    except StaleMutationError as stale:
+        return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
+    outcome = _attribute(harness, model, run.outcome)
+    return judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
+
+
+def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> tlc.TlcRun:
+    options = tlc.Options(
+        workers=harness.workers_of(model),
+        deadlock=model.deadlock,
+        heap=model.heap,
+        timeout=model.seconds[1],
+        brief=model.brief,
+        args=model.args,
+    )
+    with tlc.temporary_folder() as root:
+        space = prepare(root, harness.manifest, model)
+        shared = harness.residents and harness.residents.run(model.base, harness.tools, space, options, listen)
+        return shared or tlc.run(harness.tools, space, options, harness.processes, listen)
+
+
+def _attribute(harness: Harness, model: Model, outcome: Outcome) -> Outcome:
+    """Find out which PROPERTY was violated where TLC did not name it.
+
+    TLC 2.18 names no temporal property, and any TLC gives only the place of a conjunct of a property such as another
+    module's Spec. If the configuration has one PROPERTY it is that one. If it has several, each is run alone, until
+    one is violated in the same way.
+    """
+    if outcome.kind not in PROPERTY_KINDS or outcome.names:
+        return outcome
+    if len(model.properties) == 1:
+        return replace(outcome, names=model.properties)
+    for name in model.properties:
+        if _run(harness, model.with_property(name), lambda _: None).outcome.kind == outcome.kind:
+            return replace(outcome, names=(name,))
+    return outcome
+
+
+def prepare(root: Path, manifest: Manifest, model: Model) -> tlc.Workspace:
+    """Copy the modules below the empty directory `root`, and apply the mutations. Raises `StaleMutationError`.
+
+    Every run has a copy, also one that changes nothing: TLC writes next to its input, and nothing of that is to get
+    into the repository.
+    """
+    _copy_modules(manifest.spec, root / "spec")
+    _copy_modules(manifest.directory, root / "models")
+    for mutation in model.mutations:
+        _apply(root, mutation)
+    (root / "scratch").mkdir()
+    library = (root / "models", *module_folders(root / "spec"))
+    file = root / "models" / model.module
+    space = tlc.Workspace(file.parent, file.name, library, root / "scratch")
+    space.config.write_text(model.config, encoding="utf-8")
+    return space.as_one_module()
+
+
+def _copy_modules(source: Path, target: Path) -> None:
+    target.mkdir(parents=True)
+    for directory, folders, files in os.walk(source):
+        # Directories that tools leave behind can be large and hold old copies of modules.
+        folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in ("states", "canaries"))
+        for file in files:
+            if file.endswith(".tla"):
+                copy = target / Path(directory).relative_to(source) / file
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(Path(directory) / file, copy)
+
+
+def _apply(root: Path, mutation: Mutation) -> None:
+    path = next(path for place in ("spec", "models") for path in (root / place).rglob(mutation.module))
+    text = path.read_text(encoding="utf-8")
+    times = text.count(mutation.replace)
+    if times != 1:
+        raise StaleMutationError(
+            f"stale: {mutation.replace!r} occurs {times} times in {mutation.module}, a mutation needs exactly one"
+        )
+    path.write_text(text.replace(mutation.replace, mutation.by), encoding="utf-8")

@@ -16,7 +16,7 @@ from evidence.common.options import json_option, manifest_option, tlc_option, wr
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models.manifest import LANES, ManifestError, load
-from evidence.models.progress import Progress
+from evidence.models.models_report import Progress
 from evidence.models.runner import Harness
 from evidence.mutants import logs_model as logs
 from evidence.mutants import witnesses_report as report

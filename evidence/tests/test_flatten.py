@@ -10,7 +10,7 @@ from evidence.common.checkout import ROOT
 from evidence.tla.flatten import flatten, keep_only
 from evidence.tla.modules import closure, module_folders, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError, references
-from evidence.tla.workspace import Workspace, as_one_module
+from evidence.tla.tlc import Workspace
 
 BASE = """---- MODULE Base ----
 EXTENDS Integers,
@@ -90,7 +90,7 @@ def test_a_module_that_cannot_be_read_is_left_to_tlc(tmp_path: Path, text: str) 
     (tmp_path / "Top.tla").write_text(text, encoding="utf-8")
     with pytest.raises(SyntaxTreeError, match=r"Top\.tla"):
         flatten("Top", [tmp_path])
-    space = as_one_module(Workspace(tmp_path, "Top.tla", (), tmp_path))
+    space = Workspace(tmp_path, "Top.tla", (), tmp_path).as_one_module()
     assert space.flat is None
     assert (tmp_path / "Top.tla").read_text(encoding="utf-8") == text
 

@@ -179,9 +179,7 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))
     code, _, document = run(tmp_path, "--against", "logs")
     assert code == 1
-    seen = {
-        c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Lines/Answered/"))
-    }
+    seen = {c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Lines/Answered/"))}
     assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
     assert seen["ret \\in DisAirtAnswers ( delay )"]["TRUE"] == ["logs"]
 

@@ -18,7 +18,6 @@ from pathlib import Path
 from evidence.common.processes import InterruptedRunError, Processes
 from evidence.tla import tlc
 from evidence.tla.messages import Message
-from evidence.tla.workspace import Workspace
 from s7check import resources
 
 _MAIN_CLASS = "tla.tlc.Runs"
@@ -50,7 +49,7 @@ class Residents:
         self,
         kind: Hashable,
         tools: tlc.Toolchain,
-        space: Workspace,
+        space: tlc.Workspace,
         options: tlc.Options,
         listen: Callable[[Message], None] = lambda _: None,
     ) -> tlc.TlcRun | None:

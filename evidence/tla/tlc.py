@@ -1,21 +1,24 @@
-"""Finding TLC and running it."""
+"""Finding TLC, the folder that it runs in, and a run of it."""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import subprocess
+import tempfile
 import threading
 import time
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
+from evidence.tla.flatten import Flat, flatten
 from evidence.tla.messages import Message, Outcome, Parser, interpret
-from evidence.tla.workspace import Workspace
+from evidence.tla.syntax import SyntaxTreeError
 from s7check import resources
 from s7check.engine.class_archive import archive_options
 from s7check.engine.java import JavaMissingError, find_java
@@ -23,6 +26,7 @@ from s7check.engine.java import JavaMissingError, find_java
 JAR_VARIABLE = "TLA2TOOLS_JAR"
 PROGRESS_SECONDS = 10
 MAIN_CLASS = "tlc2.TLC"
+CONFIG_NAME = "harness.cfg"
 
 _CANARY = ROOT / "models" / "canaries" / "CanaryLazyExcept"
 _SAMPLE = ("-tool", "-metadir", ".", "-config", f"{_CANARY}.cfg", f"{_CANARY}.tla")
@@ -76,6 +80,60 @@ def find_toolchain(jar: Path | None) -> Toolchain:
     jar = jar.resolve()
     sharing = archive_options([java, "-XX:+UseSerialGC"], [jar], [MAIN_CLASS, *_SAMPLE], b"", at_once=True)
     return Toolchain(java, jar, hashlib.sha256(jar.read_bytes()).hexdigest(), flags, tuple(sharing))
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """Where a run takes place: TLC's directory, its module's file name there, where to look for other modules.
+
+    `scratch` is an empty directory for TLC's own files and Java's temporary ones. `flat` is the module where it stands
+    there with all that it extends.
+    """
+
+    directory: Path
+    module: str
+    library: tuple[Path, ...]
+    scratch: Path
+    flat: Flat | None = None
+
+    @property
+    def config(self) -> Path:
+        """The configuration file, next to the module."""
+        return self.directory / CONFIG_NAME
+
+    def located(self, line: str) -> str:
+        """A line of TLC's output with the places of the modules as their authors see them."""
+        return self.flat.located(line) if self.flat else line
+
+    def as_one_module(self) -> Workspace:
+        """Put the module's text and that of all that it extends into its file, with which TLC starts faster.
+
+        A module that the grammar cannot read stays as it is: TLC says where it is wrong.
+        """
+        try:
+            flat = flatten(self.module.removesuffix(".tla"), [self.directory, *self.library])
+        except SyntaxTreeError:
+            return self
+        (self.directory / self.module).write_text(flat.text, encoding="utf-8")
+        return replace(self, flat=flat)
+
+
+@contextlib.contextmanager
+def workspace(library: Iterable[Path], module: str, text: str, config: str) -> Iterator[Workspace]:
+    """A temporary folder with a module's text and its configuration; other modules are looked for in `library`."""
+    with temporary_folder() as folder:
+        (folder / "scratch").mkdir()
+        space = Workspace(folder, f"{module}.tla", tuple(library), folder / "scratch")
+        (folder / space.module).write_text(text, encoding="utf-8")
+        space.config.write_text(config, encoding="utf-8")
+        yield space
+
+
+@contextlib.contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """A folder of a run, to which killed processes may write for another moment."""
+    with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
+        yield Path(temporary).resolve()
 
 
 @dataclass(frozen=True)

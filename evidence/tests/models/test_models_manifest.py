@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from evidence.models.copies import StaleMutationError, prepare
-from evidence.models.manifest import Manifest, ManifestError, expected_kinds, load, shard
-from evidence.models.update import render
+from evidence.models.judge import render
+from evidence.models.manifest import Manifest, ManifestError, load, shard
+from evidence.models.runner import StaleMutationError, prepare
 
 FIXTURES = Path(__file__).parent / "fixtures"
 
@@ -121,9 +121,9 @@ def test_derived_entry_has_the_rest_from_its_base(manifest: Path) -> None:
 def test_either_exit_for_properties_only(manifest: Path) -> None:
     """What stands under PROPERTY may be a step, liveness or the initial state; `violates` pins which."""
     loaded = change(manifest, 3, expect={"exit": 12, "property": "StepByOne"})
-    assert expected_kinds(loaded.models[3]) == {"action", "temporal", "initial"}
-    assert expected_kinds(loaded.models[4]) == {"temporal"}
-    assert expected_kinds(loaded.models[1]) == {"invariant"}
+    assert loaded.models[3].kinds == {"action", "temporal", "initial"}
+    assert loaded.models[4].kinds == {"temporal"}
+    assert loaded.models[1].kinds == {"invariant"}
 
 
 def test_names_may_be_globs(manifest: Path) -> None:
@@ -149,7 +149,7 @@ def test_each_model_is_in_one_shard(manifest: Path, of: int) -> None:
 def test_mutation_changes_the_copy_only(manifest: Path, tmp_path: Path) -> None:
     """The copy that a run works on has the new text, the specification keeps the old one."""
     loaded = load(manifest)
-    space = prepare(tmp_path / "copy", loaded.spec, loaded.directory, loaded.models[3])
+    space = prepare(tmp_path / "copy", loaded, loaded.models[3])
     assert "x' = x + 2\nAgain" in (tmp_path / "copy" / "spec" / "Counter.tla").read_text()
     assert "x + 2" not in (loaded.spec / "Counter.tla").read_text()
     assert space.config.read_text() == loaded.models[3].config
@@ -159,7 +159,7 @@ def test_stale_mutation(manifest: Path, tmp_path: Path) -> None:
     """A text that occurs more than once is not replaced."""
     loaded = change(manifest, 3, mutate={"module": "Counter.tla", "replace": "x + 1", "by": "x"})
     with pytest.raises(StaleMutationError, match=r"occurs 2 times in Counter\.tla"):
-        prepare(tmp_path / "copy", loaded.spec, loaded.directory, loaded.models[3])
+        prepare(tmp_path / "copy", loaded, loaded.models[3])
 
 
 def test_rendered_manifest_is_the_same_document(manifest: Path) -> None:

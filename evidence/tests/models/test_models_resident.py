@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from evidence.common.processes import Processes
-from evidence.models.copies import prepare
 from evidence.models.manifest import Expect, load
-from evidence.models.runner import Harness, check
+from evidence.models.runner import Harness, check, prepare
 from evidence.tla import tlc
 from evidence.tla.resident import Residents
 
@@ -58,7 +57,7 @@ def test_a_jvm_that_ends_is_no_result(project: Project, tmp_path: Path) -> None:
     manifest = load(project.path)
     model = next(m for m in manifest.models if m.name == "neg-step")
     tools = tlc.find_toolchain(project.jar)
-    space = prepare(tmp_path / "run", manifest.spec, manifest.directory, model)
+    space = prepare(tmp_path / "run", manifest, model)
     options = tlc.Options(workers=1, deadlock=True, heap=256, timeout=60, brief=True)
     with contextlib.closing(Residents(Processes(), 1)) as residents:
         broken = replace(tools, sharing=("-XX:+NoSuchOption",))

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.tla import tlc
 from evidence.tla.behaviour import Line, as_log, behaviour
 from evidence.tla.modules import module_folders
-from evidence.tla.workspace import Workspace
 from evidence.views.gallery.cases import Case
 
 MODULE = "GalleryCase"
@@ -33,14 +29,9 @@ class Search:
 
     def __call__(self, case: Case) -> list[Line]:
         """Give header and events of a shortest behaviour of the case. Raises `NotFoundError`."""
-        with tempfile.TemporaryDirectory(prefix="s7check-", ignore_cleanup_errors=True) as temporary:
-            folder = Path(temporary).resolve()
-            scratch = folder / "scratch"
-            scratch.mkdir()
-            space = Workspace(folder, f"{MODULE}.tla", (*module_folders(ROOT / "spec"), ROOT / "models"), scratch)
-            (folder / space.module).write_text(module(case))
-            shutil.copy(ROOT / "models" / "MCGallery.cfg", space.config)
-            space.config.write_text(configuration(case, space.config.read_text()))
+        library = (*module_folders(ROOT / "spec"), ROOT / "models")
+        config = configuration(case, (ROOT / "models" / "MCGallery.cfg").read_text())
+        with tlc.workspace(library, MODULE, module(case), config) as space:
             run = tlc.run(self.tools, space, tlc.Options(1, False, _HEAP, self.timeout), self.processes)
         outcome = run.outcome
         if outcome.kind != "invariant" or not outcome.trace:
