@@ -17,6 +17,7 @@ from evidence.tla import tlc
 from evidence.tla.behaviour import as_log
 from evidence.tla.modules import module_folders
 from evidence.tla.values import assignments
+from s7check.engine import pool
 from s7check.kit.from_log import Json, program_of
 
 MODELS = ("airt", "queue", "hold", "lost-point", "catch-ups", "last-minutes")
@@ -98,7 +99,9 @@ def of_graph(found: Graph) -> Iterator[tuple[int, Json]]:
     known: set[str] = set()
     for number, path in enumerate(cover(found, kinds), 1):
         log = as_log([assignments(found.states[state]) for state in path])
-        program = program_of([msgspec.json.encode(line) for line in log], f"path-{number:04}", "A path.", [])
+        lines = map(msgspec.json.encode, log)
+        with pool.engine() as engine:
+            program = program_of(engine, lines, f"path-{number:04}", "A path.", [])
         causes = {part: program[part] for part in CAUSES if part in program}
         if repr(causes) not in known:
             known.add(repr(causes))

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable, Iterator
 
 from evidence.common.cases import Case
+from s7check.engine import pool
 from s7check.kit.from_log import Json, program_of
 
 
@@ -32,7 +33,8 @@ def programs(cases: Iterable[Case]) -> Iterator[Json]:
 
 def _program(case: Case) -> Json:
     more = {} if case.verdict == "accepted" else {"catches": case.name.split("-", 2)[-1].replace("-", " ")}
-    return program_of(case.lines, case.name, case.reason, case.requirements, **more)
+    with pool.engine() as engine:
+        return program_of(engine, case.lines, case.name, case.reason, case.requirements, **more)
 
 
 def _merge(into: Json, program: Json) -> None:

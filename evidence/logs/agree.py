@@ -21,8 +21,6 @@ from evidence.tla import tlc
 from s7check.engine.client import Engine
 from s7check.engine.command import engine_command
 from s7check.judging.check import check_log
-from s7check.log.errors import UnusableLogError
-from s7check.log.reader import read_log
 from s7check.resources import SPECIFICATION
 
 BATCH = 200
@@ -110,7 +108,7 @@ def _decided(generator: Generator, engine: Engine, number: int, file: Path, refu
     for attempt in count():
         log = generator.draw(number, attempt)
         file.write_bytes(log.content)
-        if not _readable(log.content):
+        if engine.read(log.content).unusable is not None:
             refused["unreadable"] += 1
             continue
         report = check_log(str(file), engine, lambda _source, _events: None)
@@ -119,16 +117,6 @@ def _decided(generator: Generator, engine: Engine, number: int, file: Path, refu
         refused["endless"] += 1
     event = json.loads(report.event)["event"] if report.event is not None else ""
     return _Drawn(number, file, log, event, Judged(report.verdict, report.line))
-
-
-def _readable(content: bytes) -> bool:
-    """Whether the reader takes the whole log, also the lines behind the deciding line."""
-    try:
-        for _ in read_log([content]):
-            pass
-    except UnusableLogError:
-        return False
-    return True
 
 
 def _by_tlc(

@@ -17,7 +17,6 @@ from evidence.logs.growth_logs import Kind, text
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.log.reader import read_log
 
 
 @dataclass(frozen=True)
@@ -41,12 +40,8 @@ class Cost:
 
 def answer_of(engine: Engine, log: Log, until: float | None = None) -> Answer:
     """The engine's answer to a log. Raises `EngineError`."""
-    begun = False
-    for batch in read_log([text(log).encode()]):
-        if batch.header is not None and not begun:
-            engine.begin(batch.header, until=until)
-            begun = True
-        engine.send(batch.events)
+    engine.begin(until=until)
+    engine.send(text(log).encode())
     return engine.finish()
 
 

@@ -40,9 +40,9 @@ class Counting(Engine):
     logs = 0
     followed = 0
 
-    def finish(self) -> Answer:
+    def finish(self, broken: bool = False) -> Answer:
         """Counts."""
-        answer = super().finish()
+        answer = super().finish(broken)
         self.logs += 1
         self.followed += answer.followed
         return answer

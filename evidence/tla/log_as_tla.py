@@ -6,7 +6,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from s7check.log.reader import read_log
+from s7check.engine import pool
+from s7check.log.encoding import as_utf8
 from s7check.log.source import open_log
 
 ROOT = "PartialLogs"
@@ -46,12 +47,9 @@ def module(name: str, files: Sequence[Path], invariant: str) -> str:
 
 def read(file: Path) -> tuple[str, list[str]]:
     """The header and the events of a log, each with the fields that its line has, in one order."""
-    header: dict[str, Any] = {}
-    events: list[dict[str, Any]] = []
-    with open_log(str(file)) as source:
-        for batch in read_log(source.chunks()):
-            header = batch.header or header
-            events += batch.events
+    with open_log(str(file)) as source, pool.engine() as engine:
+        content = engine.read(b"".join(as_utf8(source.chunks())))
+    header, events = content.header or {}, content.events
     sets = {name: _set(field) if isinstance(field, list) else value(field) for name, field in header.items()}
     return _changed("NoHeader", sets), [_event(event) for event in events]
 

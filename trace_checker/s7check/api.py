@@ -1,7 +1,8 @@
 """Checking from Python: a whole log, or the events of a program while it runs."""
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from codecs import BOM_UTF8
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from types import TracebackType
 from typing import Any, Self
@@ -16,7 +17,6 @@ from s7check.judging.replay import Replay, TooLongError, with_readings
 from s7check.log.chosen import Chosen
 from s7check.log.errors import UnusableLogError
 from s7check.log.header import PROFILES
-from s7check.log.reader import read_log
 from s7check.log.tables import READINGS
 from s7check.report.report import Reading, Report, Verdict
 
@@ -88,8 +88,6 @@ class Checker:
         chosen = _chosen(profile, letters)
         self._engine: Engine | None = pool.take()
         self._judging = Judging(name, self._engine, chosen)
-        self._chunk = b""
-        self._batches = read_log(self._chunks())
         self._report: Report | None = None
 
     def __enter__(self) -> Self:
@@ -107,9 +105,7 @@ class Checker:
         after ``report``.
         """
         if self._report is None:
-            for text in encoded(line).removesuffix(b"\n").split(b"\n"):
-                self._take(text)
-            if not self._judged():
+            if not self._judged(line):
                 return
             self.report()
         elif self._report.verdict == "accepted":
@@ -120,57 +116,37 @@ class Checker:
     def report(self) -> Report:
         """The verdict about the lines so far; nothing can be fed after it."""
         if self._report is None:
-            self._chunk = b""
-            try:
-                for batch in self._batches:  # its end: a log without a header has an error there
-                    self._judging.take(batch)
-            except UnusableLogError as error:
-                self._judging.refuse(error)
-            except EngineError as error:
-                self._judging.fail(error)
             self._report = self._judging.report()
         if self._engine is not None:
             pool.give_back(self._engine)
             self._engine = None
         return self._report
 
-    def _take(self, text: bytes) -> None:
-        self._chunk = text + b"\n"
+    def _judged(self, line: Line) -> bool:
+        """Whether the log is judged with this line."""
+        text = _ended(line)
         try:
-            batch = next(self._batches)
-            self._judging.take(batch)
-            if text.strip() and batch.header is None and not batch.events:
-                next(self._batches)  # the error of the line
-        except UnusableLogError as error:
-            self._judging.refuse(error)
-        except EngineError as error:
-            self._judging.fail(error)
-        except StopIteration:
-            pass  # an earlier line of this text was refused
-
-    def _judged(self) -> bool:
-        try:
+            self._judging.take(text if self._judging.lines else text.removeprefix(BOM_UTF8))
             return self._judging.decided()
         except EngineError as error:
             self._judging.fail(error)
             return True
 
-    def _chunks(self) -> Iterator[bytes]:
-        while self._chunk:
-            chunk, self._chunk = self._chunk, b""
-            yield chunk
-
 
 def _check_lines(lines: Iterable[Line], engine: Engine, chosen: Chosen, name: str) -> Report:
     judging = Judging(name, engine, chosen)
     try:
-        for batch in read_log(encoded(line).removesuffix(b"\n") + b"\n" for line in lines):
-            judging.take(batch)
+        judging.take_all(map(_ended, lines), lambda _: None)
     except UnusableLogError as error:
         judging.refuse(error)
     except EngineError as error:
         judging.fail(error)
     return judging.report()
+
+
+def _ended(line: Line) -> bytes:
+    """The text of a line, with its end."""
+    return encoded(line).removesuffix(b"\n") + b"\n"
 
 
 def encoded(line: Line) -> bytes:

@@ -2,7 +2,8 @@
 
 ``fake_engine.py [TRANSCRIPT]``: what it was sent goes to the file TRANSCRIPT.
 
-An EN_AIRT that does not answer 0 is rejected, ``hold`` is not covered, ``stop`` makes it fail in a
+A line that is no JSON object, that is too long, or that has no number where one is needed, is unusable. An EN_AIRT that
+does not answer 0 is rejected, ``hold`` is not covered, ``stop`` makes it fail in a
 way that depends on its cause. Everything else is accepted.
 """
 
@@ -73,12 +74,12 @@ ALTERNATIVES = {
 }
 
 
-def judge(event: dict[str, Any], explained: int) -> Answer | None:
+def judge(event: dict[str, Any], line: int, explained: int) -> Answer | None:
     """The answer that ``event`` decides, or None if the log goes on."""
-    if event["event"] == "EN_AIRT" and event["ret"] > 0:
+    if event["event"] == "EN_AIRT" and event["ret"]:
         return {
             "verdict": "rejected",
-            "line": event["line"],
+            "line": line,
             "events": explained,
             "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0}],
             "requirements": ["AIRT-07"],
@@ -88,42 +89,138 @@ def judge(event: dict[str, Any], explained: int) -> Answer | None:
         }
     if event["event"] == "hold":
         message = "hold is not covered by the specification"
-        return {"verdict": "error", "message": message, "line": event["line"], "events": explained}
+        return {"verdict": "error", "message": message, "line": line, "events": explained}
     FAILURES.get(event.get("cause", -1), lambda: None)()
     return None
+
+
+LONGEST = 1 << 20
+
+
+class UnusableError(Exception):
+    """What is expected and found, and in which field."""
+
+
+def fields_of(text: bytes) -> dict[str, Any]:
+    """The fields of a line, numbers as numbers."""
+    try:
+        fields = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise UnusableError("a JSON object", str(error)) from error
+    if not isinstance(fields, dict) or not {"event", "format"} & fields.keys():
+        raise UnusableError("a JSON object", "another one")
+    for name in {"ret", "cause", "up"} & fields.keys():
+        value = fields[name]
+        try:
+            fields[name] = int(value[3:], 16) if isinstance(value, str) and value.startswith("16#") else int(value or 0)
+        except (ValueError, TypeError, OverflowError) as error:
+            expected = 'a word such as "W#16#8090" or an integer -32768..65535, or null'
+            raise UnusableError(expected, json.dumps(value), name) from error
+    return fields
+
+
+class Log:
+    """A log that comes in pieces."""
+
+    def __init__(self, beginning: dict[str, Any]) -> None:
+        self.answer: Answer | None = None
+        self._begun = beginning
+        self._rest = b""
+        self._line = 0
+        self._explained = 0
+        self._header = False
+        self._lenient = False
+        self._steps: list[Answer] = []
+
+    def take(self, data: bytes) -> None:
+        """The next piece."""
+        if self.answer is not None:
+            return
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        for text in lines:
+            self._line += 1
+            if self.answer is None and text.strip():
+                self._take_line(text)
+        if len(self._rest) > LONGEST and self.answer is None:
+            self._line += 1
+            self._unusable("a shorter line", "a longer one")
+
+    def _take_line(self, text: bytes) -> None:
+        try:
+            fields = fields_of(text)
+        except UnusableError as error:
+            self._unusable(*error.args)
+            return
+        if not self._header:
+            self._header = "format" in fields
+            letters = {**fields.get("readings", {}), **self._begun.get("chosen", {}).get("readings", {})}
+            self._lenient = letters.get("AMB-12") == "b"
+            if not self._header:
+                self._unusable("the header", "an event")
+            return
+        if "event" not in fields or (fields["event"] == "EN_AIRT" and "ret" not in fields):
+            self._unusable("an event", "none")
+            return
+        decided = None if self._lenient else judge(fields, self._line, self._explained)
+        if decided is not None:
+            self._say(decided)
+            return
+        self._explained += 1
+        if "follow" in self._begun:
+            self._steps.append({"line": self._line, "situation": SITUATION})
+
+    def _unusable(self, expected: str, found: str, field: str | None = None) -> None:
+        unusable = {"expected": expected, "found": found, "line": self._line, "field": field}
+        self._say({"verdict": "unusable", "unusable": unusable, "events": self._explained})
+
+    def finish(self) -> None:
+        """The end."""
+        self.take(b"\n" if self._rest else b"")
+        if self.answer is None and not self._header:
+            self._line = 1
+            self._unusable("a header", "an empty log")
+        if self.answer is None:
+            self._say({"verdict": "accepted", "events": self._explained})
+
+    def _say(self, answer: Answer) -> None:
+        self.answer = answer | ({"steps": self._steps} if self._steps else {})
+        print(json.dumps(self.answer), flush=True)
+
+
+HEADER = {"cpu": "S7-400", "profile": "", "readings": []}
+
+
+def header_of(data: bytes, chosen: dict[str, Any]) -> dict[str, Any]:
+    """The header that is read in the begin of a log."""
+    readings = json.loads(data.split(b"\n")[0]).get("readings", {}) | chosen.get("readings", {})
+    return HEADER | {"readings": list(map(list, readings.items()))}
 
 
 def main() -> None:
     """Serves logs until the end of the input."""
     print(json.dumps({"engine": "ready", "tlc": "none"}), flush=True)
-    explained, answer, lenient = 0, None, False
-    steps: list[Answer] | None = None
-    for line in sys.stdin:
-        for transcript in sys.argv[1:]:
-            with Path(transcript).open("a") as file:
-                file.write(line)
+    log = Log({})
+    for line in sys.stdin.buffer:
         entry = json.loads(line)
-        message = entry.get("message")
-        if message == "alternatives":
-            print(json.dumps({"alternatives": ALTERNATIVES}), flush=True)
-        elif message == "begin":
-            explained, answer = 0, None
-            lenient = ["AMB-12", "b"] in entry["header"]["readings"]
-            steps = [] if "follow" in entry else None
-        elif message == "decisions":
-            print(json.dumps({"decisions": []}), flush=True)
-        elif message == "verdict":
-            if answer is None:
+        data = sys.stdin.buffer.read(entry.get("count", 0))
+        for transcript in sys.argv[1:]:
+            with Path(transcript).open("ab") as file:
+                file.write(line + data)
+        match entry["message"]:
+            case "alternatives":
+                print(json.dumps({"alternatives": ALTERNATIVES}), flush=True)
+            case "decisions":
+                print(json.dumps({"decisions": []}), flush=True)
+            case "read":
+                print(json.dumps({"header": header_of(data, entry.get("chosen", {}))}), flush=True)
+            case "begin":
+                log = Log(entry)
+            case "bytes":
+                log.take(data)
+            case "verdict" if log.answer is None:
                 print('{"verdict":"open"}', flush=True)
-        elif answer is None:
-            accepted = {"verdict": "accepted", "events": explained}
-            answer = accepted if message == "finish" else None if lenient else judge(entry, explained)
-            explained += 1
-            if steps is not None and "line" in entry and not answer:
-                steps.append({"line": entry["line"], "situation": SITUATION})
-            if answer:
-                answer |= {"steps": steps} if steps else {}
-                print(json.dumps(answer), flush=True)
+            case "finish":
+                log.finish()
 
 
 if __name__ == "__main__":

@@ -144,7 +144,7 @@ def test_another_header(real_engine: Engine) -> None:
 @pytest.mark.parametrize("name", COMPLETE)
 def test_what_comes_was_possible(name: str, real_engine: Engine) -> None:
     """Each line of a log that is accepted is among those that were possible, at its time."""
-    prefix = read_prefix(str(TRACES / name))
+    prefix = read_prefix(real_engine, str(TRACES / name))
     session = Session(real_engine, prefix.header)
     for _, line in prefix.events:
         if line["event"] in ("start", "end", "clock", "restart", "run", "stop", "hold", "release"):
@@ -157,7 +157,7 @@ def test_what_comes_was_possible(name: str, real_engine: Engine) -> None:
 @pytest.mark.parametrize("name", COMPLETE[::5])
 def test_what_is_possible_is_accepted(name: str, real_engine: Engine) -> None:
     """Each line that is offered may follow, at its first and at its last time."""
-    session, _, _ = opened(real_engine, read_prefix(str(TRACES / name)))
+    session, _, _ = opened(real_engine, read_prefix(real_engine, str(TRACES / name)))
     possible = session.possible()
     with_up = any("up" in line for line in session.lines)
     for line in possible.lines[::7]:

@@ -232,20 +232,18 @@ def test_line_no_longer_at_hand(
     assert cli.main(["trace", "a"]) == 1
 
 
-def test_unusable_without_an_engine(
-    logs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """What is wrong with the header needs no engine; everything else says what is missing."""
+@pytest.mark.usefixtures("logs")
+def test_unusable_without_an_engine(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """What cannot be opened needs no engine; everything else says what is missing."""
 
     def missing() -> list[str]:
         raise EngineError("run `make engine`")
 
     monkeypatch.setattr(trace_command, "Engine", lambda: Engine(missing))
-    (logs / "empty").touch()
-    assert cli.main(["trace", "empty"]) == 2
+    assert cli.main(["trace", "nowhere"]) == 2
     assert cli.main(["trace", "accepted"]) == 3
     assert capsys.readouterr().out.splitlines() == [
-        "empty:1: unusable: expected a header; found an empty log",
+        "nowhere: unusable: expected a log that can be opened; found no such file or directory",
         "accepted: no verdict: run `make engine`",
     ]
 

@@ -18,10 +18,9 @@ from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
-from s7check.log.reader import Batch, read_log
 from s7check.report.report import Report
 from tests.conftest import FAKE_ENGINE
-from tests.logs import BEGIN, HEADER, event, log_text
+from tests.logs import HEADER, event, log_text
 
 
 @pytest.fixture
@@ -33,38 +32,54 @@ def engine(fake_command: list[str]) -> Iterator[Engine]:
 
 def feed(engine: Engine, *entries: dict[str, Any]) -> Answer:
     """Takes a log through the engine."""
-    (batch,) = read_log([log_text(*entries)])
-    begin(engine, batch)
-    engine.send(batch.events)
+    engine.begin()
+    engine.send(log_text(*entries))
     return engine.finish()
 
 
-def begin(engine: Engine, batch: Batch) -> None:
-    """Begins a log with the header of its batch."""
-    assert batch.header is not None
-    engine.begin(batch.header)
+def sent(command: list[str], transcript: Path, log: bytes, **options: Any) -> list[Any]:
+    """The messages and the log that were sent, in pieces of 50 bytes; bytes of the log as one piece."""
+    with Engine(lambda: [*command, str(transcript)]) as engine:
+        engine.begin(**options)
+        for at in range(0, len(log), 50):
+            engine.send(log[at : at + 50])
+        engine.finish()
+    pieces: list[Any] = []
+    rest = transcript.read_bytes()
+    while rest:
+        line, _, rest = rest.partition(b"\n")
+        message = json.loads(line)
+        count = message.pop("count", 0)
+        pieces.append(message if message["message"] != "bytes" else rest[:count])
+        rest = rest[count:]
+    return pieces
 
 
 def test_what_is_sent(fake_command: list[str], tmp_path: Path) -> None:
-    """The header, each event on a line of its own, the end."""
-    transcript = tmp_path / "transcript"
-    with Engine(lambda: [*fake_command, str(transcript)]) as engine:
-        feed(engine, event("SET_TINT", ob=10, sdt="2026-02-30T06:00", period="16#0201", ret=None, x_own=1))
-    header, call, end = transcript.read_text().splitlines()
-    assert header.startswith('{"message":"begin",')
-    assert list(json.loads(header)) == ["message", "header"]
-    assert json.loads(header)["header"]["latency"] == 10
-    assert json.loads(call) == {
-        "line": 2,
-        "event": "SET_TINT",
-        "ob": 10,
-        "period": 0x0201,
-        "ret": -1,
-        "at": {"min": BEGIN, "ms": 31_000},
-        "up": {"min": 0, "ms": 1000},
-        "sdt": {"year": 2026, "month": 2, "day": 30, "hour": 6, "minute": 0, "second": 0, "ms": 0},
-    }
-    assert json.loads(end) == {"message": "finish"}
+    """The log as it is, its header whole, behind what was chosen; its end."""
+    log = b"\n" + log_text(event("run"))
+    begin, *pieces, end = sent(fake_command, tmp_path / "transcript", log, chosen={"profile": "2006"}, follow=2)
+    assert begin == {"message": "begin", "chosen": {"profile": "2006"}, "follow": 2}
+    assert b"".join(pieces) == log
+    assert pieces[0].count(b"\n") == 2
+    assert end == {"message": "finish"}
+
+
+@pytest.mark.parametrize("missing", [False, True])
+def test_profile_file(fake_command: list[str], tmp_path: Path, missing: bool) -> None:
+    """The file that a header names goes with the log, or the reason why it is missing."""
+    if not missing:
+        (tmp_path / "cpu.json").write_bytes(b'{"\xff"')
+    log = log_text(header=HEADER | {"profile": "cpu.json"})
+    begin, *_ = sent(fake_command, tmp_path / "transcript", log, folder=tmp_path)
+    assert begin["file"] == ({"missing": "No such file or directory"} if missing else {"text": '{"\u00ff"'})
+
+
+@pytest.mark.parametrize("profile", ["../cpu.json", "..\\cpu.json", "2006", 5])
+def test_no_profile_file(fake_command: list[str], tmp_path: Path, profile: object) -> None:
+    """Nothing is read outside the folder of the log."""
+    begin, *_ = sent(fake_command, tmp_path / "transcript", log_text(header=HEADER | {"profile": profile}))
+    assert begin == {"message": "begin"}
 
 
 def test_answers(engine: Engine) -> None:
@@ -82,11 +97,10 @@ def test_answers(engine: Engine) -> None:
 def test_decided_before_the_end(engine: Engine) -> None:
     """`wait` says no as soon as the answer is there, though nothing else comes to be read."""
     silent, other = os.pipe()
-    (batch,) = read_log([log_text(event("EN_AIRT", ret=1))])
-    begin(engine, batch)
-    engine.send(batch.events)
+    engine.begin()
+    engine.send(log_text(event("EN_AIRT", ret=1)))
     assert not engine.wait(silent)
-    engine.send(batch.events)
+    engine.send(log_text(event("EN_AIRT", ret=1)))
     assert engine.finish().line == 2
     os.write(other, b"x")
     assert engine.wait(silent)
@@ -96,10 +110,9 @@ def test_decided_before_the_end(engine: Engine) -> None:
 
 def test_more_than_the_pipes_hold(engine: Engine) -> None:
     """A long log after an early decision blocks nobody."""
-    (batch,) = read_log([log_text(event("EN_AIRT", ret=1), *[event("run")] * 20_000)])
-    begin(engine, batch)
+    engine.begin()
     for _ in range(3):
-        engine.send(batch.events)
+        engine.send(log_text(event("EN_AIRT", ret=1), *[event("run")] * 20_000))
     assert engine.finish().line == 2
     assert feed(engine, *[event("run")] * 20_000).events == 20_000
 
@@ -174,12 +187,11 @@ def test_readings_after_a_failure(engine: Engine, tmp_path: Path) -> None:
 @pytest.mark.parametrize("events", [1, 20_000])
 def test_too_slow(engine: Engine, events: int) -> None:
     """An engine that is not done in time is ended, whether it is to answer or does not even take its input."""
-    (batch,) = read_log([log_text(event("stop", cause=0x51EE), *[event("run")] * events)])
-    assert batch.header is not None
+    log = log_text(event("stop", cause=0x51EE), *[event("run")] * events)
     begun = time.monotonic()
-    engine.begin(batch.header, until=begun + 1)
+    engine.begin(until=begun + 1)
     with pytest.raises(EngineTooSlowError):  # noqa: PT012 - either may raise it
-        engine.send(batch.events)
+        engine.send(log)
         engine.finish()
     assert 1 <= time.monotonic() - begun < 30
     assert feed(engine, event("run")) == Answer("accepted", events=1)
@@ -203,9 +215,8 @@ def test_readings_in_time(engine: Engine, tmp_path: Path) -> None:
 def test_failure_while_waiting(engine: Engine) -> None:
     """An engine that ends while the log is silent is noticed."""
     silent, other = os.pipe()
-    (batch,) = read_log([log_text(event("stop", cause=0x0009))])
-    begin(engine, batch)
-    engine.send(batch.events)
+    engine.begin()
+    engine.send(log_text(event("stop", cause=0x0009)))
     with pytest.raises(EngineError, match="SIGKILL"):
         engine.wait(silent)
     os.close(silent)
@@ -246,12 +257,12 @@ def test_finish_without_begin(engine: Engine) -> None:
 
 def test_decided(engine: Engine) -> None:
     """A log is open until a line decides; asking again costs nothing and changes nothing."""
-    (batch,) = read_log([log_text(event("EN_AIRT", ret=0), event("EN_AIRT", ret=1))])
-    begin(engine, batch)
+    header, right, wrong, _ = log_text(event("EN_AIRT", ret=0), event("EN_AIRT", ret=1)).split(b"\n")
+    engine.begin()
     assert not engine.decided()
-    engine.send(batch.events[:1])
+    engine.send(header + b"\n" + right + b"\n")
     assert not engine.decided()
-    engine.send(batch.events[1:])
+    engine.send(wrong + b"\n")
     assert engine.decided()
     assert engine.decided()
     answer = engine.finish()

@@ -59,7 +59,7 @@ def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine
     lines = [json.dumps(line).encode() for line in run(real_engine, one, seed)]
     report = check(lines)
     assert report.verdict == "accepted", str(report)
-    assert departure(one, lines) == ""
+    assert departure(real_engine, one, lines) == ""
 
 
 @pytest.mark.parametrize(("name", "seed"), [("OBS-path-hold-0109", 3), ("AIRT-path-airt-0007", None)])

@@ -73,23 +73,23 @@ def _length(one: Kept) -> int:
 def of_logs(engine: Engine, ambiguity: str, pair: tuple[str, str]) -> Separation | None:
     """The smallest separation by a shipped log that names the ambiguity, without the lines that it does not need."""
     found: list[Separation] = []
-    for prefix in _logs(ambiguity):
+    for prefix in _logs(engine, ambiguity):
         header = _without(prefix.header, ambiguity)
         lines = [line for _, line in prefix.events]
         for one, other in permutations(pair):
             sides = _letter(ambiguity, one), _letter(ambiguity, other)
-            separated = _separated(engine, _program(header, lines, ambiguity), header, lines, *sides)
+            separated = _separated(engine, _program(engine, header, lines, ambiguity), header, lines, *sides)
             if separated is not None:
                 found.append(separated)
     best = min(found, key=lambda each: each.line, default=None)
     return None if best is None else _smaller(engine, best)
 
 
-def _logs(ambiguity: str) -> Iterator[Prefix]:
+def _logs(engine: Engine, ambiguity: str) -> Iterator[Prefix]:
     with TemporaryDirectory(prefix="s7check-") as folder:
         for case in sorted(all_cases(), key=lambda case: case.file):
             if case.name.startswith(f"{ambiguity}-"):
-                yield read_prefix(str(case.put(Path(folder))))
+                yield read_prefix(engine, str(case.put(Path(folder))))
 
 
 def _without(header: dict[str, Any], ambiguity: str) -> dict[str, Any]:
@@ -103,9 +103,9 @@ def _letter(ambiguity: str, letter: str) -> Variant:
     return Side(letters=((ambiguity, letter),)).variant
 
 
-def _program(header: dict[str, Any], lines: Sequence[dict[str, Any]], ambiguity: str) -> Program:
+def _program(engine: Engine, header: dict[str, Any], lines: Sequence[dict[str, Any]], ambiguity: str) -> Program:
     like = Program(ambiguity, f"A log of {ambiguity}.", (ambiguity,), (), "", {}, 0, (), (), {})
-    return program_behind(header, lines, like)
+    return program_behind(engine, header, lines, like)
 
 
 def _separated(
@@ -129,7 +129,7 @@ def _smaller(engine: Engine, found: Separation) -> Separation:
         other = _separated(engine, found.program, found.header, less, found.allowed, found.refused)
         if other is not None and other.line == len(less) + 1:
             lines = less
-    program = _program(found.header, lines, found.program.name)
+    program = _program(engine, found.header, lines, found.program.name)
     other = _separated(engine, program, found.header, lines, found.allowed, found.refused)
     return found if other is None else _renamed(other)
 
@@ -180,7 +180,7 @@ def _searched(
         found, tried = bounded(engine, shortest.header, [*shortest.lines, *shortest.lines[-1:] * 3], one, other)
         bounds += tried
         if found is not None:
-            program = _program(shortest.header, found, ambiguity)
+            program = _program(engine, shortest.header, found, ambiguity)
             separated = _separated(engine, program, shortest.header, found, one, other)
             if separated is not None:
                 return _renamed(separated), Gap(ambiguity, pair, tried, shortest.header)

@@ -5,10 +5,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from s7check.log.errors import UnusableLogError, quote
-from s7check.log.jsonline import decode_object
-from s7check.log.profile_file import folder_of, with_profile_file
-from s7check.log.reader import read_log
+from s7check.engine.client import Engine
+from s7check.log.encoding import as_utf8
+from s7check.log.errors import UnusableLogError
+from s7check.log.objects import decoded
+from s7check.log.profile_file import ENDING, folder_of
 from s7check.log.source import open_log
 
 _NUMBERED = re.compile(r"(?P<log>.+):(?P<line>[0-9]{1,9})")
@@ -24,7 +25,7 @@ class Prefix:
     texts: list[bytes] = field(default_factory=list)
 
 
-def read_prefix(argument: str) -> Prefix:
+def read_prefix(engine: Engine, argument: str) -> Prefix:
     """The log that ``LOG`` or ``LOG:LINE`` names, whole or up to that line.
 
     Raises UnusableLogError for a line that cannot be read, and for a LINE that the log does not have.
@@ -34,18 +35,23 @@ def read_prefix(argument: str) -> Prefix:
         name, last = argument, None
     else:
         name, last = numbered["log"], int(numbered["line"])
-    prefix = Prefix(name)
     with open_log(name) as source:
-        for batch in read_log(source.chunks(), folder_of(name)):
-            of_events = {event["line"] for event in batch.events}
-            for number, text in enumerate(batch.lines.texts, batch.lines.first):
-                if last is not None and number > last:
-                    return prefix
-                prefix.texts.append(text)
-                if number in of_events:
-                    prefix.events.append((number, decode_object(text)))
-                elif not prefix.header and batch.header is not None and text.strip():
-                    prefix.header = with_profile_file(decode_object(text), folder_of(name))
-    if last is not None and last > len(prefix.texts):
-        raise UnusableLogError(f"a line 1 to {len(prefix.texts)}", quote(last))
-    return prefix
+        data = b"".join(as_utf8(source.chunks()))
+    texts = data.removesuffix(b"\n").split(b"\n") if data else []
+    if last is not None and last > len(texts):
+        raise UnusableLogError(f"a line 1 to {len(texts)}", str(last))
+    texts = texts[:last]
+    content = engine.read(b"\n".join(texts), folder_of(name))
+    if content.unusable is not None:
+        raise content.unusable.error()
+    header, *events = ((number, decoded(text)) for number, text in enumerate(texts, 1) if text.strip())
+    assert content.header is not None
+    return Prefix(name, _with_letters(header[1], content.header), events, texts)
+
+
+def _with_letters(header: dict[str, Any], read: dict[str, Any]) -> dict[str, Any]:
+    """The header with the letters of the file that it names as its profile."""
+    if not str(header.get("profile", "")).endswith(ENDING):
+        return header
+    rest = {field: value for field, value in header.items() if field != "profile"}
+    return rest | {"readings": dict(read["readings"])}

@@ -17,7 +17,7 @@ from s7check.engine.command import EngineError
 from s7check.judging.check import rejection
 from s7check.judging.replay import Replay, with_readings
 from s7check.log.errors import UnusableLogError
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 from s7check.output import echo
 from s7check.report.as_json import to_json as report_to_json
 from s7check.report.as_text import TextReports
@@ -53,8 +53,8 @@ def next_command(
 ) -> int:
     """Answer and report."""
     try:
-        prefix = read_prefix(log)
         with Engine() as engine:
+            prefix = read_prefix(engine, log)
             if event is not None:
                 return _why(engine, prefix, event, output)
             answer = what_is_next(engine, prefix, variants(cpus, profiles, readings))
@@ -73,7 +73,7 @@ def next_command(
 
 def _why(engine: Engine, prefix: Prefix, text: str, output: str) -> int:
     try:
-        event = decode_object(text.encode())
+        event = decoded(text.encode())
     except UnusableLogError as error:
         raise click.UsageError(f"--why: {error.reason}") from error
     session, last, _ = opened(engine, prefix)

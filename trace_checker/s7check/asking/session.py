@@ -1,5 +1,6 @@
 """A log that grows line by line, and questions about it."""
 
+import json
 from collections.abc import Collection, Iterable, Mapping
 from copy import copy
 from itertools import count
@@ -8,13 +9,9 @@ from typing import Any, Self
 import msgspec
 
 from s7check.asking.answers import Parting, Possible, Refusal
-from s7check.engine.answer import Answer, Situation
+from s7check.engine.answer import Answer, Situation, Unusable
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.log.elapsed import Clocks
-from s7check.log.events import read_event
-from s7check.log.header import read_header
-from s7check.log.values import iso
 
 MOST_SITUATIONS = 8
 """Explanations of a log of which the situations are shown."""
@@ -24,6 +21,8 @@ _names = count()
 
 class _Reply(msgspec.Struct, frozen=True):
     error: str = ""
+    unusable: Unusable | None = None
+    clock: str = ""
     refusal: Refusal | None = None
     situations: list[Situation] = []
     possible: Possible | None = None
@@ -61,35 +60,27 @@ class Session:
         """The lines so far, each with its ``at``."""
         self._engine = engine
         self._name = str(next(_names))
-        self._normalised = read_header(self.header)
-        self._clocks = [Clocks(self._normalised["clock"], "clock" in self._normalised["records"])]
-        self._ask("open", header=self._normalised)
-
-    @property
-    def clock(self) -> str:
+        self.clock = self._ask("open", header=json.dumps(self.header)).clock
         """The CPU clock after the last line, as a log spells it."""
-        return iso(self._clocks[-1].reading)
 
     def feed(self, line: Mapping[str, Any]) -> Refusal | None:
         """Adds a line. If it is not possible the session stays as it was, and the answer says why."""
-        clocks = copy(self._clocks[-1])
         whole = self._whole(line)
-        refusal = self._ask("feed", event=self._event(whole, clocks)).refusal
-        if refusal is None:
+        reply = self._ask("feed", line=json.dumps(whole))
+        if reply.refusal is None:
             self.lines.append(whole)
-            self._clocks.append(clocks)
-        return refusal
+            self.clock = reply.clock
+        return reply.refusal
 
     def why(self, line: Mapping[str, Any]) -> Refusal | None:
         """Why the line is not possible next; None if it is. The session stays as it is."""
-        return self._ask("judge", event=self._event(self._whole(line), copy(self._clocks[-1]))).refusal
+        return self._ask("judge", line=json.dumps(self._whole(line))).refusal
 
     def undo(self, lines: int = 1) -> None:
         """Takes back the last lines, at most all of them."""
         left = max(0, len(self.lines) - lines)
-        self._ask("back", lines=left)
+        self.clock = self._ask("back", lines=left).clock
         del self.lines[left:]
-        del self._clocks[left + 1 :]
 
     def situations(self, most: int = MOST_SITUATIONS) -> list[Situation]:
         """The situations in which the CPU may be after the last line: one for each explanation, so many at most."""
@@ -97,8 +88,7 @@ class Session:
 
     def before(self, line: Mapping[str, Any]) -> list[Situation]:
         """The situations just before the line, after all that happens by itself until then; none if it may not come."""
-        event = self._event(self._whole(line), copy(self._clocks[-1]))
-        return self._ask("before", event=event, most=MOST_SITUATIONS).situations
+        return self._ask("before", line=json.dumps(self._whole(line)), most=MOST_SITUATIONS).situations
 
     def possible(
         self,
@@ -120,9 +110,9 @@ class Session:
         if most is not None:
             more["most"] = most
         if at is not None:
-            more["when"] = self._event({"event": "hold", "at": at}, copy(self._clocks[-1]))
+            more["when"] = json.dumps({"event": "hold", "at": at})
         if lines is not None:
-            more["lines"] = self._bare(lines)
+            more["lines"] = self._texts(lines)
         possible = self._ask("possible", **more).possible
         assert possible is not None
         return possible
@@ -144,7 +134,7 @@ class Session:
         search ends at the length ``deepest``, or beyond ``most`` pairs of explanations.
         """
         bounds = {"only": list(only), "obs": list(obs), "deepest": deepest, "most": most}
-        parting = self._ask("parting", **{"from": other._name}, lines=self._bare(lines), **bounds).parting
+        parting = self._ask("parting", **{"from": other._name}, lines=self._texts(lines), **bounds).parting
         assert parting is not None
         return parting
 
@@ -161,7 +151,6 @@ class Session:
         twin = copy(self)
         twin._name = str(next(_names))
         twin.lines = list(self.lines)
-        twin._clocks = list(self._clocks)
         self._ask("branch", to=twin._name)
         return twin
 
@@ -169,13 +158,13 @@ class Session:
         """Ends the session; nothing else may be called any more."""
         self._ask("close")
 
-    def _bare(self, lines: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
-        """The events of lines, without their times."""
-        events = [self._event(self._whole(line), copy(self._clocks[-1])) for line in lines]
-        return [{name: each[name] for name in each if name not in _TIMES} for each in events]
+    def _texts(self, lines: Iterable[Mapping[str, Any]]) -> list[str]:
+        return [json.dumps(self._whole(line)) for line in lines]
 
     def _ask(self, message: str, **more: Any) -> _Reply:
         reply = self._engine.ask({"message": message, "session": self._name, **more}, _Reply)
+        if reply.unusable is not None:
+            raise reply.unusable.error()
         if reply.error:
             raise EngineError(reply.error)
         return reply
@@ -185,14 +174,6 @@ class Session:
         if str(line.get("event")).isupper():
             whole.setdefault("ret", None)
         return whole
-
-    def _event(self, line: dict[str, Any], clocks: Clocks) -> dict[str, Any]:
-        event = read_event(line)
-        clocks.stamp(event)
-        return event
-
-
-_TIMES = frozenset({"at", "up", "counter", "step"})
 
 
 def as_answer(refusal: Refusal, line: int) -> Answer:

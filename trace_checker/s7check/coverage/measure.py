@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import reduce
-from pathlib import Path
 from typing import Any, Self
 
 import msgspec
@@ -16,16 +15,12 @@ from s7check.engine.client import Engine
 from s7check.judging.check import Judging
 from s7check.judging.decisions import Decisions, decisions_of
 from s7check.log.chosen import NOTHING, Chosen
-from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.events import OPERANDS
-from s7check.log.header import KINDS, read_header
-from s7check.log.jsonline import decode_object
-from s7check.log.lines import Lines, split_lines
+from s7check.log.header import KINDS
+from s7check.log.objects import decoded
 from s7check.log.profile_file import folder_of
-from s7check.log.reader import LogReader
 from s7check.log.source import open_log
-from s7check.log.values import word
 from s7check.report.report import Report, Verdict
 
 COMPLETE = frozenset(KINDS) - {"diag", "state"}
@@ -98,6 +93,7 @@ def measure(
     decisions = decisions_of(engine)
     taken = _Taken()
     report = judged(log, engine, chosen, taken.take)
+    taken.take(b"\n")
     return coverage_of(report, decisions, taken.answers, taken.periods, taken.obs, taken.left_out)
 
 
@@ -156,49 +152,47 @@ class _Taken:
         self.obs: set[int] = set()
         self.left_out: frozenset[str] = frozenset()
         self._begun = False
+        self._rest = b""
 
-    def take(self, lines: Lines) -> None:
-        for text in lines.texts:
+    def take(self, chunk: bytes) -> None:
+        *lines, self._rest = (self._rest + chunk).split(b"\n")
+        for text in lines:
             with suppress(UnusableLogError, msgspec.MsgspecError, TypeError):
                 if self._begun:
                     self._line(_said(text))
                 elif text.strip():
                     self._begun = True
-                    self.left_out = COMPLETE - frozenset(read_header(decode_object(text))["records"])
+                    self.left_out = COMPLETE - frozenset(decoded(text).get("records", COMPLETE))
 
     def _line(self, said: _Said) -> None:
         if said.event == "start":
             self.obs.add(said.ob)
         elif said.event in OPERANDS and said.ret is not None:
-            self.answers.add((said.event, word(said.ret) & 0xFFFF))
-            if said.event == "SET_TINT" and word(said.ret) == 0:
-                self.periods.add(word(said.period))
+            self.answers.add((said.event, _word(said.ret)))
+            if said.event == "SET_TINT" and _word(said.ret) == 0:
+                self.periods.add(_word(said.period))
+
+
+def _word(spelled: int | str) -> int:
+    """The number of a word that the engine has read."""
+    return int(spelled.rpartition("#")[2], 16) if isinstance(spelled, str) else spelled & 0xFFFF
 
 
 def judged(
     log: str | os.PathLike[str] | Iterable[bytes],
     engine: Engine,
     chosen: Chosen = NOTHING,
-    taken: Callable[[Lines], None] = lambda _: None,
+    taken: Callable[[bytes], None] = lambda _: None,
 ) -> Report:
     """The verdict about a log, a file or its lines; ``taken`` gets each part of it. Raises EngineError."""
-    judging = Judging("log", engine, chosen)
+    name = os.fspath(log) if isinstance(log, str | os.PathLike) else "-"
+    judging = Judging("log", engine, chosen, folder_of(name))
     try:
         if isinstance(log, str | os.PathLike):
-            with open_log(os.fspath(log)) as source:
-                _take(source.chunks(engine.wait), judging, taken, folder_of(os.fspath(log)))
+            with open_log(name) as source:
+                judging.take_all(source.chunks(engine.wait), taken)
         else:
-            _take([b"".join(line.removesuffix(b"\n") + b"\n" for line in log)], judging, taken, Path())
+            judging.take_all([b"".join(line.removesuffix(b"\n") + b"\n" for line in log)], taken)
     except UnusableLogError as error:
         judging.refuse(error)
     return judging.report()
-
-
-def _take(chunks: Iterable[bytes], judging: Judging, taken: Callable[[Lines], None], folder: Path) -> None:
-    reader = LogReader(folder)
-    for lines in split_lines(as_utf8(chunks)):
-        judging.take_lines(lines, reader)
-        taken(lines)
-        if judging.refused:
-            return
-    reader.end()

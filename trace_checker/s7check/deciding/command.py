@@ -45,10 +45,13 @@ def decide_command(file: Path | None, logs: tuple[str, ...]) -> int:
             replays[name] = Replay(name, [])
         except TooLongError as error:
             raise click.ClickException(f"{click.format_filename(name)}: expected a log of at most 4 MiB") from error
-        if not replays[name].header:
-            raise click.ClickException(f"{click.format_filename(name)}: expected a log (`s7check trace` says more)")
     try:
         with Engine() as engine:
+            for name, replay in replays.items():
+                if not replay.header(engine):
+                    raise click.ClickException(
+                        f"{click.format_filename(name)}: expected a log (`s7check trace` says more)"
+                    )
             letters = Letters(engine, replays)
     except ContradictionError as error:
         echo(f"no reading explains: {', '.join(map(str, error.args[0]))}")

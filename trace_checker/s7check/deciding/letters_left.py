@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from s7check.engine.client import Engine
 from s7check.judging.replay import Replay
+from s7check.log.chosen import Chosen
 
 
 class ContradictionError(Exception):
@@ -63,6 +64,5 @@ class Letters:
         return [name for name in names if self._accepts(self._logs[name], readings)]
 
     def _accepts(self, log: Replay, readings: Mapping[str, str]) -> bool:
-        letters = {**dict(log.header["readings"]), **readings}
-        header = log.header | {"readings": [list(pair) for pair in letters.items()]}
-        return log.judge(self._engine, header).verdict == "accepted"
+        # A line that cannot be read ends a log.
+        return log.judge(self._engine, Chosen(letters=readings)).verdict in ("accepted", "unusable")

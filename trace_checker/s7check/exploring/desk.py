@@ -137,7 +137,7 @@ class Desk:
     def program(self, question: Question) -> Object:
         """The lines as a program of the kit: its text, laid out."""
         texts = [msgspec.json.encode(each) for each in (question.header, *question.lines)]
-        raw = program_of(texts, "explored", "Built in the explorer.", [])
+        raw = program_of(self._engine, texts, "explored", "Built in the explorer.", [])
         read_program(msgspec.json.encode(raw))
         return {"text": to_text(raw)}
 

@@ -3,8 +3,7 @@
 from typing import Any
 
 from s7check.importing.errors import SourceError, in_field
-from s7check.log.errors import UnusableLogError
-from s7check.log.header import FORMAT, read_header
+from s7check.log.header import FORMAT
 
 _OPTIONS = {"cpu": "--cpu", "obs": "--obs", "mode": "--mode"}
 """Required fields -> the options that give them."""
@@ -20,8 +19,4 @@ def complete(told: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
         if field not in header:
             expected = f"it from {option} or --header, since the source does not tell it"
             raise SourceError(in_field("header", field), expected, "none")
-    try:
-        read_header(header)
-    except UnusableLogError as error:
-        raise SourceError(in_field("header", error.field), error.expected, error.found) from error
     return header

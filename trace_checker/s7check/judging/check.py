@@ -1,11 +1,9 @@
 """Checks one log: reads it, has the engine judge it, decides which line comes first."""
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from functools import partial
-from itertools import islice
-from typing import Any
+from pathlib import Path
 
 import click
 
@@ -16,9 +14,7 @@ from s7check.judging.decisions import decisions_of
 from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
-from s7check.log.lines import Lines, split_lines
-from s7check.log.profile_file import folder_of
-from s7check.log.reader import Batch, LogReader
+from s7check.log.profile_file import HERE, folder_of
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
 from s7check.report.report import Report
@@ -29,21 +25,11 @@ _KEPT = 16 * 1024 * 1024
 _LOOKED_AT = 1000
 """Lines of a file without a header that are looked at to tell its kind."""
 
-_OVERHEAD = 48
-"""Bytes that a line takes beside its own: an endless log of empty lines must not fill the memory."""
-
-_READ_FIRST = 2000
-"""Events after which the engine may read lines; it knows no examples before that, and starts beside the reading."""
-
-_ASKED = 500
-_ASKED_PART = 0.05
-"""The engine reads no more lines if it has asked for that many, and that part of them: each question is a wait."""
-
 _UNEXPLAINED = "no behaviour of the specification explains this line"
 _TOO_LATE = "something had to come before this line"
 
 Progress = Callable[[Source, int], None]
-"""Called now and then with the log being read and the number of events read from it."""
+"""Called now and then with the log being read and the number of lines read from it."""
 
 
 def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NOTHING) -> Report:
@@ -51,17 +37,10 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
 
     ``chosen`` takes the place of the header's own choices.
     """
-    judging = Judging(click.format_filename(name), engine, chosen)
-    reader = LogReader(folder_of(name))
+    judging = Judging(click.format_filename(name), engine, chosen, folder_of(name))
     try:
         with open_log(name) as source:
-            for lines in split_lines(as_utf8(source.chunks(engine.wait))):
-                judging.take_lines(lines, reader)
-                progress(source, judging.events)
-                if judging.refused:
-                    break
-            else:
-                reader.end()
+            judging.take_all(source.chunks(engine.wait), lambda _: progress(source, judging.lines))
     except UnusableLogError as error:
         judging.refuse(error)
     except EngineError as error:
@@ -70,79 +49,67 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
 
 
 class Judging:
-    """The judging of one log by ``engine``, batch after batch; ``report`` ends it."""
+    """The judging of one log in ``folder`` by ``engine``, piece after piece; ``report`` ends it."""
 
-    def __init__(self, log: str, engine: Engine, chosen: Chosen = NOTHING) -> None:
+    def __init__(self, log: str, engine: Engine, chosen: Chosen = NOTHING, folder: Path = HERE) -> None:
         self._log = log
         self._engine = engine
         self._chosen = chosen
+        self._folder = folder
         self._recent = _RecentLines()
         self._begun = False
         self._unusable: UnusableLogError | None = None
         self._failed: EngineError | None = None
-        self._passed = 0
-        self._asked = 0
-        self.events = 0
-        """The events that were taken."""
-
-    def take(self, batch: Batch) -> None:
-        """Sends the next lines to the engine. Raises EngineError."""
-        self._recent.add(batch.lines)
-        if batch.header is not None:
-            self._engine.begin(self._chosen.in_place_of(batch.header))
-            self._begun = True
-        self._engine.send(batch.events)
-        self.events += len(batch.events)
-        if batch.error is not None:
-            self.refuse(batch.error)
-
-    def take_lines(self, lines: Lines, reader: LogReader) -> None:
-        """The same for the next lines, which ``reader`` has not read. Raises EngineError.
-
-        Of a long log whose lines differ in little but their times the engine reads most: it is faster.
-        """
-        if self._begun and self.events >= _READ_FIRST and self._asked <= _ASKED + self._passed * _ASKED_PART:
-            self._recent.add(lines)
-            self._engine.send_lines(lines, reader, partial(self._read, reader))
-            self._passed += len(lines.texts)
-            self.events += len(lines.texts)
-            return
-        self._engine.end_lines()
-        self.take(reader.read(lines))
-
-    def _read(self, reader: LogReader, number: int) -> dict[str, Any] | None:
-        """The event of a line that the engine cannot read; none if it is unusable."""
-        self._asked += 1
-        batch = reader.read(Lines(number, [self._recent.get(number) or b""]))
-        if batch.error is not None:
-            self.refuse(batch.error)
-        return batch.events[0] if batch.events else None
 
     @property
-    def refused(self) -> bool:
-        """Whether a line cannot be read."""
-        return self._unusable is not None
+    def lines(self) -> int:
+        """The lines that were taken."""
+        return self._recent.ended
+
+    def take_all(self, chunks: Iterable[bytes], taken: Callable[[bytes], None]) -> None:
+        """Takes the pieces of a log in any encoding; ``taken`` gets each in UTF-8.
+
+        Raises EngineError, and UnusableLogError with the line that would have come next.
+        """
+        try:
+            for chunk in as_utf8(chunks):
+                self.take(chunk)
+                taken(chunk)
+        except UnusableLogError as error:
+            error.line = self.lines + 1
+            raise
+
+    def take(self, chunk: bytes) -> None:
+        """Sends the next piece, in UTF-8, to the engine. Raises EngineError."""
+        self._begin()
+        self._recent.add(chunk)
+        self._engine.send(chunk)
+
+    def _begin(self) -> None:
+        if not self._begun:
+            self._begun = True
+            self._engine.begin(self._chosen.message(), folder=self._folder)
 
     def refuse(self, error: UnusableLogError) -> None:
-        """The log goes no further: a line cannot be read."""
-        self._unusable = error if self._begun else _source_of_import(error, self._recent)
+        """The log goes no further: its source is unusable."""
+        self._unusable = error
 
     def fail(self, error: EngineError) -> None:
         """The log goes no further: the engine has failed."""
         self._failed = error
 
     def decided(self) -> bool:
-        """Whether the lines so far decide the verdict, whatever follows. Raises EngineError."""
+        """Whether what was taken decides the verdict, whatever follows. Raises EngineError."""
         return self._unusable is not None or self._failed is not None or (self._begun and self._engine.decided())
 
     def report(self) -> Report:
         """The verdict."""
         answer: Answer | None = None
-        # The engine was sent the lines before the unusable one: its answers about them come first.
-        # If it has decided already, reading was broken off and the rest means nothing.
-        if self._begun and self._failed is None:
+        # The engine was sent what came before the source broke off: its answers about that come first.
+        if self._failed is None and (self._begun or self._unusable is None):
             try:
-                answer = self._engine.finish()
+                self._begin()
+                answer = self._engine.finish(broken=self._unusable is not None)
             except EngineError as error:
                 self._failed = error
         if self._failed is not None:
@@ -153,9 +120,10 @@ class Judging:
         if answer is not None and answer.verdict == "error":
             return Report(self._log, "no verdict", answer.message, line=answer.line, events=answer.events)
         events = answer.events if answer else 0
-        if self._unusable is not None:
-            line = self._unusable.line or None
-            return Report(self._log, "unusable", self._unusable.reason, line=line, events=events)
+        unusable = self._unusable if answer is None or answer.unusable is None else answer.unusable.error()
+        if unusable is not None:
+            unusable = _source_of_import(unusable, self._recent)
+            return Report(self._log, "unusable", unusable.reason, line=unusable.line or None, events=events)
         message = "the specification explains every event" + _loosened(answer)
         report = Report(self._log, "accepted", message, events=events)
         return report if answer is None else self._with_decided(report, answer)
@@ -176,9 +144,13 @@ class Judging:
 
 
 def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
-    """The error; if the bytes are a diagnostic buffer, it says that a log can be made from them."""
+    """The error; if it is in place of the header, and the bytes are a diagnostic buffer, it says that a log can be
+    made from them.
+    """
     from s7check.importing.kinds import kind_of  # logs do not wait for it
 
+    if any(map(bytes.strip, recent.up_to(max(error.line - 1, 0)))):
+        return error
     kind = kind_of(b"\n".join(recent.up_to(_LOOKED_AT)))
     if kind is None:
         return error
@@ -228,31 +200,32 @@ def _telling(candidates: list[Candidate]) -> list[Candidate]:
 
 
 class _RecentLines:
-    """The last lines read, to quote the line that the engine rejects."""
+    """The last part of what was read, to quote the line that the engine rejects."""
 
     def __init__(self) -> None:
-        self._batches: deque[Lines] = deque()
+        self._chunks: deque[bytes] = deque()
         self._bytes = 0
+        self._dropped = 0
+        self._whole = True
+        self.ended = 0
+        """The lines that have ended."""
 
-    def add(self, lines: Lines) -> None:
-        self._batches.append(lines)
-        self._bytes += _size(lines)
-        while self._bytes > _KEPT and len(self._batches) > 1:
-            self._bytes -= _size(self._batches.popleft())
+    def add(self, chunk: bytes) -> None:
+        self._chunks.append(chunk)
+        self._bytes += len(chunk)
+        self.ended += chunk.count(b"\n")
+        while self._bytes > _KEPT and len(self._chunks) > 1:
+            dropped = self._chunks.popleft()
+            self._bytes -= len(dropped)
+            self._dropped += dropped.count(b"\n")
+            self._whole = False
 
     def up_to(self, number: int) -> list[bytes]:
         """All lines from the first one to this one; none if the first is no longer at hand."""
-        if not self._batches or self._batches[0].first != 1:
-            return []
-        texts = (text for lines in self._batches for text in lines.texts)
-        return list(islice(texts, number))
+        return b"".join(self._chunks).split(b"\n", number)[:number] if self._whole else []
 
     def get(self, number: int) -> bytes | None:
-        for lines in reversed(self._batches):
-            if 0 <= number - lines.first < len(lines.texts):
-                return lines.texts[number - lines.first]
-        return None
-
-
-def _size(lines: Lines) -> int:
-    return sum(map(len, lines.texts)) + _OVERHEAD * len(lines.texts)
+        """A line, if it is still at hand."""
+        place = number - 1 - self._dropped
+        texts = b"".join(self._chunks).split(b"\n", max(place, 0) + 1)
+        return texts[place] if 0 <= place < len(texts) else None

@@ -24,7 +24,6 @@ from s7check.engine.client import Engine
 from s7check.engine.command import engine_command
 from s7check.engine.kept_specification import specification_state
 from s7check.judging import usual
-from s7check.log.reader import read_log
 from s7check.output import write_whole
 from s7check.resources import ENGINE, SPECIFICATION
 
@@ -110,8 +109,6 @@ def _found(engine: Engine) -> _Kept:
 
 
 def _outcomes(lines: list[dict[str, Any]], engine: Engine) -> list[int]:
-    for batch in read_log([b"\n".join(map(msgspec.json.encode, lines))]):
-        if batch.header is not None:
-            engine.begin(batch.header)
-        engine.send(batch.events)
+    engine.begin()
+    engine.send(b"\n".join(map(msgspec.json.encode, lines)))
     return engine.finish().outcomes

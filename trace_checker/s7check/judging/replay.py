@@ -11,13 +11,12 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
 from s7check.log.chosen import NOTHING, Chosen
+from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
-from s7check.log.profile_file import folder_of
-from s7check.log.reader import read_log
+from s7check.log.profile_file import folder_of, header_line
 from s7check.log.source import open_log
-from s7check.log.tables import PRIORITY_CPUS
 from s7check.report.clauses import clause, named
-from s7check.report.report import Reading, Report, Verdict
+from s7check.report.report import Reading, Report
 
 LONGEST = 4 * 1024 * 1024
 """Bytes of a log that is judged again."""
@@ -31,40 +30,41 @@ class TooLongError(Exception):
 
 
 class Replay:
-    """The events of a log, in memory. Raises TooLongError."""
+    """The text of a log, in memory. Raises TooLongError."""
 
     def __init__(self, name: str, lines: Sequence[bytes], chosen: Chosen = NOTHING) -> None:
-        data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
-        self.lines: list[bytes] = []
-        self.header: dict[str, Any] = {}
-        self._events: list[dict[str, Any]] = []
-        self._unusable: int | None = None
-        try:
-            for batch in read_log([data], folder_of(name)):
-                self.lines += batch.lines.texts
-                self.header = batch.header or self.header
-                self._events += batch.events
-        except UnusableLogError as error:
-            self._unusable = error.line
-        if self.header:
-            self.header = chosen.in_place_of(self.header)
+        self._data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
+        self._folder = folder_of(name)
+        self._chosen = chosen
+        self._header: dict[str, Any] | None = None
+
+    @property
+    def lines(self) -> list[bytes]:
+        """The lines of the log."""
+        return self._data.removesuffix(b"\n").split(b"\n")
+
+    def header(self, engine: Engine) -> dict[str, Any]:
+        """The normalised header with what was chosen; empty if it cannot be read."""
+        if self._header is None:
+            content = engine.read(header_line(self._data) or self._data, self._folder, self._chosen.message())
+            self._header = content.header or {}
+        return self._header
 
     def judge(
         self,
         engine: Engine,
-        header: dict[str, Any],
+        changes: Chosen = NOTHING,
         last: int | None = None,
         follow: int = 0,
         until: float | None = None,
     ) -> Answer:
-        """The engine's answer to the log under ``header``, up to the line ``last``; ``until`` as in ``begin``."""
-        engine.begin(header, follow, until)
-        engine.send([event for event in self._events if last is None or event["line"] <= last])
+        """The engine's answer to the log under another header, up to the line ``last``; ``until`` as in ``begin``."""
+        data = self._data if last is None else b"\n".join(self._data.split(b"\n", last)[:last])
+        engine.begin(self._chosen.but(changes).message(), follow, until, self._folder)
+        engine.send(data)
         return engine.finish()
 
-    def reading(
-        self, engine: Engine, reading: Reading, changes: dict[str, Any], until: float | None = None
-    ) -> Reading | None:
+    def reading(self, engine: Engine, reading: Reading, changes: Chosen, until: float | None = None) -> Reading | None:
         """``reading`` with the verdict about the log when its header is changed; none if the engine fails.
 
         None if the engine has no verdict at the time ``until`` of ``time.monotonic``.
@@ -72,17 +72,15 @@ class Replay:
         if until is not None and time.monotonic() > until:
             return None
         try:
-            answer = self.judge(engine, self.header | changes, until=until)
+            answer = self.judge(engine, changes, until=until)
         except EngineTooSlowError:
             return None
         except EngineError:
             return replace(reading, verdict="no verdict")
-        if answer.verdict == "rejected":
-            return replace(reading, verdict="rejected", line=answer.line)
         if answer.verdict == "error":
             return replace(reading, verdict="no verdict", line=answer.line)
-        verdict: Verdict = "accepted" if self._unusable is None else "unusable"
-        return replace(reading, verdict=verdict, line=self._unusable)
+        line = answer.line if answer.unusable is None else answer.unusable.line
+        return replace(reading, verdict=answer.verdict, line=line)
 
 
 def with_readings(report: Report, engine: Engine, replay: Replay, until: float | None = None) -> Report:
@@ -91,9 +89,10 @@ def with_readings(report: Report, engine: Engine, replay: Replay, until: float |
     A letter on which nothing in the log depends leaves the verdict as it is. Of the others those that bear on the rule
     that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
     """
-    if not replay.header:
+    header = replay.header(engine)
+    if not header:
         return report
-    all_changes = list(_changes(replay.header, engine.alternatives()))
+    all_changes = list(_changes(header, engine.alternatives()))
     tried: dict[str, Reading | None] = {}
     for reading, changes in sorted(all_changes, key=lambda pair: _distance(pair[0], report)):
         tried[reading.change] = (
@@ -128,30 +127,26 @@ def _distance(reading: Reading, report: Report) -> int:
 
 def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:
     """The report with the log's lines and the situations after them."""
-    if not replay.header:
-        return replace(report, lines=replay.lines)
     last = report.line if report.verdict != "accepted" else None
-    answer = replay.judge(engine, replay.header, last, FOLLOWED)
+    answer = replay.judge(engine, last=last, follow=FOLLOWED)
     return replace(report, lines=replay.lines, steps=answer.steps)
 
 
-def _changes(header: dict[str, Any], others: Alternatives) -> Iterable[tuple[Reading, dict[str, Any]]]:
+def _changes(header: dict[str, Any], others: Alternatives) -> Iterable[tuple[Reading, Chosen]]:
     for family in others.families:
         if family != header["cpu"]:
-            priority = header["priority"] if family in PRIORITY_CPUS else []
-            yield Reading("cpu", f"cpu {family}", "no verdict"), {"cpu": family, "priority": priority}
+            yield Reading("cpu", f"cpu {family}", "no verdict"), Chosen(cpu=family)
     for profile in ["", *others.profiles]:
         if profile != header["profile"]:
             change = f"profile {profile}" if profile else "no profile"
-            yield Reading("profile", change, "no verdict"), {"profile": profile}
+            yield Reading("profile", change, "no verdict"), Chosen(profile)
     named = dict(header["readings"])
     defaults = dict(others.defaults)
     for ambiguity, letters in others.letters:
         own = named.get(ambiguity, None if header["profile"] else defaults.get(ambiguity))
         for letter in letters:
             if letter != own:
-                readings = [*([a, x] for a, x in header["readings"] if a != ambiguity), [ambiguity, letter]]
-                yield Reading("letter", f"{ambiguity} {letter}", "no verdict"), {"readings": readings}
+                yield Reading("letter", f"{ambiguity} {letter}", "no verdict"), Chosen(letters={ambiguity: letter})
 
 
 def _bytes_of(name: str) -> bytes:
@@ -160,7 +155,7 @@ def _bytes_of(name: str) -> bytes:
         if not Path(name).is_file():
             raise TooLongError
         with open_log(name) as source:
-            for chunk in source.chunks():
+            for chunk in as_utf8(source.chunks()):
                 data += chunk
                 if len(data) > LONGEST:
                     raise TooLongError

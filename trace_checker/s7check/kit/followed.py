@@ -7,14 +7,12 @@ or leaves parts of it out.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
+from s7check.engine.client import Engine
 from s7check.kit.program import Program
-from s7check.log.errors import UnusableLogError
-from s7check.log.events import OPERANDS, read_event
-from s7check.log.header import read_header
-from s7check.log.jsonline import decode_object
+from s7check.log.events import OPERANDS
 
 _OF_PROGRAM = ("cpu", "obs", "clock", "mode", "priority", "step7")
 
@@ -22,7 +20,7 @@ _SURE = ("load", "delete", "restart")
 """Events from outside that reach a CPU in every mode."""
 
 
-def departure(program: Program, log: Sequence[bytes]) -> str:
+def departure(engine: Engine, program: Program, log: Sequence[bytes]) -> str:
     """The first place where the log is not that of the program; empty if there is none.
 
     ``log`` has been judged, so its lines can be read up to the first that cannot.
@@ -30,29 +28,21 @@ def departure(program: Program, log: Sequence[bytes]) -> str:
     lines = [line for line in log if line.strip()]
     if not lines:
         return "the log is empty"
-    try:
-        header = read_header(decode_object(lines[0]))
-    except UnusableLogError:
+    content = engine.read(b"\n".join(lines))
+    header = content.header
+    if header is None:
         return ""  # the verdict says it
     own = program.log_header()
     for field in _OF_PROGRAM:
         if _ordered(header[field]) != _ordered(own[field]):
             return f'line 1: field "{field}": expected that of the program'
-    events = list(_events(lines))
+    events = [(event["line"], event) for event in content.events]
     return _outside(program, events) or _calls(program, events)
 
 
 def _ordered(value: Any) -> Any:
     """Maps of the header have become lists in the order in which they were written."""
     return sorted(value, key=str) if isinstance(value, list) else value
-
-
-def _events(lines: Sequence[bytes]) -> Iterator[tuple[int, dict[str, Any]]]:
-    for number, line in enumerate(lines[1:], 2):
-        try:
-            yield number, read_event(decode_object(line))
-        except UnusableLogError:
-            return
 
 
 def _outside(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:

@@ -11,11 +11,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
+from s7check.engine.client import Engine
 from s7check.kit.program import FORMAT, HEADER_FIELDS
-from s7check.log.elapsed import Clocks
-from s7check.log.events import OPERANDS, read_event
-from s7check.log.header import read_header
-from s7check.log.jsonline import decode_object
+from s7check.log.events import OPERANDS
+from s7check.log.objects import decoded
 
 Json = dict[str, Any]
 
@@ -146,19 +145,19 @@ class _Log:
             self.bodies[run.ob, run.number] = run.steps
 
 
-def program_of(lines: Iterable[bytes], name: str, about: str, requirements: list[str], **more: object) -> Json:
+def program_of(
+    engine: Engine, lines: Iterable[bytes], name: str, about: str, requirements: list[str], **more: object
+) -> Json:
     """The program of a log whose lines can be read; ``more`` are further fields. Raises UnusableLogError."""
     texts = [line for line in lines if line.strip()]
-    header = decode_object(texts[0])
-    normalised = read_header(header)
-    clocks = Clocks(normalised["clock"], "clock" in normalised["records"])
+    content = engine.read(b"\n".join(texts))
+    if content.unusable is not None:
+        raise content.unusable.error()
+    header = decoded(texts[0])
     log = _Log(header)
-    for text in texts[1:]:
-        raw = decode_object(text)
-        event = read_event(raw)
-        clocks.stamp(event)
+    for text, event in zip(texts[1:], content.events, strict=True):
         log.now = event["up"]["min"] * 60_000 + event["up"]["ms"]
-        log.take(event, raw)
+        log.take(event, decoded(text))
     log.finish(log.now + AFTERWARDS)
     return {
         "format": FORMAT,

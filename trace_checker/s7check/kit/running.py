@@ -22,7 +22,7 @@ from s7check.kit.followed import departure
 from s7check.kit.offer import Offer
 from s7check.kit.program import Program
 from s7check.kit.results import Result, result_of
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 from s7check.reducing.candidate import as_text
 from s7check.reducing.reduction import reduce_log
 from s7check.report.report import Report
@@ -128,7 +128,7 @@ class Runner:
         result = result_of(report, program.name, digest, program.requirements, seconds)
         if report.verdict == "rejected" and self._first_few(report):
             return msgspec.structs.replace(result, reduced=self._reduced(report))
-        if result.status == "passed" and (reason := departure(program, ran.log)):
+        if result.status == "passed" and (reason := _departure(program, ran)):
             return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
         return result
 
@@ -144,7 +144,7 @@ class Runner:
 
     def _reduced(self, report: Report) -> str:
         """The smallest log that is rejected alike."""
-        header, *events = cast("list[dict[str, Any]]", [decode_object(line) for line in report.lines if line.strip()])
+        header, *events = cast("list[dict[str, Any]]", [decoded(line) for line in report.lines if line.strip()])
         if self._profile is not None:
             header["profile"] = self._profile
         if self._letters:
@@ -175,3 +175,8 @@ class Runner:
         if self._resume is not None and result.status != "no verdict":
             with self._resume.open("ab") as file:
                 file.write(msgspec.json.encode(result) + b"\n")
+
+
+def _departure(program: Program, ran: Ran) -> str:
+    with pool.engine() as engine:
+        return departure(engine, program, ran.log)

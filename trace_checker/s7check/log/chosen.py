@@ -7,19 +7,27 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Chosen:
-    """An edition of the manual by which every log is judged, and ambiguities with the letters of their readings.
+    """An edition of the manual by which every log is judged, ambiguities with the letters of their readings, a CPU.
 
     A letter goes before that of the header and before the edition.
     """
 
     profile: str | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
+    cpu: str | None = None
 
-    def in_place_of(self, header: dict[str, Any]) -> dict[str, Any]:
-        """The normalised header with these choices."""
-        profile = header["profile"] if self.profile is None else self.profile
-        readings = [[name, letter] for name, letter in {**dict(header["readings"]), **self.letters}.items()]
-        return header | {"profile": profile, "readings": readings}
+    def but(self, other: "Chosen") -> "Chosen":
+        """These choices but for those of ``other``."""
+        profile = self.profile if other.profile is None else other.profile
+        return Chosen(profile, {**self.letters, **other.letters}, other.cpu or self.cpu)
+
+    def message(self) -> dict[str, Any]:
+        """The choices as the engine takes them."""
+        return {
+            **({} if self.profile is None else {"profile": self.profile}),
+            **({"readings": dict(self.letters)} if self.letters else {}),
+            **({} if self.cpu is None else {"cpu": self.cpu}),
+        }
 
 
 NOTHING = Chosen()

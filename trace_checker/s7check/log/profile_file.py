@@ -1,41 +1,50 @@
 """A profile that a header names by its file: the letters of a CPU, as ``s7check decide --output`` writes them."""
 
 from pathlib import Path
-from typing import Any
 
-from s7check.log.errors import UnusableLogError, printable, quote
-from s7check.log.jsonline import decode_object
+import msgspec
+
+from s7check.log.errors import printable
 
 ENDING = ".json"
-_FIELD = "profile"
+HERE = Path()
+"""The folder at work."""
+
+_LONGEST = 1024 * 1024
+"""Bytes; no header is longer."""
+
+
+class _Header(msgspec.Struct):
+    profile: str = ""
+
+
+_header = msgspec.json.Decoder(_Header).decode
 
 
 def folder_of(name: str) -> Path:
     """The folder of the log ``name``, where its header's profile is looked for; that at work for ``-``."""
-    return Path() if name == "-" else Path(name).parent
+    return HERE if name == "-" else Path(name).parent
 
 
-def with_profile_file(header: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """The object of a header whose ``profile`` is a file beside the log: its letters come behind those of ``readings``.
+def header_line(head: bytes) -> bytes | None:
+    """The line of the header in the begin of a log; None if it is not whole yet."""
+    text = head.lstrip()
+    line, end, _ = text.partition(b"\n")
+    return line if end or len(text) > _LONGEST else None
 
-    Any other header stays as it is. Raises UnusableLogError, without the line, for a file that cannot be used.
+
+def profile_file(header: bytes, folder: Path) -> dict[str, str] | None:
+    """The file that a header names as its profile, for the engine, which reads no files; None if it names none.
+
+    ``text`` has the bytes of the file as characters, or it is said why it is ``missing``.
     """
-    name = header.get(_FIELD)
-    own = header.get("readings", {})
-    if not isinstance(name, str) or not name.endswith(ENDING) or not isinstance(own, dict):
-        return header
-    rest = {field: value for field, value in header.items() if field != _FIELD}
-    return rest | {"readings": {**_letters(name, folder), **own}}
-
-
-def _letters(name: str, folder: Path) -> dict[str, object]:
-    if "/" in name or "\\" in name:
-        raise UnusableLogError("an edition, or a file in the folder of the log", quote(name), field=_FIELD)
     try:
-        return decode_object((folder / name).read_bytes())
+        name = _header(header).profile
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
+        return None  # the engine says what is wrong with it
+    if not name.endswith(ENDING) or "/" in name or "\\" in name:
+        return None
+    try:
+        return {"text": (folder / name).read_bytes().decode("latin-1")}
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else printable(str(error))
-        raise UnusableLogError("the file of a profile beside the log", f"{quote(name)}: {reason}", _FIELD) from error
-    except UnusableLogError as error:
-        error.inside(_FIELD)
-        raise
+        return {"missing": error.strerror if isinstance(error, OSError) and error.strerror else printable(str(error))}

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 import msgspec
@@ -11,10 +12,7 @@ from s7check.asking.session import Session
 from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
-from s7check.log.elapsed import Clocks
 from s7check.log.errors import UnusableLogError
-from s7check.log.events import read_event
-from s7check.log.header import read_header
 from s7check.report.report import Report
 
 Fields = Mapping[str, Any]
@@ -27,12 +25,11 @@ class OutOfTimeError(Exception):
     """There is no time left for another candidate."""
 
 
+@dataclass(frozen=True)
 class Event:
-    """A line of a log: its fields, and as the engine takes it but for its times. Raises UnusableLogError."""
+    """A line of a log."""
 
-    def __init__(self, fields: Fields) -> None:
-        self.fields = fields
-        self.event = read_event(dict(fields))
+    fields: Fields
 
     def with_fields(self, changes: Fields, without: Sequence[str] = ()) -> "Event":
         """The same line with other fields."""
@@ -83,28 +80,14 @@ class Judge:
         return [*kept, events[-1]]
 
     def answer(self, header: Fields, events: Sequence[Event]) -> Answer | None:
-        """The engine's answer; none if the log cannot be read. Raises EngineError."""
+        """The engine's answer; none if it takes too long. Raises EngineError."""
         try:
-            normalised = read_header(dict(header))
-            stamped = list(_stamped(normalised, events))
-        except UnusableLogError:
-            return None
-        try:
-            self._engine.begin(normalised, until=time.monotonic() + _PATIENCE)
-            self._engine.send(stamped)
+            self._engine.begin(until=time.monotonic() + _PATIENCE)
+            self._engine.send(as_text(header, events))
             return self._engine.finish()
         except EngineTooSlowError:
             # Without the lines in between time may elapse for years; the next candidate gets a new engine.
             return None
-
-
-def _stamped(header: dict[str, Any], events: Iterable[Event]) -> Iterable[dict[str, Any]]:
-    clocks = Clocks(header["clock"], "clock" in header["records"])
-    for number, one in enumerate(events, 2):
-        event = dict(one.event)
-        clocks.stamp(event)
-        event["line"] = number
-        yield event
 
 
 def as_text(header: Fields, events: Iterable[Event]) -> bytes:

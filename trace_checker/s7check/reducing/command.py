@@ -13,8 +13,7 @@ from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 from s7check.log.chosen import NOTHING
 from s7check.log.errors import UnusableLogError
-from s7check.log.jsonline import decode_object
-from s7check.log.objects import objects
+from s7check.log.objects import decoded, objects
 from s7check.output import echo, write_whole
 from s7check.reducing.candidate import Fields, as_text
 from s7check.reducing.reduction import Reduction, reduce_log
@@ -104,7 +103,7 @@ def _lines(log: str, report: Report) -> list[Fields]:
     """The header and the events up to the rejected line."""
     fields: list[Fields] = []
     if log == "-":
-        fields = [decode_object(text) for text in report.lines if text.strip()]
+        fields = [decoded(text) for text in report.lines if text.strip()]
     else:
         fields = [line for number, _, line in objects(log) if number <= (report.line or 0)]
     if not fields:

@@ -6,7 +6,6 @@ from datetime import datetime
 from typing import Any
 
 from s7check.engine.client import Engine
-from s7check.log.errors import UnusableLogError
 from s7check.reducing.candidate import Event, Fields, Judge, OutOfTimeError
 from s7check.report.report import Report
 
@@ -16,7 +15,7 @@ _NEEDED = ("format", "cpu", "obs", "clock", "mode")
 
 def reduce_log(lines: Sequence[Fields], rejection: Report, engine: Engine, until: float) -> "Reduction":
     """The reduction of a log, header first, that is rejected at its last line, at the time ``until`` of
-    ``time.monotonic`` at the latest. Raises EngineError and UnusableLogError.
+    ``time.monotonic`` at the latest. Raises EngineError.
     """
     header, *fields = lines
     reduction = Reduction(Judge(engine, rejection, until), header, list(map(Event, fields)))
@@ -168,10 +167,7 @@ class Reduction:
         yield from ({"at": other} for other in (before, *_rounder(at)) if other != at)
 
     def _try(self, place: int, changes: Fields, without: Sequence[str] = ()) -> bool:
-        try:
-            changed = self.events[place].with_fields(changes, without)
-        except UnusableLogError:
-            return False
+        changed = self.events[place].with_fields(changes, without)
         return self._accept(self.header, [*self.events[:place], changed, *self.events[place + 1 :]])
 
 

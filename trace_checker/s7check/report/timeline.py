@@ -6,8 +6,7 @@ from typing import Any
 
 from s7check.engine.answer import Pending, Situation
 from s7check.log.errors import UnusableLogError, printable, ranges
-from s7check.log.events import read_event
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 from s7check.report.markup import Node, add, node
 from s7check.report.report import Report, source
 
@@ -156,11 +155,10 @@ def _columns(report: Report) -> list[_Column]:
 def _event(text: bytes) -> dict[str, Any] | None:
     """The event as the log spells it; None for a line without one, which may follow the deciding line."""
     try:
-        event = decode_object(text)
-        read_event(event)
+        event = decoded(text)
     except UnusableLogError:
         return None
-    return event
+    return event if isinstance(event.get("event"), str) and isinstance(event.get("ob", 0), int) else None
 
 
 # ---------------------------------------------------------------------------- the parts of the picture

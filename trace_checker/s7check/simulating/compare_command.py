@@ -76,7 +76,7 @@ def _programs(engine: Engine, file: Path, only: str | None, first: Variant, seco
 
 
 def _log(engine: Engine, file: str, sides: list[Variant]) -> int:
-    prefix = read_prefix(file)
+    prefix = read_prefix(engine, file)
     ends: set[int | None] = set()
     named: set[str] = set()
     for side in sides:

@@ -123,7 +123,7 @@ def shortened(engine: Engine, found: Separation, pairs: int = PAIRS) -> tuple[Se
     lines, bounds = bounded(engine, found.header, found.log[1:], found.allowed, found.refused, pairs)
     if lines is None:
         return found, bounds
-    program = program_behind(found.header, lines, found.program)
+    program = program_behind(engine, found.header, lines, found.program)
     other = separation_behind(engine, program, found.header, lines, found.allowed, found.refused)
     return (found, bounds) if other is None else (other, bounds)
 
@@ -139,7 +139,7 @@ def anywhere(
         lines, bounds = bounded(engine, header, [], allowed, refused, pairs)
         tried += bounds
         if lines is not None:
-            program = program_behind(header, lines, _FOUND)
+            program = program_behind(engine, header, lines, _FOUND)
             return separation_behind(engine, program, header, lines, allowed, refused), bounds
     return None, tried
 
@@ -147,7 +147,7 @@ def anywhere(
 _FOUND = Program("found", "Found by search.", (), (), "", {}, 0, (), (), {})
 
 
-def program_behind(header: dict[str, Any], lines: Sequence[dict[str, Any]], like: Program) -> Program:
+def program_behind(engine: Engine, header: dict[str, Any], lines: Sequence[dict[str, Any]], like: Program) -> Program:
     """The program that brings a log about, with the name and the requirements of another."""
     texts = [json.dumps(line).encode() for line in (header, *lines)]
-    return read_program(json.dumps(program_of(texts, like.name, like.about, list(like.requirements))).encode())
+    return read_program(json.dumps(program_of(engine, texts, like.name, like.about, list(like.requirements))).encode())

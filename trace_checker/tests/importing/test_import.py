@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from s7check import check, cli
+from s7check.engine import pool
 from s7check.importing.kinds import kind_of
-from s7check.log.reader import read_log
 
 DATA = Path(__file__).parents[3] / "examples" / "import"
 CPU = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100"]
@@ -27,7 +27,8 @@ def run(capfdbinary: pytest.CaptureFixture[bytes]) -> Run:
         code = cli.main(["import", *map(str, arguments)])
         out, err = capfdbinary.readouterr()
         assert code == 0, err
-        list(read_log([out]))
+        with pool.engine() as engine:
+            assert engine.read(out).unusable is None
         header, *events = [json.loads(line) for line in out.splitlines()]
         return header, events, err.decode()
 

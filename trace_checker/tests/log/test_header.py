@@ -6,7 +6,7 @@ import pytest
 
 from s7check.log import tables
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import read_header
+from tests.log.reading import read_header
 from tests.logs import BEGIN, HEADER
 
 

@@ -4,44 +4,55 @@ import gzip
 import json
 import os
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from s7check.log import lines as lines_module
+from s7check.engine.answer import Unusable
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 from s7check.log import source as source_module
 from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
-from s7check.log.lines import split_lines
-from s7check.log.reader import read_log
 from s7check.log.source import open_log
+from s7check.report.report import Report
+from tests.log.reading import content, events_of
 from tests.logs import BEGIN, HEADER, at, event, log_text
 
-
-def events_of(chunks: Iterable[bytes]) -> list[dict[str, Any]]:
-    """All events of a log."""
-    return [event for batch in read_log(chunks) for event in batch.events]
+LONGEST = 1024 * 1024
+"""Bytes of the longest line."""
 
 
-def unusable(*chunks: bytes) -> UnusableLogError:
+@pytest.fixture
+def check_bytes(real_engine: Engine, tmp_path: Path) -> Callable[[bytes], Report]:
+    """A function that judges a log."""
+
+    def checked(log: bytes) -> Report:
+        (tmp_path / "log").write_bytes(log)
+        return check_log(str(tmp_path / "log"), real_engine, lambda _, __: None)
+
+    return checked
+
+
+def unusable(*chunks: bytes) -> Unusable:
     """The error of a log."""
-    with pytest.raises(UnusableLogError) as caught:
-        events_of(chunks)
-    return caught.value
+    error = content(*chunks).unusable
+    assert error is not None
+    return error
 
 
-def test_batches() -> None:
+def test_lines() -> None:
     """The header comes first, events carry their line, blank lines count."""
     text = b"\n" + log_text(" \t", event("run"), "\r", event("stop", 31.5))
-    (batch,) = read_log([text])
-    assert batch.header is not None
-    assert batch.header["cpu"] == "S7-400"
-    assert [(event["line"], event["event"]) for event in batch.events] == [(4, "run"), (6, "stop")]
+    read = content(text)
+    assert read.header is not None
+    assert read.header["cpu"] == "S7-400"
+    assert [(event["line"], event["event"]) for event in read.events] == [(4, "run"), (6, "stop")]
 
 
 def test_crlf() -> None:
@@ -50,44 +61,38 @@ def test_crlf() -> None:
     assert [event["line"] for event in events_of([text])] == [2, 3]
 
 
+@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.integers(1, 400)))
-def test_chunk_borders(cuts: list[int]) -> None:
+def test_chunk_borders(real_engine: Engine, cuts: list[int]) -> None:
     """How the bytes come does not matter."""
-    text = log_text(event("run"), event("start", 31.5, ob=10), "", event("end", 31.5, ob=10))
+    text = log_text(event("restart", type="warm"), event("start", 31.001, ob=100), "", event("end", 31.5, ob=100))
     borders = [0, *sorted(set(cuts)), len(text)]
-    pieces = [text[begin:end] for begin, end in pairwise(borders)]
-    assert events_of(pieces) == events_of([text])
+    real_engine.begin()
+    for begin, end in pairwise(borders):
+        real_engine.send(text[begin:end])
+    answer = real_engine.finish()
+    assert (answer.verdict, answer.events) == ("accepted", 3)
 
 
-def test_lines_come_as_soon_as_they_are_complete() -> None:
-    """A line is yielded with the chunk that ends it."""
-    taken = []
-
-    def chunks() -> Iterable[bytes]:
-        for chunk in (b"a", b"b\nc", b"d\n", b"e"):
-            taken.append(chunk)
-            yield chunk
-
-    come = [(len(taken), batch.first, batch.texts) for batch in split_lines(chunks())]
-    assert [entry for entry in come if entry[2]] == [(2, 1, [b"ab"]), (3, 2, [b"cd"]), (4, 3, [b"e"])]
-
-
-def test_longest_line(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("size", [1000, 65536, 2 << 20])
+def test_longest_line(real_engine: Engine, size: int) -> None:
     """A longer line is refused at its number, whether it ends or not, after the lines before it."""
-    monkeypatch.setattr(lines_module, "LONGEST_LINE", 4)
-    assert [batch.texts for batch in split_lines([b"1234\n5678"])] == [[b"1234"], [b"5678"]]
-    for chunks in ([b"a\nb\n12345\nc\n"], [b"a\nb\n12", b"345"], [b"a\nb\n1", b"2", b"3", b"45\n"]):
-        batches = split_lines(chunks)
-        assert next(batches).texts[:2] == [b"a", b"b"]
-        with pytest.raises(UnusableLogError, match="line 3: expected a line of at most 4 bytes") as caught:
-            list(batches)
-        assert caught.value.line == 3
+    fits, long = (log_text(json.dumps({**event("load", ob=10), "x_": "x" * more})) for more in (LONGEST - 70, LONGEST))
+    assert LONGEST - 20 < len(fits.splitlines()[1]) <= LONGEST
+    for log, verdict, line in ((fits, "accepted", 0), (long, "unusable", 2), (long.rstrip(), "unusable", 2)):
+        real_engine.begin()
+        for begin in range(0, len(log), size):
+            real_engine.send(log[begin : begin + size])
+        answer = real_engine.finish()
+        assert answer.verdict == verdict
+        assert (answer.unusable.line if answer.unusable else 0) == line
+        assert answer.unusable is None or answer.unusable.expected == f"a line of at most {LONGEST} bytes"
 
 
 @pytest.mark.parametrize("text", [b"", b"\n", b" \r\n\n"])
 def test_empty(text: bytes) -> None:
     """An empty log is unusable at line 1."""
-    assert str(unusable(text)) == "line 1: expected a header; found an empty log"
+    assert str(unusable(text).error()) == "line 1: expected a header; found an empty log"
 
 
 @pytest.mark.parametrize(
@@ -138,20 +143,20 @@ def test_encodings(encoding: str, size: int) -> None:
     """A byte order mark is skipped, UTF-16 is read if it has one, in chunks of any size."""
     text = log_text(event("run", x_a="\u20ac \U0001f40c"), event("stop")).decode()
     mark = {"utf-16-le": "\ufeff", "utf-16-be": "\ufeff"}.get(encoding, "")
-    content = (mark + text).encode(encoding)
-    chunks = [content[at : at + size] for at in range(0, len(content), size)]
+    log = (mark + text).encode(encoding)
+    chunks = [log[at : at + size] for at in range(0, len(log), size)]
     assert b"".join(as_utf8(chunks)) == text.encode()
     assert [entry["event"] for entry in events_of(chunks)] == ["run", "stop"]
 
 
-def test_damaged_utf16() -> None:
+def test_damaged_utf16(check_bytes: Callable[[bytes], Report]) -> None:
     """The line is named; what is before it is read."""
-    content = log_text(event("run")).decode().encode("utf-16")
-    assert str(unusable(content + b"\n")) == "line 3: expected UTF-16; found half a character at its end"
-    assert (
-        str(unusable(content + '{"x_a": "\udc00"}'.encode("utf-16-le", "surrogatepass")))
-        == "line 3: expected whole characters; found a lone surrogate"
-    )
+    log = log_text(event("restart", type="warm")).decode().encode("utf-16")
+    report = check_bytes(log + b"\n")
+    assert (report.verdict, report.line) == ("unusable", 3)
+    assert report.message == "expected UTF-16; found half a character at its end"
+    error = unusable(log + '{"x_a": "\udc00"}'.encode("utf-16-le", "surrogatepass")).error()
+    assert str(error) == "line 3: expected whole characters; found a lone surrogate"
 
 
 def test_keys_in_strings_are_no_duplicates() -> None:
@@ -215,10 +220,10 @@ def test_clock_set_unseen() -> None:
 
 def test_events_before_an_unusable_line_are_given() -> None:
     """The first line that decides may lie before the unusable one."""
-    batches = read_log([log_text(event("run"), "oops")])
-    assert [event["line"] for event in next(batches).events] == [2]
-    with pytest.raises(UnusableLogError, match=r"^line 3: "):
-        next(batches)
+    read = content(log_text(event("run"), "oops"))
+    assert [event["line"] for event in read.events] == [2]
+    assert read.unusable is not None
+    assert read.unusable.line == 3
 
 
 def read_file(path: Path) -> bytes:
@@ -255,15 +260,15 @@ def test_broken_gzip(tmp_path: Path, content: bytes) -> None:
         read_file(path)
 
 
-def test_broken_gzip_has_a_line(tmp_path: Path) -> None:
-    """What could be unpacked is read first, the error stands at the line after it."""
+def test_broken_gzip_has_a_line(real_engine: Engine, tmp_path: Path) -> None:
+    """What could be unpacked is judged first, the error stands at the line after it."""
     path = tmp_path / "log.gz"
-    path.write_bytes(gzip.compress(log_text(event("run"))) + b"garbage")
-    with open_log(str(path)) as source:
-        batches = read_log(source.chunks())
-        assert [event["line"] for event in next(batches).events] == [2]
-        with pytest.raises(UnusableLogError, match="line 3: expected a sound gzip file"):
-            next(batches)
+    for first, verdict in ((event("restart", type="warm"), ("unusable", 3)), (event("hold"), ("rejected", 2))):
+        path.write_bytes(gzip.compress(log_text(first) + b'{"half') + b"garbage")
+        report = check_log(str(path), real_engine, lambda _, __: None)
+        assert (report.verdict, report.line) == verdict
+    path.write_bytes(b"")
+    assert check_log(str(path), real_engine, lambda _, __: None).line == 1
 
 
 def test_log_that_cannot_be_opened(tmp_path: Path) -> None:
@@ -303,10 +308,9 @@ def test_files_are_closed(tmp_path: Path) -> None:
 
 @given(st.lists(st.binary() | st.sampled_from([b"\n", log_text(event("run")), b'{"event":', b"]}", b'"x_a":1,', b"{"])))
 def test_any_bytes(pieces: list[bytes]) -> None:
-    """No bytes whatever cause another exception than the one."""
+    """No bytes whatever cause anything but an error with a line and a text that can be printed."""
     try:
-        events_of(pieces)
-    except UnusableLogError as error:
-        # The log may be usable as well, so this is no case for pytest.raises.
-        if error.line < 1 or not str(error).isprintable():
-            raise
+        error = content(*pieces).unusable
+    except UnusableLogError:
+        return  # half a character of UTF-16
+    assert error is None or (error.line >= 1 and str(error.error()).isprintable())

@@ -9,8 +9,8 @@ import pytest
 from evidence.common.cases import Case
 from s7check.log import tables
 from s7check.log.errors import UnusableLogError
-from s7check.log.events import read_event
 from tests.log import test_events, test_header
+from tests.log.reading import read_event
 from tests.logs import HEADER, event
 from tests.shipped import CASES
 from tests.shipped import SCHEMA as FILE

@@ -1,14 +1,49 @@
 """The spellings of single values."""
 
+import json
 from collections.abc import Callable
+from datetime import datetime, timedelta
 from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from s7check.log import values
-from s7check.log.errors import UnusableLogError, quote
+from s7check.log.errors import UnusableLogError
+from tests.log.reading import content, read_value
+from tests.logs import HEADER, event, log_text
+
+EARLY = HEADER | {"clock": "1990-01-01T00:00"}
+
+
+def word(value: object) -> Any:
+    """The number of a word."""
+    return read_value("stop", "cause", value)
+
+
+def word_or_null(value: object) -> Any:
+    """The number of a word that may not have been logged."""
+    return read_value("DIS_AIRT", "ret", value)
+
+
+def byte(value: object) -> Any:
+    """The number of a byte."""
+    return read_value("DIS_IRT", "mode", value, ob=10, ret=0)
+
+
+def duration(value: object) -> Any:
+    """The milliseconds of a TIME."""
+    return read_value("SRT_DINT", "dtime", value, ob=20, sign=0, ret=0)
+
+
+def instant(value: object) -> Any:
+    """The moment of a date and time."""
+    return read_value("clock", "to", value)
+
+
+def date_components(value: object) -> Any:
+    """The numbers of a date and time."""
+    return read_value("SET_TINT", "sdt", value, ob=10, period=0, ret=0)
 
 
 @pytest.mark.parametrize(
@@ -27,9 +62,8 @@ from s7check.log.errors import UnusableLogError, quote
     ],
 )
 def test_word(value: object, number: int) -> None:
-    """Every spelling of a word gives its 16 bits, a second time too."""
-    assert values.word(value) == number
-    assert values.word(value) == number
+    """Every spelling of a word gives its 16 bits."""
+    assert word(value) == number
 
 
 @pytest.mark.parametrize(
@@ -39,16 +73,16 @@ def test_word(value: object, number: int) -> None:
 def test_no_word(value: object) -> None:
     """What is no word is refused with an example of one."""
     with pytest.raises(UnusableLogError, match=r"a word such as .* or an integer -32768\.\.65535; found"):
-        values.word(value)
+        word(value)
 
 
 @pytest.mark.parametrize(
     ("read", "value", "spelling"),
     [
-        (values.word, "0x8090", "16#8090"),
-        (values.word, "0XA1", "16#00A1"),
-        (values.byte, "0x5", "16#05"),
-        (values.word_or_null, "0x8090", "16#8090"),
+        (word, "0x8090", "16#8090"),
+        (word, "0XA1", "16#00A1"),
+        (byte, "0x5", "16#05"),
+        (word_or_null, "0x8090", "16#8090"),
     ],
 )
 def test_hexadecimal_numbers_of_c(read: Callable[[object], int], value: str, spelling: str) -> None:
@@ -61,22 +95,22 @@ def test_hexadecimal_numbers_of_c(read: Callable[[object], int], value: str, spe
 @pytest.mark.parametrize(("value", "number"), [("B#16#A2", 0xA2), ("W#16#00A2", 0xA2), ("16#5", 5), (255, 255), (0, 0)])
 def test_byte(value: object, number: int) -> None:
     """A byte is spelled like a word."""
-    assert values.byte(value) == number
+    assert byte(value) == number
 
 
 @pytest.mark.parametrize("value", [-1, 256, "16#0100", "W#16#FFFF", "0x100", True, 2.0, None])
 def test_no_byte(value: object) -> None:
     """Bytes have no sign and 8 bits."""
     with pytest.raises(UnusableLogError, match="a byte such as"):
-        values.byte(value)
+        byte(value)
 
 
 def test_null_where_a_word_was_not_logged() -> None:
     """Only ``word_or_null`` takes null, and says so when it refuses something."""
-    assert values.word_or_null(None) == values.NOT_LOGGED
-    assert values.word_or_null(-32607) == 0x80A1
+    assert word_or_null(None) == -1
+    assert word_or_null(-32607) == 0x80A1
     with pytest.raises(UnusableLogError, match='65535, or null; found "abc"'):
-        values.word_or_null("abc")
+        word_or_null("abc")
 
 
 @pytest.mark.parametrize(
@@ -96,7 +130,7 @@ def test_null_where_a_word_was_not_logged() -> None:
 )
 def test_duration(value: object, milliseconds: int) -> None:
     """A TIME is a number of milliseconds or S7's own spelling."""
-    assert values.duration(value) == milliseconds
+    assert duration(value) == milliseconds
 
 
 @pytest.mark.parametrize(
@@ -109,7 +143,7 @@ def test_duration(value: object, milliseconds: int) -> None:
 def test_no_duration(value: object) -> None:
     """Other orders, units and sizes are refused."""
     with pytest.raises(UnusableLogError, match="a duration such as"):
-        values.duration(value)
+        duration(value)
 
 
 @pytest.mark.parametrize(
@@ -127,10 +161,8 @@ def test_no_duration(value: object) -> None:
     ],
 )
 def test_instant(value: str, minutes: int, ms: int) -> None:
-    """Both spellings count minutes since 1990 and milliseconds in the minute, a second time too."""
-    assert values.instant_moment(value) == {"min": minutes, "ms": ms}
-    assert values.instant_moment(value) == {"min": minutes, "ms": ms}
-    assert values.minute_number(value) == minutes
+    """Both spellings count minutes since 1990 and milliseconds in the minute."""
+    assert instant(value) == {"min": minutes, "ms": ms}
 
 
 @pytest.mark.parametrize(
@@ -143,11 +175,11 @@ def test_instant(value: str, minutes: int, ms: int) -> None:
 def test_instant_must_exist(value: str) -> None:
     """Dates that have the shape but do not exist are refused, and are fine where a program passed them."""
     with pytest.raises(UnusableLogError, match="a date and time"):
-        values.instant(value)
-    assert values.date_components(value)
+        instant(value)
+    assert date_components(value)
 
 
-@pytest.mark.parametrize("read", [values.instant, values.date_components])
+@pytest.mark.parametrize("read", [instant, date_components])
 @pytest.mark.parametrize(
     "value",
     [
@@ -164,15 +196,14 @@ def test_instant_must_exist(value: str) -> None:
     ],
 )
 def test_no_date(read: Callable[[object], object], value: object) -> None:
-    """What does not have the shape of a date is none, even after one of the same minute was read."""
-    values.instant("2026-11-21T06:00:00.000")
+    """What does not have the shape of a date is none."""
     with pytest.raises(UnusableLogError, match='a date and time such as "2026'):
         read(value)
 
 
 def test_passed_date_is_taken_apart() -> None:
     """A date that a program passed is only its components."""
-    assert values.date_components("2026-02-30T25:61:62.5") == {
+    assert date_components("2026-02-30T25:61:62.5") == {
         "year": 2026,
         "month": 2,
         "day": 30,
@@ -183,19 +214,23 @@ def test_passed_date_is_taken_apart() -> None:
     }
 
 
-@given(st.datetimes(min_value=values._EPOCH, max_value=values._EPOCH.replace(year=2089, month=12, day=31)))
-def test_instants_keep_their_spelling(date: Any) -> None:
-    """Reading and writing a time are inverse."""
+@given(st.datetimes(min_value=datetime(1990, 1, 1), max_value=datetime(2089, 12, 31)))
+def test_instants(date: datetime) -> None:
+    """Every day of the calendar has its number."""
+    since = date - datetime(1990, 1, 1)
+    minutes, rest = divmod(since, timedelta(minutes=1))
+    expected = {"min": minutes, "ms": rest // timedelta(milliseconds=1)}
+    assert instant(date.isoformat(timespec="milliseconds")) == expected
+
+
+@given(st.datetimes(min_value=datetime(1990, 1, 1, 1), max_value=datetime(2089, 12, 31)))
+def test_instants_keep_their_spelling(date: datetime) -> None:
+    """Reading and writing a time are inverse: a message has the time that the log has."""
     text = date.isoformat(timespec="milliseconds")
-    assert values.iso(values.instant(text)) == text
-
-
-def test_many_minutes_do_not_fill_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The caches have an end and results do not depend on it."""
-    monkeypatch.setattr(values, "_CACHED", 2)
-    for minute in range(6):
-        assert values.instant(f"1990-01-01T00:0{minute}:00") == minute * 60_000
-    assert len(values._minutes) <= 2
+    setting = json.dumps({"event": "clock", "at": "1990-01-01T00:00", "to": text})
+    late = content(log_text(setting, event("run", at="1990-01-01T00:00"), header=EARLY)).unusable
+    assert late is not None
+    assert (late.field, late.expected) == ("at", f"no time before {text}, the clock's last reading")
 
 
 @pytest.mark.parametrize(
@@ -215,4 +250,6 @@ def test_many_minutes_do_not_fill_the_memory(monkeypatch: pytest.MonkeyPatch) ->
 )
 def test_quote(value: object, shown: str) -> None:
     """Values in messages are short and cannot move a terminal's cursor."""
-    assert quote(value) == shown
+    with pytest.raises(UnusableLogError) as caught:
+        read_value("run", "up", value)
+    assert caught.value.found == shown

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
+import s7.log.Fields;
 import tla.eval.State;
 import tla.eval.Way;
 import tla.json.Json;
@@ -92,14 +93,13 @@ final class Contract {
   /** The fields of an event that tell kinds of line apart. */
   static final List<String> KIND = List.of("event", "ob", "mode");
 
-  /** The fields of an event with the clock at the line, the time elapsed, and this as the line has it. */
+  /** The fields of an event with the clock at the line, and the time elapsed. */
   static final String AT = "at";
 
   static final String UP = "up";
-  static final String COUNTER = "counter";
 
-  /** The field of an event with the time to which the clock is set. */
-  static final String TO = "to";
+  /** The fields of an event that say when it comes. */
+  static final String[] OF_TIME = {AT, UP, "counter", "step"};
 
   /** The fields of a point in time. */
   static final String MINUTES = "min";
@@ -147,6 +147,7 @@ final class Contract {
   private final Decisions decisions;
   private final State blank;
   private final RecordValue noEvent;
+  private final Records records;
   private final int kindPlace;
   private final Way alone;
 
@@ -159,6 +160,7 @@ final class Contract {
     decisions = spec.tellDecisions(EXPLAINING.stream().map(each -> each.tla).collect(Collectors.toSet()));
     blank = spec.initialState(Operator.INIT.tla);
     noEvent = (RecordValue) value(Operator.NO_EVENT, blank);
+    records = new Records(noEvent);
     kindPlace = Values.place(noEvent, KIND.get(0));
     alone = spec.remembered(this::goAlone);
   }
@@ -184,6 +186,11 @@ final class Contract {
     } catch (IllegalArgumentException e) {
       throw NotCovered.because("at an event", e);
     }
+  }
+
+  /** The record for an event as the reader of logs gives it. */
+  RecordValue event(Fields event) {
+    return records.of(event);
   }
 
   /** The name of an event. */

@@ -1,6 +1,5 @@
 package s7.trace;
 
-import java.io.EOFException;
 import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
@@ -8,10 +7,8 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
-import java.util.BitSet;
-import java.util.function.Supplier;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonArray;
@@ -19,6 +16,10 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
+import s7.log.Fields;
+import s7.log.LogReader;
+import s7.log.ProfileFile;
+import s7.log.Unusable;
 import tla.json.Json;
 import tla.json.JsonLines;
 import tla.spec.Specification;
@@ -27,36 +28,32 @@ import tlc2.value.impl.RecordValue;
 import util.ToolIO;
 
 /**
- * The trace checker's engine: reads normalised logs from standard input, one JSON object a line,
- * and prints a verdict for each log as soon as it is decided.
+ * The trace checker's engine: reads logs from standard input and prints a verdict for each as soon as it is decided.
  *
- * <p>The first field of a line is its kind:
+ * <p>A message is a JSON object on a line, whose first field is its kind:
  *
  * <ul>
- *   <li>{@code {"message":"begin","header":HEADER}} begins a log. With {@code "follow":N} the answer
- *       has the situations after the last N events.
+ *   <li>{@code {"message":"begin"}} begins a log. {@code "chosen":{"cpu":...,"profile":...,"readings":{...}}} takes the
+ *       place of its header's own choices. With {@code "follow":N} the answer has the situations after the last N events.
+ *       {@code "file"} is what a header needs that names a file as its profile ({@link #file}).
+ *   <li>{@code {"message":"bytes","count":N}} is in front of N bytes of the log, in UTF-8 without a byte order mark.
  *   <li>{@code {"message":"verdict"}} asks whether the log is decided. If it is not, the answer is {@code
  *       {"verdict":"open"}}; if it is, its verdict has been printed.
- *   <li>{@code {"message":"finish"}} ends it.
+ *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
+ *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
+ *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is {@code unusable}.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
- *   <li>{@code {"message":"open","session":NAME,"header":HEADER}} and the messages of {@link Sessions}
+ *   <li>{@code {"message":"open","session":NAME,"header":TEXT}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
  *   <li>{@code {"message":"decisions"}} asks, between two logs, for the decisions of the specification.
- *   <li>An object with another first field is an event of the log.
- *   <li>{@code {"message":"raw","clocks":CLOCKS,"varying":FIELDS,"own":"x_"}} says that lines follow as the log has
- *       them. {@code {"message":"lines","first":N,"count":K}} is in front of K of them. Of a line that it cannot
- *       read ({@link Examples}) the engine asks {@code {"unread":N,"clocks":CLOCKS}}. The answer, between any two
- *       messages, is {@code {"message":"read","clocks":CLOCKS}} with the event in the next line, or {@code
- *       {"message":"unreadable"}}, and then the log ends before the line. {@code {"message":"clocks"}} ends the
- *       lines as the log has them; the answer has the CLOCKS.
  * </ul>
  *
- * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is
- * "accepted", "rejected" or "error", and for each question an object with its answer. The {@code
- * asked} of a log are the open questions whose letter its verdict depends on; without it all of them may be. The {@code
- * outcomes} of a log are those of the decisions on the way to the last line that was explained: 2k where
- * decision k was true, has another value or was taken, 2k + 1 where it was false. They are those of all
- * explanations of the log; {@code open} has those of some of them.
+ * <p>Output: {@code {"engine":"ready",...}} once, then for each log an object whose {@code verdict} is "accepted",
+ * "rejected", "unusable" or "error", and for each question an object with its answer. The {@code asked} of a log are the
+ * open questions whose letter its verdict depends on; without it all of them may be. The {@code outcomes} of a log are
+ * those of the decisions on the way to the last line that was explained: 2k where decision k was true, has another value
+ * or was taken, 2k + 1 where it was false. They are those of all explanations of the log; {@code open} has those of some
+ * of them. What is {@code unusable} has {@code line}, {@code field}, {@code expected} and {@code found}.
  */
 public final class Engine {
   /** Exit code of an engine whose parent has ended. */
@@ -66,28 +63,20 @@ public final class Engine {
   private static final String FOLDER = "s7check-engine-";
 
   private static final String MESSAGE = "message";
-  private static final String CLOCKS = "clocks";
 
   private final Contract spec;
   private final PrintStream out;
-
-  private Explanation explanation;
-  private int events;
-  /** Both threads look at it, see {@link #judging}. */
-  private volatile boolean decided;
-
   private final Sessions sessions;
-  private boolean unreadable;
-  private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
-  private int follow;
-  private JsonElement loose;
-  private JsonElement wide;
-  private JsonLines lines;
-  private Examples examples;
-  private Clocks clocks;
+  private final Judging judging;
 
-  /** Judges lines while this thread reads the next ones; null before the first line that is read here. */
-  private Ahead<Read> judging;
+  /** Judges events while this thread reads the next lines. */
+  private final Ahead<Read> ahead;
+
+  private JsonLines lines;
+  private LogReader reader;
+
+  /** Whether a line of the log could not be read. */
+  private boolean unusable;
 
   /** An event that was read, and the number of its line. */
   private record Read(int line, RecordValue event) {}
@@ -96,6 +85,8 @@ public final class Engine {
     this.spec = spec;
     this.out = out;
     sessions = new Sessions(spec);
+    judging = new Judging(spec, this::print);
+    ahead = new Ahead<>("judging", read -> judging.observe(read.line, read.event));
   }
 
   /**
@@ -150,251 +141,148 @@ public final class Engine {
   void serve(InputStream in) throws IOException {
     lines = new JsonLines(in);
     for (Json line = lines.next(); line != null; line = lines.next()) {
-      take(line);
+      JsonObject message = JsonParser.parseString(line.toString()).getAsJsonObject();
+      take(message.get(MESSAGE).getAsString(), message);
     }
-    settle();
+    ahead.settle();
   }
 
-  private void take(Json line) throws IOException {
-    String message = line.first(MESSAGE);
-    if (!"lines".equals(message)) {
-      settle();
+  private void take(String kind, JsonObject message) throws IOException {
+    if (!"bytes".equals(kind)) {
+      ahead.settle();
     }
-    if (message == null) {
-      // The engine passes over the other lines of a log that is decided.
-      if (!decided) {
-        judge(() -> number(line), () -> observe(spec.event(line), () -> number(line)));
+    switch (kind) {
+      case "begin" -> begin(message);
+      case "bytes" -> {
+        lines.pass(count(message), (bytes, from, to) -> attempt(() -> reader.take(bytes, from, to)));
+        ahead.flush();
       }
-      return;
-    }
-    switch (message) {
-      case "begin" -> judge(() -> null, () -> begin(object(line)));
-      case "alternatives" -> print(alternatives());
-      case "decisions" -> print(decisions());
       case "verdict" -> {
-        if (!decided) {
+        if (!judging.decided()) {
           print(with("verdict", new JsonPrimitive("open")));
         }
       }
-      case "raw" -> raw(object(line));
-      case "lines" -> read(object(line));
-      case "clocks" -> print(with(CLOCKS, clocks.json()));
       case "finish" -> {
-        if (!decided) {
-          answer("accepted", null);
+        if (!message.has("broken")) {
+          attempt(reader::end);
+          ahead.settle();
         }
+        judging.finish();
       }
-      default -> print(sessions.answer(message, object(line)));
+      case "read" -> print(read(message));
+      case "alternatives" -> print(with("alternatives", spec.alternatives()));
+      case "decisions" -> print(with("decisions", new Gson().toJsonTree(spec.decisions())));
+      default -> print(sessions.answer(kind, message));
     }
   }
 
-  /** Does a part of the judging; where it fails the log ends without verdict. */
-  private void judge(Supplier<JsonElement> line, Runnable part) {
+  private static int count(JsonObject message) {
+    return message.get("count").getAsInt();
+  }
+
+  private void begin(JsonObject message) {
+    judging.begin(message.has("follow") ? message.get("follow").getAsInt() : 0);
+    unusable = false;
+    reader =
+        new LogReader(
+            new LogReader.Taker() {
+              @Override
+              public void header(Fields header) {
+                judging.header(Json.of(chosen(header, message).toString()));
+              }
+
+              @Override
+              public void event(int line, Fields event) {
+                ahead.add(new Read(line, spec.event(event)));
+              }
+            },
+            file(message));
+  }
+
+  /** Reads a part of the log, unless it is decided: the rest means nothing then. */
+  private void attempt(Runnable part) {
+    Unusable wrong = unusable || judging.decided() ? null : refused(part);
+    if (wrong != null) {
+      unusable = true;
+      ahead.settle();
+      judging.unusable(json(wrong.asJson()));
+    }
+  }
+
+  /** How a log is read. */
+  private JsonObject read(JsonObject message) throws IOException {
+    var answer = new JsonObject();
+    var events = new JsonArray();
+    var reading =
+        new LogReader(
+            new LogReader.Taker() {
+              @Override
+              public void header(Fields header) {
+                answer.add("header", json(chosen(header, message)));
+              }
+
+              @Override
+              public void event(int line, Fields event) {
+                JsonObject read = json(event);
+                read.addProperty("line", line);
+                events.add(read);
+              }
+            },
+            file(message));
+    Unusable[] first = {null};
+    lines.pass(
+        count(message),
+        (bytes, from, to) -> {
+          if (first[0] == null) {
+            first[0] = refused(() -> reading.take(bytes, from, to));
+          }
+        });
+    Unusable wrong = first[0] == null ? refused(reading::end) : first[0];
+    answer.add("events", events);
+    if (wrong != null) {
+      answer.add("unusable", json(wrong.asJson()));
+    }
+    return answer;
+  }
+
+  private static Unusable refused(Runnable part) {
     try {
       part.run();
-    } catch (NotCovered | StackOverflowError e) {
-      var error = new JsonObject();
-      if (line.get() != null) {
-        error.add("line", line.get());
-      }
-      error.addProperty("message", String.valueOf(e.getMessage()));
-      answer("error", error);
+      return null;
+    } catch (Unusable wrong) {
+      return wrong;
     }
-  }
-
-  private void raw(JsonObject message) {
-    clocks = new Clocks(message.getAsJsonObject(CLOCKS));
-    if (examples == null) {
-      var text = new LineText(message.getAsJsonObject("varying"), message.get("own").getAsString());
-      examples = new Examples(spec.noEvent(), text);
-      judging = new Ahead<>("judging", this::judge);
-    }
-  }
-
-  /** Waits until all lines that were read are judged. */
-  private void settle() {
-    if (judging != null) {
-      judging.settle();
-    }
-  }
-
-  private void judge(Read read) {
-    if (!decided) {
-      var number = new JsonPrimitive(read.line);
-      judge(() -> number, () -> observe(read.event, () -> number));
-    }
-  }
-
-  /** Reads the next lines, which are as the log has them, and has them observed. */
-  private void read(JsonObject message) throws IOException {
-    int first = message.get("first").getAsInt();
-    int count = message.get("count").getAsInt();
-    for (int i = 0; i < count; i++) {
-      Json line = next();
-      if (decided || unreadable || line.isBlank()) {
-        continue;
-      }
-      RecordValue event = examples.read(line, clocks);
-      if (event == null) {
-        // A log that is decided asks nothing.
-        settle();
-        if (decided) {
-          continue;
-        }
-        event = asked(first + i, count - i - 1);
-      }
-      unreadable = event == null;
-      if (!unreadable) {
-        judging.add(new Read(first + i, event));
-      }
-    }
-    judging.flush();
   }
 
   /**
-   * Asks for the event of a line. What comes before the answer is put back.
-   *
-   * @param under the lines that are still to come from the message before
-   * @return null if the line cannot be read
+   * What a message tells of the file that a header may name as its profile: {@code {"text":...}}, its bytes as the first
+   * 256 characters of Unicode, or why it is {@code missing}; null if nothing.
    */
-  private RecordValue asked(int line, int under) throws IOException {
-    var question = with("unread", new JsonPrimitive(line));
-    question.add(CLOCKS, clocks.json());
-    print(question);
-    var passed = new ArrayDeque<Json>();
-    int raw = under;
-    RecordValue event = null;
-    for (boolean answered = false; !answered; ) {
-      Json next = next();
-      String message = raw-- > 0 ? "" : String.valueOf(next.first(MESSAGE));
-      answered = message.equals("read") || message.equals("unreadable");
-      if (message.equals("read")) {
-        clocks.set(object(next).getAsJsonObject(CLOCKS));
-        event = spec.event(next());
-        examples.learn(event);
-      } else if (!answered) {
-        raw = message.equals("lines") ? object(next).get("count").getAsInt() : raw;
-        passed.add(next.copy());
-      }
+  static ProfileFile file(JsonObject message) {
+    if (!message.has("file")) {
+      return null;
     }
-    lines.again(passed);
-    return event;
+    JsonObject file = message.getAsJsonObject("file");
+    return file.has("text")
+        ? new ProfileFile(file.get("text").getAsString().getBytes(StandardCharsets.ISO_8859_1), null)
+        : new ProfileFile(null, file.get("missing").getAsString());
   }
 
-  /** The next line, which has to come. */
-  private Json next() throws IOException {
-    Json next = lines.next();
-    if (next == null) {
-      throw new EOFException();
-    }
-    return next;
+  /** A header with the choices of a message. */
+  private static Fields chosen(Fields header, JsonObject message) {
+    return message.has("chosen")
+        ? LogReader.chosen(header, Fields.of(message.get("chosen").toString().getBytes(StandardCharsets.UTF_8)))
+        : header;
   }
 
-  private static JsonObject object(Json json) {
-    return JsonParser.parseString(json.toString()).getAsJsonObject();
-  }
-
-  /** The number of an event's line in the log. */
-  private static JsonElement number(Json event) {
-    return object(event).get("line");
-  }
-
-  private void begin(JsonObject json) {
-    decided = false;
-    events = 0;
-    unreadable = false;
-    loose = null;
-    wide = null;
-    followed.clear();
-    follow = json.has("follow") ? json.get("follow").getAsInt() : 0;
-    spec.forgetAsked();
-    explanation = new Explanation(spec, Json.of(json.get("header").toString()));
-  }
-
-  private JsonObject alternatives() {
-    var answer = new JsonObject();
-    answer.add("alternatives", spec.alternatives());
-    return answer;
-  }
-
-  private static JsonArray numbers(BitSet bits) {
-    var numbers = new JsonArray();
-    bits.stream().forEach(numbers::add);
-    return numbers;
-  }
-
-  private JsonObject decisions() {
-    var answer = new JsonObject();
-    answer.add("decisions", new Gson().toJsonTree(spec.decisions()));
-    return answer;
+  static JsonObject json(Fields fields) {
+    return JsonParser.parseString(fields.toString()).getAsJsonObject();
   }
 
   private static JsonObject with(String name, JsonElement value) {
     var object = new JsonObject();
     object.add(name, value);
     return object;
-  }
-
-  private void remember(JsonElement line) {
-    var step = new JsonObject();
-    step.add("line", line);
-    step.add("situation", explanation.situation());
-    followed.addLast(step);
-    if (followed.size() > follow) {
-      followed.removeFirst();
-    }
-  }
-
-  private void observe(RecordValue event, Supplier<JsonElement> line) {
-    Explanation.Refusal refusal = explanation.observe(event);
-    if (loose == null && explanation.loosened()) {
-      loose = line.get();
-    }
-    if (wide == null && explanation.widened()) {
-      wide = line.get();
-    }
-    if (refusal == null) {
-      events++;
-      if (follow > 0) {
-        remember(line.get());
-      }
-      return;
-    }
-    JsonObject rejected = refusal.asJson();
-    rejected.add("line", line.get());
-    answer("rejected", rejected);
-  }
-
-  private void answer(String verdict, JsonObject details) {
-    JsonObject answer = details == null ? new JsonObject() : details;
-    answer.addProperty("verdict", verdict);
-    answer.addProperty("events", events);
-    if (loose != null) {
-      answer.add("loose", loose);
-    }
-    if (wide != null) {
-      answer.add("wide", wide);
-    }
-    if (explanation != null) {
-      answer.addProperty("largest", explanation.largest());
-      answer.addProperty("followed", explanation.steps());
-    }
-    if (!followed.isEmpty()) {
-      var steps = new JsonArray();
-      followed.forEach(steps::add);
-      answer.add("steps", steps);
-    }
-    if (explanation != null) {
-      answer.add("outcomes", numbers(explanation.outcomes()));
-      answer.add("open", numbers(explanation.openOutcomes()));
-      answer.add("classes", new Gson().toJsonTree(explanation.classes()));
-      if (explanation.asked() != null) {
-        answer.add("asked", new Gson().toJsonTree(explanation.asked()));
-      }
-    }
-    decided = true;
-    explanation = null;
-    print(answer);
   }
 
   private void print(JsonObject json) {

@@ -17,6 +17,9 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import s7.log.Clocks;
+import s7.log.Fields;
+import s7.log.LogReader;
 import tla.eval.State;
 import tla.json.Json;
 import tla.json.Values;
@@ -33,6 +36,7 @@ import tlc2.value.impl.Value;
 final class Session {
   private final Contract spec;
   private final ArrayList<Explanation> after = new ArrayList<>();
+  private final ArrayList<Clocks> clocks = new ArrayList<>();
 
   /** How often the last question has looked whether a line is possible in a state. */
   private int tries;
@@ -43,16 +47,19 @@ final class Session {
   /**
    * Begins a log.
    *
+   * @param header the normalised header
    * @throws NotCovered if the header has choices that the specification does not cover
    */
-  Session(Contract spec, Json header) {
+  Session(Contract spec, Fields header) {
     this.spec = spec;
-    after.add(new Explanation(spec, header));
+    after.add(new Explanation(spec, Json.of(header.toString())));
+    clocks.add(LogReader.clocksOf(header));
   }
 
   private Session(Session other) {
     spec = other.spec;
     after.addAll(other.after);
+    clocks.addAll(other.clocks);
   }
 
   /** A session with the same lines that goes on by itself. */
@@ -69,23 +76,46 @@ final class Session {
     return after.size() - 1;
   }
 
+  /** The CPU clock after the last line, as a log spells it. */
+  String clock() {
+    return clocks.get(lines()).reading();
+  }
+
+  /** Clocks that go on by themselves from the last line. */
+  private Clocks next() {
+    return new Clocks(clocks.get(lines()));
+  }
+
   /**
    * Adds a line.
    *
+   * @param line its text
    * @return null if it is explained, else why not; the log then stays as it was
    */
-  Explanation.Refusal feed(Json event) {
+  Explanation.Refusal feed(byte[] line) {
+    Clocks then = next();
     Explanation next = last().branch();
-    Explanation.Refusal refusal = next.observe(spec.event(event));
+    Explanation.Refusal refusal = next.observe(spec.event(LogReader.event(line, then)));
     if (refusal == null) {
       after.add(next);
+      clocks.add(then);
     }
     return refusal;
   }
 
   /** What {@link #feed} would return; the log stays as it is. */
-  Explanation.Refusal judge(Json event) {
-    return last().branch().observe(spec.event(event));
+  Explanation.Refusal judge(byte[] line) {
+    RecordValue event = spec.event(LogReader.event(line, next()));
+    return last().branch().observe(event);
+  }
+
+  /** The events of lines without their times. */
+  List<Value> timeless(List<byte[]> lines) {
+    var events = new ArrayList<Value>();
+    for (byte[] line : lines) {
+      events.add(spec.event(LogReader.event(line, next()).without(Contract.OF_TIME)));
+    }
+    return events;
   }
 
   /**
@@ -104,6 +134,7 @@ final class Session {
   /** Takes lines back until {@code lines} are left. */
   void back(int lines) {
     after.subList(lines + 1, after.size()).clear();
+    clocks.subList(lines + 1, clocks.size()).clear();
   }
 
   /** The situations in which the CPU may be, at most {@code most}. */
@@ -120,9 +151,9 @@ final class Session {
   }
 
   /** The situations just before the line, of the states that allow it, at most {@code most}. */
-  JsonArray before(Json line, int most) {
+  JsonArray before(byte[] line, int most) {
     try {
-      RecordValue event = spec.event(line);
+      RecordValue event = spec.event(LogReader.event(line, next()));
       var all = new LinkedHashSet<JsonElement>();
       for (State state : last().closure(last().arrivals(event), event)) {
         if (all.size() < most && !spec.observe(state, event).isEmpty()) {
@@ -153,15 +184,13 @@ final class Session {
   /**
    * A question about the lines that may come next.
    *
-   * @param lines the lines to try, without a time, as JSON; null for all that the specification
-   *     offers
-   * @param when the only time to look at, with {@code at} and {@code up}; null for all at which
-   *     something happens
+   * @param lines the lines to try, without their times; null for all that the specification offers
+   * @param when a line at the only time to look at; null for all at which something happens
    * @param share so many states, and answers of the CPU, are looked at for each line and time
    * @param only the only events of the lines that the specification offers; all if there is none
    * @param few the events of which one line that is possible is enough
    */
-  record Question(JsonArray lines, JsonObject when, int share, Set<String> only, Set<String> few) {}
+  record Question(List<Value> lines, byte[] when, int share, Set<String> only, Set<String> few) {}
 
   /** The lines that may come next, each with the first and the last time at which it may. */
   JsonObject possible(Question question) {
@@ -191,7 +220,7 @@ final class Session {
       endless = times.endless();
       ordered = times.all();
     } else {
-      ordered = List.of(new Times.Time(spec.timeOf(spec.event(Json.of(question.when.toString())))));
+      ordered = List.of(new Times.Time(spec.timeOf(spec.event(LogReader.event(question.when, next())))));
     }
     Set<Value> offers = offers(question, now);
     var found = new LinkedHashMap<Value, ArrayDeque<Offer>>();
@@ -221,7 +250,7 @@ final class Session {
   private Set<Value> offers(Question question, Explanation now) {
     var offers = new LinkedHashSet<Value>();
     if (question.lines != null) {
-      question.lines.forEach(line -> offers.add(spec.event(Json.of(line.toString()))));
+      offers.addAll(question.lines);
       return offers;
     }
     for (State state : now.states()) {

@@ -1,9 +1,8 @@
 package tla.json;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.ArrayDeque;
-import java.util.Collection;
 
 /** Splits a stream of bytes into lines, each as soon as it has come. */
 public final class JsonLines {
@@ -11,7 +10,6 @@ public final class JsonLines {
   private byte[] buffer = new byte[1 << 16];
   private int begin;
   private int end;
-  private final ArrayDeque<Json> again = new ArrayDeque<>();
 
   public JsonLines(InputStream in) {
     this.in = in;
@@ -19,15 +17,6 @@ public final class JsonLines {
 
   /** The next line, valid until the next call; null at the end of the stream. */
   public Json next() throws IOException {
-    return again.isEmpty() ? fresh() : again.removeFirst();
-  }
-
-  /** Puts lines back: they come again, before all others. */
-  public void again(Collection<Json> lines) {
-    again.addAll(lines);
-  }
-
-  private Json fresh() throws IOException {
     int at = begin;
     while (true) {
       for (; at < end; at++) {
@@ -42,6 +31,29 @@ public final class JsonLines {
         return begin == end ? null : line(end);
       }
       end += count;
+    }
+  }
+
+  /** Takes bytes that are no lines, a part from {@code from} to before {@code to} at a time. */
+  public interface Bytes {
+    void take(byte[] bytes, int from, int to);
+  }
+
+  /** Passes so many bytes, each part as soon as it has come. */
+  public void pass(int count, Bytes taker) throws IOException {
+    int left = count;
+    while (left > 0) {
+      if (begin == end) {
+        begin = 0;
+        end = Math.max(in.read(buffer, 0, buffer.length), 0);
+        if (end == 0) {
+          throw new EOFException();
+        }
+      }
+      int part = Math.min(left, end - begin);
+      taker.take(buffer, begin, begin + part);
+      begin += part;
+      left -= part;
     }
   }
 

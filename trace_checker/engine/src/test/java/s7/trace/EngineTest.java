@@ -1,180 +1,138 @@
 package s7.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
-import java.util.TreeSet;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import tla.Tiny;
+import tla.spec.Specification;
+import util.ToolIO;
 
+/** The protocol, with the specification itself. */
 class EngineTest {
-  private static final String FINISH = "{'message': 'finish'}";
-  private static final String QUESTION = "{'message': 'alternatives'}";
-  private static final JsonObject ACCEPTED_ONE = Tiny.json("{'verdict': 'accepted', 'events': 1}");
+  private static final String BEGIN = "{'message':'begin'}\n";
+  private static final String FINISH = "{'message':'finish'}\n";
+  private static final String VERDICT = "{'message':'verdict'}\n";
+  private static final String HEADER =
+      "{'format':'s7-interrupt-log/1','cpu':'S7-300','obs':[1,40],'clock':'2026-11-21T06:00','mode':'RUN'}\n";
+  private static final String RIGHT = "{'event':'DIS_AIRT','at':'2026-11-21T06:00','ret':1}\n";
+  private static final String WRONG = "{'event':'DIS_AIRT','at':'2026-11-21T06:00','ret':7}\n";
 
   private static Contract spec;
 
   @BeforeAll
   static void load() {
-    spec = new Contract(Tiny.load());
+    ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
+    spec = new Contract(new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES));
   }
 
-  /** The answers to the lines, without what they cost and what they tell of decisions. */
-  private static List<JsonObject> serve(String... lines) throws IOException {
-    List<JsonObject> answers = served(lines);
-    for (JsonObject answer : answers) {
-      List.of("largest", "followed", "outcomes", "open", "classes").forEach(answer::remove);
-    }
-    return answers;
-  }
-
-  /** The answers to the lines, which are written as the Python side writes them, without spaces. */
-  private static List<JsonObject> served(String... lines) throws IOException {
+  private static List<JsonObject> serve(String... messages) throws IOException {
     var printed = new ByteArrayOutputStream();
-    String input = String.join("\n", lines).replace('\'', '"').replace("\": ", "\":");
-    new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8))
-        .serve(new ByteArrayInputStream(input.getBytes(StandardCharsets.UTF_8)));
-    return printed.toString(StandardCharsets.UTF_8).lines().map(Tiny::json).toList();
+    byte[] input = String.join("", messages).replace('\'', '"').getBytes(StandardCharsets.UTF_8);
+    new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8)).serve(new ByteArrayInputStream(input));
+    return printed.toString(StandardCharsets.UTF_8).lines().map(EngineTest::json).toList();
   }
 
-  private static String begin(int first) {
-    return begin("{'first': " + first + "}");
+  private static JsonObject json(String answer) {
+    return JsonParser.parseString(answer).getAsJsonObject();
   }
 
-  private static String begin(String header) {
-    return "{'message': 'begin', 'header': " + header + "}";
+  private static String bytes(String text) {
+    return "{'message':'bytes','count':" + text.length() + "}\n" + text;
   }
 
-  private static String read(int line, int value) {
-    return "{'line': " + line + ", 'event': 'read', 'value': " + value + "}";
-  }
-
-  @Test
-  @DisplayName("a log without events is accepted")
-  void empty() throws IOException {
-    assertEquals(
-        List.of(Tiny.json("{'verdict': 'accepted', 'events': 0}")), serve(begin(0), FINISH));
+  private static String said(JsonObject answer) {
+    return answer.get("verdict").getAsString() + " " + answer.get("events");
   }
 
   @Test
-  @DisplayName("logs follow each other, each with its own state and count")
-  void severalLogs() throws IOException {
-    assertEquals(
-        List.of(ACCEPTED_ONE, ACCEPTED_ONE),
-        serve(begin(10), read(2, 10), FINISH, begin(20), read(2, 20), FINISH));
-  }
-
-  @Test
-  @DisplayName("a rejection comes at once, with its line, and nothing else comes for this log")
-  void rejection() throws IOException {
-    var rejected =
-        Tiny.json(
-            "{'line': 3, 'late': false, 'expected': [{'event': 'read', 'value': 10}],"
-                + " 'requirements': ['TINY-01', 'TINY-read'], 'states': 1,"
-                + " 'situations': [{'count': 10}],"
-                + " 'candidates': [{'action': 'Observe', 'conjunct': 'count = e.value',"
-                + " 'values': 'count = 10, e.value = 11', 'place': 'Explain:37', 'requirements': ['TINY-03']}],"
-                + " 'verdict': 'rejected', 'events': 1}");
-    assertEquals(List.of(rejected), serve(begin(10), read(2, 10), read(3, 11)));
-    assertEquals(
-        List.of(rejected),
-        serve(begin(10), read(2, 10), read(3, 11), read(4, 12), "{'event': 'no'}", FINISH));
-  }
-
-  @Test
-  @DisplayName("asked for its verdict a log is open, or nothing is said beside its rejection")
-  void verdict() throws IOException {
-    String asked = "{'message': 'verdict'}";
-    var answers = serve(begin(10), asked, read(2, 10), asked, read(3, 11), asked, begin(20), asked);
-    JsonObject open = Tiny.json("{'verdict': 'open'}");
-    assertEquals(4, answers.size());
-    assertEquals(List.of(open, open, open), List.of(answers.get(0), answers.get(1), answers.get(3)));
-    assertEquals("rejected", answers.get(2).get("verdict").getAsString());
-  }
-
-  @Test
-  @DisplayName("the log after a rejected one is judged")
-  void afterRejection() throws IOException {
-    var answers = serve(begin(10), read(2, 11), read(3, 11), FINISH, begin(20), read(2, 20), FINISH);
-    assertEquals("rejected", answers.get(0).get("verdict").getAsString());
-    assertEquals(List.of(ACCEPTED_ONE), answers.subList(1, answers.size()));
-  }
-
-  @Test
-  @DisplayName("an event that the specification does not have is an error with its line")
-  void foreignEvent() throws IOException {
+  @DisplayName("a log comes in pieces of any length, its last line need not end, and the next log is another one")
+  void pieces() throws IOException {
+    String log = HEADER + RIGHT + "\n" + WRONG;
     var answers =
-        serve(begin(10), read(2, 10), "{'line': 3, 'event': 'hold'}", read(4, 10), FINISH,
-            begin(20), read(2, 20), FINISH);
-    assertEquals(2, answers.size());
-    assertEquals("error", answers.get(0).get("verdict").getAsString());
-    assertEquals(3, answers.get(0).get("line").getAsInt());
-    assertEquals(1, answers.get(0).get("events").getAsInt());
-    assertTrue(answers.get(0).get("message").getAsString().contains("hold"));
-    assertEquals(ACCEPTED_ONE, answers.get(1));
+        serve(BEGIN, bytes(log.substring(0, 20)), bytes(log.substring(20, 130)), bytes(log.substring(130)), FINISH,
+            BEGIN, bytes(HEADER + RIGHT.strip()), FINISH);
+    assertEquals(List.of("rejected 1", "accepted 1"), answers.stream().map(EngineTest::said).toList());
+    assertEquals(4, answers.get(0).get("line").getAsInt());
   }
 
   @Test
-  @DisplayName("an answer tells the outcomes of decisions on the way, and the decisions can be asked for")
-  void decisions() throws IOException {
-    var answers = served("{'message': 'decisions'}", begin(10), read(2, 10), read(3, 11));
-    var decisions = answers.get(0).getAsJsonArray("decisions");
-    var told = new TreeSet<String>();
-    for (JsonElement outcome : answers.get(1).getAsJsonArray("outcomes")) {
-      JsonObject decision = decisions.get(outcome.getAsInt() / 2).getAsJsonObject();
-      String text = decision.get("text").getAsString();
-      told.add((text.isEmpty() ? decision.get("definition").getAsString() : text) + outcome.getAsInt() % 2);
-    }
-    assertTrue(told.containsAll(List.of("Begin0", "Observe0", "count = e.value0")), told.toString());
-    assertEquals(new JsonArray(), answers.get(1).getAsJsonArray("open"));
-  }
-
-  @Test
-  @DisplayName("the values of a header can be asked for between logs, also after a rejected one")
-  void question() throws IOException {
-    var answers = serve(QUESTION, begin(10), read(2, 11), QUESTION);
-    assertEquals(Tiny.json("{'alternatives': [1, 2]}"), answers.get(0));
-    assertEquals(answers.get(0), answers.get(2));
-  }
-
-  @Test
-  @DisplayName("a log that is followed is answered with its last situations")
-  void followed() throws IOException {
-    var answers = serve("{'message': 'begin', 'header': {'first': 5}, 'follow': 2}", read(2, 5), read(3, 10), read(4, 10), FINISH);
+  @DisplayName("asked for its verdict a log is open, or nothing is said beside its verdict")
+  void verdict() throws IOException {
+    var answers =
+        serve(BEGIN, bytes(HEADER), VERDICT, bytes(RIGHT), VERDICT, bytes(WRONG), VERDICT,
+            BEGIN, bytes(HEADER + "{}\n"), VERDICT, FINISH, BEGIN, VERDICT);
     assertEquals(
-        Tiny.json(
-            "{'verdict': 'accepted', 'events': 3, 'steps': ["
-                + "{'line': 3, 'situation': {'count': 10}}, {'line': 4, 'situation': {'count': 10}}]}"),
-        answers.get(0));
+        List.of("open", "open", "rejected", "unusable", "open"),
+        answers.stream().map(answer -> answer.get("verdict").getAsString()).toList());
   }
 
   @Test
-  @DisplayName("a header that the specification cannot judge is an error without a line")
-  void foreignHeader() throws IOException {
-    var answers = serve(begin("{'foreign': ['AMB-99']}"), read(2, 0), FINISH);
-    assertEquals(1, answers.size());
-    assertEquals("error", answers.get(0).get("verdict").getAsString());
-    assertEquals(false, answers.get(0).has("line"));
-    assertTrue(answers.get(0).get("message").getAsString().contains("AMB-99"));
+  @DisplayName("what comes before an unusable line is judged first, and what comes behind it means nothing")
+  void unusable() throws IOException {
+    var answers =
+        serve(BEGIN, bytes(HEADER + WRONG + "{}\n"), FINISH, BEGIN, bytes(HEADER + RIGHT + "{}\n" + WRONG), FINISH,
+            BEGIN, FINISH);
+    assertEquals(List.of("rejected 0", "unusable 1", "unusable 0"), answers.stream().map(EngineTest::said).toList());
+    assertEquals(
+        Tiny.json("{'line': 3, 'field': 'event', 'expected': 'in every line but the header', 'found': 'none'}"),
+        answers.get(1).get("unusable"));
+    assertEquals("an empty log", answers.get(2).getAsJsonObject("unusable").get("found").getAsString());
   }
 
   @Test
-  @DisplayName("an answer says what the log cost: the most states at a time, and the steps")
-  void cost() throws IOException {
-    var answer = served(begin("{'choices': [10, 20]}"), read(2, 20), FINISH).get(0);
-    assertEquals(3, answer.get("largest").getAsInt());
-    assertTrue(answer.get("followed").getAsInt() >= 3);
+  @DisplayName("a log that breaks off amid a line is judged up to there")
+  void broken() throws IOException {
+    var answers =
+        serve(BEGIN, bytes(HEADER + RIGHT + "{'event"), "{'message':'finish','broken':true}\n",
+            BEGIN, bytes("{"), "{'message':'finish','broken':true}\n");
+    assertEquals(List.of("accepted 1", "accepted 0"), answers.stream().map(EngineTest::said).toList());
+  }
+
+  @Test
+  @DisplayName("choices take the place of the header's")
+  void chosen() throws IOException {
+    String chosen = "'chosen':{'cpu':'S7-400','profile':'2006','readings':{'AMB-12':'b'}}";
+    String header = HEADER.replace("{", "{'readings':{'AMB-02':'a','AMB-12':'a'},");
+    var read = serve("{'message':'read','count':" + header.length() + "," + chosen + "}\n" + header).get(0);
+    assertEquals("S7-400", read.getAsJsonObject("header").get("cpu").getAsString());
+    assertEquals("2006", read.getAsJsonObject("header").get("profile").getAsString());
+    assertEquals("[[\"AMB-02\",\"a\"],[\"AMB-12\",\"b\"]]", read.getAsJsonObject("header").get("readings").toString());
+    String foreign = "{'message':'begin','chosen':{'profile':'1890'}}\n";
+    assertEquals("error 0", said(serve(foreign, bytes(HEADER), FINISH).get(0)));
+  }
+
+  @Test
+  @DisplayName("a log can be read without a verdict")
+  void read() throws IOException {
+    String log = HEADER + WRONG + "{}\n";
+    var read = serve("{'message':'read','count':" + log.length() + "}\n" + log).get(0);
+    assertEquals(
+        Tiny.json("{'event': 'DIS_AIRT', 'at': {'min': 19401480, 'ms': 0}, 'ret': 7, 'step': 60000,"
+            + " 'up': {'min': 0, 'ms': 0}, 'line': 2}"),
+        read.getAsJsonArray("events").get(0));
+    assertEquals(3, read.getAsJsonObject("unusable").get("line").getAsInt());
+  }
+
+  @Test
+  @DisplayName("questions have their answers between logs")
+  void questions() throws IOException {
+    var answers = serve("{'message':'alternatives'}\n", BEGIN, bytes(HEADER + WRONG), "{'message':'decisions'}\n");
+    assertTrue(answers.get(0).has("alternatives"));
+    assertFalse(answers.get(2).getAsJsonArray("decisions").isEmpty());
   }
 }

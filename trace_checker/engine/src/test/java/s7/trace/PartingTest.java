@@ -20,8 +20,7 @@ import util.ToolIO;
 /** The search for the shortest log, with the specification itself. */
 class PartingTest {
   private static final String HEADER =
-      "{'cpu': '%s', 'obs': [1, 40], 'clock': {'min': 1, 'ms': 0}, 'mode': 'RUN', 'latency': 10,"
-          + " 'records': ['call', 'ob', 'clock', 'mode', 'interrupt', 'load'], 'readings': [%s]}";
+      "{'format':'s7-interrupt-log/1','cpu':'%s','obs':[1,40],'clock':'1990-01-01T00:01','mode':'RUN','readings':{%s}}";
 
   private static Contract contract;
 
@@ -35,7 +34,22 @@ class PartingTest {
 
   private void open(String name, String cpu, String readings) {
     String header = String.format(HEADER, cpu, readings);
-    sessions.answer("open", Tiny.json("{'session': '" + name + "', 'header': " + header + "}"));
+    assertTrue(answer("open", name, "header", header).has("clock"));
+  }
+
+  private JsonObject answer(String message, String session, String field, String text) {
+    var question = new JsonObject();
+    question.addProperty("session", session);
+    question.addProperty(field, text.replace('\'', '"'));
+    return sessions.answer(message, question);
+  }
+
+  /** The text of a line that was found, all of which come within the first second. */
+  private static String spelled(JsonObject line) {
+    int ms = line.getAsJsonObject("at").get("ms").getAsInt();
+    line.addProperty("at", "1990-01-01T00:01:00." + String.format("%03d", ms));
+    line.remove("up");
+    return line.toString();
   }
 
   private JsonObject parting(String bounds) {
@@ -51,8 +65,8 @@ class PartingTest {
   @Test
   @DisplayName("a line that one side alone allows is found at once")
   void one() {
-    open("a", "S7-300", "['AMB-22', 'a']");
-    open("b", "S7-300", "['AMB-22', 'b']");
+    open("a", "S7-300", "'AMB-22':'a'");
+    open("b", "S7-300", "'AMB-22':'b'");
     JsonObject found = parting(bounds("'DIS_IRT'", 3, 1000));
     assertEquals(1, found.getAsJsonArray("lines").size());
     assertEquals(0, found.get("complete").getAsInt());
@@ -64,14 +78,15 @@ class PartingTest {
   @Test
   @DisplayName("the log has no line that it does not need, and each is explained")
   void several() {
-    open("a", "S7-300", "['AMB-72', 'a']");
-    open("b", "S7-300", "['AMB-72', 'b']");
+    open("a", "S7-300", "'AMB-72':'a'");
+    open("b", "S7-300", "'AMB-72':'b'");
     JsonArray lines = parting(bounds("'interrupt', 'DIS_IRT', 'start'", 5, 5000)).getAsJsonArray("lines");
     assertEquals(3, lines.size());
     for (int i = 0; i < lines.size(); i++) {
-      String line = "'event': " + lines.get(i).getAsJsonObject();
-      assertEquals(i == 2, sessions.answer("feed", Tiny.json("{'session': 'b', " + line + "}")).has("refusal"));
-      assertFalse(sessions.answer("feed", Tiny.json("{'session': 'a', " + line + "}")).has("refusal"));
+      String line = spelled(lines.get(i).getAsJsonObject());
+      assertEquals(i == 2, answer("feed", "b", "line", line).has("refusal"));
+      JsonObject fed = answer("feed", "a", "line", line);
+      assertTrue(fed.has("clock") && !fed.has("refusal"), fed.toString());
     }
   }
 

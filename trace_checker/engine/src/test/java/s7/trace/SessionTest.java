@@ -21,8 +21,7 @@ import util.ToolIO;
 /** Sessions with the specification itself. */
 class SessionTest {
   private static final String HEADER =
-      "{'cpu': 'S7-300', 'obs': [1, 40], 'clock': {'min': 1, 'ms': 0}, 'mode': 'RUN', 'latency': 10,"
-          + " 'records': ['call', 'ob', 'clock', 'mode', 'interrupt', 'load']}";
+      "{'format':'s7-interrupt-log/1','cpu':'S7-300','obs':[1,40],'clock':'1990-01-01T00:01','mode':'RUN'}";
   private static final String INTERRUPT = line("interrupt", 40);
 
   private static Contract contract;
@@ -36,8 +35,16 @@ class SessionTest {
   }
 
   private static String line(String event, int ob) {
-    return String.format(
-        "{'event': '%s', 'ob': %d, 'at': {'min': 1, 'ms': 0}, 'up': {'min': 0, 'ms': 0}}", event, ob);
+    return "{'event':'" + event + "','ob':" + ob + ",'at':'1990-01-01T00:01'}";
+  }
+
+  /** A text as a field of a message. */
+  private static String field(String name, String text) {
+    return "'" + name + "': " + quoted(text);
+  }
+
+  private static String quoted(String text) {
+    return "'" + text.replace("'", "\\\'") + "'";
   }
 
   private JsonObject ask(String message, String fields) {
@@ -45,7 +52,7 @@ class SessionTest {
   }
 
   private void open() {
-    assertEquals(Tiny.json("{}"), ask("open", "'header': " + HEADER));
+    assertEquals(Tiny.json("{'clock': '1990-01-01T00:01:00.000'}"), ask("open", field("header", HEADER)));
   }
 
   /** The first and the last time of the start of OB 40 among the lines that are possible. */
@@ -64,7 +71,7 @@ class SessionTest {
   void possible() {
     open();
     assertEquals("not possible", start());
-    assertEquals(Tiny.json("{}"), ask("feed", "'event': " + INTERRUPT));
+    assertEquals(Tiny.json("{'clock': '1990-01-01T00:01:00.000'}"), ask("feed", field("line", INTERRUPT)));
     assertEquals("0 to 1", start());
     ask("back", "'lines': 0");
     assertEquals("not possible", start());
@@ -74,10 +81,10 @@ class SessionTest {
   @DisplayName("a line that is not possible has its reasons, and is not added")
   void refusal() {
     open();
-    String start = "'event': " + line("start", 40);
+    String start = field("line", line("start", 40));
     assertTrue(ask("judge", start).has("refusal"));
     assertTrue(ask("feed", start).has("refusal"));
-    ask("feed", "'event': " + INTERRUPT);
+    ask("feed", field("line", INTERRUPT));
     assertFalse(ask("judge", start).has("refusal"));
     assertEquals("0 to 1", start());
   }
@@ -86,7 +93,7 @@ class SessionTest {
   @DisplayName("what has to come has its time and its requirements")
   void due() {
     open();
-    ask("feed", "'event': " + INTERRUPT);
+    ask("feed", field("line", INTERRUPT));
     JsonObject possible = ask("possible", "'lines': []").getAsJsonObject("possible");
     assertFalse(possible.get("endless").getAsBoolean());
     JsonObject last = possible.getAsJsonArray("times").get(1).getAsJsonObject();
@@ -100,7 +107,7 @@ class SessionTest {
   void answers() {
     open();
     JsonObject possible =
-        ask("possible", "'lines': [{'event': 'DIS_AIRT'}]").getAsJsonObject("possible");
+        ask("possible", "'lines': [" + quoted("{'event':'DIS_AIRT','at':'1990-01-01T00:01','ret':null}") + "]").getAsJsonObject("possible");
     assertEquals(1, possible.getAsJsonArray("lines").size());
     JsonObject line = possible.getAsJsonArray("lines").get(0).getAsJsonObject();
     assertEquals(Tiny.json("{'event': 'DIS_AIRT', 'ret': 1}"), line.get("event"));
@@ -108,11 +115,13 @@ class SessionTest {
   }
 
   @Test
-  @DisplayName("situations; a header that cannot be judged; a session that is not there")
+  @DisplayName("situations; a header and a line that are not of the format; a session that is not there")
   void others() {
     open();
     assertEquals(1, ask("situations", "'most': 3").getAsJsonArray("situations").size());
-    assertTrue(ask("open", "'header': " + HEADER.replace("{'cpu'", "{'profile': '1890', 'cpu'")).has("error"));
+    var unusable = ask("open", field("header", HEADER.replace("{", "{'profile':'1890',"))).getAsJsonObject("unusable");
+    assertEquals("profile", unusable.get("field").getAsString());
+    assertEquals("at", ask("feed", field("line", "{'event':'hold','at':'1990-01-01T00:00'}")).getAsJsonObject("unusable").get("field").getAsString());
     ask("close", "'x': 0");
     assertThrows(IllegalArgumentException.class, () -> ask("possible", "'x': 0"));
   }

@@ -1,0 +1,63 @@
+package s7.log;
+
+/**
+ * The two clocks of a log: the CPU's, which can be set, and elapsed time, which cannot.
+ *
+ * <p>Elapsed time counts from the log's begin: where a line has no {@code up} it follows the CPU clock, settings left
+ * out. All times are milliseconds.
+ */
+public final class Clocks {
+  private final boolean jumpsLogged;
+  private long clock;
+  private long up;
+  private long elapsed;
+
+  /**
+   * The clocks when a log begins.
+   *
+   * @param jumpsLogged whether every setting of the clock is in the log
+   */
+  Clocks(Moment clock, boolean jumpsLogged) {
+    this.clock = clock.inMilliseconds();
+    this.jumpsLogged = jumpsLogged;
+  }
+
+  /** The same clocks, which go on by themselves. */
+  public Clocks(Clocks other) {
+    jumpsLogged = other.jumpsLogged;
+    clock = other.clock;
+    up = other.up;
+    elapsed = other.elapsed;
+  }
+
+  /** The CPU clock after the last line, as a log spells it. */
+  public String reading() {
+    return Days.iso(clock);
+  }
+
+  /**
+   * Goes on to a line: its {@code at} becomes a moment, and so does {@code up}, which is filled in where it is missing;
+   * as it was given it becomes {@code counter}.
+   */
+  void stamp(Fields event) {
+    long at = (Long) event.get(Events.AT);
+    long passed = at - clock;
+    if (passed < 0 && jumpsLogged) {
+      throw new Unusable("no time before " + Days.iso(clock) + ", the clock's last reading", Days.iso(at), Events.AT);
+    }
+    if (!(event.get(Events.UP) instanceof Long counter)) {
+      // Where its settings are not logged, a clock that runs backward was set.
+      elapsed += Math.max(passed, 0);
+    } else if (counter < up) {
+      throw new Unusable("no number below " + up + ", the last one", String.valueOf(counter), Events.UP);
+    } else {
+      up = counter;
+      event.add("counter", Moment.of(up));
+      // Lines without `up` may have counted further than the next line with it.
+      elapsed = Math.max(elapsed, up);
+    }
+    clock = event.get("to") instanceof Moment to ? to.inMilliseconds() : at;
+    event.put(Events.AT, Moment.of(at));
+    event.put(Events.UP, Moment.of(elapsed));
+  }
+}

@@ -1,0 +1,158 @@
+package s7.log;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** The events: every line of a log but the first. */
+final class Events {
+  static final String EVENT = "event";
+  static final String AT = "at";
+  static final String UP = "up";
+
+  private static final String OB = "ob";
+  private static final String RET = "ret";
+  private static final String STATUS = "status";
+  private static final String FAULT = "flt_id";
+
+  /** Milliseconds; no log outlasts the years that the CPU clock can show. */
+  private static final long LONGEST_UP = 100L * 366 * 86_400_000;
+
+  private static final Reader SAME = value -> value;
+  private static final Reader PASSED_OB = Spellings.integer(Short.MIN_VALUE, Short.MAX_VALUE);
+  private static final Reader BLOCK = Spellings.integer(Tables.FIRST_OB, Tables.LAST_OB);
+  private static final Reader DURATION = Spellings::duration;
+  private static final Reader MOMENT = Spellings::moment;
+  private static final String EXTERNAL_EXPECTED = "an OB " + Quoting.ranges(Tables.EXTERNAL_OBS);
+
+  private static final Reader EXTERNAL_OB =
+      value -> {
+        if (value instanceof Long ob && Tables.EXTERNAL_OBS.contains(ob.intValue()) && ob == ob.intValue()) {
+          return value;
+        }
+        throw new Unusable(EXTERNAL_EXPECTED, Quoting.quote(value));
+      };
+
+  private static final Table INFO =
+      new Table(
+          "info",
+          Map.of(),
+          Table.of(
+              "strt_info", Spellings.BYTE,
+              FAULT, Spellings.BYTE,
+              "priority", Spellings.BYTE,
+              "period", Spellings.WORD,
+              "sign", Spellings.WORD,
+              "dtime", DURATION,
+              "error_info", Spellings.WORD,
+              "ev", Spellings.WORD,
+              "ev_ob", Spellings.BYTE,
+              "time", MOMENT));
+
+  private static final Map<String, Table> TABLE = new HashMap<>();
+
+  static {
+    Map<String, Reader> none = Map.of();
+    Map<String, Reader> block = Table.of(OB, BLOCK);
+    Map<String, Reader> info = Table.of("info", INFO);
+    Map<String, Reader> status = Table.of(STATUS, Spellings.WORD);
+    Reader word = Spellings.WORD;
+    Reader answer = Spellings.WORD_OR_NULL;
+    Reader truth = Spellings.TRUTH_NUMBER;
+    Map<String, Reader> ofOb = Table.of(OB, PASSED_OB, RET, answer);
+    Map<String, Reader> withMode = Table.of("mode", Spellings.BYTE, OB, PASSED_OB, RET, answer);
+    Reader date = Spellings::dateComponents;
+    kind("SET_TINT", Table.of(OB, PASSED_OB, "sdt", date, "period", word, RET, answer), none);
+    kind("CAN_TINT", ofOb, none);
+    kind("ACT_TINT", ofOb, none);
+    kind("QRY_TINT", ofOb, status);
+    kind("SRT_DINT", Table.of(OB, PASSED_OB, "dtime", DURATION, "sign", word, RET, answer), none);
+    kind("CAN_DINT", ofOb, none);
+    kind("QRY_DINT", ofOb, status);
+    kind("DIS_IRT", withMode, none);
+    kind("EN_IRT", withMode, none);
+    kind("DIS_AIRT", Table.of(RET, answer), none);
+    kind("EN_AIRT", Table.of(RET, answer), none);
+    kind("start", block, info);
+    kind("end", block, none);
+    kind("clock", Table.of("to", MOMENT), none);
+    kind("restart", Table.of("type", Spellings.choice("warm", "cold")), none);
+    kind("run", none, none);
+    kind("stop", none, Table.of("cause", word));
+    kind("hold", none, none);
+    kind("release", none, none);
+    kind("interrupt", Table.of(OB, EXTERNAL_OB), Table.of(FAULT, Spellings.BYTE));
+    kind("load", block, none);
+    kind("delete", block, none);
+    kind(
+        "diag",
+        Table.of("id", word),
+        Table.of(OB, Spellings.BYTE, "priority", Spellings.BYTE, "info", INFO));
+    kind(
+        "state",
+        block,
+        Table.of(
+            "active", truth, "blocked", truth, "loaded", truth, "entries_off", truth,
+            "left", Spellings.integer(0, Integer.MAX_VALUE)));
+  }
+
+  private Events() {}
+
+  /** Enters an event with its required and its optional fields, without those of every event. */
+  private static void kind(String name, Map<String, Reader> required, Map<String, Reader> optional) {
+    var all = new LinkedHashMap<String, Reader>();
+    all.put(EVENT, SAME);
+    all.put(AT, Spellings::instant);
+    all.putAll(required);
+    var others = new LinkedHashMap<String, Reader>();
+    others.put(UP, Spellings.integer(0, LONGEST_UP));
+    others.putAll(optional);
+    TABLE.put(name, new Table(name, all, others));
+  }
+
+  /**
+   * The normalised event of a line's object. Points in time are moments but for {@code at}, which stays milliseconds
+   * since 1990-01-01T00:00, and {@code sdt}, which is its components. {@code step} is the unit in which {@code at} is
+   * written, if that is not a millisecond.
+   */
+  static Fields read(Fields raw) {
+    Object name = raw.get(EVENT);
+    Table fields = name instanceof String ? TABLE.get(name) : null;
+    if (fields == null) {
+      throw noEvent(raw);
+    }
+    Fields event = fields.read(raw);
+    int unit = Spellings.step((String) raw.get(AT));
+    if (unit > 1) {
+      event.add("step", unit);
+    }
+    if (name.equals("interrupt")) {
+      checkFault(event);
+    } else if (((String) name).startsWith("QRY") && event.get(RET).equals(0) && !event.has(STATUS)) {
+      throw new Unusable("where \"ret\" is 0", "none", STATUS);
+    }
+    return event;
+  }
+
+  /** A start event of OB 80 or 85, and no other, has its fault id. */
+  private static void checkFault(Fields event) {
+    int ob = ((Long) event.get(OB)).intValue();
+    boolean needed = Tables.OBS_WITH_FAULT.contains(ob);
+    if (event.has(FAULT) && !needed) {
+      throw new Unusable("for OB 80 and 85 only", "for OB " + ob, FAULT);
+    }
+    if (needed && !event.has(FAULT)) {
+      throw new Unusable("for OB " + ob, "none", FAULT);
+    }
+  }
+
+  private static Unusable noEvent(Fields raw) {
+    if (raw.has(EVENT)) {
+      return new Unusable("the name of an event", Quoting.quote(raw.get(EVENT)), EVENT);
+    }
+    if (raw.has("format")) {
+      return new Unusable("an event", "a second header");
+    }
+    return new Unusable("in every line but the header", "none", EVENT);
+  }
+}

@@ -1,0 +1,241 @@
+package s7.log;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+
+/** The header, the first line of a log. */
+final class Header {
+  static final String FORMAT = "s7-interrupt-log/1";
+
+  private static final String PROFILE = "profile";
+  private static final String READINGS = "readings";
+  private static final String PRIORITY = "priority";
+  private static final String CPU = "cpu";
+  private static final String START = "start";
+  private static final String EXECUTION = "execution";
+  private static final String NEVER = "none";
+  private static final int DEFAULT_LATENCY = 10;
+
+  /** How the names of files with a profile end. */
+  private static final String ENDING = ".json";
+
+  /** Normalised start of an interrupt to which STEP 7 gives no date. */
+  private static final int NO_START = -1;
+
+  static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
+  private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
+
+  private static final Table TIME_OF_DAY =
+      new Table(
+          "a time-of-day interrupt",
+          Map.of(),
+          Table.of(
+              EXECUTION,
+              Spellings.choice(
+                  NEVER, "once", "minute", "hourly", "daily", "weekly", "monthly", "yearly", "end_of_month"),
+              START,
+              (Reader) Spellings::minute,
+              "active",
+              Spellings.TRUTH,
+              "deselected",
+              Spellings.TRUTH));
+
+  private static final Table HEADER =
+      new Table(
+          "header",
+          Table.of(
+              "format",
+              Spellings.choice(FORMAT),
+              CPU,
+              Spellings.choice(Tables.FAMILIES),
+              "obs",
+              Table.list(Spellings.integer(Tables.FIRST_OB, Tables.LAST_OB)),
+              "clock",
+              (Reader) Spellings::moment),
+          Table.of(
+              "mode",
+              Spellings.choice("STOP", "STARTUP", "RUN"),
+              "latency_ms",
+              Spellings.integer(0, Integer.MAX_VALUE),
+              "records",
+              Table.list(Spellings.choice(KINDS)),
+              "cycle",
+              Spellings.TRUTH,
+              PRIORITY,
+              priorities(),
+              "step7",
+              Table.mapping("the field tod", Map.of("tod", timesOfDay())),
+              READINGS,
+              readings(),
+              PROFILE,
+              Spellings.choice(Tables.PROFILES)));
+
+  private Header() {}
+
+  private static Reader priorities() {
+    var readers = new LinkedHashMap<String, Reader>();
+    Tables.SETTABLE_PRIORITIES.forEach((ob, classes) -> readers.put(String.valueOf(ob), priority(classes)));
+    String obs = Quoting.ranges(Tables.SETTABLE_PRIORITIES.keySet());
+    return Table.mapping("an OB whose class can be set, " + obs + ",", readers);
+  }
+
+  private static Reader priority(int[] classes) {
+    String expected = "a class " + classes[0] + ".." + classes[1] + " or " + Tables.DESELECTED + " (deselected)";
+    return value -> {
+      if (value instanceof Long level && (level == Tables.DESELECTED || classes[0] <= level && level <= classes[1])) {
+        return value;
+      }
+      throw new Unusable(expected, Quoting.quote(value));
+    };
+  }
+
+  private static Reader timesOfDay() {
+    var readers = new LinkedHashMap<String, Reader>();
+    Tables.TIME_OF_DAY_OBS.forEach(ob -> readers.put(String.valueOf(ob), Header::timeOfDay));
+    return Table.mapping("an OB " + Quoting.ranges(Tables.TIME_OF_DAY_OBS), readers);
+  }
+
+  private static Reader readings() {
+    var names = new TreeSet<>(Tables.READINGS.keySet());
+    var readers = new LinkedHashMap<String, Reader>();
+    Tables.READINGS.forEach((name, letters) -> readers.put(name, Spellings.choice(letters)));
+    return Table.mapping("an ambiguity \"" + names.first() + "\"..\"" + names.last() + "\"", readers);
+  }
+
+  /** STEP 7's parameters of one time-of-day interrupt, defaults filled in. */
+  private static Object timeOfDay(Object value) {
+    Fields given = TIME_OF_DAY.read(value);
+    var normalised = new Fields();
+    normalised.put(EXECUTION, or(given, EXECUTION, NEVER));
+    normalised.put(START, or(given, START, NO_START));
+    normalised.put("active", or(given, "active", false));
+    normalised.put("deselected", or(given, "deselected", false));
+    if (!normalised.get(EXECUTION).equals(NEVER) && !given.has(START)) {
+      throw new Unusable("with execution " + Quoting.quote(normalised.get(EXECUTION)), "none", START);
+    }
+    return normalised;
+  }
+
+  private static Object or(Fields given, String name, Object otherwise) {
+    return given.has(name) ? given.get(name) : otherwise;
+  }
+
+  /**
+   * The normalised header of the object in a log's first line, every default filled in. Maps become lists of pairs,
+   * {@code step7} a list of records with their {@code ob}.
+   *
+   * @param file the file beside the log that may hold the letters of the profile; null if there is none
+   */
+  static Fields read(Fields line, ProfileFile file) {
+    Fields raw = withProfileFile(line, file);
+    if (!raw.has("format") && raw.has(Events.EVENT)) {
+      throw new Unusable("the header in the first line", "the event " + Quoting.quote(raw.get(Events.EVENT)));
+    }
+    Fields given = HEADER.read(raw);
+    if (given.has(PRIORITY) && !Tables.FAMILIES_WITH_PRIORITIES.contains(given.get(CPU))) {
+      throw new Unusable("on S7-400 and CPU 318 only", "on " + given.get(CPU), PRIORITY);
+    }
+    var header = new Fields();
+    header.put(CPU, given.get(CPU));
+    header.put("obs", new ArrayList<>(new TreeSet<>((List<?>) given.get("obs"))));
+    header.put("clock", given.get("clock"));
+    header.put("mode", or(given, "mode", "STOP"));
+    header.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
+    header.put("cycle", or(given, "cycle", false));
+    header.put(PRIORITY, pairs(given.get(PRIORITY), true));
+    header.put("step7", given.get("step7") instanceof Fields step7 ? step7(step7.get("tod")) : List.of());
+    header.put(READINGS, pairs(given.get(READINGS), false));
+    header.put(PROFILE, or(given, PROFILE, ""));
+    header.put("records", or(given, "records", DEFAULT_KINDS));
+    return header;
+  }
+
+  private static List<Object> pairs(Object map, boolean ofNumbers) {
+    var pairs = new ArrayList<Object>();
+    if (map instanceof Fields fields) {
+      for (int i = 0; i < fields.size(); i++) {
+        String name = fields.name(i);
+        pairs.add(List.of(ofNumbers ? (Object) Integer.valueOf(name) : name, fields.value(i)));
+      }
+    }
+    return pairs;
+  }
+
+  private static List<Object> step7(Object timesOfDay) {
+    var records = new ArrayList<Object>();
+    if (timesOfDay instanceof Fields fields) {
+      for (int i = 0; i < fields.size(); i++) {
+        var record = new Fields().put("ob", Integer.valueOf(fields.name(i)));
+        var parameters = (Fields) fields.value(i);
+        for (int k = 0; k < parameters.size(); k++) {
+          record.put(parameters.name(k), parameters.value(k));
+        }
+        records.add(record);
+      }
+    }
+    return records;
+  }
+
+  /** A header whose profile is a file beside the log: its letters come behind those of {@code readings}. */
+  private static Fields withProfileFile(Fields header, ProfileFile file) {
+    boolean hasReadings = header.get(READINGS) instanceof Fields;
+    if (!(header.get(PROFILE) instanceof String name) || !name.endsWith(ENDING)
+        || !hasReadings && header.has(READINGS)) {
+      return header;
+    }
+    if (name.indexOf('/') >= 0 || name.indexOf('\\') >= 0) {
+      throw new Unusable("an edition, or a file in the folder of the log", Quoting.quote(name), PROFILE);
+    }
+    Fields letters = letters(name, file);
+    Fields rest = header.without(PROFILE);
+    if (hasReadings) {
+      var own = (Fields) header.get(READINGS);
+      for (int i = 0; i < own.size(); i++) {
+        letters.put(own.name(i), own.value(i));
+      }
+    }
+    return rest.put(READINGS, letters);
+  }
+
+  private static Fields letters(String name, ProfileFile file) {
+    if (file == null || file.missing() != null) {
+      String why = file == null ? "no folder" : file.missing();
+      throw new Unusable("the file of a profile beside the log", Quoting.quote(name) + ": " + why, PROFILE);
+    }
+    try {
+      return Json.read(file.text());
+    } catch (Unusable wrong) {
+      throw wrong.inside(PROFILE);
+    }
+  }
+
+  /**
+   * A normalised header with other choices.
+   *
+   * @param chosen {@code cpu}, {@code profile} and {@code readings}, an object, as far as they are other ones; a letter
+   *     takes the place of the header's for this ambiguity
+   */
+  static Fields chosen(Fields header, Fields chosen) {
+    for (String name : new String[] {CPU, PROFILE}) {
+      if (chosen.has(name)) {
+        header.put(name, chosen.get(name));
+      }
+    }
+    if (!Tables.FAMILIES_WITH_PRIORITIES.contains(header.get(CPU))) {
+      header.put(PRIORITY, List.of());
+    }
+    var letters = new Fields();
+    for (Object pair : (List<?>) header.get(READINGS)) {
+      letters.put((String) ((List<?>) pair).get(0), ((List<?>) pair).get(1));
+    }
+    if (chosen.get(READINGS) instanceof Fields others) {
+      for (int i = 0; i < others.size(); i++) {
+        letters.put(others.name(i), others.value(i));
+      }
+    }
+    return header.put(READINGS, pairs(letters, false));
+  }
+}

@@ -1,0 +1,140 @@
+package s7.log;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Reads one log, whose bytes come in pieces of any length: UTF-8, without a byte order mark. Memory stays constant.
+ *
+ * <p>A line that is not of the format is {@link Unusable} with its number, after everything before it has been taken.
+ */
+public final class LogReader {
+  /** Bytes of the longest line that is read; it bounds the memory that a log can take. */
+  private static final int LONGEST_LINE = 1024 * 1024;
+
+  /** Takes what is read. */
+  public interface Taker {
+    void header(Fields header);
+
+    /** An event, with the number of its line. */
+    void event(int line, Fields event);
+  }
+
+  private final Taker taker;
+  private final ProfileFile file;
+  private final Json json = new Json();
+  private Clocks clocks;
+  private int line = 1;
+
+  /** The begin of the line that has not ended yet. */
+  private byte[] begun = new byte[1024];
+
+  private int length;
+
+  /**
+   * @param file the file that the header may name as its profile; null if there is none
+   */
+  public LogReader(Taker taker, ProfileFile file) {
+    this.taker = taker;
+    this.file = file;
+  }
+
+  /** Takes the next bytes. */
+  public void take(byte[] bytes, int from, int to) {
+    int begin = from;
+    for (int at = from; at < to; at++) {
+      if (bytes[at] == '\n') {
+        if (length == 0) {
+          line(bytes, begin, at);
+        } else {
+          keep(bytes, begin, at);
+          line(begun, 0, length);
+          length = 0;
+        }
+        line++;
+        begin = at + 1;
+      }
+    }
+    keep(bytes, begin, to);
+  }
+
+  /** Ends the log; its last line need not have an end. */
+  public void end() {
+    if (length > 0) {
+      line(begun, 0, length);
+      length = 0;
+    }
+    if (clocks == null) {
+      throw new Unusable("a header", "an empty log").at(1);
+    }
+  }
+
+  private void keep(byte[] bytes, int from, int to) {
+    if (to - from > LONGEST_LINE - length) {
+      throw tooLong();
+    }
+    if (length + to - from > begun.length) {
+      begun = Arrays.copyOf(begun, Math.max(2 * begun.length, length + to - from));
+    }
+    System.arraycopy(bytes, from, begun, length, to - from);
+    length += to - from;
+  }
+
+  private Unusable tooLong() {
+    return new Unusable("a line of at most " + LONGEST_LINE + " bytes", "a longer one").at(line);
+  }
+
+  private void line(byte[] bytes, int from, int to) {
+    if (to - from > LONGEST_LINE) {
+      throw tooLong();
+    }
+    if (isBlank(bytes, from, to)) {
+      return;
+    }
+    try {
+      Fields object = json.read(bytes, from, to);
+      if (clocks == null) {
+        Fields header = Header.read(object, file);
+        clocks = clocksOf(header);
+        taker.header(header);
+      } else {
+        Fields event = Events.read(object);
+        clocks.stamp(event);
+        taker.event(line, event);
+      }
+    } catch (Unusable wrong) {
+      throw wrong.at(line);
+    }
+  }
+
+  private static boolean isBlank(byte[] bytes, int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (bytes[i] != ' ' && bytes[i] != '\t' && bytes[i] != '\r') {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The normalised header of a text, as the first line of a log has it. */
+  public static Fields header(byte[] text, ProfileFile file) {
+    return Header.read(Json.read(text), file);
+  }
+
+  /** A normalised header with other choices of {@code cpu}, {@code profile} and {@code readings}. */
+  public static Fields chosen(Fields header, Fields chosen) {
+    return Header.chosen(header, chosen);
+  }
+
+  /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
+  public static Fields event(byte[] text, Clocks clocks) {
+    Fields event = Events.read(Json.read(text));
+    clocks.stamp(event);
+    return event;
+  }
+
+  /** The clocks of a log with this normalised header, at its begin. */
+  public static Clocks clocksOf(Fields header) {
+    return new Clocks((Moment) header.get("clock"), ((List<?>) header.get("records")).contains("clock"));
+  }
+}

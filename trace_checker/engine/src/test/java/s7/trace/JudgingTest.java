@@ -1,0 +1,188 @@
+package s7.trace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import tla.Tiny;
+
+class JudgingTest {
+  private static final JsonObject ACCEPTED_ONE = Tiny.json("{'verdict': 'accepted', 'events': 1}");
+
+  private static Contract spec;
+
+  private final List<JsonObject> answers = new ArrayList<>();
+  private final Judging judging = new Judging(spec, answers::add);
+
+  @BeforeAll
+  static void load() {
+    spec = new Contract(Tiny.load());
+  }
+
+  /** The answers so far, without what they cost and what they tell of decisions. */
+  private List<JsonObject> answers() {
+    for (JsonObject answer : answers) {
+      List.of("largest", "followed", "outcomes", "open", "classes").forEach(answer::remove);
+    }
+    return answers;
+  }
+
+  private void begin(int first) {
+    begin("{'first':" + first + "}", 0);
+  }
+
+  private void begin(String header, int follow) {
+    judging.begin(follow);
+    judging.header(Tiny.text(header));
+  }
+
+  private void read(int line, int value) {
+    judging.observe(line, spec.event(Tiny.text("{'event':'read','value':" + value + "}")));
+  }
+
+  @Test
+  @DisplayName("a log without events is accepted")
+  void empty() {
+    begin(0);
+    judging.finish();
+    assertEquals(List.of(Tiny.json("{'verdict': 'accepted', 'events': 0}")), answers());
+  }
+
+  @Test
+  @DisplayName("logs follow each other, each with its own state and count")
+  void severalLogs() {
+    for (int value : new int[] {10, 20}) {
+      begin(value);
+      read(2, value);
+      judging.finish();
+    }
+    assertEquals(List.of(ACCEPTED_ONE, ACCEPTED_ONE), answers());
+  }
+
+  @Test
+  @DisplayName("a rejection comes at once, with its line, and nothing else comes for this log")
+  void rejection() {
+    begin(10);
+    read(2, 10);
+    assertFalse(judging.decided());
+    read(3, 11);
+    assertTrue(judging.decided());
+    var rejected =
+        Tiny.json(
+            "{'line': 3, 'late': false, 'expected': [{'event': 'read', 'value': 10}],"
+                + " 'requirements': ['TINY-01', 'TINY-read'], 'states': 1,"
+                + " 'situations': [{'count': 10}],"
+                + " 'candidates': [{'action': 'Observe', 'conjunct': 'count = e.value',"
+                + " 'values': 'count = 10, e.value = 11', 'place': 'Explain:37', 'requirements': ['TINY-03']}],"
+                + " 'verdict': 'rejected', 'events': 1}");
+    assertEquals(List.of(rejected), answers());
+    read(4, 12);
+    judging.unusable(new JsonObject());
+    judging.finish();
+    assertEquals(List.of(rejected), answers());
+  }
+
+  @Test
+  @DisplayName("the log after a rejected one is judged")
+  void afterRejection() {
+    begin(10);
+    read(2, 11);
+    judging.finish();
+    begin(20);
+    read(2, 20);
+    judging.finish();
+    assertEquals("rejected", answers().get(0).get("verdict").getAsString());
+    assertEquals(List.of(ACCEPTED_ONE), answers().subList(1, answers.size()));
+  }
+
+  @Test
+  @DisplayName("a log that cannot be read further ends with the reason, and the events before it count")
+  void unusable() {
+    begin(10);
+    read(2, 10);
+    judging.unusable(Tiny.json("{'line': 3}"));
+    judging.finish();
+    assertEquals(List.of(Tiny.json("{'unusable': {'line': 3}, 'verdict': 'unusable', 'events': 1}")), answers());
+  }
+
+  @Test
+  @DisplayName("an event that the specification does not have is an error with its line")
+  void foreignEvent() {
+    begin(10);
+    read(2, 10);
+    judging.observe(3, spec.event(Tiny.text("{'event':'hold'}")));
+    read(4, 10);
+    judging.finish();
+    begin(20);
+    read(2, 20);
+    judging.finish();
+    assertEquals(2, answers().size());
+    assertEquals("error", answers.get(0).get("verdict").getAsString());
+    assertEquals(3, answers.get(0).get("line").getAsInt());
+    assertEquals(1, answers.get(0).get("events").getAsInt());
+    assertTrue(answers.get(0).get("message").getAsString().contains("hold"));
+    assertEquals(ACCEPTED_ONE, answers.get(1));
+  }
+
+  @Test
+  @DisplayName("an answer tells the outcomes of decisions on the way, and the decisions can be asked for")
+  void decisions() {
+    begin(10);
+    read(2, 10);
+    read(3, 11);
+    var told = new TreeSet<String>();
+    for (JsonElement outcome : answers.get(0).getAsJsonArray("outcomes")) {
+      var decision = spec.decisions().get(outcome.getAsInt() / 2);
+      told.add((decision.text().isEmpty() ? decision.definition() : decision.text()) + outcome.getAsInt() % 2);
+    }
+    assertTrue(told.containsAll(List.of("Begin0", "Observe0", "count = e.value0")), told.toString());
+    assertEquals(new JsonArray(), answers.get(0).getAsJsonArray("open"));
+  }
+
+  @Test
+  @DisplayName("a log that is followed is answered with its last situations")
+  void followed() {
+    begin("{'first':5}", 2);
+    read(2, 5);
+    read(3, 10);
+    read(4, 10);
+    judging.finish();
+    assertEquals(
+        Tiny.json(
+            "{'verdict': 'accepted', 'events': 3, 'steps': ["
+                + "{'line': 3, 'situation': {'count': 10}}, {'line': 4, 'situation': {'count': 10}}]}"),
+        answers().get(0));
+  }
+
+  @Test
+  @DisplayName("a header that the specification cannot judge is an error without a line")
+  void foreignHeader() {
+    begin("{'foreign':['AMB-99']}", 0);
+    read(2, 0);
+    judging.finish();
+    assertEquals(1, answers().size());
+    assertEquals("error", answers.get(0).get("verdict").getAsString());
+    assertFalse(answers.get(0).has("line"));
+    assertTrue(answers.get(0).get("message").getAsString().contains("AMB-99"));
+  }
+
+  @Test
+  @DisplayName("an answer says what the log cost: the most states at a time, and the steps")
+  void cost() {
+    begin("{'choices':[10,20]}", 0);
+    read(2, 20);
+    judging.finish();
+    assertEquals(3, answers.get(0).get("largest").getAsInt());
+    assertTrue(answers.get(0).get("followed").getAsInt() >= 3);
+  }
+}
