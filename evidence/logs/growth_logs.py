@@ -383,7 +383,7 @@ def kinds() -> Iterator[Kind]:
     yield Kind("a missing OB in one millisecond", missing_at_once(0, 40), 4, 16, 1100, 180)
     yield Kind("a missing OB each millisecond", missing_at_once(1, 40), 4, 9, 1100, 220)
     yield Kind("missing OBs of 17 numbers in one millisecond", missing_at_once(0, *CYCLIC, *HARDWARE), 4, 17, 1100, 80)
-    # Nobody can follow so many: certain facts are left.
+    # Nobody can follow so many: definite facts are left.
     yield Kind("missing OBs, due in one moment", missing_due, 4, 8, 20_020, 240)
     yield Kind("missing OBs, delayed by SFC 41", missing_later("DIS_AIRT", "EN_AIRT", ret=RIGHT), 4, 12, 1100, 280)
     yield Kind("missing OBs in HOLD", missing_later("hold", "release"), 4, 64, 1100, 40)

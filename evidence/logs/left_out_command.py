@@ -35,7 +35,7 @@ WORSE = 1
 SUBSETS = list(subsets())
 
 LOOSE = "too many explanations"
-"""The checker's words for a log of which it follows only certain facts."""
+"""The checker's words for a log of which it follows only definite facts."""
 
 
 @dataclass
@@ -91,7 +91,7 @@ def left_out_command(
             plain(console, f"{one['file']}: {one['verdict']} at line {one['line']}", style="red")
         total = found.verdicts.total()
         plain(console, f"{found.logs:,} accepted logs, {total:,} with kinds left out: {len(found.worse):,} got worse")
-        plain(console, f"of {found.loose:,} only certain facts were followed from some line on")
+        plain(console, f"of {found.loose:,} only definite facts were followed from some line on")
         document = {
             "logs": found.logs, "subsets": subsets, "events": events, "seed": seed, "left_out": total,
             "loose": found.loose, "worse": found.worse, "seconds": round(time.monotonic() - began),

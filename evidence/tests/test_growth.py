@@ -61,13 +61,13 @@ def test_other_readings(tmp_path: Path) -> None:
     assert engine.followed <= 40 * engine.logs
 
 
-def test_certain_facts_are_left(engine: Engine) -> None:
+def test_definite_facts_are_left(engine: Engine) -> None:
     """A wrong line is rejected, and a right one accepted, behind lines that more states explain than are followed."""
     log = missing_due(8)
     session = Session(engine, log.header)
     for line in log.events:
         assert session.feed(line) is None
-    # No line loads OB 40 or asks for it: all states would rule it out, and certain facts do not.
+    # No line loads OB 40 or asks for it: all states would rule it out, and definite facts do not.
     assert session.why({"event": "start", "ob": 40}) is None
     for status in ("16#0000", "16#0004"):
         assert session.why({"event": "QRY_TINT", "ob": 10, "ret": "16#0000", "status": status}) is None

@@ -6,10 +6,9 @@
 (* Two clocks run: `up' decides durations, the CPU clock decides moments.  *)
 (* They need not agree.                                                    *)
 (*                                                                         *)
-(* Latency: in System an OB that may start does so before anything else. A *)
-(* log shows its start up to `latency_ms' later. An OB of a lower class    *)
-(* may start before it only while its start event is no older than that    *)
-(* (AMB-69).                                                               *)
+(* Latency: in System an OB that may start does so before anything else.   *)
+(* In a log it starts up to `latency_ms' later. An OB of a lower class may *)
+(* start first while its start event is no older than that (AMB-69).       *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine points 1 and 2; AMB-69.       *)
 (* Left out: requests of one class are not timed apart from each other;    *)
@@ -23,7 +22,8 @@ EXTENDS Clock, Scheduler, ReportedData
 (* The key under which `waiting' holds a STOP that is due. *)
 StopDuty == 99
 
-(* Open requests have keys of their own: their OBs need not come. *)
+(* Open requests are timed under separate keys, because their OBs need not   *)
+(* start.                                                                    *)
 \* @type: $request => Int;
 WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
@@ -37,8 +37,9 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 -----------------------------------------------------------------------------
 (* Data for later lines *)
 
-(* [OBS-26] OB 1 starts or ends, a restart begins, OB 80 is called since   *)
-(* the cycle time is exceeded. A blocked one is not called [IRT-01].       *)
+(* [OBS-26] The cycle and its overruns: OB 1 starts or ends, a restart       *)
+(* begins, or the cycle time is exceeded. A blocked OB 80 is not called      *)
+(* [IRT-01].                                                                 *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == stack = <<>> /\ OnStack(CycleOb)'
@@ -65,8 +66,8 @@ NextChanges ==
 
 NextEvent == NextCycle /\ NextArrivals /\ NextChanges
 
-(* After a step an OB goes on waiting if it still may start, and begins to *)
-(* wait if it now may.                                                     *)
+(* After a step an OB that still may start goes on waiting. One that now may *)
+(* start begins to wait.                                                     *)
 Rewait ==
     /\ NextEvent
     /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
@@ -103,7 +104,7 @@ HighestFirst(r) ==
 -----------------------------------------------------------------------------
 (* Waiting too long *)
 
-(* In d ms nothing that has to come is late. *)
+(* When d ms have elapsed, nothing that has to come is late.                 *)
 \* @type: Int => Bool;
 InTime(d) ==
     /\ { c \in DOMAIN waiting :
@@ -148,8 +149,8 @@ MissingNow ==
 -----------------------------------------------------------------------------
 (* Missing OBs, where nobody knows which start events wait (Merging)  *)
 
-(* [OBS-20] Missing OBs that may have a request. OB 85 may come for each   *)
-(* of them; the request stays, since it may not have been noticed.         *)
+(* [OBS-20] Missing OBs that may have a request. OB 85 may come for each of  *)
+(* them. The request stays: perhaps the CPU has not noticed it.              *)
 PerhapsMissing ==
     IF terms.unsure = {} \/ Blocked(ProgramErrorOb) THEN {}
     ELSE { r \in MissingNow : /\ r.open /\ r.ob \in terms.unsure
@@ -181,8 +182,8 @@ PerhapsNoticed ==
                                            THEN waiting[c] ELSE least ]
         /\ Report(least)
 
-(* [AMB-45] A certain request of a missing OB beside an OB 85 that may     *)
-(* wait: if it does, it may report this OB, too.                           *)
+(* [AMB-45] OB 85 may be pending already. If it is, it may report this       *)
+(* missing OB as well.                                                       *)
 \* @type: $request => Bool;
 ReportedByTheSame(r) ==
     /\ ProgramErrorOb \in terms.unsure /\ ~OneOb85ForEach
@@ -198,8 +199,9 @@ FindMissing ==
          (Missing(r) \/ ReportedByTheSame(r)) /\ RewaitMissing(r)
     \/ PerhapsNoticed
 
-(* [AMB-55] An open request may have come to nothing before the next start *)
-(* point of its OB: a lost point ends a once whose OB does not wait.       *)
+(* [AMB-55] An open request may turn out to have no effect just before the   *)
+(* next start point of its OB. Without it a lost point ends a one-shot       *)
+(* interrupt.                                                                *)
 DropsBeforePoint ==
     \E r \in requests : r.ob \in PointsNow /\ Drop(r) /\ Rewait
 
@@ -214,7 +216,7 @@ Repeats(o) ==
           \E r \in requests : /\ r.ob = ob /\ r.cause = cause
                               /\ r.fault = fault /\ Endless(r)
     IN  /\ terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
-        /\ PendingIn(requests, o) /\ ~OnStack(o) /\ ~Idle(o)
+        /\ PendingIn(requests, o) /\ ~OnStack(o) /\ TakesEvents(o)
         /\ has(o, 0, 0)
         /\ TimeErrorOb \in loaded =>
              /\ has(TimeErrorOb, o, StillRunning)
@@ -233,7 +235,7 @@ PassedOver ==
                 \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers
                 \/ Repeats(o) /\ ~Remembers }
 
-(* The setting when all its points before moment m are over.               *)
+(* The setting when all its points before moment m are over.                 *)
 \* @type: ($tod, $moment) => $tod;
 PassedUntil(t, m) ==
     IF ~Before(NextMoment(t), m) THEN t
@@ -271,9 +273,10 @@ NextDelayOver ==
     LET n == { dint[o].left : o \in Jobs }
     IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
 
-(* The moment on the clock of `up' when the CPU clock is at b, on the way  *)
-(* to line e. The clocks differ a little: the later of two moments, one    *)
-(* counted from now, the other back from the line.                         *)
+(* The moment on the clock of `up' at which the CPU clock is at b, on the    *)
+(* way to line e. The clocks differ a little, so two moments come into       *)
+(* question: one counted from now, one counted back from the line. The later *)
+(* one counts.                                                               *)
 \* @type: ($moment, $event) => $moment;
 UpAt(b, e) ==
     LET forward  == Shifted(up, clock, b)

@@ -119,7 +119,7 @@ AgainOrNot(o) ==
 \* @type: Int => Bool;
 NotSureToWait(o) ==
     /\ o \in terms.unsure /\ OpenIn(requests, o) /\ ~PendingIn(requests, o)
-    /\ mode = "RUN" /\ o \notin AsyncErrorObs /\ ~Idle(o) /\ ~OnStack(o)
+    /\ mode = "RUN" /\ o \notin AsyncErrorObs /\ TakesEvents(o) /\ ~OnStack(o)
 
 (* A fault that only the rules cause does not come from outside, unless    *)
 (* the log may miss its cause.                                             *)

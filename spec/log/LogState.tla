@@ -5,9 +5,9 @@
 (*                                                                         *)
 (* A field that a line does not give has the value -1 or, as a moment,     *)
 (* NoMoment.  The trace checker's engine fills the records from the log.   *)
-(* Every event has the time that has elapsed, `up'; `counter' is the field *)
-(* `up' of the line itself.  `step' is the unit in which `at' is written,  *)
-(* in ms.  In `state' lines 0 is false and 1 is true.                      *)
+(* `up' of an event is the time that has elapsed since the log began;      *)
+(* `counter' is what the line itself gives as `up'. `step' is the unit in  *)
+(* which `at' is written, in ms. In `state' lines 0 is false, 1 is true.   *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, the fields of header and events;   *)
 (* fine points 1, 2 and 9.                                                 *)
@@ -43,7 +43,7 @@ EXTENDS Cpu
 (*                       cause: Int, flt_id: Int, id: Int, priority: Int,  *)
 (*                       info: $info, active: Int, blocked: Int,           *)
 (*                       loaded: Int, entries_off: Int, left: Int };       *)
-(* @typeAlias: reading = { clock: $moment, up: $moment, step: Int };       *)
+(* @typeAlias: pace = { clock: $moment, up: $moment, step: Int };          *)
 (* @typeAlias: change = { from: $moment, up: $moment };                    *)
 (* @typeAlias: tag = { of: $request, nth: Int };                           *)
 (* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
@@ -93,13 +93,13 @@ NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
 (* The state of an explanation *)
 
 VARIABLES
-    (* latency: an OB starts at most so many ms after it may. cycle: the    *)
-    (* log has every start and end of OB 1. records: the kinds of event     *)
-    (* that the log has completely. loose: the log does not tell when an OB *)
-    (* has to start (LooseLogs). After Merging: endless, open requests      *)
-    (* that stand for any number; unsure, OBs for which some explanations   *)
-    (* had a request and others had none. early: the delays that were over  *)
-    (* 1 ms before their time, and the moments when they were.              *)
+    (* latency: an OB starts at most so many ms after it may. cycle: the log *)
+    (* has every start and end of OB 1. records: the kinds of event that the *)
+    (* log has completely. loose: the log does not tell when an OB has to    *)
+    (* start (LooseLogs). After Merging: endless, the open requests that     *)
+    (* stand for any number of requests; unsure, the OBs for which some      *)
+    (* explanations had a request and others had none. early: the delays     *)
+    (* that were over 1 ms before their time, each with the moment.          *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)
@@ -125,20 +125,20 @@ VARIABLES
     changes,
     (* Both clocks at the last line that has `up'. Setting the CPU clock    *)
     (* moves this reading, too.                                             *)
-    \* @type: $reading;
+    \* @type: $pace;
     pace,
-    (* The entries of the diagnostic buffer that the log has not shown yet: *)
-    (* the number of each, and, if the log has such lines, the ms since its *)
-    (* cause.                                                               *)
+    (* The entries of the diagnostic buffer that the log has not shown yet,  *)
+    (* each with its number; if the log has such lines, also with the ms     *)
+    (* since its cause.                                                      *)
     \* @type: Set($report);
     reports
 
-(* Only lines change these variables, ...                                  *)
+(* Only lines change these variables.                                        *)
 lineVars == <<terms, pace>>
-(* ... and only events change these: they stay while time elapses. *)
+(* Only events change these; they stay while time elapses.                   *)
 eventVars == <<first, overruns, arrivals, changes>>
 
-NoReading == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
+NoPace == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
 
 (* A request without the fields that change while it waits.                *)
 \* @type: $request => $request;

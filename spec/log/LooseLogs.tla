@@ -1,8 +1,8 @@
 ----------------------------- MODULE LooseLogs ------------------------------
 (***************************************************************************)
-(* Logs that do not tell when an OB has to start, because they may miss    *)
-(* calls, changes of the mode or of the clock, or both OBs and start       *)
-(* events; and logs with too many explanations (Merging).                  *)
+(* Logs that do not tell when an OB has to start. They leave out calls,    *)
+(* changes of the mode or of the clock, or both OBs and start events; or   *)
+(* they have too many explanations (Merging).                              *)
 (*                                                                         *)
 (* Only facts that hold no matter what happened unseen are checked:        *)
 (* answers that no setting allows, OBs that nothing can have started,      *)
@@ -83,9 +83,10 @@ MayBeRequested(o) ==
          [] o \in ExternalObs -> Unseen("interrupt") \/ Marked(o)
          [] OTHER             -> FALSE
 
-Timed == { o \in TodObs \cup DintObs : MayBeRequested(o) }
+(* The OBs of time-of-day and time-delay interrupts that may be due.       *)
+MayBeDue == { o \in TodObs \cup DintObs : MayBeRequested(o) }
 MissingMayBeRequested ==
-    \E o \in Timed \cup (ExternalObs \ AsyncErrorObs) :
+    \E o \in MayBeDue \cup (ExternalObs \ AsyncErrorObs) :
       MayBeRequested(o) /\ MayBeMissing(o)
 
 -----------------------------------------------------------------------------
@@ -202,12 +203,12 @@ MayCause(o, fault) ==
         others  == /\ told({StillRunning, BufferOverflow})
                    /\ \E r \in requests : r.ob \in ExternalObs
     IN  IF o = TimeErrorOb
-        THEN (IF told({StillRunning, BufferOverflow}) THEN Timed ELSE {})
+        THEN (IF told({StillRunning, BufferOverflow}) THEN MayBeDue ELSE {})
                \cup (IF \/ outside \/ others
-                        \/ skipped /\ Timed \cap TodObs # {}
+                        \/ skipped /\ MayBeDue \cap TodObs # {}
                      THEN {0} ELSE {})
         ELSE (IF told(ObNotLoaded)
-              THEN { c \in Timed : MayBeMissing(c) } \cup LoadedTooLate
+              THEN { c \in MayBeDue : MayBeMissing(c) } \cup LoadedTooLate
               ELSE {})
                \cup (IF outside \/ (told(ObNotLoaded) /\ MissingMayBeRequested)
                      THEN {0} ELSE {})
@@ -309,7 +310,7 @@ LooseStop(e) ==
 LooseHold(to) ==
     /\ ModeKnown => mode = IF to = "HOLD" THEN "RUN" ELSE "HOLD"
     /\ mode' = IF ModeKnown THEN to ELSE "RUN"
-    /\ requests' = IF to = "RUN" /\ Timed \cap TodObs # {}
+    /\ requests' = IF to = "RUN" /\ MayBeDue \cap TodObs # {}
                    THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
                    ELSE requests
     /\ NothingEntered
@@ -329,7 +330,7 @@ PassesMinute(t) ==
 \* @type: $moment => Bool;
 PassesPoint(t) ==
     /\ PassesMinute(t)
-    /\ \E o \in Timed \cap TodObs :
+    /\ \E o \in MayBeDue \cap TodObs :
          \/ Unseen("call")
          \/ \E s \in {tod[o], Configured(cpu.step7[o])} :
               s.active /\ ~Before(t, [ min |-> PointFrom(s, clock.min),
@@ -341,7 +342,6 @@ PassesPoint(t) ==
 SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
                         THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
 
-\* @type: Set(Int);
 SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
 
 \* @type: $event => Bool;

@@ -8,8 +8,8 @@
 (* become one, which may start its OB any number of times, with any time   *)
 (* in its start information.                                               *)
 (* Meet: explanations that differ only in waiting start events from        *)
-(* outside become one. A start event is open afterwards unless all of them *)
-(* have it for sure.                                                       *)
+(* outside become one. A start event is open afterwards unless it is       *)
+(* definite in all of them.                                                *)
 (* Loosen, LastResort: when there are too many explanations to follow,     *)
 (* each is reduced to the facts that hold regardless.                      *)
 (*                                                                         *)
@@ -31,8 +31,8 @@ Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
 MayRepeat(r) == /\ r.open /\ r.ob \in loaded
                 /\ {r.fault, r.follows} \cap Skips = {}
 
-(* The requests of this kind, if there are many and no certain request     *)
-(* stands behind the first of them.                                        *)
+(* The requests of this kind, if there are many and no definite request      *)
+(* stands behind the first of them.                                          *)
 \* @type: $request => Set($request);
 CrowdOf(kind) ==
     LET alike == { r \in requests : MayRepeat(r) /\ Kind(r) = kind }
@@ -155,7 +155,7 @@ Meet(all) ==
     LET queues  == { Tagged(w.requests) : w \in all }
         places  == Places(queues)
         \* @type: $tag => Bool;
-        certain(g) ==
+        definite(g) ==
           /\ g.of.class \notin Unequal(all)
           /\ \A q \in queues : \E t \in q : t.tag = g /\ ~t.r.open
         \* @type: $request => $moment;
@@ -164,7 +164,7 @@ Meet(all) ==
               came == { w.arrivals[r] : w \in know }
           IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
     IN  /\ requests' = Close({ [ g.of EXCEPT !.rank = places[g],
-                                              !.open = ~certain(g) ]
+                                              !.open = ~definite(g) ]
                                : g \in DOMAIN places })
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
                            latest(r) ]
@@ -183,10 +183,10 @@ Meet(all) ==
                                              ~Apart(h, places) } } ]
 
 -----------------------------------------------------------------------------
-(* Certain facts alone *)
+(* Definite facts alone *)
 
-(* From this line on only certain facts count. Earlier calls and start     *)
-(* events count as unseen, and a running OB may have ended.                *)
+(* From this line on only definite facts count. Earlier calls and start      *)
+(* events count as unseen, and a running OB may have ended.                  *)
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
     /\ ~terms.loose
@@ -206,10 +206,10 @@ OnlyFacts(records) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
 
-(* A log without some kinds has many explanations.                         *)
+(* For a log that leaves kinds out and has too many explanations.            *)
 Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})
 
-(* Any log that nobody can follow. What an OB that is loaded now was       *)
-(* missing for may still have to be reported.                              *)
+(* For any log with too many explanations. An OB that is loaded now may have *)
+(* been missing before, and that may still have to be reported.              *)
 LastResort == OnlyFacts(terms.records \ {"call", "interrupt", "load"})
 =============================================================================

@@ -42,13 +42,13 @@ DependsOn(e) ==
       [] e.event = "run"    -> StartupObs
       [] OTHER              -> {}
 
-(* ... and the OBs on which events of this moment depend. *)
+(* The OBs on which events of this moment depend.                            *)
 NowNeeded ==
     LET due == { r \in requests : MayStart(r) \/ MissingNoticedWhenDue }
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 
-(* ... and the startup OB that is still to start. *)
+(* The startup OB that is still to start.                                    *)
 StartupDue == IF startup \in {"warm", "cold"} THEN {StartupOb(startup)} ELSE {}
 
 \* @type: Set(Int) => Bool;
@@ -59,8 +59,8 @@ UnseenLoad(obs) ==
 -----------------------------------------------------------------------------
 (* Start events that no line shows *)
 
-(* Start events may have come unseen before SFC 39 blocks their OBs: these *)
-(* OBs still wait.                                                         *)
+(* Start events may have come unseen before SFC 39 blocks their OBs. Then    *)
+(* these OBs still wait.                                                     *)
 \* @type: $event => Bool;
 UnseenEvents(e) ==
     LET fault(o) == IF o \in {TimeErrorOb, ProgramErrorOb} THEN UnknownFault
@@ -68,7 +68,7 @@ UnseenEvents(e) ==
         class(o) == IF o \in AsyncErrorObs THEN ErrorClass(o, 0)
                     ELSE ClassOf(o)
         waits  == { o \in ExternalObs :
-                      /\ MayBeLoaded(o) /\ ~Idle(o)
+                      /\ MayBeLoaded(o) /\ TakesEvents(o)
                       /\ o \in Meant(e.mode, e.ob)
                       /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o) }
     IN  /\ e.event = "DIS_IRT" /\ waits # {}
@@ -94,7 +94,7 @@ StartsUnseen(e) ==
     \E r \in { q \in MayHaveOccurred(e) : FitsRequest(q, e) } :
       /\ ModeAllows(r) /\ Undelayed /\ Preempts(r)
       /\ r.ob \in loaded
-      /\ Idle(r.ob) => OpenIn(requests, r.ob)  \* one of several that waited
+      /\ ~TakesEvents(r.ob) => OpenIn(requests, r.ob)  \* it waits already
       /\ stack' = Append(stack, Frame(r.ob, r.class))
       /\ NothingEntered
       /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
@@ -143,7 +143,7 @@ Silent(e) ==
           /\ Rewait
           /\ UNCHANGED <<lineVars, up>>
 
-(* Cheap to evaluate: may a silent step be possible? *)
+(* Quick to evaluate: may a silent step be possible?                         *)
 \* @type: $event => Bool;
 Stirs(e) == ~terms.loose /\ (HidesBefore(e) \/ Partial)
 

@@ -3,9 +3,9 @@
 (* What the CPU tells of a start event: the start information of its OB,   *)
 (* and entries of the diagnostic buffer.                                   *)
 (*                                                                         *)
-(* Does the information of a line fit the request by which the OB starts?  *)
-(* Each entry in a line has a cause. If the log has such lines, each cause *)
-(* leads to an entry within the latency.                                   *)
+(* The start information of a line has to fit the request by which the OB  *)
+(* starts. Each entry that a line shows needs a cause. If the log records  *)
+(* entries, each cause leads to an entry within the latency.               *)
 (*                                                                         *)
 (* Source: requirements, table 7.2 (start information), table 7.5 (event   *)
 (* ids); docs/checking/log-format.md, fine point 9.                        *)
@@ -26,12 +26,12 @@ EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 40..47 -> \h1141..\h1144
                  [] OTHER        -> {}
 EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
-(* Events of the OBs that calls start. The CPU itself makes the errors of  *)
-(* these events: such an error does not come from outside.                 *)
+(* Events of the OBs whose interrupts calls set. Only the CPU makes the      *)
+(* errors of these events: such an error does not come from outside.         *)
 EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 
-(* The table names no event for the other OBs: none of these events is     *)
-(* theirs.                                                                 *)
+(* The table names no event for the other OBs. The events of interrupts are  *)
+(* not theirs.                                                               *)
 \* @type: (Int, Int) => Bool;
 FitsEvent(given, o) ==
     given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
@@ -79,17 +79,17 @@ JustBefore(time, e) ==
              /\ ~Before(c.from, time)
              /\ Within(time, c.from, terms.latency - ago)
 
-(* [DINT-06] The end of a delay may have been 1 ms early, though no line   *)
-(* of that millisecond made it so.                                         *)
+(* [DINT-06] A delay may have ended 1 ms early, though no line of that       *)
+(* millisecond shows it.                                                     *)
 \* @type: $request => Bool;
 MayBeEarlier(r) ==
     LET o == IF r.ob \in DintObs THEN r.ob ELSE r.cause
     IN  o \in DintObs /\ [ob |-> o, since |-> r.since] \notin terms.early
 
-(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80    *)
-(* for skipped points the new time. Another start shows the moment of its  *)
-(* start event or a later one [OBS-10]. A clock that was set back may be   *)
-(* before that moment. The moment of an unseen start event is not known.   *)
+(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80 for  *)
+(* skipped points the new time. Any other start shows the moment of its      *)
+(* start event or a later one [OBS-10]; if the clock was set back, it may    *)
+(* show an earlier one. The moment of an unseen start event is not known.    *)
 \* @type: ($request, $event) => Bool;
 FitsTime(r, e) ==
     LET time  == e.info.time

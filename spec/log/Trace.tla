@@ -1,9 +1,9 @@
 ------------------------------- MODULE Trace --------------------------------
 (***************************************************************************)
-(* The specification explains a log one line at a time: Begin takes the    *)
-(* header, the CPU as it is when the log begins. Before each further line  *)
-(* time elapses to it (Towards), then hidden steps may happen              *)
-(* (HiddenBefore), then the line is observed (Shows).                      *)
+(* The specification explains a log one line at a time. Begin takes the    *)
+(* CPU from the header. Before each further line time elapses to it        *)
+(* (Towards), and hidden steps may happen (HiddenBefore). Then the line is *)
+(* observed (Shows).                                                       *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md with its fine points; AMB-69.       *)
 (* Left out: kinds of event that the log does not have completely          *)
@@ -27,7 +27,7 @@ Init ==
                 loose |-> FALSE, endless |-> {}, unsure |-> {},
                 early |-> {}]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
-    /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoReading
+    /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoPace
     /\ arrivals = [r \in {} |-> At(0)]
 
 (* A letter of the header overrides the letter of its profile. *)
@@ -51,8 +51,9 @@ CpuOf(h) ==
                                   deselected |-> s.deselected ]
                        ELSE NoParameters ] ]
 
-(* A once that STEP 7 set in the past has already been called in RUN. A    *)
-(* point that equals the clock may have been reached or not.               *)
+(* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a past  *)
+(* moment has already run. A point that equals the clock may have been       *)
+(* reached or not.                                                           *)
 \* @type: ($header, Int, Int) => $tod;
 TodAtBegin(h, o, called) ==
     LET t == Configured(CpuOf(h).step7[o])
@@ -69,9 +70,10 @@ TodAtBegin(h, o, called) ==
 LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
               \/ {"ob", "interrupt"} \cap h.records = {}
 
-(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU   *)
-(* has just been restarted; the type of the restart is not known. The      *)
-(* primes: this header decides how STEP 7's parameters are read.           *)
+(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU has *)
+(* just been restarted; the type of the restart is not known. Some operators *)
+(* are primed: the letters of this header already decide how STEP 7's        *)
+(* parameters are read.                                                      *)
 \* @type: $header => Bool;
 Begin(h) ==
     /\ cpu'    \in CpusByLeapDay(CpuOf(h))
@@ -101,7 +103,7 @@ Begin(h) ==
     /\ overruns' = 0
     /\ arrivals' = [r \in { AsItCame(q) : q \in requests' } |-> At(0)]
     /\ changes' = {}
-    /\ pace' = NoReading
+    /\ pace' = NoPace
     /\ reports' = {}
 
 -----------------------------------------------------------------------------
@@ -109,7 +111,7 @@ Begin(h) ==
 
 (* The start event of OB o only makes it wait. *)
 \* @type: Int => Bool;
-OnlyWaits(o) == /\ o \in loaded /\ ~Idle(o) /\ ~OnStack(o)
+OnlyWaits(o) == /\ o \in loaded /\ TakesEvents(o) /\ ~OnStack(o)
                 /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
 
 (* Line e depends on whether OB o waits, or changes its queue. *)
@@ -121,14 +123,15 @@ Touches(e, o) ==
                                       "state"} -> e.ob = o
       [] OTHER                            -> e.event # "diag"
 
-(* Another start event of this moment does more than wait, in the class of *)
-(* OB o: their order decides which OB runs first.                          *)
+(* In the class of OB o another start event of this moment does more than    *)
+(* make its OB wait. Their order decides which OB runs first.                *)
 \* @type: Int => Bool;
 OrderMatters(o) == \E p \in PointsNow \cup OverNow :
                      ClassOf(p) = ClassOf(o) /\ ~OnlyWaits(p)
 
-(* A start event of this moment may come before or after line e. If both   *)
-(* have the same effect, it comes after: a later request allows as much.   *)
+(* A start event of this moment may come before or after line e. Where the   *)
+(* order makes no difference, it comes after: an OB that waits later allows  *)
+(* no less.                                                                  *)
 \* @type: ($event, Int) => Bool;
 ComesBefore(e, o) ==
     \/ Partial \/ PointsComeByNumber
@@ -137,8 +140,8 @@ ComesBefore(e, o) ==
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
-(* The boundaries of the cycle and of the startup OB. The end of a cycle   *)
-(* matters only if it ends a delay.                                        *)
+(* OB 1 and the startup OB start and end. The end of a cycle matters only if *)
+(* it ends a delay.                                                          *)
 HiddenBoundary ==
     \/ ~terms.cycle /\ CycleStarts
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
@@ -165,7 +168,7 @@ HiddenBefore(e) ==
              \/ DropsBeforePoint
              \/ HiddenBoundary /\ Rewait
 
-(* Cheap to evaluate: may a hidden step be possible? *)
+(* Quick to evaluate: may a hidden step be possible?                         *)
 \* @type: $event => Bool;
 HidesBefore(e) == \/ stack = <<>>
                   \/ delay > 0
@@ -180,9 +183,9 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               arrivals, changes, reports, terms.endless, terms.unsure,
               EarlyDelays>>
 
-(* ... between two lines. If loading is not recorded, an OB is loaded or   *)
-(* deleted unseen as soon as something depends on it. So the loaded OBs do *)
-(* not matter here.                                                        *)
+(* The same between two lines. If loading is not recorded, an OB is loaded   *)
+(* or deleted unseen as soon as something depends on it. So the loaded OBs   *)
+(* do not matter here.                                                       *)
 DistinctAfterLine ==
     <<cpu.readings,
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,

@@ -187,7 +187,7 @@ OverlapProp ==
 (* well. If the OB may already wait, the point may be a time error, which  *)
 (* stops a CPU without OB 80 [OBS-22]: the first cause of a STOP stays.    *)
 OrdinaryProp ==
-    [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ ~Idle(step'.ob)
+    [][ /\ Did("reached") /\ ~OnStack(step'.ob) /\ TakesEvents(step'.ob)
         => \/ PendingIn(requests', step'.ob)
            \/ /\ OpenIn(requests, step'.ob) /\ 80 \notin loaded
               /\ stopCause' = IF stopCause = NoCause THEN \h4568

@@ -5,8 +5,8 @@
 (* need not be possible.                                                   *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events.                            *)
-(* Left out: lines of kind `state', which never have to come; all operands *)
-(* of calls and clocks but some that stand for the others.                 *)
+(* Left out: lines of kind `state', which never have to come; most         *)
+(* operands of calls and clocks: a few represent the others.               *)
 (***************************************************************************)
 EXTENDS PartialLogs
 
@@ -28,7 +28,7 @@ BeforeItsEnd(e) ==
     e.event \in {"SRT_DINT", "CAN_DINT", "QRY_DINT"} /\ ~Ended(e.ob)
 
 -----------------------------------------------------------------------------
-(* Operands that stand for the others *)
+(* Representative operands *)
 
 \* @type: Str => $event;
 Line(name) == [NoEvent EXCEPT !.event = name]
@@ -127,7 +127,7 @@ NextLines ==
              : r \in IF DiagRecorded THEN reports ELSE {} }
       \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallLines)
 
-(* The line with each value that the CPU may give with it.                 *)
+(* The line with each answer that the CPU may give.                          *)
 \* @type: $event => Set($event);
 WithAnswers(e) ==
     CASE e.event \in {"QRY_TINT", "QRY_DINT"} ->
@@ -141,7 +141,7 @@ WithAnswers(e) ==
              : r \in { q \in requests : q.ob = e.ob } }
       [] OTHER -> {e}
 
-(* A line before which the same silent steps are possible as before e.     *)
+(* A line that stands for e: the same silent steps are possible before it.   *)
 \* @type: $event => $event;
 Likewise(e) == IF Partial \/ PointsNow # {} \/ OverNow # {} THEN e
                ELSE Line(IF e.event = "start" THEN e.event ELSE "")
@@ -166,8 +166,8 @@ EndOfTime ==
 \* @type: Int => { at: $moment, up: $moment };
 Later(d) == [at |-> After(clock, d), up |-> After(up, d)]
 
-(* The last moment at which nothing is late that has to come; for states   *)
-(* in which time cannot go on.                                             *)
+(* The latest moment at which nothing is overdue. It is used in states in    *)
+(* which time cannot go on.                                                  *)
 LastInTime ==
     LET ages == { waiting[c] : c \in { k \in DOMAIN waiting : k < 100 } }
                   \cup { r.age : r \in EntriesLate(terms.latency) }

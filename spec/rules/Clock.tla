@@ -43,7 +43,7 @@ RequestsThatStay(to) == IF WithdrawnBy(to) = {} THEN requests
 CalledBySetBack(to) ==
     IF /\ IsBack(to) /\ Watching
        /\ Family.repeats /\ SetBackCallsActiveObs
-    THEN { o \in TodObs : /\ tod[o].active /\ ~tod[o].called /\ ~Idle(o)
+    THEN { o \in TodObs : /\ tod[o].active /\ ~tod[o].called /\ TakesEvents(o)
                           /\ ~PendingIn(RequestsThatStay(to), o) }
     ELSE {}
 

@@ -88,9 +88,9 @@ Blocked(o) == MarkedIn(irt.blocked, o)
 \* @type: Int => Bool;
 Silenced(o) == MarkedIn(irt.silent, o)
 
-(* Start events of the OB have no effect. *)
+(* Start events of the OB have an effect. *)
 \* @type: Int => Bool;
-Idle(o) == Deselected(o) \/ Blocked(o)
+TakesEvents(o) == ~Deselected(o) /\ ~Blocked(o)
 
 -----------------------------------------------------------------------------
 (* The stack *)

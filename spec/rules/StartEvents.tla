@@ -60,18 +60,19 @@ LeftOpen(again) ==
       \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
             ELSE ErrorsOf(again))
 
-(* The OB has only open requests, and another start event comes. Now the   *)
-(* OB is definitely pending: either its first open request is confirmed,   *)
-(* or the open ones had no effect and the new one is pending.              *)
-\* @type: (Set($request), $request) => Set($request);
-Confirmed(q, new) ==
-    { IF /\ r.ob = new.ob /\ r.open
+(* The first open request of each of these OBs is confirmed. *)
+\* @type: (Set($request), Set(Int)) => Set($request);
+Confirmed(q, obs) ==
+    { IF /\ r.ob \in obs /\ r.open
          /\ ~\E s \in q : s.ob = r.ob /\ s.open /\ s.rank < r.rank
       THEN [r EXCEPT !.open = FALSE] ELSE r : r \in q }
 
+(* The OB has only open requests, and another start event comes. Now the   *)
+(* OB is definitely pending: either its first open request is confirmed,   *)
+(* or the open ones had no effect and the new one is pending.              *)
 \* @type: $request => Set(Set($request));
 EnterAmongOpen(new) ==
-    { EnterAll(Confirmed(requests, new), LeftOpen(new)),
+    { EnterAll(Confirmed(requests, {new.ob}), LeftOpen(new)),
       Enter(Withdraw(requests, new.ob), new) }
 
 (* [OBS-22] Without OB 80 the time error, if it is one, stops the CPU.     *)
@@ -115,7 +116,7 @@ WithOneLateRun(new) ==
     IF PendingIn(requests, new.ob) THEN {requests}
     ELSE { Enter(Withdraw(requests, new.ob), LateRun(new)) }
            \cup (IF OpenIn(requests, new.ob)
-                 THEN { Confirmed(requests, new) } ELSE {})
+                 THEN { Confirmed(requests, {new.ob}) } ELSE {})
 
 \* @type: $request => Bool;
 OverlapWithOneLateRun(new) ==

@@ -40,7 +40,8 @@ PassesItsPoint(o) ==
 
 (* In STARTUP one run is deferred [AMB-35]. *)
 \* @type: Int => Bool;
-RunIsDeferred(o) == mode = "STARTUP" /\ PendingIn(requests, o) /\ ~Idle(o)
+RunIsDeferred(o) ==
+    mode = "STARTUP" /\ PendingIn(requests, o) /\ TakesEvents(o)
 
 (* [TINT-09] [TINT-14] The clock reaches the next point of an active       *)
 (* interrupt.                                                              *)
@@ -160,12 +161,10 @@ CatchUps(fault, obs, absent) ==
                             IF o \in absent THEN 0 ELSE fault)
                  EXCEPT !.open = held /\ CatchUpAfterHoldIsOpen ] : o \in obs }
 
-(* An OB has no catch-up of its own: its open request is confirmed. *)
+(* OBs without a catch-up of their own: their open requests are confirmed. *)
 \* @type: Set(Int) => Set($request);
-MadeCertain(merged) ==
-    { IF /\ r.ob \in merged /\ ~PendingIn(requests, r.ob)
-         /\ { s \in requests : s.ob = r.ob /\ s.rank < r.rank } = {}
-      THEN [r EXCEPT !.open = FALSE] ELSE r : r \in requests }
+RequestsMerged(obs) ==
+    Confirmed(requests, { o \in obs : ~PendingIn(requests, o) })
 
 \* @type: Int => Bool;
 WaitsOrRuns(o) == OnStack(o) \/ PendingIn(requests, o) \/ OpenIn(requests, o)
@@ -192,7 +191,7 @@ Skip(fault, now, skipped) ==
     IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked) :
           LET late == (skipped \ unsaid) \ absent
               runs == CatchUps(fault, skipped \ (blocked \cup merged), absent)
-              kept == WithCatchUps(MadeCertain(merged), runs)
+              kept == WithCatchUps(RequestsMerged(merged), runs)
           IN  IF late = {} THEN RequestsBecome(kept)
               ELSE TimeErrorOccurs(kept, requests,
                      [ TimeError(fault, late, 0, 0) EXCEPT

@@ -149,7 +149,7 @@ class Answer(msgspec.Struct, frozen=True):
     Of an ``unusable`` one: why a line is not of the format. Of a rejected one: the events ``expected`` in the place of
     the line, or before it where the line comes too ``late``; the ``requirements`` that decide; how many ``states``
     explained the lines before, the ``situations`` that come nearest to the line, and the ``candidates``. From the line
-    ``loose`` on there were too many explanations, and only certain facts were followed; from the line ``wide`` on
+    ``loose`` on there were too many explanations, and only definite facts were followed; from the line ``wide`` on
     waiting start events were not told apart. ``steps`` are there if the log was begun with ``follow``. What it cost:
     ``largest`` states at a time at the most, and a state was ``followed`` to its successors so many times.
 

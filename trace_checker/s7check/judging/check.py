@@ -186,7 +186,7 @@ def _loosened(answer: Answer | None) -> str:
     if answer is None or (answer.loose is None and answer.wide is None):
         return ""
     if answer.loose is not None:
-        return f"; too many explanations: from line {answer.loose} on only certain facts are checked"
+        return f"; too many explanations: from line {answer.loose} on only definite facts are checked"
     return f"; too many explanations: from line {answer.wide} on start events that wait are not all told apart"
 
 

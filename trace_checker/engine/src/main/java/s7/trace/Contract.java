@@ -288,7 +288,7 @@ final class Contract {
     return after;
   }
 
-  /** The state with its certain facts alone; none where everything has to be followed. */
+  /** The state with its definite facts alone; none where everything has to be followed. */
   List<State> loosen(State state) {
     return successors(Operator.LOOSEN, state);
   }

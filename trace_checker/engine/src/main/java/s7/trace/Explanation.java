@@ -37,7 +37,7 @@ final class Explanation {
   /** The most states that are followed; nobody can follow the open questions of a log with more. */
   static final int MOST_STATES = 20_000;
 
-  /** The most states that are followed where the specification can keep certain facts instead. */
+  /** The most states that are followed where the specification can keep definite facts instead. */
   private static final int LOOSE_STATES = 1_000;
 
   /** From so many states on, those meet that can. */
@@ -100,7 +100,7 @@ final class Explanation {
   private boolean loosened;
   private boolean widened;
 
-  /** Whether states meet early, and on the way through a moment: certain facts alone are no way out. */
+  /** Whether states meet early, and on the way through a moment: definite facts alone are no way out. */
   private boolean crowded;
 
   private int fewest = MANY_STATES;
@@ -250,7 +250,7 @@ final class Explanation {
     }
   }
 
-  /** Whether a line was explained by certain facts alone: too many states explained the log. */
+  /** Whether a line was explained by definite facts alone: too many states explained the log. */
   boolean loosened() {
     return loosened;
   }
@@ -286,8 +286,8 @@ final class Explanation {
   }
 
   /**
-   * Goes on with certain facts, or with more states than before where all have to be followed; at last
-   * with certain facts whatever the log.
+   * Goes on with definite facts, or with more states than before where all have to be followed; at last
+   * with definite facts whatever the log.
    *
    * @throws NotCovered if there is nothing to give up
    */
