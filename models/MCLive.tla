@@ -2,7 +2,8 @@
 (***************************************************************************)
 (* Liveness on an S7-300 and an S7-400: points of every minute, a hardware *)
 (* OB, delays of SFC 41, the clock set forward and back, STOP and restart; *)
-(* and a delay interrupt in their place.                                   *)
+(* and a delay interrupt in their place; and two hardware interrupts under *)
+(* delays that nest.                                                       *)
 (*                                                                         *)
 (* There is no constraint: it would hide behaviours in which an event      *)
 (* never comes. The world is finite by itself: the clock ends at the       *)
@@ -33,6 +34,12 @@ DelaySigns == {1}
 DelayMoments == HalfMinutes(1, 1)
 DelayRetVals == {OK}
 OneFamily == {"S7-300"}
+
+(* MCLiveReleased.cfg: DIS_AIRT answers at most 3. *)
+NestedInterrupts == {<<40, 0>>, <<82, 0>>}
+NestedLoads == {{40, 80, 82, 85}}
+NestedMoments == {Moment(0, 30000)}
+NestedRetVals == 0..3
 
 MCBudget == 2
 TwoEvents == 2

@@ -30,6 +30,27 @@ WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
 
+(* [AMB-69] (c) The wait of an OB that could start goes on under a delay.  *)
+\* @type: $request => Bool;
+MayGoOnWaiting(r) ==
+    \/ MayStart(r)
+    \/ ~DelayBeginsWaitsAnew /\ ModeAllows(r) /\ Foremost(r)
+
+(* The waits that go on in this step: those of OBs and of a STOP. The next *)
+(* OB of a class begins to wait when the one before it is withdrawn.       *)
+WaitsGoOn ==
+    LET keys == DOMAIN waiting
+        waited == { AsItCame(r) : r \in { q \in requests :
+                      WaitsAs(q) \in keys /\ MayGoOnWaiting(q) } }
+        \* @type: $request => Bool;
+        waits(r) == AsItCame(r) \in waited /\ MayGoOnWaiting(r)'
+    IN  IF keys = {} THEN {}
+        ELSE keys \cap
+               ( { WaitsAs(r) : r \in { q \in requests' : waits(q) } }
+                   \cup (IF stopCause' = NoCause \/ ( DelayBeginsWaitsAnew
+                                                       /\ ~StopIsDue' )
+                         THEN {} ELSE {StopDuty}) )
+
 (* An open request that stands for any number (Merging).                   *)
 \* @type: $request => Bool;
 Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
@@ -66,14 +87,15 @@ NextChanges ==
 
 NextEvent == NextCycle /\ NextArrivals /\ NextChanges
 
-(* After a step an OB that still may start goes on waiting. One that now may *)
-(* start begins to wait.                                                     *)
+(* After a step an OB goes on waiting, or begins to wait if it now may     *)
+(* start.                                                                  *)
 Rewait ==
     /\ NextEvent
     /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
                   THEN [c \in {} |-> 0]
-                  ELSE [ c \in Awaited' |->
-                           IF c \in DOMAIN waiting THEN waiting[c] ELSE 0 ]
+                  ELSE LET old == WaitsGoOn
+                       IN  [ c \in Awaited' \cup old |->
+                               IF c \in old THEN waiting[c] ELSE 0 ]
     /\ Report(0)
 
 (* OB 85, or the STOP, has waited as long as the missing OB. *)
@@ -81,12 +103,12 @@ Rewait ==
 RewaitMissing(r) ==
     LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)]
                                                   ELSE 0
+        old == WaitsGoOn
     IN  /\ NextEvent
-        /\ waiting' = [ c \in Awaited' |->
-                          LET before == IF c \in DOMAIN waiting THEN waiting[c]
-                                                                ELSE 0
-                          IN  IF c > r.class /\ since > before THEN since
-                                                               ELSE before ]
+        /\ waiting' = [ c \in Awaited' \cup old |->
+                          LET before == IF c \in old THEN waiting[c] ELSE 0
+                          IN  IF c % 100 >= r.class /\ since > before
+                              THEN since ELSE before ]
         /\ Report(since)
 
 -----------------------------------------------------------------------------
@@ -117,7 +139,7 @@ Stale(d) ==
     { r \in requests : /\ r.open
                        /\ WaitsAs(r) \in DOMAIN waiting
                        /\ waiting[WaitsAs(r)] + d > terms.latency
-                       /\ MayStart(r) }
+                       /\ MayGoOnWaiting(r) }
 
 \* @type: Set($request) => Bool;
 Expire(stale) ==
@@ -178,8 +200,8 @@ PerhapsNoticed ==
         /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                        runVars>>
         /\ NextEvent
-        /\ waiting' = [ c \in Awaited' |-> IF c \in DOMAIN waiting
-                                           THEN waiting[c] ELSE least ]
+        /\ waiting' = [ c \in Awaited' \cup WaitsGoOn |->
+                          IF c \in DOMAIN waiting THEN waiting[c] ELSE least ]
         /\ Report(least)
 
 (* [AMB-45] OB 85 may be pending already. If it is, it may report this       *)

@@ -129,11 +129,13 @@ IsInterrupt(e) ==
     /\ IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
        ELSE Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
 
-(* The CPU has to stop for this cause. [OBS-26] The cycle time may be      *)
-(* exceeded twice in a cycle if OB 80 is loaded.                           *)
+(* The CPU has to stop for this cause, or had to before this delay.        *)
+(* [OBS-26] The cycle time may be exceeded twice in a cycle if OB 80 is    *)
+(* loaded.                                                                 *)
 \* @type: Int => Bool;
 CauseHolds(cause) ==
-    \/ stopCause = cause /\ (Undelayed \/ ~StopAwaitsTheDelay)
+    \/ /\ stopCause = cause
+       /\ Undelayed \/ ~StopAwaitsTheDelay \/ StopDuty \in DOMAIN waiting
     \/ cause = NoTimeErrorOb /\ overruns = 2
     \/ Partial /\ stopCause \in {NoCause, OtherErrorOb}
 

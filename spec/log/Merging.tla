@@ -163,6 +163,11 @@ Meet(all) ==
           LET know == { w \in all : r \in DOMAIN w.arrivals }
               came == { w.arrivals[r] : w \in know }
           IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
+        \* Waits that have begun in all explanations go on under a delay.
+        goOn == { c \in { WaitsAs(r) : r \in { q \in requests' :
+                                            MayGoOnWaiting(q)' } } :
+                    \A w \in all : {c, c - 100} \cap DOMAIN w.waiting # {} }
+                  \cup (DOMAIN waiting \cap {StopDuty})
     IN  /\ requests' = Close({ [ g.of EXCEPT !.rank = places[g],
                                               !.open = ~definite(g) ]
                                : g \in DOMAIN places })
@@ -171,7 +176,7 @@ Meet(all) ==
         /\ NothingEntered
         /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                        runVars, up, first, overruns, changes, pace>>
-        /\ waiting' = [ c \in Awaited' |->
+        /\ waiting' = [ c \in Awaited' \cup goOn |->
                           LET times == { WaitedIn(w, c) : w \in all }
                           IN  CHOOSE m \in times : \A n \in times : m <= n ]
         /\ reports' = ReportsOf(all)

@@ -149,13 +149,16 @@ ClassZeroInv == \A r \in requests : ClassOf(r.ob) # 0
 RunOnlyProp == [][ Dispatched /\ step'.ob \notin AsyncErrorObs
                      => mode = "RUN" ]_vars
 
-(* Nothing else happens while an OB could start [AIRT-08] [OBS-03]. *)
+(* No OB that could start is passed over: nothing else happens, no call of *)
+(* DIS_AIRT either [AIRT-08] [OBS-03] [AMB-69]. A late run waits for its   *)
+(* OB 80.                                                                  *)
 AtOnceProp ==
     [][ \A r \in requests :
           /\ \/ mode = "RUN"
              \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
           /\ delay = 0 /\ r.class > Top(stack).class
-          /\ r.follows = 0
+          /\ \/ r.follows = 0
+             \/ ~\E q \in requests : q.ob = TimeErrorOb /\ r.ob \in q.late
           => step'.event \in {"start", "missing", "dropped", "stop",
                              "switch"} ]_vars
 

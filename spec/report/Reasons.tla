@@ -154,7 +154,7 @@ OfCall(e, past) ==
 -----------------------------------------------------------------------------
 (* Lines that come too late: something had to come before *)
 
-Due == { r \in requests : MayStart(r) /\ ~r.open }
+Due == { r \in requests : MayGoOnWaiting(r) /\ ~r.open }
 
 (* The due requests that are late by this line. *)
 \* @type: $event => Set($request);

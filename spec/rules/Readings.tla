@@ -94,7 +94,7 @@ Questions ==
     <<"AMB-66", "a", AB>>,
     <<"AMB-67", "c", ABC>>,
     <<"AMB-68", "c", ABC>>,
-    <<"AMB-69", "a", AB>>,
+    <<"AMB-69", "c", ABC>>,
     <<"AMB-70", "c", ABC>>,
     <<"AMB-71", "d", ABCD>>,
     <<"AMB-72", "a", AB>>,
@@ -386,8 +386,10 @@ OutsideRunEventsAreOpen == Reading("AMB-67") = "c"
 EndedSeriesIsActive   == Reading("AMB-68") = "a"
 EndedSeriesIsInactive == Reading("AMB-68") = "b"
 
-(* [AMB-69] Nothing stands before the start of an OB that may start. *)
-NothingStandsBefore == Reading("AMB-69") = "b"
+(* [AMB-69] Nothing stands before the start of an OB that may start; or    *)
+(* each delay begins its wait anew.                                        *)
+NothingStandsBefore  == Reading("AMB-69") = "b"
+DelayBeginsWaitsAnew == Reading("AMB-69") = "a"
 (* [AMB-70] Calls in the last millisecond of a delay.                      *)
 CallsComeBeforeTheEnd == Reading("AMB-70") = "a"
 CallsComeAfterTheEnd  == Reading("AMB-70") = "b"

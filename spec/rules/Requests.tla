@@ -197,12 +197,16 @@ Reported(r) ==
 \* @type: $request => Bool;
 NoticedAtOnce(r) == r.ob \notin loaded /\ MissingNoticedWhenDue
 
+(* Nothing but the mode or a delay holds the OB back. *)
+\* @type: $request => Bool;
+Foremost(r) == /\ Preempts(r)
+               /\ InTurn(r)
+               /\ Reported(r)
+
 \* @type: $request => Bool;
 MayStart(r) == /\ ModeAllows(r)
                /\ \/ /\ Undelayed \/ StopsUndelayed(r)
-                     /\ Preempts(r)
-                     /\ InTurn(r)
-                     /\ Reported(r)
+                     /\ Foremost(r)
                   \/ NoticedAtOnce(r)
 
 (* [AMB-49] A STOP by rule may wait for the end of a delay. *)

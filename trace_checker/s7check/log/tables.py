@@ -27,7 +27,7 @@ SETTABLE_PRIORITIES: dict[int, range] = {
 """OB -> the priority classes it can be given [OBS-05]."""
 
 _THREE_READINGS = frozenset(
-    [1, 3, 4, 5, 6, 14, 15, 19, 28, 34, 38, 39, 45, 47, 48, 49, 50, 52, 53, 54, 55, 57, 60, 61, 67, 68, 70, 79]
+    [1, 3, 4, 5, 6, 14, 15, 19, 28, 34, 38, 39, 45, 47, 48, 49, 50, 52, 53, 54, 55, 57, 60, 61, 67, 68, 69, 70, 79]
 )
 _FOUR_READINGS = frozenset([11, 13, 18, 56, 71, 77])
 
