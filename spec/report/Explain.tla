@@ -46,11 +46,11 @@ AnswersOfCalls ==
 (* The numbers that a log can give to an OB. *)
 ObNumbersOfLogs == 1..122
 
-(* The words of a log. Of a header: families, those whose priority classes *)
-(* can be set, and these classes; profiles; the letters of each question,  *)
-(* and those that formulas tell apart. Of lines: OBs by their kind; the    *)
-(* PERIODs and the answers of calls.                                       *)
-Alternatives ==
+(* The words of a log, by which the reader takes lines or refuses them. Of *)
+(* a header: families, those whose priority classes can be set, and these  *)
+(* classes; profiles; the letters of each question. Of lines: OBs by their *)
+(* kind.                                                                   *)
+Words ==
     [ families |-> FamilyNames,
       settable |-> { f.name : f \in { g \in KnownFamilies : g.settable } },
       classes  |-> { <<o, SettableClasses(o)>>
@@ -58,11 +58,15 @@ Alternatives ==
                                  SettableClasses(p) # {} } },
       obs      |-> ObNumbersOfLogs,
       tod_obs  |-> TodObs,
-      dint_obs |-> DintObs,
       external |-> ExternalObs,
       faulty   |-> {TimeErrorOb, ProgramErrorOb},
       profiles |-> ProfileNames,
-      choices  |-> { <<q[1], q[3]>> : q \in Questions },
+      choices  |-> { <<q[1], q[3]>> : q \in Questions } ]
+
+(* What else can stand in their place: the letters that formulas tell      *)
+(* apart, and the defaults; PERIODs and the answers of calls.              *)
+Alternatives ==
+    [ dint_obs |-> DintObs,
       letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
       defaults |-> { DefaultOf(a) : a \in Ambiguities },
       periods  |-> PeriodCodes,

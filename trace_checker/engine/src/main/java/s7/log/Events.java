@@ -3,6 +3,8 @@ package s7.log;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** The events: every line of a log but the first. */
 final class Events {
@@ -20,18 +22,8 @@ final class Events {
 
   private static final Reader SAME = value -> value;
   private static final Reader PASSED_OB = Spellings.integer(Short.MIN_VALUE, Short.MAX_VALUE);
-  private static final Reader BLOCK = Spellings.integer(Tables.FIRST_OB, Tables.LAST_OB);
   private static final Reader DURATION = Spellings::duration;
   private static final Reader MOMENT = Spellings::moment;
-  private static final String EXTERNAL_EXPECTED = "an OB " + Quoting.ranges(Tables.EXTERNAL_OBS);
-
-  private static final Reader EXTERNAL_OB =
-      value -> {
-        if (value instanceof Long ob && Tables.EXTERNAL_OBS.contains(ob.intValue()) && ob == ob.intValue()) {
-          return value;
-        }
-        throw new Unusable(EXTERNAL_EXPECTED, Quoting.quote(value));
-      };
 
   private static final Table INFO =
       new Table(
@@ -49,11 +41,13 @@ final class Events {
               "ev_ob", Spellings.BYTE,
               "time", MOMENT));
 
-  private static final Map<String, Table> TABLE = new HashMap<>();
+  private final Map<String, Table> tables = new HashMap<>();
+  private final Set<Long> faulty;
 
-  static {
+  Events(Words words) {
+    faulty = words.faultyObs;
     Map<String, Reader> none = Map.of();
-    Map<String, Reader> block = Table.of(OB, BLOCK);
+    Map<String, Reader> block = Table.of(OB, Spellings.integer(words.obs.first(), words.obs.last()));
     Map<String, Reader> info = Table.of("info", INFO);
     Map<String, Reader> status = Table.of(STATUS, Spellings.WORD);
     Reader word = Spellings.WORD;
@@ -81,7 +75,7 @@ final class Events {
     kind("stop", none, Table.of("cause", word));
     kind("hold", none, none);
     kind("release", none, none);
-    kind("interrupt", Table.of(OB, EXTERNAL_OB), Table.of(FAULT, Spellings.BYTE));
+    kind("interrupt", Table.of(OB, external(words.externalObs)), Table.of(FAULT, Spellings.BYTE));
     kind("load", block, none);
     kind("delete", block, none);
     kind(
@@ -96,10 +90,18 @@ final class Events {
             "left", Spellings.integer(0, Integer.MAX_VALUE)));
   }
 
-  private Events() {}
+  private static Reader external(Set<Long> obs) {
+    String expected = "an OB " + Quoting.ranges(obs);
+    return value -> {
+      if (value instanceof Long ob && obs.contains(ob)) {
+        return value;
+      }
+      throw new Unusable(expected, Quoting.quote(value));
+    };
+  }
 
   /** Enters an event with its required and its optional fields, without those of every event. */
-  private static void kind(String name, Map<String, Reader> required, Map<String, Reader> optional) {
+  private void kind(String name, Map<String, Reader> required, Map<String, Reader> optional) {
     var all = new LinkedHashMap<String, Reader>();
     all.put(EVENT, SAME);
     all.put(AT, Spellings::instant);
@@ -107,7 +109,7 @@ final class Events {
     var others = new LinkedHashMap<String, Reader>();
     others.put(UP, Spellings.integer(0, LONGEST_UP));
     others.putAll(optional);
-    TABLE.put(name, new Table(name, all, others));
+    tables.put(name, new Table(name, all, others));
   }
 
   /**
@@ -115,9 +117,9 @@ final class Events {
    * since 1990-01-01T00:00, and {@code sdt}, which is its components. {@code step} is the unit in which {@code at} is
    * written, if that is not a millisecond.
    */
-  static Fields read(Fields raw) {
+  Fields read(Fields raw) {
     Object name = raw.get(EVENT);
-    Table fields = name instanceof String ? TABLE.get(name) : null;
+    Table fields = name instanceof String ? tables.get(name) : null;
     if (fields == null) {
       throw noEvent(raw);
     }
@@ -134,12 +136,13 @@ final class Events {
     return event;
   }
 
-  /** A start event of OB 80 or 85, and no other, has its fault id. */
-  private static void checkFault(Fields event) {
-    int ob = ((Long) event.get(OB)).intValue();
-    boolean needed = Tables.OBS_WITH_FAULT.contains(ob);
+  /** An interrupt line of an OB that comes with a fault id, and no other, has it. */
+  private void checkFault(Fields event) {
+    Object ob = event.get(OB);
+    boolean needed = faulty.contains(ob);
     if (event.has(FAULT) && !needed) {
-      throw new Unusable("for OB 80 and 85 only", "for OB " + ob, FAULT);
+      String obs = faulty.stream().map(String::valueOf).collect(Collectors.joining(" and "));
+      throw new Unusable("for OB " + obs + " only", "for OB " + ob, FAULT);
     }
     if (needed && !event.has(FAULT)) {
       throw new Unusable("for OB " + ob, "none", FAULT);

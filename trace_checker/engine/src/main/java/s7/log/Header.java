@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 
 /** The header, the first line of a log. */
@@ -25,7 +26,10 @@ final class Header {
   /** Normalised start of an interrupt to which STEP 7 gives no date. */
   private static final int NO_START = -1;
 
-  static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
+  /** As a priority class: the OB is deselected [OBS-06]. */
+  private static final int DESELECTED = 0;
+
+  private static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
   private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
 
   private static final Table TIME_OF_DAY =
@@ -43,66 +47,68 @@ final class Header {
               "deselected",
               Spellings.TRUTH));
 
-  private static final Table HEADER =
-      new Table(
-          "header",
-          Table.of(
-              "format",
-              Spellings.choice(FORMAT),
-              CPU,
-              Spellings.choice(Tables.FAMILIES),
-              "obs",
-              Table.list(Spellings.integer(Tables.FIRST_OB, Tables.LAST_OB)),
-              "clock",
-              (Reader) Spellings::moment),
-          Table.of(
-              "mode",
-              Spellings.choice("STOP", "STARTUP", "RUN"),
-              "latency_ms",
-              Spellings.integer(0, Integer.MAX_VALUE),
-              "records",
-              Table.list(Spellings.choice(KINDS)),
-              "cycle",
-              Spellings.TRUTH,
-              PRIORITY,
-              priorities(),
-              "step7",
-              Table.mapping("the field tod", Map.of("tod", timesOfDay())),
-              READINGS,
-              readings(),
-              PROFILE,
-              Spellings.choice(Tables.PROFILES)));
+  private final List<String> settable;
+  private final Table header;
 
-  private Header() {}
-
-  private static Reader priorities() {
-    var readers = new LinkedHashMap<String, Reader>();
-    Tables.SETTABLE_PRIORITIES.forEach((ob, classes) -> readers.put(String.valueOf(ob), priority(classes)));
-    String obs = Quoting.ranges(Tables.SETTABLE_PRIORITIES.keySet());
-    return Table.mapping("an OB whose class can be set, " + obs + ",", readers);
+  Header(Words words) {
+    settable = words.settable;
+    header =
+        new Table(
+            "header",
+            Table.of(
+                "format",
+                Spellings.choice(FORMAT),
+                CPU,
+                Spellings.choice(words.families),
+                "obs",
+                Table.list(Spellings.integer(words.obs.first(), words.obs.last())),
+                "clock",
+                (Reader) Spellings::moment),
+            Table.of(
+                "mode",
+                Spellings.choice("STOP", "STARTUP", "RUN"),
+                "latency_ms",
+                Spellings.integer(0, Integer.MAX_VALUE),
+                "records",
+                Table.list(Spellings.choice(KINDS)),
+                "cycle",
+                Spellings.TRUTH,
+                PRIORITY,
+                priorities(words.classes),
+                "step7",
+                Table.mapping("the field tod", Map.of("tod", timesOfDay(words.timeOfDayObs))),
+                READINGS,
+                readings(words.letters),
+                PROFILE,
+                Spellings.choice(words.profiles)));
   }
 
-  private static Reader priority(int[] classes) {
-    String expected = "a class " + classes[0] + ".." + classes[1] + " or " + Tables.DESELECTED + " (deselected)";
+  private static Reader priorities(Map<Long, TreeSet<Long>> settable) {
+    var readers = new LinkedHashMap<String, Reader>();
+    settable.forEach((ob, classes) -> readers.put(String.valueOf(ob), priority(classes)));
+    return Table.mapping("an OB whose class can be set, " + Quoting.ranges(settable.keySet()) + ",", readers);
+  }
+
+  private static Reader priority(TreeSet<Long> classes) {
+    String expected = "a class " + classes.first() + ".." + classes.last() + " or " + DESELECTED + " (deselected)";
     return value -> {
-      if (value instanceof Long level && (level == Tables.DESELECTED || classes[0] <= level && level <= classes[1])) {
+      if (value instanceof Long level && (level == DESELECTED || classes.contains(level))) {
         return value;
       }
       throw new Unusable(expected, Quoting.quote(value));
     };
   }
 
-  private static Reader timesOfDay() {
+  private static Reader timesOfDay(TreeSet<Long> obs) {
     var readers = new LinkedHashMap<String, Reader>();
-    Tables.TIME_OF_DAY_OBS.forEach(ob -> readers.put(String.valueOf(ob), Header::timeOfDay));
-    return Table.mapping("an OB " + Quoting.ranges(Tables.TIME_OF_DAY_OBS), readers);
+    obs.forEach(ob -> readers.put(String.valueOf(ob), Header::timeOfDay));
+    return Table.mapping("an OB " + Quoting.ranges(obs), readers);
   }
 
-  private static Reader readings() {
-    var names = new TreeSet<>(Tables.READINGS.keySet());
+  private static Reader readings(TreeMap<String, TreeSet<String>> letters) {
     var readers = new LinkedHashMap<String, Reader>();
-    Tables.READINGS.forEach((name, letters) -> readers.put(name, Spellings.choice(letters)));
-    return Table.mapping("an ambiguity \"" + names.first() + "\"..\"" + names.last() + "\"", readers);
+    letters.forEach((name, those) -> readers.put(name, Spellings.choice(those)));
+    return Table.mapping("an ambiguity \"" + letters.firstKey() + "\"..\"" + letters.lastKey() + "\"", readers);
   }
 
   /** STEP 7's parameters of one time-of-day interrupt, defaults filled in. */
@@ -129,28 +135,28 @@ final class Header {
    *
    * @param file the file beside the log that may hold the letters of the profile; null if there is none
    */
-  static Fields read(Fields line, ProfileFile file) {
+  Fields read(Fields line, ProfileFile file) {
     Fields raw = withProfileFile(line, file);
     if (!raw.has("format") && raw.has(Events.EVENT)) {
       throw new Unusable("the header in the first line", "the event " + Quoting.quote(raw.get(Events.EVENT)));
     }
-    Fields given = HEADER.read(raw);
-    if (given.has(PRIORITY) && !Tables.FAMILIES_WITH_PRIORITIES.contains(given.get(CPU))) {
-      throw new Unusable("on S7-400 and CPU 318 only", "on " + given.get(CPU), PRIORITY);
+    Fields given = header.read(raw);
+    if (given.has(PRIORITY) && !settable.contains(given.get(CPU))) {
+      throw new Unusable("on " + String.join(" and ", settable) + " only", "on " + given.get(CPU), PRIORITY);
     }
-    var header = new Fields();
-    header.put(CPU, given.get(CPU));
-    header.put("obs", new ArrayList<>(new TreeSet<>((List<?>) given.get("obs"))));
-    header.put("clock", given.get("clock"));
-    header.put("mode", or(given, "mode", "STOP"));
-    header.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
-    header.put("cycle", or(given, "cycle", false));
-    header.put(PRIORITY, pairs(given.get(PRIORITY), true));
-    header.put("step7", given.get("step7") instanceof Fields step7 ? step7(step7.get("tod")) : List.of());
-    header.put(READINGS, pairs(given.get(READINGS), false));
-    header.put(PROFILE, or(given, PROFILE, ""));
-    header.put("records", or(given, "records", DEFAULT_KINDS));
-    return header;
+    var normalised = new Fields();
+    normalised.put(CPU, given.get(CPU));
+    normalised.put("obs", new ArrayList<>(new TreeSet<>((List<?>) given.get("obs"))));
+    normalised.put("clock", given.get("clock"));
+    normalised.put("mode", or(given, "mode", "STOP"));
+    normalised.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
+    normalised.put("cycle", or(given, "cycle", false));
+    normalised.put(PRIORITY, pairs(given.get(PRIORITY), true));
+    normalised.put("step7", given.get("step7") instanceof Fields step7 ? step7(step7.get("tod")) : List.of());
+    normalised.put(READINGS, pairs(given.get(READINGS), false));
+    normalised.put(PROFILE, or(given, PROFILE, ""));
+    normalised.put("records", or(given, "records", DEFAULT_KINDS));
+    return normalised;
   }
 
   private static List<Object> pairs(Object map, boolean ofNumbers) {
@@ -218,17 +224,17 @@ final class Header {
    * @param chosen {@code cpu}, {@code profile} and {@code readings}, an object, as far as they are other ones; a letter
    *     takes the place of the header's for this ambiguity
    */
-  static Fields chosen(Fields header, Fields chosen) {
+  Fields chosen(Fields normalised, Fields chosen) {
     for (String name : new String[] {CPU, PROFILE}) {
       if (chosen.has(name)) {
-        header.put(name, chosen.get(name));
+        normalised.put(name, chosen.get(name));
       }
     }
-    if (!Tables.FAMILIES_WITH_PRIORITIES.contains(header.get(CPU))) {
-      header.put(PRIORITY, List.of());
+    if (!settable.contains(normalised.get(CPU))) {
+      normalised.put(PRIORITY, List.of());
     }
     var letters = new Fields();
-    for (Object pair : (List<?>) header.get(READINGS)) {
+    for (Object pair : (List<?>) normalised.get(READINGS)) {
       letters.put((String) ((List<?>) pair).get(0), ((List<?>) pair).get(1));
     }
     if (chosen.get(READINGS) instanceof Fields others) {
@@ -236,6 +242,6 @@ final class Header {
         letters.put(others.name(i), others.value(i));
       }
     }
-    return header.put(READINGS, pairs(letters, false));
+    return normalised.put(READINGS, pairs(letters, false));
   }
 }

@@ -1,7 +1,6 @@
 package s7.log;
 
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * Reads one log, whose bytes come in pieces of any length: UTF-8, without a byte order mark. Memory stays constant.
@@ -20,6 +19,7 @@ public final class LogReader {
     void event(int line, Fields event);
   }
 
+  private final Format format;
   private final Taker taker;
   private final ProfileFile file;
   private final Json json = new Json();
@@ -34,7 +34,8 @@ public final class LogReader {
   /**
    * @param file the file that the header may name as its profile; null if there is none
    */
-  public LogReader(Taker taker, ProfileFile file) {
+  public LogReader(Format format, Taker taker, ProfileFile file) {
+    this.format = format;
     this.taker = taker;
     this.file = file;
   }
@@ -94,13 +95,11 @@ public final class LogReader {
     try {
       Fields object = json.read(bytes, from, to);
       if (clocks == null) {
-        Fields header = Header.read(object, file);
-        clocks = clocksOf(header);
+        Fields header = format.header(object, file);
+        clocks = Format.clocksOf(header);
         taker.header(header);
       } else {
-        Fields event = Events.read(object);
-        clocks.stamp(event);
-        taker.event(line, event);
+        taker.event(line, format.event(object, clocks));
       }
     } catch (Unusable wrong) {
       throw wrong.at(line);
@@ -114,27 +113,5 @@ public final class LogReader {
       }
     }
     return true;
-  }
-
-  /** The normalised header of a text, as the first line of a log has it. */
-  public static Fields header(byte[] text, ProfileFile file) {
-    return Header.read(Json.read(text), file);
-  }
-
-  /** A normalised header with other choices of {@code cpu}, {@code profile} and {@code readings}. */
-  public static Fields chosen(Fields header, Fields chosen) {
-    return Header.chosen(header, chosen);
-  }
-
-  /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
-  public static Fields event(byte[] text, Clocks clocks) {
-    Fields event = Events.read(Json.read(text));
-    clocks.stamp(event);
-    return event;
-  }
-
-  /** The clocks of a log with this normalised header, at its begin. */
-  public static Clocks clocksOf(Fields header) {
-    return new Clocks((Moment) header.get("clock"), ((List<?>) header.get("records")).contains("clock"));
   }
 }

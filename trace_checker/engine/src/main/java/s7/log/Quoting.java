@@ -1,5 +1,6 @@
 package s7.log;
 
+import java.util.Collection;
 import java.util.Iterator;
 import java.util.List;
 import java.util.TreeSet;
@@ -97,14 +98,12 @@ final class Quoting {
   }
 
   /** Such as {@code 1, 10-17, 80}. */
-  static String ranges(Iterable<Integer> numbers) {
-    var sorted = new TreeSet<Integer>();
-    numbers.forEach(sorted::add);
+  static String ranges(Collection<Long> numbers) {
     var text = new StringBuilder();
-    Iterator<Integer> rest = sorted.iterator();
-    for (Integer next = rest.next(); next != null; ) {
-      int first = next;
-      int last = first;
+    Iterator<Long> rest = new TreeSet<>(numbers).iterator();
+    for (Long next = rest.next(); next != null; ) {
+      long first = next;
+      long last = first;
       next = rest.hasNext() ? rest.next() : null;
       while (next != null && next == last + 1) {
         last++;

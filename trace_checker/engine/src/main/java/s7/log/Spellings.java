@@ -1,6 +1,7 @@
 package s7.log;
 
 import java.util.Arrays;
+import java.util.Collection;
 
 /** The spellings of single values. */
 final class Spellings {
@@ -53,9 +54,13 @@ final class Spellings {
 
   /** One of these strings. */
   static Reader choice(String... allowed) {
+    return choice(Arrays.asList(allowed));
+  }
+
+  static Reader choice(Collection<String> allowed) {
     String expected = "\"" + String.join("\" or \"", allowed) + "\"";
     return value -> {
-      if (value instanceof String && Arrays.asList(allowed).contains(value)) {
+      if (value instanceof String text && allowed.contains(text)) {
         return value;
       }
       throw new Unusable(expected, Quoting.quote(value));

@@ -1,5 +1,6 @@
 package s7.trace;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -10,6 +11,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import s7.log.Fields;
+import s7.log.Format;
 import tla.eval.State;
 import tla.eval.Way;
 import tla.json.Json;
@@ -41,6 +43,7 @@ final class Contract {
     INIT("Init", 0),
     NO_HEADER("NoHeader", 0),
     NO_EVENT("NoEvent", 0),
+    WORDS("Words", 0),
     ALTERNATIVES("Alternatives", 0),
     NOT_COVERED("NotCovered", 1),
     BEGIN("Begin", 1),
@@ -150,6 +153,7 @@ final class Contract {
   private final Records records;
   private final int kindPlace;
   private final Way alone;
+  private Format format;
 
   /**
    * @throws IllegalStateException if the specification has no NoEvent
@@ -198,9 +202,23 @@ final class Contract {
     return Values.field(event, KIND.get(0));
   }
 
-  /** The values that a header may ask for. */
-  JsonElement alternatives() {
-    return Values.toJson(value(Operator.ALTERNATIVES, blank));
+  /** The words of a log, as {@link #format} has them, with what else the specification tells of them. */
+  JsonObject alternatives() {
+    JsonObject all = words();
+    Values.toJson(value(Operator.ALTERNATIVES, blank)).getAsJsonObject().asMap().forEach(all::add);
+    return all;
+  }
+
+  private JsonObject words() {
+    return Values.toJson(value(Operator.WORDS, blank)).getAsJsonObject();
+  }
+
+  /** How a log is read. */
+  Format format() {
+    if (format == null) {
+      format = new Format(Fields.of(words().toString().getBytes(StandardCharsets.UTF_8)));
+    }
+    return format;
   }
 
   /**

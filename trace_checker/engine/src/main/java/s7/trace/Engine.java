@@ -42,7 +42,7 @@ import util.ToolIO;
  *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is {@code unusable}.
- *   <li>{@code {"message":"alternatives"}} asks, between two logs, which values a header may have.
+ *   <li>{@code {"message":"alternatives"}} asks, between two logs, which words a log may have.
  *   <li>{@code {"message":"open","session":NAME,"header":TEXT}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
  *   <li>{@code {"message":"decisions"}} asks, between two logs, for the decisions of the specification.
@@ -185,6 +185,7 @@ public final class Engine {
     unusable = false;
     reader =
         new LogReader(
+            spec.format(),
             new LogReader.Taker() {
               @Override
               public void header(Fields header) {
@@ -215,6 +216,7 @@ public final class Engine {
     var events = new JsonArray();
     var reading =
         new LogReader(
+            spec.format(),
             new LogReader.Taker() {
               @Override
               public void header(Fields header) {
@@ -269,9 +271,9 @@ public final class Engine {
   }
 
   /** A header with the choices of a message. */
-  private static Fields chosen(Fields header, JsonObject message) {
+  private Fields chosen(Fields header, JsonObject message) {
     return message.has("chosen")
-        ? LogReader.chosen(header, Fields.of(message.get("chosen").toString().getBytes(StandardCharsets.UTF_8)))
+        ? spec.format().chosen(header, Fields.of(message.get("chosen").toString().getBytes(StandardCharsets.UTF_8)))
         : header;
   }
 

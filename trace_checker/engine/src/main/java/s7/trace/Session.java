@@ -19,7 +19,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import s7.log.Clocks;
 import s7.log.Fields;
-import s7.log.LogReader;
+import s7.log.Format;
 import tla.eval.State;
 import tla.json.Json;
 import tla.json.Values;
@@ -53,7 +53,7 @@ final class Session {
   Session(Contract spec, Fields header) {
     this.spec = spec;
     after.add(new Explanation(spec, Json.of(header.toString())));
-    clocks.add(LogReader.clocksOf(header));
+    clocks.add(Format.clocksOf(header));
   }
 
   private Session(Session other) {
@@ -95,7 +95,7 @@ final class Session {
   Explanation.Refusal feed(byte[] line) {
     Clocks then = next();
     Explanation next = last().branch();
-    Explanation.Refusal refusal = next.observe(spec.event(LogReader.event(line, then)));
+    Explanation.Refusal refusal = next.observe(spec.event(spec.format().event(line, then)));
     if (refusal == null) {
       after.add(next);
       clocks.add(then);
@@ -105,7 +105,7 @@ final class Session {
 
   /** What {@link #feed} would return; the log stays as it is. */
   Explanation.Refusal judge(byte[] line) {
-    RecordValue event = spec.event(LogReader.event(line, next()));
+    RecordValue event = spec.event(spec.format().event(line, next()));
     return last().branch().observe(event);
   }
 
@@ -113,7 +113,7 @@ final class Session {
   List<Value> timeless(List<byte[]> lines) {
     var events = new ArrayList<Value>();
     for (byte[] line : lines) {
-      events.add(spec.event(LogReader.event(line, next()).without(Contract.OF_TIME)));
+      events.add(spec.event(spec.format().event(line, next()).without(Contract.OF_TIME)));
     }
     return events;
   }
@@ -153,7 +153,7 @@ final class Session {
   /** The situations just before the line, of the states that allow it, at most {@code most}. */
   JsonArray before(byte[] line, int most) {
     try {
-      RecordValue event = spec.event(LogReader.event(line, next()));
+      RecordValue event = spec.event(spec.format().event(line, next()));
       var all = new LinkedHashSet<JsonElement>();
       for (State state : last().closure(last().arrivals(event), event)) {
         if (all.size() < most && !spec.observe(state, event).isEmpty()) {
@@ -220,7 +220,7 @@ final class Session {
       endless = times.endless();
       ordered = times.all();
     } else {
-      ordered = List.of(new Times.Time(spec.timeOf(spec.event(LogReader.event(question.when, next())))));
+      ordered = List.of(new Times.Time(spec.timeOf(spec.event(spec.format().event(question.when, next())))));
     }
     Set<Value> offers = offers(question, now);
     var found = new LinkedHashMap<Value, ArrayDeque<Offer>>();

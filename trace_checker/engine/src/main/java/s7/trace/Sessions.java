@@ -10,7 +10,6 @@ import java.util.Set;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import s7.log.LogReader;
 import s7.log.Unusable;
 
 /**
@@ -64,7 +63,7 @@ final class Sessions {
   private void fill(JsonObject answer, String message, JsonObject json) {
     String name = json.get("session").getAsString();
     if ("open".equals(message)) {
-      var session = new Session(spec, LogReader.header(text(json, "header"), Engine.file(json)));
+      var session = new Session(spec, spec.format().header(text(json, "header"), Engine.file(json)));
       open.put(name, session);
       answer.addProperty(CLOCK, session.clock());
       return;

@@ -1,0 +1,48 @@
+package s7.log;
+
+import java.util.List;
+
+/** The format of a log: how its header and its events are read. */
+public final class Format {
+  private final Header header;
+  private final Events events;
+
+  /**
+   * @param words {@code Words} of the specification
+   */
+  public Format(Fields words) {
+    var known = new Words(words);
+    header = new Header(known);
+    events = new Events(known);
+  }
+
+  /** The normalised header of a text, as the first line of a log has it. */
+  public Fields header(byte[] text, ProfileFile file) {
+    return header(Json.read(text), file);
+  }
+
+  Fields header(Fields line, ProfileFile file) {
+    return header.read(line, file);
+  }
+
+  /** A normalised header with other choices of {@code cpu}, {@code profile} and {@code readings}. */
+  public Fields chosen(Fields normalised, Fields chosen) {
+    return header.chosen(normalised, chosen);
+  }
+
+  /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
+  public Fields event(byte[] text, Clocks clocks) {
+    return event(Json.read(text), clocks);
+  }
+
+  Fields event(Fields line, Clocks clocks) {
+    Fields event = events.read(line);
+    clocks.stamp(event);
+    return event;
+  }
+
+  /** The clocks of a log with this normalised header, at its begin. */
+  public static Clocks clocksOf(Fields header) {
+    return new Clocks((Moment) header.get("clock"), ((List<?>) header.get("records")).contains("clock"));
+  }
+}

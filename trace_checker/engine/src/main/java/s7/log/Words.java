@@ -1,0 +1,57 @@
+package s7.log;
+
+import java.util.List;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/** The names and numbers that a log may have in certain places, as the specification tells them. */
+final class Words {
+  final List<String> families;
+
+  /** The families whose priority classes can be set. */
+  final List<String> settable;
+
+  final List<String> profiles;
+
+  /** Ambiguity -> the letters of its readings. */
+  final TreeMap<String, TreeSet<String>> letters;
+
+  final TreeSet<Long> obs;
+  final TreeSet<Long> timeOfDayObs;
+
+  /** OBs that an interrupt line may name. */
+  final TreeSet<Long> externalObs;
+
+  /** The OBs of these whose interrupt line carries a fault id. */
+  final TreeSet<Long> faultyObs;
+
+  /** OB -> the priority classes it can be given. */
+  final TreeMap<Long, TreeSet<Long>> classes;
+
+  Words(Fields words) {
+    families = list(words.get("families"));
+    settable = list(words.get("settable"));
+    profiles = list(words.get("profiles"));
+    letters = map(words.get("choices"));
+    obs = new TreeSet<>(Words.<Long>list(words.get("obs")));
+    timeOfDayObs = new TreeSet<>(Words.<Long>list(words.get("tod_obs")));
+    externalObs = new TreeSet<>(Words.<Long>list(words.get("external")));
+    faultyObs = new TreeSet<>(Words.<Long>list(words.get("faulty")));
+    classes = map(words.get("classes"));
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <T> List<T> list(Object list) {
+    return (List<T>) list;
+  }
+
+  private static <K, V> TreeMap<K, TreeSet<V>> map(Object pairs) {
+    var map = new TreeMap<K, TreeSet<V>>();
+    for (List<Object> pair : Words.<List<Object>>list(pairs)) {
+      @SuppressWarnings("unchecked")
+      var key = (K) pair.get(0);
+      map.put(key, new TreeSet<>(Words.<V>list(pair.get(1))));
+    }
+    return map;
+  }
+}
