@@ -53,12 +53,15 @@ ErrorsOf(again) ==
     { [TimeError(f, {}, again.ob, again.word) EXCEPT !.open = TRUE]
       : f \in {StillRunning, BufferOverflow} }
 
+(* The errors that OB 80 may run for. *)
+\* @type: Set($request) => Set($request);
+WithObToRun(errors) ==
+    IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {} ELSE errors
+
 (* There may be a time error, the OB may run again, or nothing happens. *)
 \* @type: $request => Set($request);
 LeftOpen(again) ==
-    { [again EXCEPT !.open = TRUE] }
-      \cup (IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {}
-            ELSE ErrorsOf(again))
+    { [again EXCEPT !.open = TRUE] } \cup WithObToRun(ErrorsOf(again))
 
 (* The first open request of each of these OBs is confirmed. *)
 \* @type: (Set($request), Set(Int)) => Set($request);
@@ -76,11 +79,14 @@ EnterAmongOpen(new) ==
       Enter(Withdraw(requests, new.ob), new) }
 
 (* [OBS-22] Without OB 80 the time error, if it is one, stops the CPU.     *)
-\* @type: $request => Bool;
-MayStop(new) ==
-    \E error \in ErrorsOf(new) :
+\* @type: Set($request) => Bool;
+StopBy(errors) ==
+    \E error \in errors :
       /\ TimeErrorStops(error)
       /\ TimeErrorOccurs(requests, requests, [error EXCEPT !.open = FALSE])
+
+\* @type: $request => Bool;
+MayStop(new) == StopBy(ErrorsOf(new))
 
 \* @type: $request => Bool;
 AnyEffect(new) ==
@@ -196,18 +202,20 @@ Occurs(new) ==
 (* Start events from outside *)
 
 (* [AMB-67] In HOLD, and in STARTUP unless it is an error, an event waits  *)
-(* for RUN, is lost, or either.                                            *)
+(* for RUN, is lost, or either. What waits may fill a buffer [AMB-18].     *)
 \* @type: $request => Bool;
 OutsideRun(new) ==
     IF OutsideRunEventsAreLost THEN Nothing
-    ELSE LET again == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
-             kept  == IF again THEN LeftOpen(new)
-                      ELSE {[new EXCEPT !.open = OutsideRunEventsAreOpen]}
-             shown == (IF new.fault = 0 THEN {} ELSE {new})
-                        \cup (IF again THEN ErrorsOf(new) ELSE {})
-         IN  /\ requests' = EnterAll(requests, kept)
-             /\ UNCHANGED stopCause
-             /\ entered' = OpenEntries(shown)
+    ELSE LET again  == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
+             errors == { e \in ErrorsOf(new) :
+                           \/ again
+                           \/ MayOverflow(new) /\ e.fault = BufferOverflow }
+             run    == [new EXCEPT !.open = again \/ OutsideRunEventsAreOpen]
+             shown  == (IF new.fault = 0 THEN {} ELSE {new}) \cup errors
+         IN  \/ /\ requests' = EnterAll(requests, {run} \cup WithObToRun(errors))
+                /\ UNCHANGED stopCause
+                /\ entered' = OpenEntries(shown)
+             \/ mode = "STARTUP" /\ StopBy(errors)
 
 \* @type: Int => Bool;
 KeptFromRunning(o) ==
