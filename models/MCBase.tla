@@ -47,6 +47,8 @@ CallRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed, 1}
 DintRetVals == {OK, BadOb, BadDtime, NotStarted}
 IrtRetVals == {OK, BadOb, BadMode}
 AirtRetVals == {0, 1, 2, 3, 4, NotDelayed}
+(* General errors of some parameters; of parameter 0 there is none.        *)
+GeneralRetVals == {0, 1, NotDelayed, \h8022, \h8122, \h8146, \h8F7F}
 TodStatusWords == {-1, 0, 1, 2, 4, 5, 16, 17, 20, 21, 32, 64}
 DintStatusWords == {-1, 0, 2, 4, 5, 16, 20, 21, 32}
 IrtStatusWords == {-1, 0, 16, 18, 20, 22}

@@ -82,10 +82,14 @@ StatusAgrees ==
     /\ Holds("AMB-60", "c", {"b", "c"}, PastStart \in ActAnswersWhenCalled(10))
     /\ Holds("AMB-68", "c", {"a", "c"}, 4 \in BitOfEndedSeries)
     /\ Holds("AMB-68", "c", {"b", "c"}, 0 \in BitOfEndedSeries)
-    /\ Holds("AMB-04", "a", {"b"}, StatusWithBit2(10, {4}) = {36})
-    /\ Holds("AMB-04", "a", {"a", "c"}, StatusWithBit2(10, {4}) = {4})
+    /\ Holds("AMB-04", "a", {"b"}, 36 \in StatusWithBit2(10, {4}))
+    /\ Holds("AMB-82", "a", {"b"}, 12 \in StatusWithBit2(10, {4}))
+    /\ Holds("AMB-80", "a", {"b", "local"}, 68 \in StatusWithBit2(10, {4}))
+    /\ Holds("AMB-80", "a", {"local"}, 4 \notin StatusWithBit2(10, {4}))
+         \/ Bit5MeansNoTest
+    /\ StatusWithBit2(20, {0}) \subseteq {0, 8, 32}
     /\ \E s \in StatusWithBit2(17, {0}) : s % 2 = 1
-    /\ Holds("AMB-03", "a", {"a"},
+    /\ Holds("AMB-03", "a", {"a", "d"},
              \E s \in StatusWithBit2(17, {0}) : s % 2 = 0)
 
 (* [IRT-12] [IRT-13] SFC 39 and 40. *)
@@ -114,12 +118,16 @@ BlockingAgrees ==
 (* [TINT-25] [TINT-06] Execution of STEP 7. *)
 ConfiguredAgrees ==
     /\ \A p \in PeriodTable :
-         p[1] # "weekly" => PeriodOf(p[1]) = p[2]
-    /\ Holds("AMB-01", "c", {"b"}, PeriodOf("weekly") = \h1202)
-    /\ Holds("AMB-01", "c", {"a", "c"}, PeriodOf("weekly") = \h1201)
-    /\ Configured(NotConfigured) = NoSetting
+         p[1] # "weekly" => PeriodOf(Activated(p[1], 0), NoPeriod) = p[2]
+    /\ LET weekly == PeriodOf(Activated("weekly", 0), NoPeriod)
+       IN  /\ Holds("AMB-01", "c", {"b"}, weekly = \h1202)
+           /\ Holds("AMB-01", "c", {"a", "c"}, weekly = \h1201)
+    /\ Configured(NotConfigured, NoPeriod) = NoSetting
     /\ Holds("AMB-62", "a", {"b"},
-             Configured([NotConfigured EXCEPT !.start = Six]).set)
+             Configured([NotConfigured EXCEPT !.start = Six], NoPeriod).set)
+    /\ LET late == Activated("monthly", 8 * 1440)
+       IN  /\ PeriodOf(late, NoPeriod) = NoPeriod
+           /\ PeriodOf(late, MonthlyOrLast) = MonthlyOrLast
 
 (* The first point, from minute m on, of a series that starts at 06:00. *)
 \* @type: (Int, Int, Int) => Int;

@@ -67,4 +67,6 @@ Letter72b == ReadBy("AMB-72", "b")
 Letter73b == ReadBy("AMB-73", "b")
 Letter74b == ReadBy("AMB-74", "b")
 Letter76b == ReadBy("AMB-76", "b")
+Letter81b == ReadBy("AMB-81", "b")
+Letter86d == ReadBy("AMB-86", "d")
 =============================================================================

@@ -24,21 +24,22 @@ MCReadingSets ==
       \cup UNION { { [x \in {a} |-> letter] : letter \in Letters(a) }
                    : a \in Ambiguities }
       \cup { [x \in {"AMB-06"} |-> "delay"], [x \in {"AMB-38"} |-> "before"],
-             [x \in {"AMB-38"} |-> "after"] }
+             [x \in {"AMB-38"} |-> "after"], [x \in {"AMB-80"} |-> "base"],
+             [x \in {"AMB-80"} |-> "local"] }
 
 -----------------------------------------------------------------------------
 
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { "AMB-" \o d \o e : d, e \in Digits }
 
-(* 79 questions, a row each, of which no formula asks five. A default is a *)
-(* letter that a header may name. A profile names a letter where the       *)
+(* 86 questions, a row each, of which no formula asks eight. A default is *)
+(* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
-    /\ Cardinality(Questions) = 79
-    /\ Cardinality({ q[1] : q \in Questions }) = 79
+    /\ Cardinality(Questions) = 86
+    /\ Cardinality({ q[1] : q \in Questions }) = 86
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 79 - 5
+    /\ Cardinality(Ambiguities) = 86 - 8
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -131,7 +132,8 @@ SettingsInv ==
     /\ Holds("AMB-01", "c", {"b"}, OnlyPeriod1202IsWeekly)
     /\ Holds("AMB-01", "c", {"c"}, BothPeriodsAreWeekly)
     /\ Holds("AMB-02", "b", {"a"}, EveryPastStartIsRefused)
-    /\ Holds("AMB-03", "a", {"a"}, Bit0MeansStartup)
+    /\ Holds("AMB-03", "a", {"b", "c"}, Bit0ShowsDeselection)
+    /\ Holds("AMB-03", "a", {"d"}, Bit0IsZeroInStartup)
     /\ Holds("AMB-04", "a", {"b"}, Bit5MeansNoTest)
     /\ Holds("AMB-05", "a", {"a"}, MonthlyEndsWithDay28)
     /\ Holds("AMB-05", "a", {"c"}, MonthlyFallsOnLastDay)
@@ -171,6 +173,14 @@ SettingsInv ==
     /\ Holds("AMB-79", "c", {"b", "c"}, OddSecondsMayBeWrong)
          \/ SecondsAreKept
     /\ SecondsAreKept => OddSecondsMayBeWrong /\ ~OddSecondsMayPass
+    /\ Holds("AMB-80", "a", {"a", "base"}, ReferenceIsBaseTime)
+    /\ Holds("AMB-80", "a", {"local"}, ReferenceIsLocalTime)
+    /\ Holds("AMB-80", "a", {"b"}, Cardinality(CpusByReference(cpu)) = 2)
+    /\ Holds("AMB-81", "a", {"b"}, CallsMayFail)
+    /\ Holds("AMB-82", "a", {"b"}, Bit3IsOpen)
+    /\ Holds("AMB-86", "a", {"a", "d"}, Step7MayLeaveMonthsOut)
+    /\ Holds("AMB-86", "a", {"b", "d"}, Step7MayTakeLastDay)
+    /\ Holds("AMB-86", "a", {"c", "d"}, Step7MayNeverRun)
 
 ClockInv ==
     /\ Holds("AMB-15", "a", {"b"}, ActTintStopsCatchUp)

@@ -51,8 +51,16 @@ Answered(e, ret) ==
       [] e.event = "DIS_AIRT" -> DisAirt(ret)
       [] OTHER                -> EnAirt(ret)
 
+(* [AMB-81] A general error; where the answer is not in the log, one of    *)
+(* them stands for any.                                                    *)
+\* @type: $event => Set(Int);
+FailuresOf(e) == IF ~CallsMayFail THEN {}
+                 ELSE {IF IsGeneralError(e.ret) THEN e.ret ELSE \h8122}
+
 \* @type: $event => Bool;
-IsCall(e) == \E ret \in Given(e.ret, AnswersTo(e)) : Answered(e, ret)
+IsCall(e) ==
+    \E ret \in Given(e.ret, AnswersTo(e) \cup FailuresOf(e)) :
+      IF IsGeneralError(ret) THEN Fails(ret) ELSE Answered(e, ret)
 
 -----------------------------------------------------------------------------
 (* Starts, and events from outside *)

@@ -14,8 +14,7 @@
 (* forbids nothing.                                                        *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, fine point 9.                      *)
-(* Left out: the order of requests; info.time; entries of the diagnostic   *)
-(* buffer, except that of DIS_IRT.                                         *)
+(* Left out: the order of requests; info.time; entries, but of DIS_IRT.    *)
 (***************************************************************************)
 EXTENDS Lines
 
@@ -38,7 +37,7 @@ Marked(o) == \E r \in requests : r.ob = o
 
 (* STEP 7 may have set the interrupt again, at an unseen restart.          *)
 \* @type: Int => Bool;
-SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o]).set
+SetByStep7(o) == ~ModeKnown /\ Configured(cpu.step7[o], Monthly).set
 
 (* A one-shot interrupt may already have run; an unseen restart clears     *)
 (* every setting.                                                          *)
@@ -134,7 +133,7 @@ LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
-    StatusOf(IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
+    StatusOf(o, IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
              { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
              { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
              IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
@@ -153,12 +152,13 @@ TodAfterAnswer(e, ret) ==
 \* @type: $event => Bool;
 IsLooseAnswer(e) ==
     /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1}
-                  ELSE LooseAnswers(e) :
+                  ELSE LooseAnswers(e) \cup FailuresOf(e) :
          /\ e.ret \in {-1, ret}
          /\ tod'   = TodAfterAnswer(e, ret)
          /\ dint'  = IF e.event = "CAN_DINT" /\ ret = OK
                      THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
          /\ delay' = CASE Unseen("call") -> 0
+                       [] IsGeneralError(ret) -> delay
                        [] e.event = "DIS_AIRT" -> ret
                        [] e.event = "EN_AIRT" -> IF ret > 32767 THEN 0 ELSE ret
                        [] OTHER -> delay
@@ -281,7 +281,7 @@ LooseRestart(e) ==
     /\ RestartExists(e.type)
     /\ mode'  = IF ModeKnown THEN "STARTUP" ELSE "RUN"
     /\ startup' = e.type
-    /\ tod'   = [o \in TodObs |-> Configured(cpu.step7[o])]
+    /\ tod'   \in SettingsByStep7
     /\ dint' = NoJobs /\ irt' = NoneBlocked /\ delay' = 0
     /\ requests'  = RestartRequests
     /\ stopCause' = RestartStop
@@ -332,7 +332,7 @@ PassesPoint(t) ==
     /\ PassesMinute(t)
     /\ \E o \in MayBeDue \cap TodObs :
          \/ Unseen("call")
-         \/ \E s \in {tod[o], Configured(cpu.step7[o])} :
+         \/ \E s \in {tod[o]} \cup { set[o] : set \in SettingsByStep7 } :
               s.active /\ ~Before(t, [ min |-> PointFrom(s, clock.min),
                                       ms |-> s.offset ])
 

@@ -54,9 +54,9 @@ CpuOf(h) ==
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a past  *)
 (* moment has already run. A point that equals the clock may have been       *)
 (* reached or not.                                                           *)
-\* @type: ($header, Int, Int) => $tod;
-TodAtBegin(h, o, called) ==
-    LET t == Configured(CpuOf(h).step7[o])
+\* @type: ($header, Int, Int, Int) => $tod;
+TodAtBegin(h, o, monthly, called) ==
+    LET t == Configured(CpuOf(h).step7[o], monthly)
         n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
     IN  IF ~t.active THEN t
         ELSE IF h.mode = "RUN" /\ HasOnePoint(t.period) /\ n = Never
@@ -76,14 +76,15 @@ LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
 (* parameters are read.                                                      *)
 \* @type: $header => Bool;
 Begin(h) ==
-    /\ cpu'    \in CpusByLeapDay(CpuOf(h))
+    /\ cpu'    \in UNION { CpusByReference(c) : c \in CpusByLeapDay(CpuOf(h)) }
     /\ loaded' = h.obs
     /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
     /\ clock'  = h.clock
-    /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0} :
+    /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0},
+          monthly \in MonthlyPeriods' :
          tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
-                                   ELSE TodAtBegin(h, o, called)' ]
+                                   ELSE TodAtBegin(h, o, monthly, called)' ]
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'

@@ -68,13 +68,13 @@ SettingDataInv ==
     \A o \in TodObs :
       /\ tod[o].start \in 0..LastMinute
       /\ tod[o].offset = 0
-      /\ tod[o].period \in PeriodCodes
+      /\ tod[o].period \in Periods
       /\ IsPoint(tod[o].next)
       /\ tod[o].period = Once => tod[o].next \in {tod[o].start, Never}
       /\ \A i \in tod[o].served : IsRun(i.from, i.to)
       /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
                                     /\ i.start \in 0..LastMinute
-                                    /\ i.period \in PeriodCodes
+                                    /\ i.period \in Periods
       /\ tod[o].repeatTo >= -1
 
 (* [CLK-09] [CLK-10] Only a CPU that does not serve a point again remembers. *)

@@ -16,6 +16,9 @@ EXTENDS PropertiesObs, PropertiesAirt, PropertiesModes, PropertiesTod,
 \* @type: $moment => Bool;
 IsMoment(t) == t.min \in 0..LastMinute /\ t.ms \in 0..59999
 
+(* The codes, and those of settings of STEP 7 that are no codes [AMB-86].  *)
+Periods == PeriodCodes \cup LateMonthlies
+
 TypeInv ==
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
@@ -23,7 +26,7 @@ TypeInv ==
     /\ DOMAIN tod = TodObs
     /\ \A o \in TodObs :
          /\ tod[o].start \in 0..LastMinute
-         /\ tod[o].period \in PeriodCodes
+         /\ tod[o].period \in Periods
          /\ tod[o].next = Never \/ tod[o].next \in 0..LastMinute
     /\ \A r \in requests : r.rank >= 1 /\ r.class \in 1..29
     /\ delay >= 0

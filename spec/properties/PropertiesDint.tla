@@ -55,8 +55,9 @@ QryDintProp ==
               bit(n) == (status \div n) % 2 = 1
           IN  /\ step'.value = 0 => o \in DintObs
               /\ step'.value = 0 /\ status # -1 =>
-                   /\ status < 32 /\ ~bit(8)
-                   /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
+                   /\ status < 32 /\ (bit(8) => Bit3IsOpen)
+                   /\ \/ Deselected(o)
+                      \/ bit(1) <=> mode = "STARTUP" /\ ~Bit0IsZeroInStartup
                    /\ bit(2) <=> o \in irt.blocked
                    /\ dint[o].started => bit(4)
                    /\ bit(4) => \/ dint[o].started

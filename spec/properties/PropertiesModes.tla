@@ -78,6 +78,14 @@ PeriodTable ==
       <<"monthly", \h1401>>, <<"yearly", \h1801>>,
       <<"end_of_month", \h2001>> }
 
+(* [AMB-86] Monthly on a day that not every month has, as STEP 7 sets it:  *)
+(* months are left out; in short months the last day; or no point at all.  *)
+\* @type: Int => Bool;
+LateMonthly(period) == CASE period = Monthly       -> Step7MayLeaveMonthsOut
+                         [] period = MonthlyOrLast -> Step7MayTakeLastDay
+                         [] period = NoPeriod      -> Step7MayNeverRun
+                         [] OTHER                  -> FALSE
+
 (* [TINT-04] [TINT-06] [TINT-07] [OBS-50] [OBS-52] [OBS-54] [OBS-55]       *)
 (* Before the startup OB begins, only the settings of STEP 7 hold, and     *)
 (* only a one-shot interrupt of the past waits [OBS-56]. A deselected OB   *)
@@ -92,7 +100,10 @@ RestartProp ==
                    /\ tod'[o].active <=> s.execution # "none" /\ s.active
                    /\ s.execution # "none" =>
                         /\ tod'[o].start = s.start
-                        /\ <<s.execution, tod'[o].period>> \in PeriodTable
+                        /\ IF s.execution = "monthly"
+                              /\ DayOf(s.start \div 1440) > 28
+                           THEN LateMonthly(tod'[o].period)
+                           ELSE <<s.execution, tod'[o].period>> \in PeriodTable
                    /\ PendingIn(requests', o) <=>
                         /\ s.execution = "once" /\ s.active /\ ~Deselected(o)
                         /\ Before(At(s.start), clock)

@@ -77,10 +77,11 @@ ContentProp ==
 WordProp ==
     [][ \A r \in Fresh :
           /\ r.ob \in TodObs =>
-               r.word = (IF Did("restart") THEN Once ELSE tod[r.ob].period)
+               r.word = (IF Did("restart") THEN Once
+                         ELSE ShownPeriod(tod[r.ob].period))
           /\ r.ob \in DintObs => r.word = dint[r.ob].sign
           /\ r.ob = TimeErrorOb /\ r.cause \in TodObs =>
-               r.word = tod[r.cause].period
+               r.word = ShownPeriod(tod[r.cause].period)
           /\ r.ob = TimeErrorOb /\ r.cause \in DintObs =>
                r.word = dint[r.cause].sign
           /\ r.ob = ProgramErrorOb /\ r.cause # 0 =>

@@ -136,6 +136,16 @@ ErrorChangesNothingProp ==
              /\ step'.value # 0
         => UNCHANGED cpuVars ]_vars
 
+(* [TINT-22] [AMB-81] A general error names a parameter, and its call has   *)
+(* no effect.                                                              *)
+GeneralErrorProp ==
+    [][ Did("fails") =>
+          /\ CallsMayFail
+          /\ stack # <<>> /\ mode \in {"RUN", "STARTUP"}
+          /\ step'.value % 256 \in {127} \cup 34..69
+          /\ step'.value \div 256 \in 129..143
+          /\ UNCHANGED cpuVars /\ entered' = {} ]_vars
+
 (* [TINT-70] *)
 QueryProp ==
     [][ Did("QRY_TINT") =>
@@ -151,9 +161,12 @@ StatusProp ==
               status == step'.operand
               bit(n) == (status \div n) % 2 = 1
           IN  /\ o \in TodObs
-              /\ status < 32 /\ ~bit(8)
+              /\ status < 128 /\ ~bit(32)
+              /\ bit(8) => Bit3IsOpen  \* [AMB-82]
+              /\ bit(64) => ~ReferenceIsBaseTime  \* [AMB-80]
               /\ bit(2) <=> o \in irt.blocked  \* [TINT-73] [IRT-17]
-              /\ Deselected(o) \/ (bit(1) <=> mode = "STARTUP")
+              /\ \/ Deselected(o)
+                 \/ bit(1) <=> mode = "STARTUP" /\ ~Bit0IsZeroInStartup
               /\ bit(4) => tod[o].active
               /\ tod[o].active /\ tod[o].next # Never => bit(4)
               /\ bit(16) <=> o \in loaded ]_vars

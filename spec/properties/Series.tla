@@ -26,6 +26,10 @@ OnSeries(start, period, m) ==
              [] period = \h1001 -> TRUE
              [] period \in {\h1201, \h1202} -> since % Minutes(7) = 0
              [] period = \h1401 -> DayOf(today) = DayOf(first)
+             [] period = MonthlyOrLast -> \/ DayOf(today) = DayOf(first)
+                                          \/ /\ DayOf(today) < DayOf(first)
+                                             /\ DayOf(today + 1) = 1
+             [] period = NoPeriod -> FALSE
              [] period = \h1801 -> /\ DayOf(today) = DayOf(first)
                                    /\ MonthOf(today) = MonthOf(first)
              [] OTHER           -> DayOf(today + 1) = 1
@@ -50,7 +54,8 @@ Longest(start, period) ==
 \* @type: (Int, Int, Int, Int) => Bool;
 IsFirst(start, period, p, m) ==
     LET from == IF m < start THEN start ELSE m
-    IN  IF p = Never
+    IN  IF period = NoPeriod THEN p = Never
+        ELSE IF p = Never
         THEN /\ from + Longest(start, period) > LastMinute
              /\ \A q \in from..LastMinute : ~OnSeries(start, period, q)
         ELSE /\ OnSeries(start, period, p)

@@ -166,7 +166,7 @@ Situation ==
       pending  |-> { WaitingAs(r) : r \in requests },
       tod      |-> { [ ob |-> o,
                        active |-> tod[o].active,
-                       period |-> tod[o].period,
+                       period |-> ShownPeriod(tod[o].period),
                        start  |-> FirstMoment(tod[o]),
                        next   |-> NextMoment(tod[o]),
                        armed  |-> tod[o].active /\ tod[o].next # Never ]

@@ -55,9 +55,19 @@ IrtRequirements(e, ret) ==
       [] ret = BadOb   -> {"IRT-11", "IRT-12"}
       [] OTHER         -> {"IRT-22"}
 
+(* A general error code. *)
+\* @type: $event => Set(Str);
+GeneralRequirements(e) ==
+    {"AMB-81"} \cup
+      CASE e.event \in {"DIS_AIRT", "EN_AIRT"}              -> {"AIRT-16"}
+        [] e.event \in {"DIS_IRT", "EN_IRT"}                -> {"IRT-22"}
+        [] e.event \in {"SRT_DINT", "CAN_DINT", "QRY_DINT"} -> {"DINT-21"}
+        [] OTHER                                            -> {"TINT-22"}
+
 \* @type: ($event, Int) => Set(Str);
 AnswerRequirements(e, ret) ==
-    CASE e.event = "SET_TINT" -> SetRequirements(e, ret)
+    CASE IsGeneralError(ret) -> GeneralRequirements(e)
+      [] e.event = "SET_TINT" -> SetRequirements(e, ret)
       [] e.event = "CAN_TINT" ->
            IF ret = OK THEN {"TINT-50", "TINT-52"} ELSE {"TINT-51"}
       [] e.event = "ACT_TINT" -> ActRequirements(e, ret)
@@ -125,10 +135,10 @@ WrongBits(e, right, past) ==
                \cup When(tods /\ wrong(2), {"TINT-73"})
                \cup When(tods /\ wrong(4),
                          {"TINT-74"} \cup ActiveRequirements(e.ob, past))
-               \cup When(tods /\ wrong(8), {"TINT-75"})
+               \cup When(tods /\ wrong(8), {"TINT-75", "AMB-82"})
                \cup When(tods /\ wrong(16), {"TINT-76"})
                \cup When(tods /\ wrong(32), {"TINT-77"})
-               \cup When(tods /\ wrong(64), {"TINT-78"})
+               \cup When(tods /\ wrong(64), {"TINT-78", "AMB-80"})
                \cup When(tods /\ e.status >= 128, {"TINT-79"})
                \cup When(~tods, {"DINT-16"})
                \cup When(~tods /\ wrong(4), StartedRequirements(e.ob, past))

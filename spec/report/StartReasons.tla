@@ -135,8 +135,10 @@ Step7Requirements(o, past) ==
 \* @type: (Int, Int, Seq($event)) => Set(Str);
 SeriesRequirements(o, period, past) ==
     LET set == LastWith(past, {"SET_TINT"}, o)
+        late == OnLateDay(cpu.step7[o]) /\ LastOf(past, {"restart"}) >= set
     IN  {"TINT-32"}
-          \cup (CASE period = Hourly     -> {"TINT-34"}
+          \cup (CASE late                -> {"AMB-86"}
+                  [] period = Hourly     -> {"TINT-34"}
                   [] period = EndOfMonth -> {"TINT-19"}
                   [] period = Monthly    -> {"TINT-18"}
                   [] OTHER               -> {"TINT-24"})

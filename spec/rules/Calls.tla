@@ -4,7 +4,8 @@
 (* possible answers, the STATUS of SFC 31 and SFC 34 (sections 1.5, 2,     *)
 (* 7.4).                                                                   *)
 (*                                                                         *)
-(* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22].        *)
+(* Left out: what earns a general error code [TINT-22]: faults of          *)
+(* addressing, which no call of a log can express.                         *)
 (***************************************************************************)
 EXTENDS Codes, Cpu, Readings
 
@@ -29,20 +30,30 @@ Answers(o, errors) ==
            [] DeselectedIsOrdinary -> Usual(errors)
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
-(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB with these values of   *)
-(* its bits. No test function is active [AMB-04]. The clock is base time,  *)
-(* bit 6. A delay by SFC 41 does not show [AIRT-13].                       *)
-\* @type: (Set(Int), Set(Int), Set(Int), Set(Int)) => Set(Int);
-StatusOf(bit0, bit1, bit2, bit4) ==
-    { a + b + c + d + (IF Bit5MeansNoTest THEN 32 ELSE 0)
-      : a \in bit0, b \in bit1, c \in bit2, d \in bit4 }
+(* [TINT-22] The second digit is the number of the wrong parameter.        *)
+\* @type: Int => Bool;
+IsGeneralError(ret) == /\ ret \in \h8100..\h8FFF
+                       /\ ret % 256 \in {\h7F} \cup (\h22..\h45)
+
+(* [AMB-81] A call that answers a general error has no effect.             *)
+\* @type: Int => Bool;
+Fails(ret) ==
+    /\ CallsMayFail
+    /\ Called
+    /\ IsGeneralError(ret)
+    /\ NothingEntered
+    /\ UNCHANGED cpuVars
+
+-----------------------------------------------------------------------------
+(* STATUS *)
 
 (* [TINT-72] By default bit 0 of a deselected OB in RUN is not judged      *)
 (* [AMB-03].                                                               *)
 \* @type: Int => Set(Int);
-StartupBit(o) == IF mode = "STARTUP" THEN {1}
-                 ELSE IF ~Deselected(o) THEN {0}
-                 ELSE IF Bit0MeansStartup THEN {0, 1} ELSE {1}
+StartupBit(o) ==
+    LET bit == IF mode = "STARTUP" /\ ~Bit0IsZeroInStartup THEN 1 ELSE 0
+    IN  IF ~Deselected(o) THEN {bit}
+        ELSE IF Bit0ShowsDeselection THEN {1} ELSE {bit, 1}
 
 (* [TINT-73] *)
 \* @type: Int => Set(Int);
@@ -52,8 +63,27 @@ BlockedBit(o) == {IF Blocked(o) THEN 2 ELSE 0}
 \* @type: Int => Set(Int);
 LoadedBit(o) == {IF o \in loaded THEN 16 ELSE 0}
 
+(* [TINT-75] [AMB-82] *)
+Bit3 == IF Bit3IsOpen THEN {0, 8} ELSE {0}
+
+(* [TINT-77] No test function blocks an OB here [AMB-04].                  *)
+Bit5 == IF Bit5MeansNoTest THEN 32 ELSE 0
+
+(* [TINT-78] [AMB-80] SFC 34 has no such bit [DINT-16]. *)
+\* @type: Int => Set(Int);
+ReferenceBit(o) == IF o \notin TodObs \/ ReferenceIsBaseTime THEN {0}
+                   ELSE IF ReferenceIsLocalTime THEN {64} ELSE {0, 64}
+
+(* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB with these values of   *)
+(* bits 0, 1, 2 and 4. A delay by SFC 41 does not show [AIRT-13].          *)
+\* @type: (Int, Set(Int), Set(Int), Set(Int), Set(Int)) => Set(Int);
+StatusOf(o, bit0, bit1, bit2, bit4) ==
+    { a + b + c + d + e + f + Bit5
+      : a \in bit0, b \in bit1, c \in bit2, d \in Bit3, e \in bit4,
+        f \in ReferenceBit(o) }
+
 (* bit2: its possible values.                                              *)
 \* @type: (Int, Set(Int)) => Set(Int);
 StatusWithBit2(o, bit2) ==
-    StatusOf(StartupBit(o), BlockedBit(o), bit2, LoadedBit(o))
+    StatusOf(o, StartupBit(o), BlockedBit(o), bit2, LoadedBit(o))
 =============================================================================

@@ -3,8 +3,8 @@
 (* The words that the program and the CPU exchange: RET_VAL codes, PERIOD  *)
 (* codes, fault ids and event ids (tables 7.2 to 7.6).                     *)
 (*                                                                         *)
-(* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22]; they   *)
-(* answer faults of addressing that no call of a log can express.          *)
+(* Left out: the general error codes 8x7F and 8x22..8x45 [TINT-22]         *)
+(* (Calls).                                                                *)
 (***************************************************************************)
 EXTENDS Integers
 
@@ -40,10 +40,10 @@ Monthly    == \h1401
 Yearly     == \h1801
 EndOfMonth == \h2001
 
-(* [AMB-05] (c) Not a code of the CPU: monthly, in shorter months on the   *)
-(* last day.                                                               *)
+(* [AMB-05] (c) [AMB-86] (b) Not a code of the CPU: monthly, in shorter    *)
+(* months on the last day.                                                 *)
 MonthlyOrLast == -1
-(* [AMB-62] (b) Nor this: set, without a point. *)
+(* [AMB-62] (b) [AMB-86] (c) Nor this: set, without a point. *)
 NoPeriod == -2
 (* [AMB-38] (c) Nor these: yearly, in common years on February 28 or on    *)
 (* March 1 for February 29.                                                *)

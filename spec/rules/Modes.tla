@@ -8,23 +8,35 @@
 (***************************************************************************)
 EXTENDS StartPoints, TimeDelay
 
-(* The execution of a STEP 7 parameter set as a PERIOD [TINT-25] [AMB-01]. *)
-\* @type: Str => Int;
-PeriodOf(execution) ==
-    CASE execution = "minute"  -> Minutely
-      [] execution = "hourly"  -> Hourly
-      [] execution = "daily"   -> Daily
-      [] execution = "weekly"  ->
+(* [AMB-86] A monthly interrupt on a day that not every month has, and     *)
+(* what may become of those that STEP 7 sets.                              *)
+\* @type: $step7 => Bool;
+OnLateDay(s) == s.execution = "monthly" /\ DayOf(s.start \div MinutesADay) > 28
+LateMonthlies ==
+    (IF Step7MayLeaveMonthsOut THEN {Monthly} ELSE {})
+      \cup (IF Step7MayTakeLastDay THEN {MonthlyOrLast} ELSE {})
+      \cup (IF Step7MayNeverRun THEN {NoPeriod} ELSE {})
+MonthlyPeriods == IF \E o \in TodObs : OnLateDay(cpu.step7[o])
+                  THEN LateMonthlies ELSE {Monthly}
+
+(* The execution of a STEP 7 parameter set as a PERIOD [TINT-25] [AMB-01]; *)
+(* monthly: that of a late day.                                            *)
+\* @type: ($step7, Int) => Int;
+PeriodOf(s, monthly) ==
+    CASE s.execution = "minute"  -> Minutely
+      [] s.execution = "hourly"  -> Hourly
+      [] s.execution = "daily"   -> Daily
+      [] s.execution = "weekly"  ->
            IF OnlyPeriod1202IsWeekly THEN \h1202 ELSE \h1201
-      [] execution = "monthly" -> Monthly
-      [] execution = "yearly"  -> Yearly
-      [] execution = "end_of_month" -> EndOfMonth
-      [] OTHER                 -> Once
+      [] s.execution = "monthly" -> IF OnLateDay(s) THEN monthly ELSE Monthly
+      [] s.execution = "yearly"  -> Yearly
+      [] s.execution = "end_of_month" -> EndOfMonth
+      [] OTHER                   -> Once
 
 (* [TINT-06] [TINT-07] The setting by STEP 7. Execution "none" is no       *)
 (* setting, or a date without points [AMB-62]. The next point comes later. *)
-\* @type: $step7 => $tod;
-Configured(s) ==
+\* @type: ($step7, Int) => $tod;
+Configured(s, monthly) ==
     IF s.execution = "none"
     THEN IF NoneHasItsDate /\ s.start > 0
          THEN [NoSetting EXCEPT !.set = TRUE, !.period = NoPeriod]
@@ -32,7 +44,7 @@ Configured(s) ==
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
                             !.start  = s.start,
-                            !.period = PeriodOf(s.execution) ]
+                            !.period = PeriodOf(s, monthly) ]
 
 (* [OBS-56] STEP 7 has set and activated a one-shot interrupt with its     *)
 (* start in the past.                                                      *)
@@ -43,18 +55,20 @@ PastOnce(o) ==
         /\ IsPast(At(s.start), clock)
         /\ ~Deselected(o)
 
-(* [OBS-50] The STEP 7 parameters apply again. *)
-\* @type: Int => $tod;
-Unarmed(o) == WithMemory(Configured(cpu.step7[o]), tod[o])
+SettingsByStep7 ==
+    { [o \in TodObs |-> Configured(cpu.step7[o], monthly)]
+      : monthly \in MonthlyPeriods }
 
-(* [OBS-50] *)
+(* [OBS-50] The STEP 7 parameters apply again. *)
 Reconfigure ==
-    LET active == { t \in { Unarmed(o) : o \in TodObs } : t.active }
-    IN  \E c \in CpusThatShow(active, clock) :
-          /\ cpu' = c
-          /\ tod' = [ o \in TodObs |-> IF Unarmed(o).active
-                                       THEN Armed(Unarmed(o), clock, c)
-                                       ELSE Unarmed(o) ]
+    \E set \in SettingsByStep7 :
+      LET new    == [o \in TodObs |-> WithMemory(set[o], tod[o])]
+          active == { o \in TodObs : new[o].active }
+      IN  \E c \in CpusThatShow({ new[o] : o \in active }, clock) :
+            /\ cpu' = c
+            /\ tod' = [ o \in TodObs |-> IF o \in active
+                                         THEN Armed(new[o], clock, c)
+                                         ELSE new[o] ]
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,

@@ -28,7 +28,7 @@ ABCD == {"a", "b", "c", "d"}
 Questions ==
   { <<"AMB-01", "c", ABC>>,
     <<"AMB-02", "b", AB>>,
-    <<"AMB-03", "a", ABC>>,
+    <<"AMB-03", "a", ABCD>>,
     <<"AMB-04", "a", ABC>>,
     <<"AMB-05", "a", ABC>>,
     <<"AMB-06", "a", ABC>>,
@@ -104,11 +104,19 @@ Questions ==
     <<"AMB-76", "a", AB>>,
     <<"AMB-77", "d", ABCD>>,
     <<"AMB-78", "a", AB>>,
-    <<"AMB-79", "c", ABC>> }
+    <<"AMB-79", "c", ABC>>,
+    <<"AMB-80", "a", AB>>,
+    <<"AMB-81", "a", AB>>,
+    <<"AMB-82", "a", AB>>,
+    <<"AMB-83", "c", ABC>>,
+    <<"AMB-84", "d", ABCD>>,
+    <<"AMB-85", "c", ABC>>,
+    <<"AMB-86", "a", ABCD>> }
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
-NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78" }
+NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78", "AMB-83",
+              "AMB-84", "AMB-85" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -185,8 +193,10 @@ BothPeriodsAreWeekly   == Reading("AMB-01") = "c"
 (* [AMB-02] SET_TINT answers 80A1 for any PERIOD, not for one-shot         *)
 (* interrupts alone.                                                       *)
 EveryPastStartIsRefused == Reading("AMB-02") = "a"
-(* [AMB-03] STATUS bit 0 is 1 in STARTUP alone. *)
-Bit0MeansStartup == Reading("AMB-03") = "a"
+(* [AMB-03] STATUS bit 0 is 1 for a deselected OB; or it is 0 in STARTUP,  *)
+(* too.                                                                    *)
+Bit0ShowsDeselection == Reading("AMB-03") \in {"b", "c"}
+Bit0IsZeroInStartup  == Reading("AMB-03") = "d"
 (* [AMB-04] STATUS bit 5 is 1 where no test function blocks the OB. *)
 Bit5MeansNoTest == Reading("AMB-04") = "b"
 (* [AMB-05] Monthly on day 31: refused; or on the last day of any month.   *)
@@ -419,4 +429,22 @@ ExternalAgainIsLost      == Reading("AMB-77") = "c"
 (* [AMB-79] Seconds that no date has are dropped like any; or refused. *)
 OddSecondsMayPass     == Reading("AMB-79") # "b" /\ ~SecondsAreKept
 OddSecondsMayBeWrong  == Reading("AMB-79") # "a" \/ SecondsAreKept
+
+(* [AMB-80] The reference of the clock may be local time, which STATUS bit *)
+(* 6 shows. A CPU keeps to one reference.                                  *)
+ReferenceIsBaseTime  == Reading("AMB-80") \in {"a", "base"}
+ReferenceIsLocalTime == Reading("AMB-80") = "local"
+\* @type: $cpu => Set($cpu);
+CpusByReference(c) == Turned(c, "AMB-80", "b", {"base", "local"})
+(* [AMB-81] A call may answer a general error code. *)
+CallsMayFail == Reading("AMB-81") = "b"
+(* [AMB-82] STATUS bit 3 is either. *)
+Bit3IsOpen == Reading("AMB-82") = "b"
+
+(* [AMB-86] STEP 7 sets a monthly interrupt on day 29 to 31: months        *)
+(* without the day may be left out, unless AMB-05 (c) leaves none out; may *)
+(* have a point on their last day; or there may be no point.               *)
+Step7MayLeaveMonthsOut == Reading("AMB-86") \in {"a", "d"}
+Step7MayTakeLastDay    == Reading("AMB-86") \in {"b", "d"}
+Step7MayNeverRun       == Reading("AMB-86") \in {"c", "d"}
 =============================================================================

@@ -103,6 +103,10 @@ Withdraw(q, o) ==
 -----------------------------------------------------------------------------
 (* Requests of each kind *)
 
+(* [TINT-25] The PERIOD that the CPU tells. *)
+\* @type: Int => Int;
+ShownPeriod(period) == IF period = MonthlyOrLast THEN Monthly ELSE period
+
 NoRequest ==
     [ ob |-> 0, class |-> 0, rank |-> 0, fault |-> 0,
       since |-> [min |-> 0, ms |-> 0], word |-> 0, dtime |-> 0, late |-> {},
@@ -111,7 +115,8 @@ NoRequest ==
 \* @type: (Int, $moment, Int) => $request;
 TodRequest(o, since, follows) ==
     [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.since = since,
-                       !.word = tod[o].period, !.follows = follows ]
+                       !.word = ShownPeriod(tod[o].period),
+                       !.follows = follows ]
 
 (* [DINT-03] The start information repeats DTIME and SIGN; under AMB-31    *)
 (* (a) it has the delay that has elapsed.                                  *)

@@ -149,9 +149,15 @@ CallEnAirt ==
     /\ Settled
     /\ \E ret \in RetVals : EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
 
+(* [AMB-81] Any call; which one is nobody's concern. *)
+CallFails ==
+    /\ Settled
+    /\ \E ret \in RetVals : Fails(ret) /\ Seen("fails", 0, ret)
+
 Call == \/ CallSetTint \/ CallCanTint \/ CallActTint \/ CallQryTint
         \/ CallSrtDint \/ CallCanDint \/ CallQryDint
         \/ CallDisIrt \/ CallEnIrt \/ CallDisAirt \/ CallEnAirt
+        \/ CallFails
 
 -----------------------------------------------------------------------------
 (* The CPU goes on: OB 1 and the startup OB start when nothing else does,  *)

@@ -3,8 +3,7 @@
 (* SFC 28 SET_TINT, SFC 29 CAN_TINT, SFC 30 ACT_TINT and SFC 31 QRY_TINT:  *)
 (* their answers and their effects (sections 1.2 to 1.5).                  *)
 (*                                                                         *)
-(* Left out: the library function S_LTINT [TINT-40]; a CPU whose reference *)
-(* is local time, STATUS bit 6 [TINT-78].                                  *)
+(* Left out: the library function S_LTINT [TINT-40].                       *)
 (***************************************************************************)
 EXTENDS Calls, StartEvents, TodSettings
 
