@@ -212,7 +212,8 @@ OutsideRun(new) ==
                            \/ MayOverflow(new) /\ e.fault = BufferOverflow }
              run    == [new EXCEPT !.open = again \/ OutsideRunEventsAreOpen]
              shown  == (IF new.fault = 0 THEN {} ELSE {new}) \cup errors
-         IN  \/ /\ requests' = EnterAll(requests, {run} \cup WithObToRun(errors))
+         IN  \/ /\ requests' =
+                       EnterAll(requests, {run} \cup WithObToRun(errors))
                 /\ UNCHANGED stopCause
                 /\ entered' = OpenEntries(shown)
              \/ mode = "STARTUP" /\ StopBy(errors)
