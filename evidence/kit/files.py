@@ -6,7 +6,6 @@ was made from, so that data older than their origin are noticed.
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Iterable
 from pathlib import Path
@@ -34,11 +33,3 @@ def read_lines(file: Path) -> list[Json]:
 def write_lines(file: Path, lines: Iterable[Json]) -> None:
     """Write a file, an object a line. Raises OSError."""
     file.write_text("".join(f"{as_line(line)}\n" for line in lines), encoding="utf-8")
-
-
-def digest(texts: Iterable[str]) -> str:
-    """The hash of texts."""
-    found = hashlib.sha256()
-    for text in texts:
-        found.update(text.encode() + b"\0")
-    return found.hexdigest()[:16]

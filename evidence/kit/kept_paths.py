@@ -11,13 +11,12 @@ from types import ModuleType
 
 from evidence.common.checkout import MANIFEST, ROOT
 from evidence.common.processes import Processes
+from evidence.common.texts import digest
 from evidence.kit import paths
-from evidence.kit.files import PATHS, Json, as_line, digest, read_lines, write_lines
+from evidence.kit.files import PATHS, Json, as_line, read_lines, write_lines
 from evidence.models.manifest import Model, load
-from evidence.tla import behaviour, cfg, values
-from evidence.tla.flatten import flatten
-from evidence.tla.modules import module_folders, reached
-from evidence.tla.syntax import Module, code, references
+from evidence.models.unchanged import behaviours
+from evidence.tla import behaviour, values
 from evidence.tla.tlc import Toolchain, find_toolchain
 from s7check.kit import from_log
 
@@ -62,21 +61,7 @@ def origin(model: Model, folder: Path = ROOT) -> str:
     That is what the behaviours need of the specification's and the model's definitions, wherever they stand, the
     constants, and the text of the modules that make programs of a graph; comments and layout of TLA+ do not count.
     """
-    config = cfg.parse(model.config)
-    roots = [name for keyword in ("SPECIFICATION", "CONSTRAINT", "ACTION_CONSTRAINT") for name in config.names(keyword)]
-    roots += [one.value for one in config.assignments if one.operator == "<-"]
-    constants = [f"{one.name} {one.operator} {one.value}" for one in config.assignments]
-    flat = flatten(model.module.stem, [folder / "models", *module_folders(folder / "spec")])
-    module = Module(flat.name, flat.text.encode())
-    defined = {unit.id for unit in module.definitions.values()}
-    others = [unit for unit in module.units if unit.id not in defined]
-    needed = reached([*roots, *(name for unit in others for name in references(unit))], _uses(module))
-    stated = [code(unit) for unit in (*others, *(module.definitions[name] for name in needed))]
-    return digest([*sorted(filter(None, stated)), *sorted(constants), *map(_text, _MAKERS)])
-
-
-def _uses(module: Module) -> dict[str, frozenset[str]]:
-    return {name: references(unit) for name, unit in module.definitions.items()}
+    return digest([*behaviours(model, folder), *map(_text, _MAKERS)])
 
 
 def _text(module: ModuleType) -> str:

@@ -7,7 +7,8 @@ from itertools import groupby
 from pathlib import Path
 
 from evidence.common.checkout import ROOT, SOFT_PLC
-from evidence.kit.files import REACHED, Json, as_line, digest, read_lines, write_lines
+from evidence.common.texts import digest
+from evidence.kit.files import REACHED, Json, as_line, read_lines, write_lines
 from evidence.kit.programs import programs
 from evidence.tla.modules import read_modules
 from s7check.log.errors import ranges

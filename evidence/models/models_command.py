@@ -15,7 +15,7 @@ from evidence.common.console import plain
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.models import canaries, distributed, judge
+from evidence.models import canaries, distributed, judge, unchanged
 from evidence.models import models_report as report
 from evidence.models.manifest import LANES, ManifestError, Model, load
 from evidence.models.manifest import shard as part_of
@@ -41,6 +41,9 @@ def _part(_context: click.Context, _option: click.Parameter, value: str) -> tupl
 @tlc_option
 @click.option("--workers", type=click.IntRange(1), help="TLC workers for models that may have several.")
 @click.option("--jobs", type=click.IntRange(1), default=2, show_default=True, help="Cores to use.")
+@click.option(
+    "--changed", is_flag=True, help="Only models that changed, or whose formulas did, since they came as pinned."
+)
 @click.option("--update", is_flag=True, help="Pin the new counts (nothing else), and name the changes.")
 @json_option
 @click.option(
@@ -72,6 +75,7 @@ def models_command(
     jar: Path | None,
     workers: int | None,
     jobs: int,
+    changed: bool,
     update: bool,
     json_path: Path | None,
     logs: Path | None,
@@ -90,15 +94,21 @@ def models_command(
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
         harness = Harness(load(manifest), _toolchain(jar, cluster), processes, workers)
         models = part_of(harness.manifest.select(lane, names), *shard)
+        asked = len(models)
+        if changed:
+            models = unchanged.changed(models, harness.manifest, harness.tools)
+            plain(console, f"{asked - len(models)} of {asked} models are as they were when they came as pinned")
         part = lane if shard[1] == 1 else f"{lane}, shard {shard[0]}/{shard[1]}"
         began = time.monotonic()
         answers = canaries.run_canaries(harness.tools, harness.manifest.directory.parent / "build", processes)
         report.show_canaries(console, harness.tools, answers)
         results, drift = _run(harness, models, cluster, jobs, names, console)
-        if not models:
+        if not asked:
             drift.insert(0, f"{manifest}: no model is in {part}: nothing was checked")
         if update:
             results = _update(manifest, results, console)
+        if cluster is None:
+            unchanged.keep(results, harness.manifest, harness.tools)
         if logs is not None:
             report.write_logs(logs, results)
         came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)

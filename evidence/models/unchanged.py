@@ -1,0 +1,117 @@
+"""What a model's result depends on, as a hash: where it is as before, TLC would find the same.
+
+That is every definition that the configuration needs, wherever it stands, without comments and layout, and the model's
+entry in the manifest with its pins. The time of a run does not count.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from tree_sitter import Node
+
+from evidence.common.texts import digest
+from evidence.models.judge import Result
+from evidence.models.manifest import Manifest, Model
+from evidence.tla import cfg
+from evidence.tla.flatten import flatten
+from evidence.tla.modules import closure, module_folders, reached, read_modules
+from evidence.tla.syntax import Module, code, references
+from evidence.tla.tlc import Toolchain
+from s7check.resources import modules
+
+PASSED = Path("build/models.json")
+"""The models of a checkout that came as pinned, with the hash of what they and their TLC were."""
+
+_STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")
+_CHECKS = ("INVARIANT", "PROPERTY", "VIEW", "SYMMETRY")
+
+
+def behaviours(model: Model, folder: Path) -> list[str]:
+    """The definitions that decide the behaviours of a model of the checkout at `folder`, and its constants."""
+    constants = [f"{one.name} {one.operator} {one.value}" for one in cfg.parse(model.config).assignments]
+    return [*_needed(model, folder, _STEPS), *sorted(constants)]
+
+
+def origin(model: Model, folder: Path) -> str:
+    """The hash of all that decides what TLC finds for a model of the checkout, and whether it is as pinned."""
+    run = [model.config, str(model.deadlock), repr(model.args), repr(model.mutations), repr(model.expect)]
+    return digest([*_needed(model, folder, _STEPS + _CHECKS), *run])
+
+
+def changed(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> list[Model]:
+    """The models that have not come as pinned since they, or what they depend on, changed."""
+    passed = _read(_folder(manifest))
+    return [one for one in models if passed.get(one.name) != _key(one, manifest, tools)]
+
+
+def keep(results: Iterable[Result], manifest: Manifest, tools: Toolchain) -> None:
+    """Remember which models came as pinned. Raises OSError."""
+    folder = _folder(manifest)
+    passed = {one.model.name: _key(one.model, manifest, tools) for one in results if one.ok}
+    (folder / PASSED).parent.mkdir(exist_ok=True)
+    (folder / PASSED).write_text(json.dumps(_read(folder) | passed, indent=1), encoding="utf-8")
+
+
+def _folder(manifest: Manifest) -> Path:
+    return manifest.directory.parent
+
+
+def _read(folder: Path) -> dict[str, str]:
+    return json.loads((folder / PASSED).read_bytes()) if (folder / PASSED).exists() else {}
+
+
+def _key(model: Model, manifest: Manifest, tools: Toolchain) -> str:
+    return f"{origin(model, _folder(manifest))} {tools.sha256[:16]}"
+
+
+@dataclass(frozen=True)
+class _Text:
+    """A module with all that it extends: its definitions, what has no name, and the names that each definition uses."""
+
+    definitions: Mapping[str, Node]
+    unnamed: tuple[Node, ...]
+    uses: Mapping[str, frozenset[str]]
+    instances: tuple[str, ...]
+
+
+def _needed(model: Model, folder: Path, keywords: Iterable[str]) -> list[str]:
+    """The definitions that these sections of the configuration need, and all that has no name, such as ASSUME."""
+    config = cfg.parse(model.config)
+    text = _text(model.module.stem, folder, _written(folder))
+    roots = [name for keyword in keywords for name in config.names(keyword)]
+    roots += [one.value for one in config.assignments if one.operator == "<-"]
+    roots += [name for one in model.mutations for name in re.findall(r"\w+", one.by)]
+    needed = reached([*roots, *(name for unit in text.unnamed for name in references(unit))], text.uses)
+    units = (*text.unnamed, *(text.definitions[name] for name in needed))
+    return sorted([*filter(None, map(code, units)), *text.instances])
+
+
+def _written(folder: Path) -> tuple[int, ...]:
+    """When each module was written: what is remembered of a checkout holds for this state of it."""
+    return tuple(file.stat().st_mtime_ns for part in ("models", "spec") for file in modules(folder / part))
+
+
+@lru_cache
+def _text(name: str, folder: Path, written: tuple[int, ...]) -> _Text:
+    flat = flatten(name, [folder / "models", *module_folders(folder / "spec")])
+    module = Module(flat.name, flat.text.encode())
+    named = {unit.id for unit in module.definitions.values()}
+    every = _modules(folder, written)
+    extended = reached([name], {one: every[one].extends for one in every})
+    return _Text(
+        module.definitions,
+        tuple(unit for unit in module.units if unit.id not in named),
+        {defined: references(unit) for defined, unit in module.definitions.items()},
+        tuple(every[one].code for one in sorted(closure(name, every) - extended)),
+    )
+
+
+@lru_cache(maxsize=1)
+def _modules(folder: Path, _: tuple[int, ...]) -> dict[str, Module]:
+    return read_modules(folder / "models") | read_modules(folder / "spec")
