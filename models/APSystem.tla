@@ -3,7 +3,8 @@
 (* One step of System from ANY state in which Ind holds, for Apalache.     *)
 (*                                                                         *)
 (* The world: two time-of-day OBs, a time-delay OB, a hardware OB, OB 80,  *)
-(* OB 85 and the startup OBs, each loaded or missing; the three families;  *)
+(* OB 85 and the startup OBs, each loaded or missing, and no synchronous   *)
+(* errors (OB 121, 122); the three families;                               *)
 (* classes of OB 10, 11 and 40 by default or, except on S7-300, any that   *)
 (* OBS-05 allows. The clock, the delay count, settings, jobs, fields of    *)
 (* requests and operands of calls are any integers; a fault id is a byte.  *)
@@ -39,6 +40,8 @@ APExternalObs == {40, 80, 85}
 AllExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
                     \cup (80..87)
 APAsyncErrorObs == {80, 85}
+\* @type: Set(Int);
+NoSyncErrorObs == {}
 APBlockable == (10..17) \cup (20..23) \cup APExternalObs
 APObs == {10, 11, 20, 40, 80, 85, 100, 102}
 APNumbers == Int

@@ -14,13 +14,15 @@
 (* Left out: requests of one class are not timed apart from each other;    *)
 (* the clock that is set between two lines (PartialLogs).                  *)
 (***************************************************************************)
-EXTENDS Clock, Scheduler, ReportedData
+EXTENDS Clock, Scheduler, SyncErrors, ReportedData
 
 -----------------------------------------------------------------------------
 (* Latency *)
 
 (* The key under which `waiting' holds a STOP that is due. *)
 StopDuty == 99
+(* ... and an error OB that is called [OBS-61].                            *)
+CallDuty == 98
 
 (* Open requests are timed under separate keys, because their OBs need not   *)
 (* start.                                                                    *)
@@ -29,6 +31,7 @@ WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
 Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
+             \cup (IF ErrorObIsDue THEN {CallDuty} ELSE {})
 
 (* [AMB-69] (c) The wait of an OB that could start goes on under a delay.  *)
 \* @type: $request => Bool;
@@ -91,7 +94,7 @@ NextEvent == NextCycle /\ NextArrivals /\ NextChanges
 (* start.                                                                  *)
 Rewait ==
     /\ NextEvent
-    /\ waiting' = IF requests' = {} /\ stopCause' = NoCause
+    /\ waiting' = IF requests' = {} /\ stopCause' = NoCause /\ ~Failed'
                   THEN [c \in {} |-> 0]
                   ELSE LET old == WaitsGoOn
                        IN  [ c \in Awaited' \cup old |->

@@ -83,6 +83,12 @@ StartsAgain(r) ==
          /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, delay,
                         stopCause>>
 
+(* [OBS-61] The error came before the line, perhaps before the clock was   *)
+(* set.                                                                    *)
+\* @type: $event => Bool;
+FitsFailed(e) == /\ Fits(e.info.priority, Running.class)
+                 /\ changes # {} \/ ~Before(Latest(e), e.info.time)
+
 \* @type: $event => Bool;
 IsStart(e) ==
     CASE e.ob = CycleOb ->
@@ -104,9 +110,23 @@ IsStart(e) ==
                                                           ELSE \h85..\h86)
            /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ StartupStarts(e.ob)
+      [] e.ob \in SyncErrorObs -> ErrorObStarts(e.ob) /\ FitsFailed(e)
       [] OTHER ->
            \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e) } :
              HighestFirst(r) /\ IF Endless(r) THEN StartsAgain(r) ELSE Start(r)
+
+(* [OBS-61] An error OB starts, and its error is unseen.                   *)
+\* @type: $event => Bool;
+ErrorObStartsUnseen(e) ==
+    /\ e.ob \in SyncErrorObs /\ Called
+    /\ e.ob \in loaded \/ Unseen("load")
+    /\ \/ Unseen("ob") \/ Unseen("mode")
+       \/ FitsFailed(e) /\ Running.ob # e.ob
+    /\ stack' = IF Unseen("ob") THEN stack
+                ELSE Append(stack, Frame(e.ob, Running.class))
+    /\ NothingEntered
+    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                   delay>>
 
 (* A line that sets the clock to its own reading changes nothing.          *)
 \* @type: $event => Bool;
@@ -134,7 +154,8 @@ NotSureToWait(o) ==
 \* @type: $event => Bool;
 IsInterrupt(e) ==
     /\ e.flt_id \in FaultsOfRules => Partial
-    /\ IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
+    /\ IF e.ob \in SyncErrorObs THEN InstructionFails(e.ob)
+       ELSE IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
        ELSE Interrupt(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)
 
 (* The CPU has to stop for this cause, or had to before this delay.        *)
@@ -143,7 +164,7 @@ IsInterrupt(e) ==
 \* @type: Int => Bool;
 CauseHolds(cause) ==
     \/ /\ stopCause = cause
-       /\ Undelayed \/ ~StopAwaitsTheDelay \/ StopDuty \in DOMAIN waiting
+       /\ StopIsDue \/ ~StopAwaitsTheDelay \/ StopDuty \in DOMAIN waiting
     \/ cause = NoTimeErrorOb /\ overruns = 2
     \/ Partial /\ stopCause \in {NoCause, OtherErrorOb}
 

@@ -23,6 +23,7 @@ EXTENDS Lines
 
 ModeKnown  == ~Unseen("mode")
 StackKnown == ModeKnown /\ ~Unseen("ob")
+Interrupting == \E i \in 2..Len(stack) : stack[i].ob \notin SyncErrorObs
 
 \* @type: Int => Bool;
 MayBeLoaded(o) == o \in loaded \/ Unseen("load")
@@ -66,7 +67,7 @@ MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
                 \/ dint[o].left <= 1 \/ ~ModeKnown
 
 (* [AIRT-04] The counts of delays. The OB may have ended unseen.           *)
-Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Len(stack) > 1)
+Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Interrupting)
                         THEN {} ELSE {0})
 
 (* [OBS-25] STARTUP may be over.                                           *)
@@ -254,7 +255,8 @@ LooseFirstStarts(e) ==
 \* @type: $event => Bool;
 LooseStart(e) ==
     /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
-       ELSE LooseInterruptStarts(e)
+       ELSE \/ LooseInterruptStarts(e)
+            \/ (Unseen("interrupt") \/ Marked(e.ob)) /\ ErrorObStartsUnseen(e)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
 
@@ -268,7 +270,7 @@ LooseEnd(e) ==
           /\ ModeKnown => /\ Len(stack) = 1
                           /\ mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
           /\ stack' = <<stack[1]>>
-    /\ delay' = 0
+    /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
 
@@ -283,10 +285,8 @@ LooseRestart(e) ==
     /\ startup' = e.type
     /\ tod'   \in SettingsByStep7
     /\ dint' = NoJobs /\ irt' = NoneBlocked /\ delay' = 0
-    /\ requests'  = RestartRequests
-    /\ stopCause' = RestartStop
-    /\ stack' = <<Frame(StartupOb(e.type), 27)>>
-    /\ NothingEntered
+    /\ requests' = RestartRequests /\ stopCause' = RestartStop
+    /\ stack' = <<Frame(StartupOb(e.type), 27)>> /\ NothingEntered
     /\ UNCHANGED <<deviceVars, clock>>
 
 \* @type: $event => Bool;
@@ -354,9 +354,9 @@ LooseClock(e) ==
 
 \* @type: $event => Bool;
 LooseEvent(e) ==
-    /\ requests' =
-         IF mode = "STOP" THEN requests
-         ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
+    /\ e.ob \in SyncErrorObs => Watching
+    /\ requests' = IF mode = "STOP" THEN requests ELSE
+         requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                    runVars>>

@@ -80,7 +80,8 @@ MeetingPlace ==
             Cardinality({ s \in Others : AsItCame(s) = AsItCame(r) }) >>
          : r \in Others },
        DOMAIN waiting \cap
-         (UNION { {r.class, r.class + 100} : r \in Others } \cup {StopDuty}) >>
+         (UNION { {r.class, r.class + 100} : r \in Others }
+          \cup {StopDuty, CallDuty}) >>
 
 (* The values in which they may differ. *)
 Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
@@ -207,7 +208,7 @@ OnlyFacts(records) ==
                 ELSE IF Unseen("ob") \/ stack = <<>>
                 THEN << IF mode = "STARTUP" THEN Frame(100, 27)
                         ELSE Frame(CycleOb, 1) >>
-                ELSE stack
+                ELSE [i \in DOMAIN stack |-> [stack[i] EXCEPT !.error = 0]]
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
 

@@ -20,6 +20,7 @@ EXTENDS Trace, LooseLogs
 (* OBs *)
 
 UnseenOb == \/ \E r \in requests : Start(r)
+            \/ Failed /\ ErrorObStarts(Running.error)
             \/ stack # <<>> /\ End(Running.ob)
 
 -----------------------------------------------------------------------------
@@ -114,7 +115,7 @@ EntersUnseen(e) ==
 ShowsPartly(e) ==
     \/ Shows(e)
     \/ /\ e.event = "start" /\ Unseen("interrupt")
-       /\ StartsUnseen(e)
+       /\ StartsUnseen(e) \/ ErrorObStartsUnseen(e)
        /\ Rewait
        /\ UNCHANGED <<terms, up>>
     \/ /\ e.event = "diag" /\ CauseUnseen(e.id)

@@ -186,8 +186,8 @@ ClassesOf(o, fault) ==
 (* Entries that have to come, if the log has entries. *)
 DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
                      \cup {EntriesDisabled, NoTimeErrorOb, NoProgramErrorOb}
-(* Entries that need a cause: these, and 454A.                             *)
-JudgedEntries == DemandedEntries \cup {DeselectedLoaded}
+(* Entries that need a cause: these, 454A, 4562 and 4563.                  *)
+JudgedEntries == DemandedEntries \cup CausesOfRules
 
 (* OB number 0 or 16#FF stands for no OB. *)
 \* @type: ($entry, $event) => Bool;

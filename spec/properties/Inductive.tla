@@ -10,7 +10,8 @@
 (* models/APSystem has the states that it begins with.                     *)
 (*                                                                         *)
 (* Left out of IndInv: times, points served, and the classes of settable   *)
-(* priorities. Left out of Ind: readings other than the defaults.          *)
+(* priorities. Left out of Ind: readings other than the defaults;          *)
+(* synchronous errors, of which any number may be nested (OBS-61).         *)
 (***************************************************************************)
 EXTENDS Properties
 
@@ -23,8 +24,9 @@ StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0
 StartingInv ==
     /\ (mode = "STARTUP") = (startup # "none")
     /\ \A i \in DOMAIN stack :
-         IF mode = "STARTUP" THEN stack[i].ob \in StartupObs \cup AsyncErrorObs
-                             ELSE stack[i].ob \notin StartupObs
+         IF mode = "STARTUP"
+         THEN stack[i].ob \in StartupObs \cup AsyncErrorObs \cup SyncErrorObs
+         ELSE stack[i].ob \notin StartupObs
 
 (* [TINT-05] [TINT-31] [TINT-50] An active interrupt is set; an inactive   *)
 (* interrupt is not watched and does not wait.                             *)
@@ -117,11 +119,12 @@ FrameDataInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
           c == stack[i].class
-      IN  \/ o = CycleOb /\ c = 1
-          \/ o \in StartupObs /\ c = 27
-          \/ /\ o \in TodObs \cup DintObs \cup ExternalObs
-             /\ HasClass(o, c)
-             /\ ~Deselected(o)
+      IN  /\ stack[i].error = 0
+          /\ \/ o = CycleOb /\ c = 1
+             \/ o \in StartupObs /\ c = 27
+             \/ /\ o \in TodObs \cup DintObs \cup ExternalObs
+                /\ HasClass(o, c)
+                /\ ~Deselected(o)
 
 (* [DINT-10] [AMB-47] OverlapInv for a time-delay OB. *)
 LaterDelayInv ==

@@ -9,10 +9,13 @@ EXTENDS Steps
 (* [AIRT-12] A delay belongs to a running OB, or lasts over cycles [AMB-25]. *)
 AirtInv == delay > 0 => stack # <<>> \/ CountOutlivesTheCycle
 
-(* [AIRT-04] The end of an OB ends its delay. *)
+(* [AIRT-04] The end of an OB ends its delay. [OBS-62] That of an error OB *)
+(* does not end the delay of the OB below.                                 *)
 AirtEndProp ==
-    [][ Did("end") => \/ delay' = 0
-                      \/ CountOutlivesTheCycle /\ step'.ob = CycleOb ]_vars
+    [][ Did("end") =>
+          IF step'.ob \in SyncErrorObs THEN delay' = delay
+          ELSE \/ delay' = 0
+               \/ CountOutlivesTheCycle /\ step'.ob = CycleOb ]_vars
 
 (* [AIRT-01] [AIRT-09] Nothing starts while a delay is on, no OB 80 either. *)
 AirtHoldsProp == [][Dispatched => delay = 0]_vars

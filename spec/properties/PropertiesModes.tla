@@ -33,12 +33,16 @@ StopCauseProp ==
           \/ stopCause' = \h4568 /\ 80 \notin loaded
           \/ stopCause' = \h456D /\ 85 \notin loaded
           \/ stopCause' = 0 /\ Did("missing")
+          \/ stopCause' = \h4562 /\ Did("interrupt") /\ step'.ob = 121
+          \/ stopCause' = \h4563 /\ Did("interrupt") /\ step'.ob = 122
           \/ stopCause' = \h454A /\ Did("restart") ]_vars
 
-(* A STOP by rule comes before all else, unless it is delayed [AMB-49]. *)
+(* A STOP by rule comes before all else, unless it is delayed [AMB-49]. No *)
+(* delay holds back that of a synchronous error [OBS-63].                  *)
 StopAtOnceProp ==
-    [][ stopCause # NoCause /\ delay = 0
-          => step'.event \in {"stop", "switch"} ]_vars
+    [][ /\ stopCause # NoCause
+        /\ delay = 0 \/ stopCause \in {\h4562, \h4563}
+        => step'.event \in {"stop", "switch"} ]_vars
 
 (* [OBS-40] Only a restart leaves STOP. STARTUP leads to RUN when the      *)
 (* startup OB has been processed and no STOP is due.                       *)

@@ -7,8 +7,12 @@
 EXTENDS Steps
 
 (* [OBS-01] Every running OB has a higher class than the OB that it        *)
-(* interrupted.                                                            *)
-StackInv == \A i \in DOMAIN stack : i > 1 => stack[i-1].class < stack[i].class
+(* interrupted; an error OB has the class of the OB that failed [OBS-61].  *)
+StackInv ==
+    \A i \in DOMAIN stack : i > 1 =>
+      \/ stack[i-1].class < stack[i].class
+      \/ /\ stack[i].ob \in SyncErrorObs
+         /\ stack[i-1].class = stack[i].class
 
 (* [OBS-04] Table 7.1 as an order: cycle, time-of-day interrupts, hardware *)
 (* interrupts, program errors, time errors.                                *)
@@ -55,8 +59,9 @@ StopInv == mode = "STOP" => stack = <<>> /\ requests = {} /\ delay = 0
 (* [OBS-42] [OBS-43] In STARTUP only the startup OB and asynchronous       *)
 (* errors run; in RUN the startup OB does not.                             *)
 StartupInv ==
-    /\ mode = "STARTUP" => \A i \in DOMAIN stack :
-                             stack[i].ob \in StartupObs \cup AsyncErrorObs
+    /\ mode = "STARTUP" =>
+         \A i \in DOMAIN stack :
+           stack[i].ob \in StartupObs \cup AsyncErrorObs \cup SyncErrorObs
     /\ mode = "RUN" => \A o \in StartupObs : ~OnStack(o)
     /\ mode = "STARTUP" <=> startup # "none"
 
@@ -179,6 +184,38 @@ EndProp ==
                            r.ob \in loaded \cup AsyncErrorObs =>
                              \E q \in requests' : /\ Content(q) = Content(r)
                                                   /\ q.open = r.open ]_vars
+
+-----------------------------------------------------------------------------
+(* Synchronous errors *)
+
+(* [OBS-61] [OBS-62] [IRT-05] [IRT-23] [AIRT-10] A failed instruction      *)
+(* calls its error OB before anything else, on top of its OB and in the    *)
+(* same class, whatever is blocked or delayed.                             *)
+SyncCallProp ==
+    [][ /\ Top(stack).error # 0 /\ stopCause = NoCause =>
+             /\ Did("start") /\ step'.ob = Top(stack).error
+             /\ step'.value = Top(stack).class
+             /\ Len(stack') = Len(stack) + 1
+             /\ stack'[Len(stack)].error = 0
+             /\ Top(stack').class = Top(stack).class
+             /\ UNCHANGED <<mode, requests, delay, irt, tod, dint>>
+        /\ Did("start") /\ step'.ob \in SyncErrorObs =>
+             Top(stack).error = step'.ob ]_vars
+
+(* [OBS-61] [OBS-27] [OBS-63] [AMB-85] Without its OB, or the same again   *)
+(* in an error OB, a synchronous error stops the CPU; otherwise it calls   *)
+(* its OB, unless it comes in the other error OB.                          *)
+SyncErrorProp ==
+    [][ Did("interrupt") /\ step'.ob \in SyncErrorObs =>
+          LET o      == step'.ob
+              below  == Top(stack).ob
+              calls  == Top(stack').error = o /\ UNCHANGED stopCause
+              cause  == IF o = 121 THEN \h4562 ELSE \h4563
+              stops  == stopCause' \in {cause, stopCause} \ {NoCause}
+          IN  /\ stack # <<>> /\ mode \in {"STARTUP", "RUN"}
+              /\ UNCHANGED <<requests, delay, irt>>
+              /\ IF o \notin loaded \/ below = o THEN stops
+                 ELSE calls \/ (stops /\ below \in SyncErrorObs) ]_vars
 
 (* [OBS-01] OB 1 starts where nothing runs. *)
 CycleProp == [][Started(CycleOb) => mode = "RUN" /\ stack = <<>>]_vars

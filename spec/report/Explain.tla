@@ -58,7 +58,7 @@ Words ==
                                  SettableClasses(p) # {} } },
       obs      |-> ObNumbersOfLogs,
       tod_obs  |-> TodObs,
-      external |-> ExternalObs,
+      external |-> ExternalObs \cup SyncErrorObs,
       faulty   |-> {TimeErrorOb, ProgramErrorOb},
       profiles |-> ProfileNames,
       choices  |-> { <<q[1], q[3]>> : q \in Questions } ]
@@ -87,9 +87,13 @@ Stopping == IF stopCause > 0 /\ CauseHolds(stopCause)
             THEN Allowed("stop", 0, "cause", stopCause)
             ELSE Allowed("stop", 0, "", 0)
 
+ErrorObCalled == IF ErrorObIsDue
+                 THEN {Allowed("start", Running.error, "", 0)} ELSE {}
+
 Possible ==
     { StartOf(r) : r \in Startable }
-      \cup (IF stack = <<>> \/ mode = "HOLD" THEN {}
+      \cup ErrorObCalled
+      \cup (IF stack = <<>> \/ mode = "HOLD" \/ Failed THEN {}
             ELSE {Allowed("end", Running.ob, "", 0)})
       \cup (IF Called THEN {Allowed("call", Running.ob, "", 0)} ELSE {})
       \cup (IF mode = "STOP" THEN {Allowed("restart", 0, "", 0)}
@@ -132,6 +136,7 @@ TooLate(e) ==
              : r \in { q \in Late(e) : /\ q.ob \notin loaded
                                       /\ q.ob \notin AsyncErrorObs } }
       \cup { Allowed("diag", 0, "id", r.entry.id) : r \in ReportsLate(e) }
+      \cup ErrorObCalled
       \cup (IF StopDuty \in DOMAIN waiting THEN {Stopping} ELSE {})
 
 -----------------------------------------------------------------------------

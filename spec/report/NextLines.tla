@@ -113,11 +113,13 @@ NextLines ==
     { LineOf("start", o) : o \in loaded \cup {CycleOb} }
       \cup { LineOf("end", o) : o \in { stack[i].ob : i \in DOMAIN stack }
                                         \cup {CycleOb} \cup StartupObs }
-      \cup { LineOf("interrupt", o) : o \in ExternalObs \ ObsWithFault }
+      \cup { LineOf("interrupt", o)
+             : o \in (ExternalObs \cup SyncErrorObs) \ ObsWithFault }
       \cup { [LineOf("interrupt", f[1]) EXCEPT !.flt_id = f[2]]
              : f \in OutsideFaults }
       \cup { [Line("clock") EXCEPT !.to = m] : m \in ClockTimes }
-      \cup { LineOf("load", o) : o \in (Blockable \cup StartupObs) \ loaded }
+      \cup { LineOf("load", o)
+             : o \in (Blockable \cup StartupObs \cup SyncErrorObs) \ loaded }
       \cup { LineOf("delete", o) : o \in loaded \ {CycleOb} }
       \cup { [Line("restart") EXCEPT !.type = t] : t \in {"warm", "cold"} }
       \cup { Line(name) : name \in {"run", "hold", "release", "stop"} }

@@ -53,6 +53,7 @@ IrtRequirements(e, ret) ==
       [] ret = OK      -> {"IRT-06"}
       [] ret = BadMode -> {"IRT-12"}
       [] ret = BadOb   -> {"IRT-11", "IRT-12"}
+                            \cup When(e.ob \in 120..122, {"IRT-23"})
       [] OTHER         -> {"IRT-22"}
 
 (* A general error code. *)
@@ -157,6 +158,7 @@ WrongStatus(e, past) ==
 OfCall(e, past) ==
     IF mode = "STOP" THEN {"OBS-41"}
     ELSE IF mode = "HOLD" THEN {"OBS-45"}
+    ELSE IF Failed THEN {"OBS-61"}
     ELSE IF ~Called THEN {IF mode = "STARTUP" THEN "OBS-42" ELSE "OBS-01"}
     ELSE IF StandsBefore(e) THEN {"AIRT-08"}
     ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e)
@@ -258,6 +260,7 @@ StopRequirements ==
     CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
       [] stopCause = NoProgramErrorOb -> {"OBS-21"}
       [] stopCause = DeselectedLoaded -> {"OBS-25"}
+      [] stopCause \in CausesOfSyncErrors -> {"OBS-27", "OBS-63"}
       [] OTHER                        -> {"OBS-23"}
 
 -----------------------------------------------------------------------------
@@ -281,6 +284,9 @@ LateRequirements(e, past) ==
     UNION { LateRequirement(r, past) : r \in Late(e) }
       \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
       \cup When(StopDuty \in DOMAIN waiting, StopRequirements)
+      \cup When(CallDuty \in DOMAIN waiting,
+                {"OBS-61"} \cup When(delay > 0, {"AIRT-10"})
+                  \cup When(irt.blocked # {}, {"IRT-05"}))
 
 \* @type: ($event, Seq($event)) => Set(Str);
 OfEntry(e, past) ==
@@ -291,6 +297,7 @@ OfEntry(e, past) ==
           [] e.id = NoTimeErrorOb       -> {"OBS-22"}
           [] e.id = NoProgramErrorOb    -> {"OBS-21"}
           [] e.id = DeselectedLoaded    -> {"OBS-25"}
+          [] e.id \in CausesOfSyncErrors -> {"OBS-27", "OBS-63"}
           [] fault \in ObNotLoaded      ->
                {"OBS-20"} \cup When(quiet, {"IRT-09"})
           [] fault = SkippedByClock     ->
@@ -315,13 +322,15 @@ Deciding(e, past) ==
     CASE ~KeepsPace(e)           -> {"CLK-01"}
       [] e.event \in CallEvents -> OfCall(e, past)
       [] e.event = "state"       -> OfState(e)
-      [] e.event = "interrupt"   -> IF e.ob = TimeErrorOb THEN {"OBS-30"}
-                                    ELSE {"OBS-20"}
+      [] e.event = "interrupt"   -> CASE e.ob = TimeErrorOb -> {"OBS-30"}
+                                      [] e.ob \in SyncErrorObs -> {"OBS-61"}
+                                      [] OTHER -> {"OBS-20"}
       [] e.event = "start"   ->
            OfStart(e, past) \cup When(stopCause # NoCause, StopRequirements)
       [] e.event = "diag"    -> OfEntry(e, past)
       [] e.event = "end"     -> IF mode = "HOLD" THEN {"OBS-45"}
                                 ELSE IF mode = "STOP" THEN {"OBS-41"}
+                                ELSE IF Failed THEN {"OBS-61"}
                                 ELSE IF Running.ob = CycleOb \/ stack = <<>>
                                 THEN {"OBS-01", "OBS-03"} ELSE {"OBS-03"}
       [] e.event = "restart" ->
@@ -331,6 +340,8 @@ Deciding(e, past) ==
                                 ELSE {"OBS-40"}
       [] e.event = "stop"    ->
            IF mode = "STOP" THEN {"OBS-40"}
+           ELSE IF {e.cause, stopCause} \cap CausesOfSyncErrors # {}
+           THEN {"OBS-27", "OBS-63"}
            ELSE {"OBS-21", "OBS-22"}
                   \cup When(e.cause = DeselectedLoaded, {"OBS-25"})
                   \cup When(e.cause = NoTimeErrorOb, {"OBS-26"})
@@ -365,13 +376,18 @@ Starting(e) ==
 OfOrdinaryStart(e, past) ==
     CASE e.ob = CycleOb        -> {"OBS-01"}
       [] e.ob \in StartupObs   -> {"OBS-42"}
+      [] e.ob \in SyncErrorObs -> {"OBS-61", "OBS-62"}
       [] e.ob \in ExternalObs \ {TimeErrorOb, ProgramErrorOb} ->
            {"OBS-01", "OBS-07"}
       [] OTHER -> UNION { LateRequirement(r, past) : r \in Starting(e) }
 
 \* @type: $event => Set(Str);
 OfInterrupt(e) ==
-    CASE mode = "STOP"    -> {"OBS-41"}
+    CASE e.ob \in SyncErrorObs ->
+           {"OBS-61"} \cup When(e.ob \notin loaded, {"OBS-27", "OBS-63"})
+             \cup When(delay > 0, {"AIRT-10"})
+             \cup When(irt.blocked # {}, {"IRT-05"})
+      [] mode = "STOP"    -> {"OBS-41"}
       [] Deselected(e.ob) -> {"OBS-06"}
       [] Blocked(e.ob)    ->
            {"IRT-01", "IRT-04"} \cup When(Silenced(e.ob), {"IRT-09"})

@@ -430,13 +430,20 @@ Candidates(e) ==
     ELSE { r \in requests : r.ob = e.ob }
            \cup (IF Unseen("interrupt") THEN MayHaveOccurred(e) ELSE {})
 
+(* [OBS-61] OB 121 and OB 122.                                             *)
+\* @type: $event => Set(Str);
+OfErrorOb(e) ==
+    {"OBS-61"} \cup When(e.ob \notin loaded, {"OBS-27", "OBS-63"})
+               \cup When(mode = "HOLD", {"OBS-45"})
+
 \* @type: ($event, Seq($event)) => Set(Str);
 OfStart(e, past) ==
     LET all  == Candidates(e)
         fault == e.info.flt_id
         best == { r \in all :
                     \A q \in all : Depth(q, fault) <= Depth(r, fault) }
-    IN  IF all = {} \/ mode = "STOP" THEN WithoutRequest(e, past)
+    IN  IF e.ob \in SyncErrorObs THEN OfErrorOb(e)
+        ELSE IF all = {} \/ mode = "STOP" THEN WithoutRequest(e, past)
         ELSE UNION { StartRequirements(r, e, past) : r \in best }
                \cup When(e.info.dtime \notin {-1} \cup DelayTimes, {"DINT-04"})
 =============================================================================

@@ -10,8 +10,8 @@
 EXTENDS Codes, Cpu, Readings
 
 (* A system function is called by the running OB; in HOLD none runs        *)
-(* [OBS-45].                                                               *)
-Called == stack # <<>> /\ mode # "HOLD"
+(* [OBS-45], and one whose instruction failed waits [OBS-61].              *)
+Called == stack # <<>> /\ mode # "HOLD" /\ ~Failed
 
 (* [AMB-63] Any of several errors in a call may be answered; under (a) the *)
 (* first in the order of the operands, which is the order of the codes.    *)

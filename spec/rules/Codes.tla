@@ -78,8 +78,13 @@ EntriesDisabled == \h5380
 NoTimeErrorOb    == \h4568
 NoProgramErrorOb == \h456D
 DeselectedLoaded == \h454A
+(* [OBS-27] [OBS-63] OB 121 or OB 122 is missing, or fails itself.         *)
+NoProgrammingErrorOb == \h4562
+NoAccessErrorOb      == \h4563
+CausesOfSyncErrors   == {NoProgrammingErrorOb, NoAccessErrorOb}
 OtherErrorOb     == 0
 NoCause          == -1
 (* Causes that follow from the rules here alone.                           *)
 CausesOfRules == {NoTimeErrorOb, NoProgramErrorOb, DeselectedLoaded}
+                   \cup CausesOfSyncErrors
 =============================================================================

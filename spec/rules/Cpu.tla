@@ -4,8 +4,7 @@
 (* 39, the stack of running OBs.                                           *)
 (*                                                                         *)
 (* Sources: requirements, section 5.1, table 7.1.                          *)
-(* Left out: synchronous errors (OB 121, 122), which run in the class of   *)
-(* the OB that causes them [AIRT-10]; OB 90; hot restart (AMB-26).         *)
+(* Left out: OB 90; hot restart (AMB-26).                                  *)
 (***************************************************************************)
 EXTENDS Sequences, Families, State
 
@@ -24,6 +23,9 @@ TimeErrorOb == 80
 ProgramErrorOb == 85
 (* [OBS-29] Asynchronous errors with an OB of their own. *)
 AsyncErrorObs == 80..87
+(* [OBS-61] [IRT-23] Synchronous errors: a programming error, an access    *)
+(* error.                                                                  *)
+SyncErrorObs == {121, 122}
 StartupObs == {100, 102}
 (* Start events from outside. *)
 ExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
@@ -95,18 +97,21 @@ TakesEvents(o) == ~Deselected(o) /\ ~Blocked(o)
 -----------------------------------------------------------------------------
 (* The stack *)
 
-NoFrame == [ob |-> 0, class |-> 0]
+\* @type: (Int, Int) => $frame;
+Frame(o, class) == [ob |-> o, class |-> class, error |-> 0]
+
+NoFrame == Frame(0, 0)
 
 Running == IF stack = <<>> THEN NoFrame ELSE stack[Len(stack)]
+
+(* [OBS-61] The running OB does not go on before its error OB has started. *)
+Failed == Running.error # 0
 
 (* Calls in OB 80 may concern the OBs that it reports. *)
 InTimeErrorOb == Running.ob = TimeErrorOb
 
 \* @type: Int => Bool;
 OnStack(o) == \E i \in DOMAIN stack : stack[i].ob = o
-
-\* @type: (Int, Int) => $frame;
-Frame(o, class) == [ob |-> o, class |-> class]
 
 (* In these modes start points are reached and delays run [OBS-41]         *)
 (* [OBS-44]; not in HOLD [OBS-45] [DINT-19].                               *)

@@ -5,7 +5,7 @@
 (* enables them or the CPU is restarted (section 3). StartEvents has the   *)
 (* lost events, Cpu the blocked OBs.                                       *)
 (*                                                                         *)
-(* Left out: synchronous errors, which are not affected [IRT-05] [IRT-23]. *)
+(* Left out: synchronous errors, which are not affected (SyncErrors).      *)
 (***************************************************************************)
 EXTENDS Calls, Errors
 

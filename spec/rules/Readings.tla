@@ -116,7 +116,7 @@ Questions ==
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
 NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78", "AMB-83",
-              "AMB-84", "AMB-85" }
+              "AMB-84" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -369,7 +369,6 @@ CpusByMemory == UNION { Turned(c, "AMB-57", "c", {"a", "b"}) :
 ServedPointsAreSkipped == Reading("AMB-58") = "b"
 (* [AMB-59] A clock that is set back withdraws time-of-day runs that wait. *)
 SetBackWithdrawsRuns == Reading("AMB-59") = "b"
-
 (* [AMB-60] ACT_TINT on an active one-shot interrupt whose call waits or   *)
 (* runs: 0000; or 80A1.                                                    *)
 CalledOnceIsAhead == Reading("AMB-60") = "a"
@@ -425,11 +424,9 @@ EnIrtTakesMode8x == Reading("AMB-76") = "b"
 ExternalAgainIsTimeError == Reading("AMB-77") = "a"
 ExternalAgainIsBuffered  == Reading("AMB-77") = "b"
 ExternalAgainIsLost      == Reading("AMB-77") = "c"
-
 (* [AMB-79] Seconds that no date has are dropped like any; or refused. *)
 OddSecondsMayPass     == Reading("AMB-79") # "b" /\ ~SecondsAreKept
 OddSecondsMayBeWrong  == Reading("AMB-79") # "a" \/ SecondsAreKept
-
 (* [AMB-80] The reference of the clock may be local time, which STATUS bit *)
 (* 6 shows. A CPU keeps to one reference.                                  *)
 ReferenceIsBaseTime  == Reading("AMB-80") \in {"a", "base"}
@@ -440,7 +437,10 @@ CpusByReference(c) == Turned(c, "AMB-80", "b", {"base", "local"})
 CallsMayFail == Reading("AMB-81") = "b"
 (* [AMB-82] STATUS bit 3 is either. *)
 Bit3IsOpen == Reading("AMB-82") = "b"
-
+(* [AMB-85] In an error OB the other error calls its OB; or it stops the   *)
+(* CPU.                                                                    *)
+OtherErrorObIsCalled == Reading("AMB-85") # "b"
+OtherErrorStops      == Reading("AMB-85") # "a"
 (* [AMB-86] STEP 7 sets a monthly interrupt on day 29 to 31: months        *)
 (* without the day may be left out, unless AMB-05 (c) leaves none out; may *)
 (* have a point on their last day; or there may be no point.               *)

@@ -214,6 +214,9 @@ MayStart(r) == /\ ModeAllows(r)
                      /\ Foremost(r)
                   \/ NoticedAtOnce(r)
 
-(* [AMB-49] A STOP by rule may wait for the end of a delay. *)
-StopIsDue == stopCause # NoCause /\ (Undelayed \/ StopIsNotDelayed)
+(* [AMB-49] A STOP by rule may wait for the end of a delay, but not that   *)
+(* of a synchronous error [OBS-63].                                        *)
+StopIsDue == /\ stopCause # NoCause
+             /\ \/ Undelayed \/ StopIsNotDelayed
+                \/ stopCause \in CausesOfSyncErrors
 =============================================================================

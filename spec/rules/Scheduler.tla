@@ -73,14 +73,19 @@ Excused ==
           [] OTHER -> (requests \ missing)
                         \cup { [r EXCEPT !.open = TRUE] : r \in missing }
 
-(* [AIRT-04] The delay count falls to 0 when the OB has been processed     *)
-(* [AMB-25].                                                               *)
+(* [AMB-25] [OBS-62] [AMB-24] The count is not that of this OB alone.      *)
+\* @type: Int => Bool;
+CountOutlives(o) == \/ o = CycleOb /\ CountOutlivesTheCycle
+                    \/ o \in SyncErrorObs
+
+(* [AIRT-04] The delay count falls to 0 when the OB has been processed.    *)
 \* @type: Int => Bool;
 End(o) ==
     /\ Running.ob = o
     /\ mode # "HOLD"
+    /\ ~Failed
     /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-    /\ delay' = IF o = CycleOb /\ CountOutlivesTheCycle THEN delay ELSE 0
+    /\ delay' = IF CountOutlives(o) THEN delay ELSE 0
     /\ requests' = IF o = ProgramErrorOb THEN Excused ELSE requests
     /\ tod' = TodAfterEnd(o)
     /\ NothingEntered

@@ -48,6 +48,7 @@ VARIABLES
     \* @type: Set($request);
     requests,
     (* The running OB is the last one; the others it has interrupted.       *)
+    (* error: the error OB that it calls and that has not started, else 0.  *)
     \* @type: Seq($frame);
     stack,
     (* [AIRT-03] The delay count of SFC 41/42. *)
@@ -83,7 +84,7 @@ VARIABLES
 (*                         late: Set(Int), cause: Int, during: Int,        *)
 (*                         follows: Int, open: Bool };                     *)
 (* @typeAlias: entry = { id: Int, of: $request, open: Bool };              *)
-(* @typeAlias: frame = { ob: Int, class: Int };                            *)
+(* @typeAlias: frame = { ob: Int, class: Int, error: Int };                *)
 (* @typeAlias: step = { event: Str, ob: Int, value: Int, sdt: $date,       *)
 (*                      operand: Int, sign: Int };                         *)
 (***************************************************************************)

@@ -49,9 +49,10 @@ PowerOnMoments == Moments
 \* @type: Set($moment);
 ClockTargets == Moments
 
-(* Start events from outside, with the fault id of OB 80 and 85. *)
+(* Start events from outside, with the fault id of OB 80 and 85; errors of *)
+(* the running OB.                                                         *)
 \* @type: Set(<<Int, Int>>);
-Interrupts == (ExternalObs \X {0})
+Interrupts == ((ExternalObs \cup SyncErrorObs) \X {0})
                 \cup ({TimeErrorOb, ProgramErrorOb} \X (0..255))
 
 RestartTypes == {"warm", "cold"}

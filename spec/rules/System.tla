@@ -14,7 +14,8 @@
 (* Left out: start information (ReportedData); the latency of a real CPU   *)
 (* (Elapsing).                                                             *)
 (***************************************************************************)
-EXTENDS Surroundings, Airt, Irt, TimeOfDay, Clock, Scheduler, Modes
+EXTENDS Surroundings, Airt, Irt, TimeOfDay, Clock, Scheduler, SyncErrors,
+        Modes
 
 VARIABLE
     \* @type: $step;
@@ -56,6 +57,7 @@ Init ==
 (* What must happen at once *)
 
 Pressing == \/ \E r \in requests : MayStart(r)
+            \/ ErrorObIsDue
             \/ StopIsDue
 
 (* [AIRT-08] The highest class first. *)
@@ -63,9 +65,11 @@ Pressing == \/ \E r \in requests : MayStart(r)
 First(r) == \A q \in requests : MayStart(q) => q.class <= r.class
 
 StartsOb ==
-    /\ stopCause = NoCause
-    /\ \E r \in requests :
-         First(r) /\ Start(r) /\ Seen("start", r.ob, r.class)
+    /\ ~StopIsDue
+    /\ \/ \E r \in requests :
+            First(r) /\ Start(r) /\ Seen("start", r.ob, r.class)
+       \/ \E o \in SyncErrorObs :
+            ErrorObStarts(o) /\ Seen("start", o, Running.class)
 
 MissesOb ==
     /\ stopCause = NoCause
@@ -181,10 +185,13 @@ Proceed == CycleBegins \/ StartupBegins \/ EndsOb \/ GoesToRun
 -----------------------------------------------------------------------------
 (* The world acts *)
 
+(* An instruction of the running OB may fail, too. *)
 EventFromOutside ==
     /\ Settled
     /\ \E i \in Interrupts :
-         Interrupt(i[1], i[2]) /\ Seen("interrupt", i[1], i[2])
+         /\ IF i[1] \in SyncErrorObs THEN InstructionFails(i[1])
+                                    ELSE Interrupt(i[1], i[2])
+         /\ Seen("interrupt", i[1], i[2])
 
 ClockIsSet ==
     /\ Settled

@@ -6,7 +6,7 @@ OB_NUMBERS = range(1, 123)
 TIME_OF_DAY_OBS = range(10, 18)
 TIME_DELAY_OBS = range(20, 24)
 
-EXTERNAL_OBS = frozenset({*range(30, 39), *range(40, 48), 55, 56, 57, 60, 70, 72, *range(80, 88)})
+EXTERNAL_OBS = frozenset({*range(30, 39), *range(40, 48), 55, 56, 57, 60, 70, 72, *range(80, 88), 121, 122})
 """OBs that an ``interrupt`` line may name."""
 
 OBS_WITH_FAULT = frozenset({80, 85})
