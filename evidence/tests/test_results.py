@@ -19,6 +19,7 @@ from evidence.views.results import results_command as command
 from evidence.views.results.page import page, totals
 from evidence.views.results.records import Record, Table
 from evidence.views.results.runs import RUNS, SECOND
+from s7check import __version__
 
 GENERATED = {"docs/project/results.md", "CHANGELOG.md"}
 """Pages that may have numbers of runs; those of a change log are of its day."""
@@ -136,6 +137,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout with an empty page, whose runs end at once."""
     (tmp_path / command.PAGE).parent.mkdir(parents=True)
     (tmp_path / command.PAGE).write_text("", encoding="utf-8")
+    (tmp_path / "CHANGELOG.md").write_text("## Unreleased\n\n## 0.0.2\n\n## 0.0.1\n", encoding="utf-8")
     monkeypatch.setattr(command, "ROOT", tmp_path)
     monkeypatch.setattr(runs, "ROOT", tmp_path)
     return tmp_path
@@ -170,6 +172,22 @@ def test_a_run_is_kept(folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: py
     (folder / command.PAGE).write_text("", encoding="utf-8")
     assert main("--write") == 0
     assert (folder / command.PAGE).read_text(encoding="utf-8") == text
+
+
+@pytest.mark.parametrize(("release", "code"), [(__version__, 0), ("0.0.2", 0), ("0.0.1", 1)])
+def test_numbers_of_an_older_text(
+    release: str, code: int, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They are named; what is so since before the last release is a failure."""
+    as_run(monkeypatch, "print('APLock: holds')")
+    assert main("proofs") == 0
+    assert "older" not in capsys.readouterr().out
+    kept = records.read(folder / command.KEPT)["proofs"]
+    records.write(folder / command.KEPT, "proofs", msgspec.structs.replace(kept, texts="0", release=release))
+    assert main() == code
+    said = capsys.readouterr().out
+    assert "proofs: of an older text" in said
+    assert ("older than the last release" in said) == bool(code)
 
 
 @pytest.mark.usefixtures("folder")
@@ -252,15 +270,16 @@ def test_page() -> None:
     """Numbers with thousands separated, to the right; what is not known is left out; a second TLC has its own part."""
     kept = Record(
         command="s7spec logs agree --logs 10000", date="2026-11-21", revision="abc", tools=["TLC 2.18"],
-        machine="2 cores", load=None, seconds=None, exit=0,
+        release="1", texts="", machine="2 cores", load=None, seconds=None, exit=0,
         tables=[Table(["log", "lines"], [["a", 1234], ["b", None]], "T")],
         remarks=["A remark."],
     )  # fmt: skip
-    text = page({"agreement": kept, "agreement-second-tlc": kept})
+    text = page({"agreement": kept, "agreement-second-tlc": kept}, ["agreement"])
     part = text.partition("\n## Agreement\n")[2].partition("\n## ")[0]
     assert "**T**\n\n| log | lines |\n|---|---:|\n| a | 1,234 |\n| b |  |\n\nA remark.\n" in part
     assert "`s7spec logs agree --logs 10000`, 2026-11-21, revision abc, TLC 2.18, 2 cores, exit code 0.\n" in part
     assert "### Agreement on a second TLC\n" in part
+    assert part.count("**Of an older text:**") == 1
     assert "`s7spec models --lane ci` has not been run." in text
 
 
@@ -268,7 +287,7 @@ def test_totals() -> None:
     """Columns that a run names: added up, or those of the row that does it."""
     kept = Record(
         command="s7spec models --lane ci", date="2026-11-21", revision="abc", tools=[], machine="", load=None,
-        seconds=None, exit=0,
+        release="1", texts="", seconds=None, exit=0,
         tables=[Table(["kind", "models", "seconds"], [["model", 1200, 1.5], ["control", 2, 1]])],
     )  # fmt: skip
     line = "- **Models** (`s7spec models --lane ci`, 2026-11-21, revision abc): models: 1,202\n"

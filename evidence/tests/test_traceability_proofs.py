@@ -34,7 +34,17 @@ def test_the_kept_summary_is_read(tmp_path: Path) -> None:
     ]
     tables = summaries.proofs(json.dumps(report))
     record = Record(
-        command="", date="", revision="", tools=[], machine="", load=None, seconds=None, exit=0, tables=tables
+        command="",
+        date="",
+        revision="",
+        release="",
+        texts="",
+        tools=[],
+        machine="",
+        load=None,
+        seconds=None,
+        exit=0,
+        tables=tables,
     )
     records.write(tmp_path, "proofs", record)
     proofs = read_proofs(tmp_path / "proofs.json")

@@ -10,6 +10,7 @@ from evidence.views.differences.pages import SOURCES, differences_page, experime
 from evidence.views.gallery import page as gallery
 from evidence.views.results import page as results
 from evidence.views.results import records
+from evidence.views.results.runs import old
 from evidence.views.traceability import page as traceability
 from evidence.views.traceability.matrix import build
 from evidence.views.traceability.project import read_project
@@ -23,6 +24,7 @@ def views() -> dict[Path, str]:
     """The texts by their places in a checkout. Raises OSError, ValueError, EngineError, UnreadableError."""
     project = read_project(ROOT)
     experiments = read_kept(EXPERIMENTS)
+    kept = records.read(ROOT / "docs/project/results")
     with Engine() as engine:
         pages = {
             RULES / "differences.md": differences_page(engine, read_kept(DIFFERENCES)),
@@ -33,6 +35,6 @@ def views() -> dict[Path, str]:
         **{RULES / SOURCES / f"{name}.scl": text for name, text in sources(experiments).items()},
         RULES / "gallery.md": gallery.page(),
         RULES / "traceability.md": traceability.page(build(project), project),
-        Path("docs/project/results-in-full.md"): results.page(records.read(ROOT / "docs/project/results")),
+        Path("docs/project/results-in-full.md"): results.page(kept, old(kept)),
         Path("docs/checking/kit-results.md"): kit_results(),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from evidence.views.results.records import Cell, Record, Table
 from evidence.views.results.runs import RUNS, SECOND, Run
@@ -13,7 +13,8 @@ _TOTALS = """\
 
 What was run, when, at which revision, and the totals; no other page has numbers of runs. `s7spec views results RUN`
 runs a command, keeps its numbers in `docs/project/results/` and writes this page. `make views` makes a page with all
-numbers, the tools and the machine. [Checks](checks.md) says what runs on every revision.
+numbers, the tools and the machine, and says which are of an older text. [Checks](checks.md) says what runs on every
+revision.
 
 """
 
@@ -56,25 +57,27 @@ def _sum(rows: list[list[Cell]], column: int) -> int | float:
     return sum(cell for row in rows if isinstance(cell := row[column], int | float))
 
 
-def page(records: Mapping[str, Record]) -> str:
-    """The page with every run and its kept summary."""
-    return "\n".join(_sections(records))
+def page(records: Mapping[str, Record], old: Collection[str]) -> str:
+    """The page with every run and its kept summary; those named in `old` are of an older text."""
+    return "\n".join(_sections(records, old))
 
 
-def _sections(records: Mapping[str, Record]) -> Iterator[str]:
+def _sections(records: Mapping[str, Record], old: Collection[str]) -> Iterator[str]:
     yield _ALL
     for name, run in RUNS.items():
         yield f"## {run.title}\n\n{run.about}\n"
         if name in records:
-            yield from _record(records[name])
+            yield from _record(records[name], name in old)
         else:
             yield f"`{run.typed}` has not been run.\n"
         if name + SECOND in records:
             yield f"### {run.title} on a second TLC\n"
-            yield from _record(records[name + SECOND])
+            yield from _record(records[name + SECOND], name + SECOND in old)
 
 
-def _record(record: Record) -> Iterator[str]:
+def _record(record: Record, old: bool) -> Iterator[str]:
+    if old:
+        yield "**Of an older text:** something that these numbers depend on has changed since.\n"
     for table in record.tables:
         yield _table(table)
     yield from (f"{remark}\n" for remark in record.remarks)

@@ -34,11 +34,14 @@ class Record(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     """The outcome of a run and its circumstances.
 
     `load` is that of the machine when the run began. It, `seconds` and `exit` are None where they are not known.
+    `texts` is the hash of what the numbers depend on, `release` the version that was worked on.
     """
 
     command: str
     date: str
     revision: str
+    release: str
+    texts: str
     tools: list[str]
     machine: str
     load: float | None

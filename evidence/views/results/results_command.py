@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -14,7 +16,8 @@ from evidence.common.session import session
 from evidence.tla.tlc import ToolMissingError
 from evidence.views.results import records
 from evidence.views.results.page import totals
-from evidence.views.results.runs import RUNS, SECOND, RunError, take, take_over
+from evidence.views.results.runs import RUNS, SECOND, RunError, old, take, take_over
+from s7check import __version__
 from s7check.engine.java import JavaMissingError
 
 PAGE = Path("docs/project/results.md")
@@ -48,10 +51,27 @@ def results_command(*, write: bool, jar: Path | None, report: Path | None, names
         for name in names:
             record = take_over(name, jar, report) if report else take(name, jar, click.echo)
             records.write(ROOT / KEPT, name + (SECOND if jar else ""), record)
-        text = totals(records.read(ROOT / KEPT))
+        kept = records.read(ROOT / KEPT)
+        text = totals(kept)
         if write or names:
             (ROOT / PAGE).write_text(text, encoding="utf-8")
-        if (ROOT / PAGE).read_text(encoding="utf-8") == text:
-            return
-    click.echo(f"{PAGE}: not up to date: s7spec views results --write")
-    sys.exit(STALE)
+        problems = _problems(kept)
+        if (ROOT / PAGE).read_text(encoding="utf-8") != text:
+            problems.append(f"{PAGE}: not up to date: s7spec views results --write")
+    for problem in problems:
+        click.echo(problem)
+    sys.exit(STALE if problems else 0)
+
+
+def _problems(kept: Mapping[str, records.Record]) -> list[str]:
+    """Say which runs are of an older text; those that are so since before the last release are a problem."""
+    releases = re.findall(r"^## (\d[^\s]*)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    recent = {__version__, *[release for release in releases if release != __version__][:1]}
+    found = old(kept)
+    for name in found:
+        click.echo(f"{name}: of an older text ({kept[name].date}, revision {kept[name].revision})")
+    return [
+        f"{KEPT / name}.json: its text is older than the last release: s7spec views results {name}"
+        for name in found
+        if kept[name].release not in recent
+    ]

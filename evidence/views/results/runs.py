@@ -14,8 +14,9 @@ from typing import Any
 
 from evidence.common.checkout import ROOT
 from evidence.tla.tlc import find_toolchain
-from evidence.views.results import records, summaries
+from evidence.views.results import records, summaries, texts
 from evidence.views.results.records import Record, Table
+from s7check import __version__
 
 SECOND = "-second-tlc"
 """End of the name of a run on another TLC than the project's own."""
@@ -34,7 +35,8 @@ class Run:
     ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
     With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
     `told`: fields by which a report tells that it is one of this run; without them no report is taken over. `totals`
-    are the columns of its first table that the short page adds up.
+    are the columns of its first table that the short page adds up, `parts` those of the checkout (``texts``) that its
+    numbers depend on.
     """
 
     title: str
@@ -46,6 +48,7 @@ class Run:
     tlc: bool = False
     told: Mapping[str, Any] = field(default_factory=dict)
     totals: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()
 
 
 def _s7spec(
@@ -57,9 +60,12 @@ def _s7spec(
     tlc: bool = True,
     told: Mapping[str, Any] | None = None,
     totals: tuple[str, ...] = (),
+    parts: tuple[str, ...],
 ) -> Run:
     process = (sys.executable, "-m", "evidence", *arguments.split(), "--json", _REPORT)
-    return Run(title, about, f"s7spec {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals)
+    return Run(
+        title, about, f"s7spec {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals, parts=parts
+    )
 
 
 RUNS = {
@@ -70,6 +76,7 @@ RUNS = {
         summaries.models,
         told={"lane": "ci"},
         totals=("models", "not as pinned", "distinct states"),
+        parts=("spec", "models"),
     ),
     "models-full": _s7spec(
         "Models of the full lane",
@@ -78,6 +85,7 @@ RUNS = {
         summaries.models,
         told={"lane": "full"},
         totals=("models", "not as pinned", "distinct states"),
+        parts=("spec", "models"),
     ),
     "logs": Run(
         "Logs",
@@ -87,6 +95,7 @@ RUNS = {
         summaries.logs,
         codes=(0, 1, 2),
         totals=("logs", "accepted", "rejected", "unusable"),
+        parts=("spec", "cases", "engine", "checker"),
     ),
     "agreement": _s7spec(
         "Agreement",
@@ -94,6 +103,7 @@ RUNS = {
         "logs agree --logs 10000",
         summaries.agreement,
         totals=("logs", "lines", "differ"),
+        parts=("spec", "engine"),
     ),
     "left-out": _s7spec(
         "Kinds left out",
@@ -103,6 +113,7 @@ RUNS = {
         tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
         totals=("accepted logs", "with kinds left out", "got worse"),
+        parts=("spec", "engine"),
     ),
     "left-out-sample": _s7spec(
         "Kinds left out, more logs",
@@ -112,6 +123,7 @@ RUNS = {
         tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
         totals=("accepted logs", "with kinds left out", "got worse"),
+        parts=("spec", "engine"),
     ),
     "growth": _s7spec(
         "Logs that leave much open",
@@ -121,6 +133,7 @@ RUNS = {
         summaries.growth,
         tlc=False,
         totals=("lines", "steps"),
+        parts=("spec", "engine"),
     ),
     "mutation": _s7spec(
         "Mutation",
@@ -129,6 +142,7 @@ RUNS = {
         summaries.mutants,
         told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
+        parts=("spec", "models", "cases"),
     ),
     "mutation-properties": _s7spec(
         "Mutation, properties alone",
@@ -138,6 +152,7 @@ RUNS = {
         summaries.mutants,
         told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
+        parts=("spec", "models"),
     ),
     "witnesses": _s7spec(
         "Witnesses",
@@ -145,6 +160,7 @@ RUNS = {
         "witnesses",
         summaries.witnesses,
         totals=("conditions", "by models", "by logs alone", "with a reason", "without"),
+        parts=("spec", "models", "cases"),
     ),
     "kit": _s7spec(
         "Kit",
@@ -155,6 +171,7 @@ RUNS = {
         tlc=False,
         told={"kit": "reached"},
         totals=("programs", "logs", "guard outcomes reached", "that can be observed"),
+        parts=("spec", "kit", "soft PLC"),
     ),
     "kit-faults": _s7spec(
         "Kit, faults",
@@ -163,6 +180,7 @@ RUNS = {
         summaries.kit_faults,
         tlc=False,
         totals=("number", "found"),
+        parts=("kit", "soft PLC", "spec"),
     ),
     "kit-mutants": _s7spec(
         "Kit, mutants",
@@ -173,6 +191,7 @@ RUNS = {
         tlc=False,
         told={"kit": "mutants"},
         totals=("mutants", "shown by one", "by the kit"),
+        parts=("spec", "kit"),
     ),
     "fuzz": Run(
         "Damaged logs and sources",
@@ -181,6 +200,7 @@ RUNS = {
         (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
         totals=("accepted", "rejected", "unusable", "imported", "refused"),
+        parts=("spec", "engine", "checker"),
     ),
     "bench": Run(
         "Speed",
@@ -189,6 +209,7 @@ RUNS = {
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
         totals=("events", "seconds"),
+        parts=("spec", "engine", "checker"),
     ),
     "compare": Run(
         "Beside an earlier revision",
@@ -197,6 +218,7 @@ RUNS = {
         "bench/compare.py",
         (sys.executable, "bench/compare.py", "--json", _REPORT),
         summaries.bench,
+        parts=("spec", "engine", "checker"),
     ),
     "explorer": Run(
         "Steps of the explorer",
@@ -206,6 +228,7 @@ RUNS = {
         (sys.executable, "bench/explorer.py", "--json", _REPORT),
         summaries.bench,
         totals=("steps", "over 100 ms"),
+        parts=("spec", "engine", "checker"),
     ),
     "edges": _s7spec(
         "The explorer's steps and TLC's edges",
@@ -213,6 +236,7 @@ RUNS = {
         "logs edges",
         summaries.edges,
         totals=("edges", "compared", "not offered"),
+        parts=("spec", "engine"),
     ),
     "proofs": _s7spec(
         "Proofs",
@@ -221,8 +245,14 @@ RUNS = {
         summaries.proofs,
         tlc=False,
         totals=("queries", "not as claimed", "conditions"),
+        parts=("spec", "models", "proofs"),
     ),
 }
+
+
+def old(kept: Mapping[str, Record]) -> list[str]:
+    """The names of kept runs whose numbers depend on texts that have changed since. Raises OSError."""
+    return [name for name, one in kept.items() if one.texts != texts.origin(RUNS[name.removesuffix(SECOND)].parts)]
 
 
 def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
@@ -233,7 +263,7 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
     run = RUNS[name]
     options = [] if jar is None else ["--tlc", str(jar)]
     tools = _tools(run, jar)
-    state = records.today(), records.revision(), records.machine(), records.load()
+    state = records.today(), records.revision(), records.machine(), records.load(), texts.origin(run.parts)
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="s7check-results-") as folder:
         report = Path(folder) / "report.json"
@@ -243,11 +273,13 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
         text = report.read_text(encoding="utf-8") if report.exists() else ended.stdout
     if ended.returncode not in run.codes or not text:
         raise RunError(f"{run.typed} ended with exit code {ended.returncode}: {_end(ended.stdout.splitlines())}")
-    date, revision, machine, load = state
+    date, revision, machine, load, origin = state
     return Record(
         command=_typed(run, jar),
         date=date,
         revision=revision,
+        release=__version__,
+        texts=origin,
         tools=tools,
         machine=machine,
         load=load,
@@ -278,6 +310,8 @@ def take_over(name: str, jar: Path | None, report: Path) -> Record:
         command=_typed(run, jar),
         date=records.day(written),
         revision=records.revision(),
+        release=__version__,
+        texts=texts.origin(run.parts),
         tools=_tools(run, jar),
         machine=records.machine(),
         load=None,
