@@ -1,18 +1,17 @@
 ------------------------------- MODULE Readings -------------------------------
 (***************************************************************************)
 (* The questions that the sources leave open: the letters of the answers   *)
-(* and the default, in one table; the profiles, each with the letters of   *)
-(* one edition of the manual; the letter of the CPU at hand; and a name    *)
-(* for each possible answer, a predicate that says how the CPU at hand     *)
-(* reads it. No other module knows letters. docs/rules/readings.md has the *)
-(* questions with their sources.                                           *)
+(* and the default, in one table; the letter of the CPU at hand; and a     *)
+(* name for each possible answer, a predicate that says how the CPU at     *)
+(* hand reads it. Only Profiles knows letters, too.                        *)
+(* docs/rules/readings.md has the questions with their sources.            *)
 (*                                                                         *)
 (* A question with two answers has one predicate; its negation is the      *)
 (* other answer. A question with more answers has several predicates; if   *)
 (* none holds, the answer is the remaining one, often "either".            *)
 (* Left out: questions that no formula tells apart have no names.          *)
 (***************************************************************************)
-EXTENDS State
+EXTENDS State, Profiles
 
 -----------------------------------------------------------------------------
 (* The questions *)
@@ -159,28 +158,6 @@ ReadAs(a, letter, c) ==
 Turned(c, a, open, letters) ==
     IF ReadingOf(c, a) # open THEN {c}
     ELSE { ReadAs(a, letter, c) : letter \in letters }
-
------------------------------------------------------------------------------
-(* Profiles: the letters of an edition as printed, where the defaults      *)
-(* would reject it. AMB-06 has the letter "delay" for the edition of 2010: *)
-(* (b) for time-delay interrupts alone.                                    *)
-
-ProfileNames == {"1997", "2006", "2010"}
-
-\* @type: Str => Set(<<Str, Str>>);
-Profile(name) ==
-    CASE name = "1997" ->
-           { <<"AMB-01", "a">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
-             <<"AMB-05", "b">>, <<"AMB-14", "c">>, <<"AMB-17", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-43", "b">> }
-      [] name = "2006" ->
-           { <<"AMB-01", "b">>, <<"AMB-02", "a">>, <<"AMB-04", "b">>,
-             <<"AMB-20", "b">>, <<"AMB-22", "b">>, <<"AMB-36", "b">>,
-             <<"AMB-40", "b">>, <<"AMB-41", "b">>, <<"AMB-42", "b">> }
-      [] name = "2010" ->
-           { <<"AMB-01", "b">>, <<"AMB-06", "delay">>, <<"AMB-20", "b">>,
-             <<"AMB-36", "b">>, <<"AMB-74", "b">> }
-      [] OTHER -> {}
 
 -----------------------------------------------------------------------------
 (* The answers by name *)

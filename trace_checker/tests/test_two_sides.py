@@ -177,7 +177,7 @@ def test_decide(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_a_profile_that_was_decided(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The file is one for ``--profile``, and for headers of logs beside it; nothing else is read as one."""
-    right = log_of("AMB-22-edition-2006-number-beside-mode-00-as-printed")
+    right = log_of("AMB-22-edition-2006ru-number-beside-mode-00-as-printed")
     header, *lines = right.read_text(encoding="utf-8").splitlines()
     plain = {name: value for name, value in json.loads(header).items() if name not in ("profile", "readings")}
     logs = folder / "logs"

@@ -18,8 +18,8 @@ _DEFAULT_KINDS = tuple(kind for kind in KINDS if kind not in ("diag", "state"))
 CPUS = ("S7-300", "S7-400", "CPU 318")
 """Families of CPUs that a header may name."""
 
-PROFILES = ("1997", "2006", "2010")
-"""Editions of the manual whose readings a header may ask for together."""
+PROFILES = ("1997", "2006", "2010", "1997ru", "2006ru", "2010zh")
+"""Editions of the manual, and their translations, whose readings a header may ask for together."""
 
 _EXECUTIONS = (
     *("none", "once", "minute", "hourly", "daily"),
