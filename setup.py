@@ -65,9 +65,9 @@ def parse_specification(package: Path) -> None:
         return
     jars = [package / "jars" / JAR.name, *sorted((package / "jars" / "lib").glob("*.jar"))]
     contents = runpy.run_path(CONTENTS)["contents"]
-    parsed = (package / "parsed" / f"{contents([*(package / 'spec').rglob('*.tla'), *jars])}.tree").resolve()
+    parsed = (package / "parsed" / f"{contents([*(package / 'spec').rglob('*.tla'), jars[0]])}.tree").resolve()
     parsed.parent.mkdir()
-    engine = [java, "-cp", os.pathsep.join(map(str, jars)), "s7.trace.Engine", package / "spec", parsed]
+    engine = [java, "-cp", os.pathsep.join(map(str, jars)), "s7.jvm.Main", package / "spec", parsed]
     subprocess.run(engine, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False)
 
 

@@ -19,7 +19,7 @@ from evidence.logs.random_logs import Generated, Generator
 from evidence.logs.verdicts import Compared, Judged
 from evidence.tla import tlc
 from s7check.engine.client import Engine
-from s7check.engine.command import engine_command
+from s7check.engine.command import jvm_command
 from s7check.judging.check import check_log
 from s7check.resources import SPECIFICATION
 
@@ -83,7 +83,7 @@ def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: 
         began = time.monotonic()
         drawn: list[_Drawn] = []
         refused: Counter[str] = Counter()
-        with Engine(lambda: engine_command(ours)) as engine:
+        with Engine(lambda: jvm_command(ours)) as engine:
             generator = Generator(request.seed, request.soft_plc, engine.alternatives().letters)
             for number in range(1, request.logs + 1):
                 drawn.append(_decided(generator, engine, number, folder / f"{number}.ndjson", refused))

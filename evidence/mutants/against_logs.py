@@ -18,7 +18,7 @@ import msgspec
 from evidence.common.cases import Case, difference
 from evidence.mutants.findings import How
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError, engine_command
+from s7check.engine.command import EngineError, jvm_command
 from s7check.judging.check import check_log
 
 UNREADABLE = "arsing or semantic analysis failed"
@@ -47,7 +47,7 @@ def judge(spec: Path, file: Path) -> Judged:
 
     Raises `EngineError` where the engine fails for a reason outside of the specification.
     """
-    java, *arguments = engine_command(spec)
+    java, *arguments = jvm_command(spec)
     command = [java, "-XX:TieredStopAtLevel=1", *arguments]
     cases = msgspec.json.decode(file.read_bytes(), type=list[Case])
     with Engine(lambda: command) as engine, TemporaryDirectory(prefix="s7check-") as folder:
@@ -65,7 +65,7 @@ def judge(spec: Path, file: Path) -> Judged:
 
 def fingerprint(cases: Path) -> str:
     """A hash of the engine and the cases. Raises `EngineError` if there is no engine."""
-    command = engine_command()
+    command = jvm_command()
     classpath = command[command.index("-cp") + 1].split(os.pathsep)
     digest = hashlib.sha256()
     for file in (*map(Path, classpath), cases):

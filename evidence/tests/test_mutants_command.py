@@ -14,7 +14,7 @@ from evidence.mutants import mutants_command as command
 from evidence.mutants.mutants_command import mutants_command
 from evidence.tests.lamp import run_command, write_lamp
 from evidence.tests.test_mutants_bench import TEXT, FakeCheck
-from s7check.engine.command import EngineError, engine_command
+from s7check.engine.command import EngineError, jvm_command
 
 ROOT = Path(__file__).parents[2]
 
@@ -143,7 +143,7 @@ def test_survivors_with_a_reason_are_not_tried_again(tmp_path: Path, monkeypatch
 def copy(tmp_path: Path) -> Path:
     """Copy the specification."""
     try:
-        engine_command()
+        jvm_command()
     except EngineError as missing:
         pytest.skip(str(missing))
     shutil.copytree(ROOT / "spec", tmp_path / "spec")
@@ -168,6 +168,6 @@ def test_an_engine_that_is_killed_shows_nothing(tmp_path: Path, monkeypatch: pyt
     java = tmp_path / "java"
     java.write_text("#!/bin/sh\nkill -KILL $$\n")
     java.chmod(0o755)
-    monkeypatch.setattr(logs, "engine_command", lambda *_: [str(java), ""])
+    monkeypatch.setattr(logs, "jvm_command", lambda *_: [str(java), ""])
     with pytest.raises(EngineError, match="SIGKILL"):
         logs.judge(ROOT / "spec", logs.keep(all_cases()[:1], tmp_path / "cases.json"))

@@ -1,5 +1,7 @@
 """The command ``s7check``."""
 
+import os
+
 import click
 
 from s7check import __version__
@@ -22,13 +24,30 @@ COMMANDS = {
 }
 
 
+def _version(context: click.Context, _: click.Parameter, asked: bool) -> None:
+    if asked:
+        from s7check.engine.command import engine_kind
+
+        _choose(context.params.get("engine"))
+        click.echo(f"s7check, version {__version__}, engine {engine_kind()}")
+        context.exit()
+
+
+def _choose(engine: str | None) -> None:
+    """Has this process and those that it starts use an engine."""
+    if engine:
+        os.environ["S7CHECK_ENGINE"] = engine
+
+
 @click.group(cls=Commands, places=COMMANDS, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(__version__, prog_name="s7check")
-def cli() -> None:
+@click.option("--engine", type=click.Choice(["native", "jvm"]), help="The engine: an executable, or a Java program.")
+@click.option("--version", is_flag=True, callback=_version, expose_value=False, help="Show the version.")
+def cli(engine: str | None) -> None:
     """Check the interrupt functions of S7-300/400 CPUs (SFC 28-34 and 39-42).
 
     The rules come from one TLA+ specification, which s7check evaluates on the logs of a CPU or of a soft PLC.
     """
+    _choose(engine)
 
 
 def main(arguments: list[str] | None = None) -> int:

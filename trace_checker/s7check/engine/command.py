@@ -1,14 +1,15 @@
-"""How the engine, a Java program, is started."""
+"""How the engine is started: as an executable where one is built, else as a Java program."""
 
 import os
+import subprocess
 from pathlib import Path
 
 from s7check.engine.class_archive import archive_options
 from s7check.engine.java import JavaMissingError, locate_java
 from s7check.engine.kept_specification import kept_specification
-from s7check.resources import ENGINE, REMEDY, SPECIFICATION
+from s7check.resources import ENGINE, INSTALLED, NATIVE, REMEDY, SPECIFICATION
 
-_MAIN_CLASS = "s7.trace.Engine"
+_MAIN_CLASS = "s7.jvm.Main"
 _LOG = (
     b'{"format":"s7-interrupt-log/1","cpu":"S7-300","obs":[1,35],"clock":"1990-01-01T00:00","mode":"RUN"}\n'
     b'{"event":"interrupt","ob":35,"at":"1990-01-01T00:01:00.000"}\n'
@@ -35,8 +36,50 @@ class EngineError(Exception):
     """The engine could not do its work; the text gives reason and remedy."""
 
 
-def engine_command(specification: Path | None = None) -> list[str]:
-    """The command that starts the engine on the project's specification, or on another one in a folder.
+CHOICE = "S7CHECK_ENGINE"
+"""The environment variable with the kind of engine; the option ``--engine`` of s7check sets it."""
+
+_JAR = "s7-trace-engine.jar"
+
+
+def engine_kind() -> str:
+    """The engine that judges, ``native`` or ``jvm``: the chosen one, else the executable if there is one of these sources."""
+    chosen = os.environ.get(CHOICE)
+    if chosen in ("native", "jvm"):
+        return chosen
+    return "native" if not os.environ.get("TLA2TOOLS_JAR") and _is_built() else "jvm"
+
+
+def _is_built() -> bool:
+    # In a checkout Java's sources may be newer.
+    return NATIVE.is_file() and (INSTALLED or not _newer(ENGINE / _JAR, NATIVE))
+
+
+def _newer(file: Path, other: Path) -> bool:
+    return file.is_file() and file.stat().st_mtime_ns > other.stat().st_mtime_ns
+
+
+def engine_command() -> list[str]:
+    """The command that starts the engine on the project's specification. Raises EngineError if something is missing."""
+    return native_command() if engine_kind() == "native" else jvm_command()
+
+
+def native_command() -> list[str]:
+    """The command that starts the executable. Raises EngineError if it is missing, or nothing can parse for it."""
+    if not NATIVE.is_file():
+        raise EngineError(f"there is no executable engine ({NATIVE}): use --engine jvm")
+    parsed = kept_specification(SPECIFICATION, [ENGINE / _JAR])
+    if not parsed:
+        raise EngineError("there is no folder for the parsed specification: use --engine jvm")
+    if not Path(parsed[0]).is_file():
+        # Only Java parses.
+        nothing = subprocess.DEVNULL
+        subprocess.run(jvm_command(), stdin=nothing, stdout=nothing, stderr=nothing, check=False)
+    return [str(NATIVE), *parsed]
+
+
+def jvm_command(specification: Path | None = None) -> list[str]:
+    """The command that starts the engine in Java on the project's specification, or on another one in a folder.
 
     TLC is the jar with which the engine was built, or the jar that ``$TLA2TOOLS_JAR`` names. Raises
     EngineError if something of it is missing.
@@ -45,22 +88,23 @@ def engine_command(specification: Path | None = None) -> list[str]:
         java = locate_java()
     except JavaMissingError as error:
         raise EngineError(str(error)) from error
-    engine = ENGINE / "s7-trace-engine.jar"
+    engine = ENGINE / _JAR
     libraries = sorted((ENGINE / "lib").glob("*.jar"))
     if not engine.is_file() or not libraries:
         raise EngineError(f"the engine is not there ({engine}): {REMEDY}")
     if not SPECIFICATION.is_dir():
         raise EngineError(f"the specification is not there ({SPECIFICATION}): install s7check again")
     own_tlc = os.environ.get("TLA2TOOLS_JAR")
+    parsers = [engine]
     if own_tlc:
         if not Path(own_tlc).is_file():
             raise EngineError(f"TLA2TOOLS_JAR names {own_tlc}, which is not a file")
         libraries = [jar for jar in libraries if not jar.match(_TLC_OF_MAVEN)]
-        # Last: releases of TLC bundle an older gson than the engine's.
         libraries.append(Path(own_tlc).resolve())
+        parsers.append(libraries[-1])
     jars = [engine, *libraries]
     if specification is None:
-        program = [_MAIN_CLASS, str(SPECIFICATION), *kept_specification(SPECIFICATION, jars)]
+        program = [_MAIN_CLASS, str(SPECIFICATION), *kept_specification(SPECIFICATION, parsers)]
     else:
         program = [_MAIN_CLASS, str(specification)]
     jvm = [

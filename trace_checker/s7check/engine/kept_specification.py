@@ -24,7 +24,7 @@ def specification_state(specification: Path, jars: list[Path]) -> str:
 
 
 def kept_specification(specification: Path, jars: list[Path]) -> list[str]:
-    """The engine's argument for the file with the parsed specification; none where no file can be."""
+    """The engine's argument for the file with the specification as ``jars`` parse it; none where no file can be."""
     with suppress(OSError):
         if INSTALLED:
             shipped = PARSED / f"{contents([*modules(specification), *jars])}.tree"

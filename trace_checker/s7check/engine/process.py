@@ -11,13 +11,16 @@ from s7check.engine import limits
 from s7check.engine.command import EngineError
 from s7check.log.errors import printable
 from s7check.readable import AT_ONCE, readable, writable
-from s7check.resources import REMEDY
+from s7check.resources import NATIVE, REMEDY
 
 _PATIENCE = 5
 """Seconds that the engine gets to end once its input has."""
 
 FOLDER = "s7check-engine-"
 """How the name of its folder begins. The engine knows it too: it removes the folder if its parent was killed."""
+
+_NO_MEMORY = "lack of free memory"
+"""What the executable says last."""
 
 _READ = 64 * 1024
 _SHOWN = 300
@@ -30,7 +33,7 @@ class EngineTooSlowError(EngineError):
 class EngineProcess:
     """A running engine; ``output`` is the file descriptor on which its lines come.
 
-    Its current folder is a new one, for temporary files; it goes with the process, however that ends.
+    In Java its current folder is a new one, for temporary files; it goes with the process, however that ends.
     Raises EngineError if it cannot be started, and from then on if it has ended.
     """
 
@@ -39,7 +42,8 @@ class EngineProcess:
         self._fds: list[int] = []
         self._folder = ""
         try:
-            self._folder = tempfile.mkdtemp(prefix=FOLDER)
+            if command[0] != str(NATIVE):
+                self._folder = tempfile.mkdtemp(prefix=FOLDER)
             # A file for its standard error: a pipe that nobody empties would block it.
             with tempfile.TemporaryFile() as errors:
                 self._errors = os.dup(errors.fileno())
@@ -49,7 +53,7 @@ class EngineProcess:
             self.output, output_end = os.pipe()
             self._fds += [self.output, output_end]
             self._process = subprocess.Popen(
-                command, stdin=input_end, stdout=output_end, stderr=self._errors, cwd=self._folder
+                command, stdin=input_end, stdout=output_end, stderr=self._errors, cwd=self._folder or None
             )
         except OSError as error:
             self._close()
@@ -128,8 +132,8 @@ class EngineProcess:
             return EngineError(f"the engine broke off: try again, then {REMEDY}")
         os.lseek(self._errors, 0, os.SEEK_SET)
         said = os.read(self._errors, _READ).decode(errors="replace").strip()
-        if "OutOfMemoryError" in said:
-            return EngineError("the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance")
+        if "OutOfMemoryError" in said or _NO_MEMORY in said:
+            return EngineError("the engine ran out of memory: use --engine jvm, JDK_JAVA_OPTIONS=-Xmx4g for instance")
         how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
         words = f", {printable(_gist(said), _SHOWN)}" if said else ""
         return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")

@@ -3,13 +3,15 @@ package tla;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Set;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import tla.json.Json;
+import s7.log.Fields;
 import tla.spec.Specification;
+import tla.tlc.Modules;
 import util.ToolIO;
 
 /** The specification of the tests, and JSON for it. */
@@ -21,19 +23,24 @@ public final class Tiny {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
     try {
       var module = Path.of(Tiny.class.getResource("/tiny/Explain.tla").toURI());
-      return new Specification(module.getParent(), "Explain", Set.of("time", "at"));
+      return new Modules(module.getParent(), "Explain").specification(Set.of("time", "at"));
     } catch (URISyntaxException e) {
       throw new IllegalStateException(e);
     }
   }
 
-  /** A text of JSON written with single quotes. */
-  public static Json text(String text) {
-    return Json.of(text.replace('\'', '"'));
+  /** An object written with single quotes. */
+  public static Fields text(String text) {
+    return Fields.of(text.replace('\'', '"').getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Parses an object written with single quotes. */
+  /** An object written with single quotes, as another library has it. */
   public static JsonObject json(String text) {
     return JsonParser.parseString(text.replace('\'', '"')).getAsJsonObject();
+  }
+
+  /** An object as it is printed. */
+  public static JsonObject json(Fields object) {
+    return JsonParser.parseString(object.toString()).getAsJsonObject();
   }
 }

@@ -1,11 +1,12 @@
 package s7.log;
 
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
 
 /**
  * The fields of a JSON object in their order. Values are strings, Boolean, Long or Integer, {@link JsonNumber} for other
- * numbers, null, List, Fields, and in normalised objects {@link Moment}.
+ * numbers, null, List or another Collection, Fields, and in normalised objects {@link Moment}.
  */
 public final class Fields {
   private String[] names = new String[8];
@@ -18,7 +19,12 @@ public final class Fields {
    * @throws Unusable for anything but an object
    */
   public static Fields of(byte[] text) {
-    return Json.read(text);
+    return of(text, 0, text.length);
+  }
+
+  /** As {@link #of(byte[])}, of a part of the bytes. */
+  public static Fields of(byte[] bytes, int from, int to) {
+    return new Json().read(bytes, from, to);
   }
 
   /** The number of fields. */
@@ -53,8 +59,28 @@ public final class Fields {
     return place < 0 ? null : values[place];
   }
 
+  /** The value of a field that is a string. */
+  public String text(String name) {
+    return (String) get(name);
+  }
+
+  /** The value of a field that is an integer of 32 bits. */
+  public int number(String name) {
+    return ((Number) get(name)).intValue();
+  }
+
+  /** The value of a field that is an object. */
+  public Fields object(String name) {
+    return (Fields) get(name);
+  }
+
+  /** The value of a field that is an array; no elements if there is no such field. */
+  public List<?> list(String name) {
+    return has(name) ? (List<?>) get(name) : List.of();
+  }
+
   /** Gives a field its value. */
-  Fields put(String name, Object value) {
+  public Fields put(String name, Object value) {
     int place = place(name);
     if (place < 0) {
       add(name, value);
@@ -65,13 +91,21 @@ public final class Fields {
   }
 
   /** Adds a field that is known to be new. */
-  void add(String name, Object value) {
+  public void add(String name, Object value) {
     if (size == names.length) {
       names = Arrays.copyOf(names, 2 * size);
       values = Arrays.copyOf(values, 2 * size);
     }
     names[size] = name;
     values[size++] = value;
+  }
+
+  /** Gives it the fields of another object, too. */
+  public Fields with(Fields others) {
+    for (int i = 0; i < others.size; i++) {
+      put(others.names[i], others.values[i]);
+    }
+    return this;
   }
 
   /** The same fields without some. */
@@ -103,7 +137,7 @@ public final class Fields {
         write(text.append(':'), object.values[i]);
       }
       text.append(before == '{' ? "{}" : "}");
-    } else if (value instanceof List<?> list) {
+    } else if (value instanceof Collection<?> list) {
       char before = '[';
       for (Object each : list) {
         write(text.append(before), each);

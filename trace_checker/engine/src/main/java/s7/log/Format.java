@@ -18,7 +18,7 @@ public final class Format {
 
   /** The normalised header of a text, as the first line of a log has it. */
   public Fields header(byte[] text, ProfileFile file) {
-    return header(Json.read(text), file);
+    return header(Fields.of(text), file);
   }
 
   Fields header(Fields line, ProfileFile file) {
@@ -32,7 +32,7 @@ public final class Format {
 
   /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
   public Fields event(byte[] text, Clocks clocks) {
-    return event(Json.read(text), clocks);
+    return event(Fields.of(text), clocks);
   }
 
   Fields event(Fields line, Clocks clocks) {

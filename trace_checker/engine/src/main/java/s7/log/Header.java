@@ -212,7 +212,7 @@ final class Header {
       throw new Unusable("the file of a profile beside the log", Quoting.quote(name) + ": " + why, PROFILE);
     }
     try {
-      return Json.read(file.text());
+      return Fields.of(file.text());
     } catch (Unusable wrong) {
       throw wrong.inside(PROFILE);
     }

@@ -31,10 +31,6 @@ final class Json {
   /** Strings that were met, by a hash: most names and short values come again. */
   private final String[] met = new String[256];
 
-  static Fields read(byte[] text) {
-    return new Json().read(text, 0, text.length);
-  }
-
   /**
    * The object in a part of the bytes.
    *

@@ -13,9 +13,14 @@ public record Moment(int minutes, int milliseconds) {
     return (long) minutes * MS_PER_MINUTE + milliseconds;
   }
 
+  /** The moment as an object. */
+  public Fields asFields() {
+    return new Fields().put("min", minutes).put("ms", milliseconds);
+  }
+
   /** The text in JSON. */
   @Override
   public String toString() {
-    return "{\"min\":" + minutes + ",\"ms\":" + milliseconds + "}";
+    return asFields().toString();
   }
 }

@@ -1,21 +1,15 @@
 package s7.trace;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
 import s7.log.Fields;
 import s7.log.Format;
 import tla.eval.State;
 import tla.eval.Way;
-import tla.json.Json;
-import tla.json.Values;
 import tla.spec.Decisions;
 import tla.spec.Guards;
 import tla.spec.Specification;
@@ -34,9 +28,9 @@ import util.UniqueString;
  * <p>A state is a CPU that explains the log so far, an event is a line of the log, a record like
  * NoEvent.
  */
-final class Contract {
+public final class Contract {
   /** The module that has all operators, with a configuration of the same name. */
-  static final String MODULE = "Explain";
+  public static final String MODULE = "Explain";
 
   /** An operator and the number of its parameters. */
   enum Operator {
@@ -90,7 +84,7 @@ final class Contract {
   static final String READING = "ReadingOf";
 
   /** Variables and fields whose integers are times; the engine is slower where one is missing. */
-  static final Set<String> TIMES =
+  public static final Set<String> TIMES =
       Set.of("min", "ms", "left", "next", "age", "from", "to", "waiting");
 
   /** The fields of an event that tell kinds of line apart. */
@@ -175,21 +169,8 @@ final class Contract {
   }
 
   /** The record for a normalised header. */
-  Value header(Json json) {
-    return Values.like(value(Operator.NO_HEADER, blank), json);
-  }
-
-  /**
-   * The record for a normalised event.
-   *
-   * @throws NotCovered if it is of another shape
-   */
-  RecordValue event(Json json) {
-    try {
-      return (RecordValue) Values.like(noEvent, json);
-    } catch (IllegalArgumentException e) {
-      throw NotCovered.because("at an event", e);
-    }
+  Value header(Fields header) {
+    return Values.like(value(Operator.NO_HEADER, blank), header);
   }
 
   /** The record for an event as the reader of logs gives it. */
@@ -203,20 +184,18 @@ final class Contract {
   }
 
   /** The words of a log, as {@link #format} has them, with what else the specification tells of them. */
-  JsonObject alternatives() {
-    JsonObject all = words();
-    Values.toJson(value(Operator.ALTERNATIVES, blank)).getAsJsonObject().asMap().forEach(all::add);
-    return all;
+  Fields alternatives() {
+    return words().with(Values.object(value(Operator.ALTERNATIVES, blank)));
   }
 
-  private JsonObject words() {
-    return Values.toJson(value(Operator.WORDS, blank)).getAsJsonObject();
+  private Fields words() {
+    return Values.object(value(Operator.WORDS, blank));
   }
 
   /** How a log is read. */
   Format format() {
     if (format == null) {
-      format = new Format(Fields.of(words().toString().getBytes(StandardCharsets.UTF_8)));
+      format = new Format(words());
     }
     return format;
   }
@@ -230,7 +209,7 @@ final class Contract {
   }
 
   /** The parts of a header that the specification does not have. */
-  JsonArray notCovered(Value header) {
+  List<?> notCovered(Value header) {
     return array(Operator.NOT_COVERED, blank, header);
   }
 
@@ -351,8 +330,8 @@ final class Contract {
   }
 
   /** The state as a report shows it. */
-  JsonElement situation(State state) {
-    return Values.toJson(spec.aside(() -> value(Operator.SITUATION, state)));
+  Fields situation(State state) {
+    return Values.object(spec.aside(() -> value(Operator.SITUATION, state)));
   }
 
   /** Begins a log for {@link #asked}. */
@@ -375,12 +354,12 @@ final class Contract {
 
   /** The priority class that runs. */
   int runningClass(State state) {
-    JsonArray running = situation(state).getAsJsonObject().getAsJsonArray("running");
-    return running.get(running.size() - 1).getAsJsonObject().get("class").getAsInt();
+    List<?> running = situation(state).list("running");
+    return ((Fields) running.get(running.size() - 1)).number("class");
   }
 
   /** The events that were possible in the place of the failing one, or had to come before it. */
-  JsonArray expected(Failing failing, State state, Value event) {
+  List<?> expected(Failing failing, State state, Value event) {
     return array(failing.expected, state, event);
   }
 
@@ -389,7 +368,7 @@ final class Contract {
    *
    * @param past the lines before it, as {@link Past} keeps them
    */
-  JsonArray deciding(Failing failing, State state, Value event, Value past) {
+  List<?> deciding(Failing failing, State state, Value event, Value past) {
     return array(failing.deciding, state, event, past);
   }
 
@@ -462,12 +441,12 @@ final class Contract {
   }
 
   /** The requirements by which the line is possible in this state. */
-  JsonArray whyPossible(State state, Value event, Value past) {
+  List<?> whyPossible(State state, Value event, Value past) {
     return array(Operator.WHY_POSSIBLE, state, event, past);
   }
 
   /** The event as an object, without the fields that it does not give. */
-  JsonObject given(Value event) {
+  Fields given(Value event) {
     return Values.given((RecordValue) event.toRcd(), noEvent);
   }
 
@@ -484,7 +463,7 @@ final class Contract {
     return spec.successors(operator.tla, state, arguments);
   }
 
-  private JsonArray array(Operator operator, State state, Value... arguments) {
-    return Values.toJson(value(operator, state, arguments)).getAsJsonArray();
+  private List<?> array(Operator operator, State state, Value... arguments) {
+    return (List<?>) Values.toJson(value(operator, state, arguments));
   }
 }

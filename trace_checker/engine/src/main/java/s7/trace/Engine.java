@@ -1,31 +1,18 @@
 package s7.trace;
 
-import java.io.File;
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
-import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.function.Consumer;
 
-import com.google.gson.Gson;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
-import com.google.gson.JsonPrimitive;
 import s7.log.Fields;
 import s7.log.LogReader;
 import s7.log.ProfileFile;
 import s7.log.Unusable;
-import tla.json.Json;
-import tla.json.JsonLines;
+import tla.spec.Decisions;
 import tla.spec.Specification;
-import tlc2.TLCGlobals;
 import tlc2.value.impl.RecordValue;
-import util.ToolIO;
 
 /**
  * The trace checker's engine: reads logs from standard input and prints a verdict for each as soon as it is decided.
@@ -56,110 +43,61 @@ import util.ToolIO;
  * of them. What is {@code unusable} has {@code line}, {@code field}, {@code expected} and {@code found}.
  */
 public final class Engine {
-  /** Exit code of an engine whose parent has ended. */
-  private static final int NOBODY_LEFT = 3;
-
-  /** How the folder begins that the parent makes for an engine. */
-  private static final String FOLDER = "s7check-engine-";
-
   private static final String MESSAGE = "message";
+  private static final String COUNT = "count";
 
   private final Contract spec;
-  private final PrintStream out;
+  private final Consumer<String> out;
   private final Sessions sessions;
   private final Judging judging;
 
-  /** Judges events while this thread reads the next lines. */
-  private final Ahead<Read> ahead;
+  /** Judges events, perhaps while the next lines are read. */
+  private final Handover ahead;
 
-  private JsonLines lines;
+  private Input input;
   private LogReader reader;
 
   /** Whether a line of the log could not be read. */
   private boolean unusable;
 
-  /** An event that was read, and the number of its line. */
-  private record Read(int line, RecordValue event) {}
+  /**
+   * @param ahead gets what is to be judged
+   * @param out gets each answer, a line
+   */
+  public Engine(Specification spec, Handover ahead, Consumer<String> out) {
+    this(new Contract(spec), ahead, out);
+  }
 
-  Engine(Contract spec, PrintStream out) {
+  Engine(Contract spec, Handover ahead, Consumer<String> out) {
     this.spec = spec;
+    this.ahead = ahead;
     this.out = out;
     sessions = new Sessions(spec);
     judging = new Judging(spec, this::print);
-    ahead = new Ahead<>("judging", read -> judging.observe(read.line, read.event));
   }
 
-  /**
-   * @param args the folder of the specification, and the file in which it is kept when it has been parsed
-   */
-  public static void main(String[] args) throws IOException {
-    if (args.length < 1 || args.length > 2) {
-      System.err.println("usage: Engine FOLDER-OF-THE-SPECIFICATION [FILE]");
-      System.exit(2);
-    }
-    // However it ends: the parent, which removes the folder too, may have been ended with it.
-    Runtime.getRuntime().addShutdownHook(new Thread(() -> removeFolder(new File("").getAbsoluteFile())));
-    endWithParent();
-    // Standard output belongs to the protocol; TLC's own messages go elsewhere.
-    var out = new PrintStream(new FileOutputStream(FileDescriptor.out), false, "UTF-8");
-    System.setOut(System.err);
-    ToolIO.out = System.err;
-    ToolIO.setMode(ToolIO.TOOL);
-    Path kept = args.length < 2 ? null : Path.of(args[1]);
-    var spec = new Specification(Path.of(args[0]), Contract.MODULE, Contract.TIMES, kept);
-    var engine = new Engine(new Contract(spec), out);
-    var ready = new JsonObject();
-    ready.addProperty("engine", "ready");
-    ready.addProperty("tlc", jarOfTlc());
-    engine.print(ready);
-    spec.keep();
-    engine.serve(new FileInputStream(FileDescriptor.in));
-  }
-
-  /** Ends with the parent, since an engine at work on an event does not see its input end. */
-  private static void endWithParent() {
-    ProcessHandle.current().parent().ifPresent(parent -> parent.onExit().thenRun(() -> System.exit(NOBODY_LEFT)));
-  }
-
-  /** Removes the folder of temporary files that the parent would have removed. */
-  private static void removeFolder(File folder) {
-    File[] files = folder.listFiles();
-    if (folder.getName().startsWith(FOLDER) && files != null) {
-      for (File file : files) {
-        file.delete();
-      }
-      folder.delete();
-    }
-  }
-
-  /** The file name of the TLC at hand; its version is not kept at one place in all releases. */
-  private static String jarOfTlc() {
-    var source = TLCGlobals.class.getProtectionDomain().getCodeSource();
-    return Path.of(source.getLocation().getPath()).getFileName().toString();
-  }
-
-  void serve(InputStream in) throws IOException {
-    lines = new JsonLines(in);
-    for (Json line = lines.next(); line != null; line = lines.next()) {
-      JsonObject message = JsonParser.parseString(line.toString()).getAsJsonObject();
-      take(message.get(MESSAGE).getAsString(), message);
+  /** Answers messages until they end. */
+  public void serve(InputStream in) throws IOException {
+    input = new Input(in);
+    for (Fields message = input.next(); message != null; message = input.next()) {
+      take(message.text(MESSAGE), message);
     }
     ahead.settle();
   }
 
-  private void take(String kind, JsonObject message) throws IOException {
+  private void take(String kind, Fields message) throws IOException {
     if (!"bytes".equals(kind)) {
       ahead.settle();
     }
     switch (kind) {
       case "begin" -> begin(message);
       case "bytes" -> {
-        lines.pass(count(message), (bytes, from, to) -> attempt(() -> reader.take(bytes, from, to)));
+        input.pass(message.number(COUNT), (bytes, from, to) -> attempt(() -> reader.take(bytes, from, to)));
         ahead.flush();
       }
       case "verdict" -> {
         if (!judging.decided()) {
-          print(with("verdict", new JsonPrimitive("open")));
+          print(new Fields().put("verdict", "open"));
         }
       }
       case "finish" -> {
@@ -170,18 +108,25 @@ public final class Engine {
         judging.finish();
       }
       case "read" -> print(read(message));
-      case "alternatives" -> print(with("alternatives", spec.alternatives()));
-      case "decisions" -> print(with("decisions", new Gson().toJsonTree(spec.decisions())));
+      case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
+      case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
       default -> print(sessions.answer(kind, message));
     }
   }
 
-  private static int count(JsonObject message) {
-    return message.get("count").getAsInt();
+  private static Fields json(Decisions.Decision decision) {
+    return new Fields()
+        .put("kind", decision.kind().name())
+        .put("module", decision.module())
+        .put("definition", decision.definition())
+        .put("line", decision.line())
+        .put("column", decision.column())
+        .put("text", decision.text())
+        .put("requirements", decision.requirements());
   }
 
-  private void begin(JsonObject message) {
-    judging.begin(message.has("follow") ? message.get("follow").getAsInt() : 0);
+  private void begin(Fields message) {
+    judging.begin(message.has("follow") ? message.number("follow") : 0);
     unusable = false;
     reader =
         new LogReader(
@@ -189,12 +134,13 @@ public final class Engine {
             new LogReader.Taker() {
               @Override
               public void header(Fields header) {
-                judging.header(Json.of(chosen(header, message).toString()));
+                judging.header(chosen(header, message));
               }
 
               @Override
               public void event(int line, Fields event) {
-                ahead.add(new Read(line, spec.event(event)));
+                RecordValue read = spec.event(event);
+                ahead.add(() -> judging.observe(line, read));
               }
             },
             file(message));
@@ -206,43 +152,41 @@ public final class Engine {
     if (wrong != null) {
       unusable = true;
       ahead.settle();
-      judging.unusable(json(wrong.asJson()));
+      judging.unusable(wrong.asJson());
     }
   }
 
   /** How a log is read. */
-  private JsonObject read(JsonObject message) throws IOException {
-    var answer = new JsonObject();
-    var events = new JsonArray();
+  private Fields read(Fields message) throws IOException {
+    var answer = new Fields();
+    var events = new ArrayList<Fields>();
     var reading =
         new LogReader(
             spec.format(),
             new LogReader.Taker() {
               @Override
               public void header(Fields header) {
-                answer.add("header", json(chosen(header, message)));
+                answer.put("header", chosen(header, message));
               }
 
               @Override
               public void event(int line, Fields event) {
-                JsonObject read = json(event);
-                read.addProperty("line", line);
-                events.add(read);
+                events.add(event.put("line", line));
               }
             },
             file(message));
     Unusable[] first = {null};
-    lines.pass(
-        count(message),
+    input.pass(
+        message.number(COUNT),
         (bytes, from, to) -> {
           if (first[0] == null) {
             first[0] = refused(() -> reading.take(bytes, from, to));
           }
         });
     Unusable wrong = first[0] == null ? refused(reading::end) : first[0];
-    answer.add("events", events);
+    answer.put("events", events);
     if (wrong != null) {
-      answer.add("unusable", json(wrong.asJson()));
+      answer.put("unusable", wrong.asJson());
     }
     return answer;
   }
@@ -260,35 +204,24 @@ public final class Engine {
    * What a message tells of the file that a header may name as its profile: {@code {"text":...}}, its bytes as the first
    * 256 characters of Unicode, or why it is {@code missing}; null if nothing.
    */
-  static ProfileFile file(JsonObject message) {
+  static ProfileFile file(Fields message) {
     if (!message.has("file")) {
       return null;
     }
-    JsonObject file = message.getAsJsonObject("file");
+    Fields file = message.object("file");
     return file.has("text")
-        ? new ProfileFile(file.get("text").getAsString().getBytes(StandardCharsets.ISO_8859_1), null)
-        : new ProfileFile(null, file.get("missing").getAsString());
+        ? new ProfileFile(file.text("text").getBytes(StandardCharsets.ISO_8859_1), null)
+        : new ProfileFile(null, file.text("missing"));
   }
 
   /** A header with the choices of a message. */
-  private Fields chosen(Fields header, JsonObject message) {
+  private Fields chosen(Fields header, Fields message) {
     return message.has("chosen")
-        ? spec.format().chosen(header, Fields.of(message.get("chosen").toString().getBytes(StandardCharsets.UTF_8)))
+        ? spec.format().chosen(header, message.object("chosen"))
         : header;
   }
 
-  static JsonObject json(Fields fields) {
-    return JsonParser.parseString(fields.toString()).getAsJsonObject();
-  }
-
-  private static JsonObject with(String name, JsonElement value) {
-    var object = new JsonObject();
-    object.add(name, value);
-    return object;
-  }
-
-  private void print(JsonObject json) {
-    out.println(json);
-    out.flush();
+  private void print(Fields answer) {
+    out.accept(answer.toString());
   }
 }

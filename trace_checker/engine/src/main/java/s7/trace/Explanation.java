@@ -16,12 +16,8 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.ToLongFunction;
 
-import com.google.gson.Gson;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import s7.log.Fields;
 import tla.eval.State;
-import tla.json.Json;
 import tla.spec.Guards;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
@@ -81,13 +77,28 @@ final class Explanation {
    */
   record Refusal(
       boolean late,
-      List<JsonElement> expected,
+      Collection<?> expected,
       Set<String> requirements,
       int states,
-      List<JsonElement> situations,
+      Collection<?> situations,
       Set<Guards.Failure> candidates) {
-    JsonObject asJson() {
-      return new Gson().toJsonTree(this).getAsJsonObject();
+    Fields asJson() {
+      return new Fields()
+          .put("late", late)
+          .put("expected", expected)
+          .put("requirements", requirements)
+          .put("states", states)
+          .put("situations", situations)
+          .put("candidates", candidates.stream().map(Refusal::json).toList());
+    }
+
+    private static Fields json(Guards.Failure failure) {
+      return new Fields()
+          .put("action", failure.action())
+          .put("conjunct", failure.conjunct())
+          .put("values", failure.values())
+          .put("place", failure.place())
+          .put("requirements", failure.requirements());
     }
   }
 
@@ -127,11 +138,11 @@ final class Explanation {
   /**
    * Starts a log.
    *
-   * @param header the normalised header, an object as JSON
+   * @param header the normalised header
    * @throws NotCovered if the header asks for a reading or profile that the specification does not
    *     have
    */
-  Explanation(Contract spec, Json header) {
+  Explanation(Contract spec, Fields header) {
     this.spec = spec;
     past = new Past();
     try {
@@ -143,9 +154,9 @@ final class Explanation {
     }
   }
 
-  private void begin(Json header) {
+  private void begin(Fields header) {
     Value h = spec.header(header);
-    JsonArray open = spec.notCovered(h);
+    List<?> open = spec.notCovered(h);
     if (!open.isEmpty()) {
       throw new NotCovered("the specification does not cover these choices of the header: " + open);
     }
@@ -228,7 +239,7 @@ final class Explanation {
   }
 
   /** One of the situations in which the CPU may be after the log so far. */
-  JsonElement situation() {
+  Fields situation() {
     return spec.situation(states.get(0));
   }
 
@@ -573,22 +584,22 @@ final class Explanation {
     refused = true;
     asked = spec.asked();
     Value lines = past.lines();
-    var allowed = new TreeMap<String, JsonElement>();
+    var allowed = new TreeMap<String, Object>();
     for (State state : failing == Contract.Failing.TOO_LATE ? from : withSilent(from)) {
-      for (JsonElement e : spec.expected(failing, state, event)) {
+      for (Object e : spec.expected(failing, state, event)) {
         allowed.put(e.toString(), e);
       }
     }
     var requirements = new TreeSet<String>();
     for (State state : near) {
-      for (JsonElement r : spec.deciding(failing, state, event, lines)) {
-        requirements.add(r.getAsString());
+      for (Object id : spec.deciding(failing, state, event, lines)) {
+        requirements.add((String) id);
       }
     }
-    var situations = new LinkedHashMap<String, JsonElement>();
+    var situations = new LinkedHashMap<String, Fields>();
     var candidates = new LinkedHashSet<Guards.Failure>();
     for (State state : near.subList(0, Math.min(near.size(), MOST_NEAR))) {
-      JsonElement situation = spec.situation(state);
+      Fields situation = spec.situation(state);
       if (situations.size() < MOST_SHOWN) {
         situations.put(situation.toString(), situation);
       }
@@ -600,10 +611,10 @@ final class Explanation {
     }
     return new Refusal(
         failing == Contract.Failing.TOO_LATE,
-        new ArrayList<>(allowed.values()),
+        allowed.values(),
         requirements,
         from.size(),
-        new ArrayList<>(situations.values()),
+        situations.values(),
         candidates);
   }
 

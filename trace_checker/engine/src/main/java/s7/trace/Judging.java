@@ -2,12 +2,10 @@ package s7.trace;
 
 import java.util.ArrayDeque;
 import java.util.BitSet;
+import java.util.List;
 import java.util.function.Consumer;
 
-import com.google.gson.Gson;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
-import tla.json.Json;
+import s7.log.Fields;
 import tlc2.value.impl.RecordValue;
 
 /** Judges logs, one after another: event by event, until an event decides or the log ends. */
@@ -18,8 +16,8 @@ final class Judging {
   private static final int NONE = 0;
 
   private final Contract spec;
-  private final Consumer<JsonObject> out;
-  private final ArrayDeque<JsonObject> followed = new ArrayDeque<>();
+  private final Consumer<Fields> out;
+  private final ArrayDeque<Fields> followed = new ArrayDeque<>();
   private Explanation explanation;
   private int follow;
   private int events;
@@ -32,7 +30,7 @@ final class Judging {
   /**
    * @param out gets the answer to each log, as soon as it is decided
    */
-  Judging(Contract spec, Consumer<JsonObject> out) {
+  Judging(Contract spec, Consumer<Fields> out) {
     this.spec = spec;
     this.out = out;
   }
@@ -53,7 +51,7 @@ final class Judging {
   }
 
   /** Takes the header. */
-  void header(Json header) {
+  void header(Fields header) {
     spec.forgetAsked();
     attempt(NONE, () -> explanation = new Explanation(spec, header));
   }
@@ -71,10 +69,10 @@ final class Judging {
   }
 
   /** The log goes no further, since it cannot be read; does nothing if it is decided. */
-  void unusable(JsonObject reason) {
+  void unusable(Fields reason) {
     if (!decided) {
-      var answer = new JsonObject();
-      answer.add("unusable", reason);
+      var answer = new Fields();
+      answer.put("unusable", reason);
       answer("unusable", answer);
     }
   }
@@ -82,7 +80,7 @@ final class Judging {
   /** The log has ended. */
   void finish() {
     if (!decided) {
-      answer("accepted", new JsonObject());
+      answer("accepted", new Fields());
     }
   }
 
@@ -91,11 +89,11 @@ final class Judging {
     try {
       part.run();
     } catch (NotCovered | StackOverflowError e) {
-      var error = new JsonObject();
+      var error = new Fields();
       if (line != NONE) {
-        error.addProperty(LINE, line);
+        error.put(LINE, line);
       }
-      error.addProperty("message", String.valueOf(e.getMessage()));
+      error.put("message", String.valueOf(e.getMessage()));
       answer("error", error);
     }
   }
@@ -105,8 +103,8 @@ final class Judging {
     loose = loose == NONE && explanation.loosened() ? line : loose;
     wide = wide == NONE && explanation.widened() ? line : wide;
     if (refusal != null) {
-      JsonObject rejected = refusal.asJson();
-      rejected.addProperty(LINE, line);
+      Fields rejected = refusal.asJson();
+      rejected.put(LINE, line);
       answer("rejected", rejected);
       return;
     }
@@ -117,43 +115,39 @@ final class Judging {
   }
 
   private void remember(int line) {
-    var step = new JsonObject();
-    step.addProperty(LINE, line);
-    step.add("situation", explanation.situation());
+    var step = new Fields();
+    step.put(LINE, line);
+    step.put("situation", explanation.situation());
     followed.addLast(step);
     if (followed.size() > follow) {
       followed.removeFirst();
     }
   }
 
-  private static JsonArray numbers(BitSet bits) {
-    var numbers = new JsonArray();
-    bits.stream().forEach(numbers::add);
-    return numbers;
+  private static List<Integer> numbers(BitSet bits) {
+    return bits.stream().boxed().toList();
   }
 
-  private void answer(String verdict, JsonObject answer) {
-    answer.addProperty("verdict", verdict);
-    answer.addProperty("events", events);
+  private void answer(String verdict, Fields answer) {
+    answer.put("verdict", verdict);
+    answer.put("events", events);
     if (loose != NONE) {
-      answer.addProperty("loose", loose);
+      answer.put("loose", loose);
     }
     if (wide != NONE) {
-      answer.addProperty("wide", wide);
+      answer.put("wide", wide);
     }
     if (!followed.isEmpty()) {
-      var steps = new JsonArray();
-      followed.forEach(steps::add);
-      answer.add("steps", steps);
+      answer.put("steps", followed.clone());
     }
     if (explanation != null) {
-      answer.addProperty("largest", explanation.largest());
-      answer.addProperty("followed", explanation.steps());
-      answer.add("outcomes", numbers(explanation.outcomes()));
-      answer.add("open", numbers(explanation.openOutcomes()));
-      answer.add("classes", new Gson().toJsonTree(explanation.classes()));
+      answer.put("largest", explanation.largest());
+      answer.put("followed", explanation.steps());
+      answer.put("outcomes", numbers(explanation.outcomes()));
+      answer.put("open", numbers(explanation.openOutcomes()));
+      answer.put("classes", explanation.classes());
       if (explanation.asked() != null) {
-        answer.add("asked", new Gson().toJsonTree(explanation.asked()));
+        answer.put("asked", explanation.asked());
       }
     }
     decided = true;

@@ -2,6 +2,7 @@ package s7.trace;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -11,10 +12,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
+import s7.log.Fields;
 import tla.eval.State;
-import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -64,7 +63,7 @@ final class Parting {
    * The log, as {@code lines}, if there is one; {@code complete}: no shorter one has up to so many lines; how many {@code
    * pairs} were kept and lines {@code tried}; {@code whole} is false if a pair had too many states to be followed.
    */
-  JsonObject search() {
+  Fields search() {
     int complete = 0;
     while (found == null && !open.isEmpty() && open.peek().lines < bounds.deepest) {
       complete = open.peek().lines;
@@ -76,28 +75,24 @@ final class Parting {
     return answer(found != null ? found.lines - 1 : open.isEmpty() ? bounds.deepest : open.peek().lines);
   }
 
-  private JsonObject answer(int complete) {
-    var answer = new JsonObject();
+  private Fields answer(int complete) {
+    var answer = new Fields();
     if (found != null) {
-      answer.add("lines", lines());
+      answer.put("lines", lines());
     }
-    answer.addProperty("complete", complete);
-    answer.addProperty("pairs", seen.size());
-    answer.addProperty("tried", tried);
-    answer.addProperty("whole", whole);
+    answer.put("complete", complete);
+    answer.put("pairs", seen.size());
+    answer.put("tried", tried);
+    answer.put("whole", whole);
     return answer;
   }
 
-  private JsonArray lines() {
-    var lines = new ArrayDeque<JsonObject>();
+  private Collection<Fields> lines() {
+    var lines = new ArrayDeque<Fields>();
     for (Pair pair = found; pair.line != null; pair = pair.before) {
-      JsonObject line = spec.given(pair.line);
-      Values.toJson(spec.timeOf(pair.line)).getAsJsonObject().asMap().forEach(line::add);
-      lines.push(line);
+      lines.push(spec.given(pair.line).with(Values.object(spec.timeOf(pair.line))));
     }
-    var array = new JsonArray();
-    lines.forEach(array::add);
-    return array;
+    return lines;
   }
 
   private void follow(Pair pair) {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 
 import tla.eval.Shaped;
-import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.TupleValue;
 import tlc2.value.impl.Value;

@@ -2,6 +2,7 @@ package s7.trace;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -12,17 +13,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonPrimitive;
 import s7.log.Clocks;
 import s7.log.Fields;
 import s7.log.Format;
 import tla.eval.State;
-import tla.json.Json;
-import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -52,7 +46,7 @@ final class Session {
    */
   Session(Contract spec, Fields header) {
     this.spec = spec;
-    after.add(new Explanation(spec, Json.of(header.toString())));
+    after.add(new Explanation(spec, header));
     clocks.add(Format.clocksOf(header));
   }
 
@@ -121,7 +115,7 @@ final class Session {
   /**
    * The shortest log of more lines that this session allows and {@code other} does not ({@link Parting}).
    */
-  JsonObject parting(Session other, Parting.Bounds bounds) {
+  Fields parting(Session other, Parting.Bounds bounds) {
     try {
       return new Parting(spec, last(), other.last(), bounds).search();
     } catch (NotCovered e) {
@@ -138,31 +132,31 @@ final class Session {
   }
 
   /** The situations in which the CPU may be, at most {@code most}. */
-  JsonArray situations(int most) {
-    var all = new LinkedHashSet<JsonElement>();
+  Collection<Fields> situations(int most) {
+    var all = new LinkedHashMap<String, Fields>();
     for (State state : last().states()) {
       if (all.size() < most) {
-        all.add(spec.situation(state));
+        add(all, spec.situation(state));
       }
     }
-    var array = new JsonArray();
-    all.forEach(array::add);
-    return array;
+    return all.values();
+  }
+
+  private static void add(Map<String, Fields> all, Fields situation) {
+    all.put(situation.toString(), situation);
   }
 
   /** The situations just before the line, of the states that allow it, at most {@code most}. */
-  JsonArray before(byte[] line, int most) {
+  Collection<Fields> before(byte[] line, int most) {
     try {
       RecordValue event = spec.event(spec.format().event(line, next()));
-      var all = new LinkedHashSet<JsonElement>();
+      var all = new LinkedHashMap<String, Fields>();
       for (State state : last().closure(last().arrivals(event), event)) {
         if (all.size() < most && !spec.observe(state, event).isEmpty()) {
-          all.add(spec.situation(state));
+          add(all, spec.situation(state));
         }
       }
-      var array = new JsonArray();
-      all.forEach(array::add);
-      return array;
+      return all.values();
     } catch (Explanation.TooMany e) {
       throw new NotCovered(e.getMessage());
     }
@@ -193,7 +187,7 @@ final class Session {
   record Question(List<Value> lines, byte[] when, int share, Set<String> only, Set<String> few) {}
 
   /** The lines that may come next, each with the first and the last time at which it may. */
-  JsonObject possible(Question question) {
+  Fields possible(Question question) {
     try {
       while (true) {
         try {
@@ -209,7 +203,7 @@ final class Session {
     }
   }
 
-  private JsonObject answer(Question question) {
+  private Fields answer(Question question) {
     Explanation now = last().sample(question.share);
     whole = now.size() == last().size();
     tries = 0;
@@ -293,7 +287,7 @@ final class Session {
           offer.until = index;
           possible = true;
           if (offer.from == index) {
-            spec.whyPossible(state, dated, past).forEach(id -> offer.requirements.add(id.getAsString()));
+            spec.whyPossible(state, dated, past).forEach(id -> offer.requirements.add((String) id));
           }
         }
       }
@@ -301,38 +295,33 @@ final class Session {
     return possible;
   }
 
-  private JsonObject written(List<Times.Time> times, boolean endless, Map<Value, ArrayDeque<Offer>> found) {
-    var answer = new JsonObject();
-    var allTimes = new JsonArray();
+  private Fields written(List<Times.Time> times, boolean endless, Map<Value, ArrayDeque<Offer>> found) {
+    var allTimes = new ArrayList<Fields>();
     for (Times.Time time : times) {
-      var json = Values.toJson(time.clocks()).getAsJsonObject();
-      var due = new JsonArray();
-      time.due().forEach(due::add);
-      json.add("due", due);
-      json.add("requirements", strings(time.requirements()));
-      allTimes.add(json);
+      allTimes.add(
+          Values.object(time.clocks()).put("due", time.due().values()).put("requirements", time.requirements()));
     }
-    answer.add("times", allTimes);
-    answer.addProperty("endless", endless);
-    var lines = new JsonArray();
+    var lines = new ArrayList<Fields>();
     found.forEach(
         (line, offers) -> {
           for (Offer offer : offers) {
-            var json = new JsonObject();
-            json.add("event", spec.given(line));
-            json.addProperty("first", offer.from);
             boolean ends = offer.until < times.size() - 1 || !endless;
-            json.add("last", ends ? new JsonPrimitive(offer.until) : JsonNull.INSTANCE);
-            json.add("requirements", strings(offer.requirements));
-            lines.add(json);
+            lines.add(
+                new Fields()
+                    .put("event", spec.given(line))
+                    .put("first", offer.from)
+                    .put("last", ends ? offer.until : null)
+                    .put("requirements", offer.requirements));
           }
         });
-    answer.add("lines", lines);
-    answer.addProperty("key", key());
-    answer.addProperty("states", last().size());
-    answer.addProperty("whole", whole);
-    answer.addProperty("tries", tries);
-    return answer;
+    return new Fields()
+        .put("times", allTimes)
+        .put("endless", endless)
+        .put("lines", lines)
+        .put("key", key())
+        .put("states", last().size())
+        .put("whole", whole)
+        .put("tries", tries);
   }
 
   /** The same for logs that can go on in the same ways. */
@@ -340,11 +329,5 @@ final class Session {
     var keys = new TreeSet<Long>();
     last().states().forEach(state -> keys.add(spec.key(state)));
     return keys.toString();
-  }
-
-  private static JsonArray strings(Iterable<String> texts) {
-    var array = new JsonArray();
-    texts.forEach(array::add);
-    return array;
   }
 }

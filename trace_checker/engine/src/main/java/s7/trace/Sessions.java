@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import s7.log.Fields;
 import s7.log.Unusable;
 
 /**
@@ -48,43 +47,43 @@ final class Sessions {
   /**
    * @throws IllegalArgumentException if there is no such message or session
    */
-  JsonObject answer(String message, JsonObject json) {
-    var answer = new JsonObject();
+  Fields answer(String message, Fields json) {
+    var answer = new Fields();
     try {
       fill(answer, message, json);
     } catch (Unusable wrong) {
-      answer.add("unusable", Engine.json(wrong.asJson()));
+      answer.put("unusable", wrong.asJson());
     } catch (NotCovered | StackOverflowError e) {
-      answer.addProperty("error", String.valueOf(e.getMessage()));
+      answer.put("error", String.valueOf(e.getMessage()));
     }
     return answer;
   }
 
-  private void fill(JsonObject answer, String message, JsonObject json) {
-    String name = json.get("session").getAsString();
+  private void fill(Fields answer, String message, Fields json) {
+    String name = json.text("session");
     if ("open".equals(message)) {
       var session = new Session(spec, spec.format().header(text(json, "header"), Engine.file(json)));
       open.put(name, session);
-      answer.addProperty(CLOCK, session.clock());
+      answer.put(CLOCK, session.clock());
       return;
     }
     Session session = named(name);
     switch (message) {
       case "close" -> open.remove(name);
-      case "branch" -> open.put(json.get("to").getAsString(), session.branch());
+      case "branch" -> open.put(json.text("to"), session.branch());
       case "feed" -> {
         refusal(answer, session.feed(text(json, LINE)));
-        answer.addProperty(CLOCK, session.clock());
+        answer.put(CLOCK, session.clock());
       }
       case "judge" -> refusal(answer, session.judge(text(json, LINE)));
       case "back" -> {
-        session.back(json.get("lines").getAsInt());
-        answer.addProperty(CLOCK, session.clock());
+        session.back(json.number("lines"));
+        answer.put(CLOCK, session.clock());
       }
-      case "situations" -> answer.add("situations", session.situations(json.get(MOST).getAsInt()));
-      case "before" -> answer.add("situations", session.before(text(json, LINE), json.get(MOST).getAsInt()));
-      case "parting" -> answer.add("parting", parting(session, json));
-      case "possible" -> answer.add("possible", possible(session, json));
+      case "situations" -> answer.put("situations", session.situations(json.number(MOST)));
+      case "before" -> answer.put("situations", session.before(text(json, LINE), json.number(MOST)));
+      case "parting" -> answer.put("parting", parting(session, json));
+      case "possible" -> answer.put("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
   }
@@ -97,17 +96,17 @@ final class Sessions {
     return session;
   }
 
-  private JsonObject parting(Session session, JsonObject json) {
+  private Fields parting(Session session, Fields json) {
     var obs = new HashSet<Integer>();
-    json.getAsJsonArray("obs").forEach(ob -> obs.add(ob.getAsInt()));
+    json.list("obs").forEach(ob -> obs.add(((Number) ob).intValue()));
     return session.parting(
-        named(json.get("from").getAsString()),
+        named(json.text("from")),
         new Parting.Bounds(
-            session.timeless(texts(json, "lines")), names(json, "only"), obs, json.get("deepest").getAsInt(), json.get(MOST).getAsInt()));
+            session.timeless(texts(json, "lines")), names(json, "only"), obs, json.number("deepest"), json.number(MOST)));
   }
 
-  private static JsonObject possible(Session session, JsonObject json) {
-    int share = json.has(MOST) ? json.get(MOST).getAsInt() : Integer.MAX_VALUE;
+  private static Fields possible(Session session, Fields json) {
+    int share = json.has(MOST) ? json.number(MOST) : Integer.MAX_VALUE;
     return session.possible(
         new Session.Question(
             json.has("lines") ? session.timeless(texts(json, "lines")) : null,
@@ -117,31 +116,29 @@ final class Sessions {
             names(json, "few")));
   }
 
-  private static Set<String> names(JsonObject json, String field) {
+  private static Set<String> names(Fields json, String field) {
     var names = new HashSet<String>();
-    if (json.has(field)) {
-      json.getAsJsonArray(field).forEach(name -> names.add(name.getAsString()));
-    }
+    json.list(field).forEach(name -> names.add((String) name));
     return names;
   }
 
-  private static byte[] text(JsonObject json, String field) {
+  private static byte[] text(Fields json, String field) {
     return bytes(json.get(field));
   }
 
-  private static List<byte[]> texts(JsonObject json, String field) {
+  private static List<byte[]> texts(Fields json, String field) {
     var texts = new ArrayList<byte[]>();
-    json.getAsJsonArray(field).forEach(text -> texts.add(bytes(text)));
+    json.list(field).forEach(text -> texts.add(bytes(text)));
     return texts;
   }
 
-  private static byte[] bytes(JsonElement text) {
-    return text.getAsString().getBytes(StandardCharsets.UTF_8);
+  private static byte[] bytes(Object text) {
+    return ((String) text).getBytes(StandardCharsets.UTF_8);
   }
 
-  private static void refusal(JsonObject answer, Explanation.Refusal refusal) {
+  private static void refusal(Fields answer, Explanation.Refusal refusal) {
     if (refusal != null) {
-      answer.add("refusal", refusal.asJson());
+      answer.put("refusal", refusal.asJson());
     }
   }
 }

@@ -3,15 +3,13 @@ package s7.trace;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import s7.log.Fields;
 import tla.eval.State;
-import tla.json.Json;
-import tla.json.Values;
 import tlc2.value.impl.RecordValue;
 import tlc2.value.impl.Value;
 
@@ -26,9 +24,9 @@ final class Times {
   private static final int MOST_STEPS = 10_000;
 
   /** A time, and the events that are due by then where nothing may come later. */
-  record Time(Value clocks, List<JsonElement> due, TreeSet<String> requirements) {
+  record Time(Value clocks, LinkedHashMap<String, Object> due, TreeSet<String> requirements) {
     Time(Value clocks) {
-      this(clocks, new ArrayList<>(), new TreeSet<>());
+      this(clocks, new LinkedHashMap<>(), new TreeSet<>());
     }
   }
 
@@ -144,20 +142,20 @@ final class Times {
   }
 
   private static int elapsed(Value clocks) {
-    JsonObject up = Values.toJson(clocks).getAsJsonObject().getAsJsonObject(Contract.UP);
-    return part(up, Contract.MINUTES) * MS_PER_MINUTE + part(up, Contract.MILLISECONDS);
+    Fields up = Values.object(clocks).object(Contract.UP);
+    return up.number(Contract.MINUTES) * MS_PER_MINUTE + up.number(Contract.MILLISECONDS);
   }
 
   /** Both clocks so many milliseconds later. */
   private Value later(Value clocks, int ms) {
-    JsonObject json = Values.toJson(clocks).getAsJsonObject();
+    Fields json = Values.object(clocks);
     for (String name : List.of(Contract.AT, Contract.UP)) {
-      JsonObject moment = json.getAsJsonObject(name);
-      int sum = part(moment, Contract.MILLISECONDS) + ms;
-      moment.addProperty(Contract.MINUTES, part(moment, Contract.MINUTES) + sum / MS_PER_MINUTE);
-      moment.addProperty(Contract.MILLISECONDS, sum % MS_PER_MINUTE);
+      Fields moment = json.object(name);
+      int sum = moment.number(Contract.MILLISECONDS) + ms;
+      moment.put(Contract.MINUTES, moment.number(Contract.MINUTES) + sum / MS_PER_MINUTE);
+      moment.put(Contract.MILLISECONDS, sum % MS_PER_MINUTE);
     }
-    return spec.timeOf(spec.event(Json.of(json.toString())));
+    return Values.like(clocks, json);
   }
 
   /** Time cannot go on from {@code state}: something has to come. */
@@ -165,29 +163,23 @@ final class Times {
     Value limit = spec.lastInTime(state);
     Time time = found.computeIfAbsent(sortable(limit), key -> new Time(limit));
     RecordValue later = spec.instant(spec.tooLateNow(state));
-    for (JsonElement due : spec.expected(Contract.Failing.TOO_LATE, state, later)) {
-      if (!time.due.contains(due)) {
-        time.due.add(due);
-      }
+    for (Object due : spec.expected(Contract.Failing.TOO_LATE, state, later)) {
+      time.due.put(due.toString(), due);
     }
-    for (JsonElement id : spec.deciding(Contract.Failing.TOO_LATE, state, later, past)) {
-      time.requirements.add(id.getAsString());
+    for (Object id : spec.deciding(Contract.Failing.TOO_LATE, state, later, past)) {
+      time.requirements.add((String) id);
     }
   }
 
   /** A text by which times are in the order of the time elapsed. */
   private static String sortable(Value clocks) {
-    var json = Values.toJson(clocks).getAsJsonObject();
+    Fields json = Values.object(clocks);
     var text = new StringBuilder();
     for (String name : List.of(Contract.UP, Contract.AT)) {
-      JsonObject moment = json.getAsJsonObject(name);
-      text.append(
-          String.format("%012d %06d ", part(moment, Contract.MINUTES), part(moment, Contract.MILLISECONDS)));
+      // As many digits for each.
+      text.append(1_000_000_000_000L + json.object(name).number(Contract.MINUTES));
+      text.append(1_000_000 + json.object(name).number(Contract.MILLISECONDS));
     }
     return text.toString();
-  }
-
-  private static int part(JsonObject moment, String name) {
-    return moment.get(name).getAsInt();
   }
 }

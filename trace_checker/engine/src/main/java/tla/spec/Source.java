@@ -1,19 +1,17 @@
 package tla.spec;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
-import tla.tree.SemanticNode;
 import tla.tree.Location;
+import tla.tree.Module;
+import tla.tree.SemanticNode;
 
 /** The text of the specification's modules. */
 final class Source {
@@ -21,36 +19,16 @@ final class Source {
   private static final Pattern REQUIREMENT =
       Pattern.compile("\\[([A-Z]+-)([0-9]+)\\](?:\\s*\\.\\.\\s*\\[\\1([0-9]+)\\])?");
 
-  private static final String SUFFIX = ".tla";
-
-  private final Map<String, Path> files;
+  private final Map<String, Supplier<String>> texts;
   private final Map<String, List<String>> modules = new HashMap<>();
 
-  /** All modules in the folder and in folders below it. */
-  Source(Path folder) {
-    try (var paths = Files.walk(folder)) {
-      files =
-          paths
-              .filter(path -> path.toString().endsWith(SUFFIX))
-              .collect(Collectors.toMap(path -> path.getFileName().toString().replace(SUFFIX, ""), path -> path));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  /** The file of a module; null if the specification does not have it. */
-  Path file(String module) {
-    return files.get(module);
-  }
-
-  /** The folders of the modules. */
-  String[] folders() {
-    return files.values().stream().map(path -> path.getParent().toString()).distinct().toArray(String[]::new);
+  Source(Module module) {
+    texts = module.texts();
   }
 
   /** Whether the node stands in a module of the specification, not in one of TLA+'s own. */
   boolean has(SemanticNode node) {
-    return files.containsKey(node.getLocation().source());
+    return texts.containsKey(node.getLocation().source());
   }
 
   /** The text of a node in one line, without comments. */
@@ -98,7 +76,7 @@ final class Source {
       int first = Integer.parseInt(matcher.group(2));
       int last = matcher.group(3) == null ? first : Integer.parseInt(matcher.group(3));
       for (int number = first; number <= last; number++) {
-        found.add(String.format("%s%02d", matcher.group(1), number));
+        found.add(matcher.group(1) + (number < 10 ? "0" : "") + number);
       }
     }
     return found;
@@ -106,13 +84,6 @@ final class Source {
 
   private List<String> lines(String module) {
     return modules.computeIfAbsent(
-        module,
-        name -> {
-          try {
-            return files.containsKey(name) ? Files.readAllLines(files.get(name)) : List.of();
-          } catch (IOException e) {
-            return List.of();
-          }
-        });
+        module, name -> texts.containsKey(name) ? Arrays.asList(texts.get(name).get().split("\r?\n")) : List.of());
   }
 }

@@ -4,7 +4,7 @@ package tla.tree;
 public final class AtNode extends ExprNode {
   private final OpApplNode component;
 
-  AtNode(Place place, OpApplNode component) {
+  public AtNode(Place place, OpApplNode component) {
     super(place, false);
     this.component = component;
   }

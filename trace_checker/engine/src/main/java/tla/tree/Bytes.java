@@ -1,6 +1,7 @@
 package tla.tree;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 
 /** Bytes that are being written: numbers in as few bytes as they need, seven bits each. */
 final class Bytes extends ByteArrayOutputStream {
@@ -11,5 +12,12 @@ final class Bytes extends ByteArrayOutputStream {
       rest >>>= 7;
     }
     write(rest);
+  }
+
+  /** A text with its length. */
+  void text(String text) {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    number(bytes.length);
+    writeBytes(bytes);
   }
 }

@@ -2,7 +2,7 @@ package tla.tree;
 
 /** A parameter of a definition, or a bound variable. */
 public final class FormalParamNode extends SymbolNode {
-  FormalParamNode(Place place, String name) {
+  public FormalParamNode(Place place, String name) {
     super(place, name);
   }
 }

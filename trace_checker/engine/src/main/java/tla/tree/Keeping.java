@@ -1,11 +1,6 @@
 package tla.tree;
 
-import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -17,7 +12,7 @@ import java.util.Set;
 
 import util.UniqueString;
 
-/** Writes a graph for {@link Kept}. */
+/** Makes the bytes of a graph for {@link Kept}. */
 final class Keeping {
   private final Module module;
   private final List<String> strings;
@@ -42,6 +37,7 @@ final class Keeping {
       all.add(variable.getLocation().source());
     }
     all.addAll(module.markedFor());
+    all.addAll(module.texts().keySet());
     // TLC orders strings by their numbers, which they get one after the other.
     strings =
         all.stream().sorted(Comparator.comparingInt(each -> UniqueString.uniqueStringOf(each).getTok())).toList();
@@ -50,16 +46,9 @@ final class Keeping {
     }
   }
 
-  /** Writes a graph whole or not at all. */
-  static void write(Module module, Path file) throws IOException {
+  static byte[] bytes(Module module) {
     byte[] bytes = new Keeping(module).bytes();
-    Path made = Files.createTempFile(file.getParent(), "making-", ".tree");
-    try {
-      Files.write(made, ByteBuffer.allocate(Integer.BYTES + bytes.length).putInt(Kept.sum(bytes, 0)).put(bytes).array());
-      Files.move(made, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(made);
-    }
+    return ByteBuffer.allocate(Integer.BYTES + bytes.length).putInt(Kept.sum(bytes, 0)).put(bytes).array();
   }
 
   private void collect(SymbolNode symbol, Set<String> into, Set<SymbolNode> seen) {
@@ -103,7 +92,7 @@ final class Keeping {
     }
   }
 
-  private byte[] bytes() throws IOException {
+  private byte[] bytes() {
     for (OpDeclNode variable : module.getVariableDecls()) {
       number(variable);
     }
@@ -120,9 +109,7 @@ final class Keeping {
     all.number(Kept.FORM);
     all.number(strings.size());
     for (String each : strings) {
-      byte[] text = each.getBytes(StandardCharsets.UTF_8);
-      all.number(text.length);
-      all.writeBytes(text);
+      all.text(each);
     }
     all.number(others.size());
     all.number(variables);
@@ -145,6 +132,12 @@ final class Keeping {
       all.number(definitions.get(each.definition()));
       all.number(each.node() == each.definition() ? 0 : 1 + places.get(each.node()));
     }
+    all.number(module.texts().size());
+    module.texts().forEach(
+        (name, text) -> {
+          all.number(numbers.get(name));
+          all.text(text.get());
+        });
     all.number(bodies.size());
     all.writeBytes(bodies.toByteArray());
     all.writeBytes(locations.toByteArray());

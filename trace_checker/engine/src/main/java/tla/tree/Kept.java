@@ -1,24 +1,23 @@
 package tla.tree;
 
-import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.function.Supplier;
 import java.util.zip.CRC32;
 
 import util.UniqueString;
 
 /**
- * A graph in a file. Names and definitions are read at once, the body of a definition when it is first needed, the
- * location of a node when a report names it.
+ * A graph in bytes, with the texts of its modules. Names and definitions are read at once, the body of a definition when
+ * it is first needed, texts and the location of a node when a report needs them.
  */
 public final class Kept {
-  /** Another number for each form of such files. */
-  static final int FORM = 1;
+  /** Another number for each form of such bytes. */
+  static final int FORM = 2;
 
   static final int DEFINITION = 0;
   static final int PARAMETER = 1;
@@ -58,17 +57,17 @@ public final class Kept {
     this.bytes = bytes;
   }
 
-  /** Keeps a graph in a file, whole or not at all. */
-  public static void write(Module module, Path file) throws IOException {
-    Keeping.write(module, file);
+  /** A graph with the texts of its modules. */
+  public static byte[] bytes(Module module) {
+    return Keeping.bytes(module);
   }
 
-  /** The graph in a file; null if there is none that fits. */
-  public static Module read(Path file) {
+  /** The graph; null if these are not the bytes of one. */
+  public static Module read(byte[] bytes) {
     try {
-      return new Kept(Files.readAllBytes(file)).module();
-    } catch (IOException | RuntimeException e) {
-      return null; // The modules are parsed then.
+      return new Kept(bytes).module();
+    } catch (RuntimeException e) {
+      return null;
     }
   }
 
@@ -99,8 +98,16 @@ public final class Kept {
     for (int i = 0; i < definitions.length; i++) {
       definitions[i] = definition();
     }
-    var module = new Module(Arrays.copyOf(declared, variables), Arrays.copyOf(definitions, top));
+    var texts = new HashMap<String, Supplier<String>>();
+    var module = new Module(texts, Arrays.copyOf(declared, variables), Arrays.copyOf(definitions, top));
     marks(module);
+    for (int i = number(); i > 0; i--) {
+      String name = strings[number()].toString();
+      int length = number();
+      int from = at;
+      texts.put(name, () -> new String(bytes, from, length, StandardCharsets.UTF_8));
+      at += length;
+    }
     int length = number();
     bodies = at;
     locations = at + length;
@@ -222,11 +229,11 @@ public final class Kept {
     }
 
     private LetInNode let(LetInNode let) {
-      let.definitions = new OpDefNode[number()];
-      for (int i = 0; i < let.definitions.length; i++) {
-        let.definitions[i] = definitions[number()];
+      var lets = new OpDefNode[number()];
+      for (int i = 0; i < lets.length; i++) {
+        lets[i] = definitions[number()];
       }
-      let.body = (ExprNode) node();
+      let.has(lets, (ExprNode) node());
       return let;
     }
 
@@ -234,25 +241,26 @@ public final class Kept {
       if ((kind & COMPONENT) != 0) {
         components[number()] = apply;
       }
-      apply.operator = symbol();
+      SymbolNode operator = symbol();
       if ((kind & BINDS) != 0) {
-        int bounds = number();
-        apply.symbols = new FormalParamNode[bounds][];
-        apply.bounds = new ExprNode[bounds];
-        apply.tuples = new boolean[bounds];
-        for (int i = 0; i < bounds; i++) {
-          apply.tuples[i] = bytes[at++] != 0;
-          apply.symbols[i] = new FormalParamNode[number()];
-          for (int k = 0; k < apply.symbols[i].length; k++) {
-            apply.symbols[i][k] = parameters[number()];
+        var bounds = new ExprNode[number()];
+        var symbols = new FormalParamNode[bounds.length][];
+        var tuples = new boolean[bounds.length];
+        for (int i = 0; i < bounds.length; i++) {
+          tuples[i] = bytes[at++] != 0;
+          symbols[i] = new FormalParamNode[number()];
+          for (int k = 0; k < symbols[i].length; k++) {
+            symbols[i][k] = parameters[number()];
           }
-          apply.bounds[i] = (ExprNode) node();
+          bounds[i] = (ExprNode) node();
         }
+        apply.binds(symbols, bounds, tuples);
       }
-      apply.arguments = new ExprOrOpArgNode[number()];
-      for (int i = 0; i < apply.arguments.length; i++) {
-        apply.arguments[i] = node();
+      var arguments = new ExprOrOpArgNode[number()];
+      for (int i = 0; i < arguments.length; i++) {
+        arguments[i] = node();
       }
+      apply.applies(operator, arguments);
       return apply;
     }
   }

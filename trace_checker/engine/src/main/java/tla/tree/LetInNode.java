@@ -2,11 +2,17 @@ package tla.tree;
 
 /** A LET. */
 public final class LetInNode extends ExprNode {
-  OpDefNode[] definitions;
-  ExprNode body;
+  private OpDefNode[] definitions;
+  private ExprNode body;
 
-  LetInNode(Place place, boolean action) {
+  public LetInNode(Place place, boolean action) {
     super(place, action);
+  }
+
+  /** Gives it its parts. */
+  public void has(OpDefNode[] lets, ExprNode in) {
+    definitions = lets;
+    body = in;
   }
 
   /** The definitions. */

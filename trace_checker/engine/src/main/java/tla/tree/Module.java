@@ -4,9 +4,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /** A module with all that it extends. */
 public final class Module {
+  private final Map<String, Supplier<String>> texts;
   private final OpDeclNode[] variables;
   private final Map<String, OpDefNode> definitions = new HashMap<>();
 
@@ -21,7 +23,11 @@ public final class Module {
    */
   public record Marked(int kind, OpDefNode definition, SemanticNode node) {}
 
-  Module(OpDeclNode[] variables, OpDefNode... definitions) {
+  /**
+   * @param texts the texts of those modules that are not TLA+'s own
+   */
+  public Module(Map<String, Supplier<String>> texts, OpDeclNode[] variables, OpDefNode... definitions) {
+    this.texts = texts;
     this.variables = variables;
     for (OpDefNode each : definitions) {
       this.definitions.put(each.getName(), each);
@@ -31,6 +37,11 @@ public final class Module {
   /** A definition; null if there is none of this name. */
   public OpDefNode getOpDef(String name) {
     return definitions.get(name);
+  }
+
+  /** The texts of those modules that are not TLA+'s own, by their names. */
+  public Map<String, Supplier<String>> texts() {
+    return texts;
   }
 
   /** The variables, in the order of their declarations. */

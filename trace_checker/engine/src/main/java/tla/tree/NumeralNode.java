@@ -4,7 +4,7 @@ package tla.tree;
 public final class NumeralNode extends ExprNode {
   private final int number;
 
-  NumeralNode(Place place, int number) {
+  public NumeralNode(Place place, int number) {
     super(place, false);
     this.number = number;
   }

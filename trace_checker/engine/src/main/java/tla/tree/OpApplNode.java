@@ -2,14 +2,27 @@ package tla.tree;
 
 /** An application of an operator, also of one of TLA+ such as {@code $ConjList}. */
 public final class OpApplNode extends ExprNode {
-  SymbolNode operator;
-  ExprOrOpArgNode[] arguments;
-  FormalParamNode[][] symbols;
-  ExprNode[] bounds;
-  boolean[] tuples;
+  private SymbolNode operator;
+  private ExprOrOpArgNode[] arguments;
+  private FormalParamNode[][] symbols;
+  private ExprNode[] bounds;
+  private boolean[] tuples;
 
-  OpApplNode(Place place, boolean action) {
+  public OpApplNode(Place place, boolean action) {
     super(place, action);
+  }
+
+  /** Gives it its operator and arguments. */
+  public void applies(SymbolNode to, ExprOrOpArgNode... args) {
+    operator = to;
+    arguments = args;
+  }
+
+  /** Gives it the sets of bound variables. */
+  public void binds(FormalParamNode[][] names, ExprNode[] sets, boolean[] areTuples) {
+    symbols = names;
+    bounds = sets;
+    tuples = areTuples;
   }
 
   /** The operator. */

@@ -4,7 +4,7 @@ package tla.tree;
 public final class OpArgNode extends ExprOrOpArgNode {
   private final SymbolNode operator;
 
-  OpArgNode(Place place, SymbolNode operator) {
+  public OpArgNode(Place place, SymbolNode operator) {
     super(place);
     this.operator = operator;
   }

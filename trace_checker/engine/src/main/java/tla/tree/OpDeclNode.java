@@ -2,7 +2,7 @@ package tla.tree;
 
 /** A variable or a constant. */
 public final class OpDeclNode extends SymbolNode {
-  OpDeclNode(Place place, String name) {
+  public OpDeclNode(Place place, String name) {
     super(place, name);
   }
 }

@@ -14,7 +14,7 @@ public final class OpDefNode extends SymbolNode {
    * @param defined whether the specification defines it, not TLA+ itself or a standard module
    * @param constant whether its level is that of a constant
    */
-  OpDefNode(Place place, String name, boolean defined, boolean constant, FormalParamNode... parameters) {
+  public OpDefNode(Place place, String name, boolean defined, boolean constant, FormalParamNode... parameters) {
     super(place, name);
     this.defined = defined;
     this.constant = constant;
@@ -22,7 +22,7 @@ public final class OpDefNode extends SymbolNode {
   }
 
   /** Gives it a body, which is read when it is first needed. */
-  void hasBody(Supplier<ExprNode> read) {
+  public void hasBody(Supplier<ExprNode> read) {
     reading = read;
   }
 

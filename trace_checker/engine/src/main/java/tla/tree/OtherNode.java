@@ -4,7 +4,7 @@ package tla.tree;
 public final class OtherNode extends ExprNode {
   private final String kind;
 
-  OtherNode(Place place, String kind) {
+  public OtherNode(Place place, String kind) {
     super(place, false);
     this.kind = kind;
   }

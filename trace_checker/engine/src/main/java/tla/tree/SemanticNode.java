@@ -11,7 +11,7 @@ public abstract class SemanticNode {
   public int mark = UNMARKED;
 
   /** Where a node stands, which few ask. */
-  interface Place {
+  public interface Place {
     Location location();
   }
 

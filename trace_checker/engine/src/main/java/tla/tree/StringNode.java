@@ -6,7 +6,7 @@ import util.UniqueString;
 public final class StringNode extends ExprNode {
   private final UniqueString text;
 
-  StringNode(Place place, UniqueString text) {
+  public StringNode(Place place, UniqueString text) {
     super(place, false);
     this.text = text;
   }

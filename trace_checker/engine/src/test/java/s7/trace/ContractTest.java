@@ -18,9 +18,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import s7.log.Fields;
 import tla.Tiny;
-import tla.json.Json;
 import tla.spec.Specification;
+import tla.tlc.Modules;
 import util.ToolIO;
 
 /** The contract beside the specification itself. */
@@ -35,12 +36,12 @@ class ContractTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    spec = new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES);
+    spec = new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES);
     contract = new Contract(spec);
   }
 
   /** A line, {@code minutes} after the log began. */
-  private static Json line(String event, int ob, int minutes) {
+  private static Fields line(String event, int ob, int minutes) {
     return Tiny.text(
         String.format(
             "{'event': '%s', 'ob': %d, 'at': {'min': %d, 'ms': 0}, 'up': {'min': %d, 'ms': 0}}",

@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 import com.google.gson.JsonObject;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import tla.Tiny;
-import tla.spec.Specification;
+import tla.tlc.Modules;
 import util.ToolIO;
 
 /** The protocol, with the specification itself. */
@@ -37,14 +37,14 @@ class EngineTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    spec = new Contract(new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES));
+    spec = new Contract(new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES));
   }
 
   private static List<JsonObject> serve(String... messages) throws IOException {
-    var printed = new ByteArrayOutputStream();
+    var answers = new ArrayList<JsonObject>();
     byte[] input = String.join("", messages).replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-    new Engine(spec, new PrintStream(printed, false, StandardCharsets.UTF_8)).serve(new ByteArrayInputStream(input));
-    return printed.toString(StandardCharsets.UTF_8).lines().map(EngineTest::json).toList();
+    new Engine(spec, Handover.AT_ONCE, answer -> answers.add(json(answer))).serve(new ByteArrayInputStream(input));
+    return answers;
   }
 
   private static JsonObject json(String answer) {

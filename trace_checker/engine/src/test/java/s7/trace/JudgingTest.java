@@ -14,6 +14,7 @@ import com.google.gson.JsonObject;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import s7.log.Fields;
 import tla.Tiny;
 
 class JudgingTest {
@@ -22,7 +23,7 @@ class JudgingTest {
   private static Contract spec;
 
   private final List<JsonObject> answers = new ArrayList<>();
-  private final Judging judging = new Judging(spec, answers::add);
+  private final Judging judging = new Judging(spec, answer -> answers.add(Tiny.json(answer)));
 
   @BeforeAll
   static void load() {
@@ -87,7 +88,7 @@ class JudgingTest {
                 + " 'verdict': 'rejected', 'events': 1}");
     assertEquals(List.of(rejected), answers());
     read(4, 12);
-    judging.unusable(new JsonObject());
+    judging.unusable(new Fields());
     judging.finish();
     assertEquals(List.of(rejected), answers());
   }
@@ -110,7 +111,7 @@ class JudgingTest {
   void unusable() {
     begin(10);
     read(2, 10);
-    judging.unusable(Tiny.json("{'line': 3}"));
+    judging.unusable(Tiny.text("{'line': 3}"));
     judging.finish();
     assertEquals(List.of(Tiny.json("{'unusable': {'line': 3}, 'verdict': 'unusable', 'events': 1}")), answers());
   }

@@ -13,8 +13,9 @@ import com.google.gson.JsonObject;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import s7.log.Fields;
 import tla.Tiny;
-import tla.spec.Specification;
+import tla.tlc.Modules;
 import util.ToolIO;
 
 /** The search for the shortest log, with the specification itself. */
@@ -29,7 +30,7 @@ class PartingTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    contract = new Contract(new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES));
+    contract = new Contract(new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES));
   }
 
   private void open(String name, String cpu, String readings) {
@@ -38,10 +39,8 @@ class PartingTest {
   }
 
   private JsonObject answer(String message, String session, String field, String text) {
-    var question = new JsonObject();
-    question.addProperty("session", session);
-    question.addProperty(field, text.replace('\'', '"'));
-    return sessions.answer(message, question);
+    var question = new Fields().put("session", session).put(field, text.replace('\'', '"'));
+    return Tiny.json(sessions.answer(message, question));
   }
 
   /** The text of a line that was found, all of which come within the first second. */
@@ -53,8 +52,8 @@ class PartingTest {
   }
 
   private JsonObject parting(String bounds) {
-    JsonObject answer = sessions.answer("parting", Tiny.json("{'session': 'a', 'from': 'b', " + bounds + "}"));
-    return answer.getAsJsonObject("parting");
+    Fields answer = sessions.answer("parting", Tiny.text("{'session': 'a', 'from': 'b', " + bounds + "}"));
+    return Tiny.json(answer).getAsJsonObject("parting");
   }
 
   private static String bounds(String only, int deepest, int most) {

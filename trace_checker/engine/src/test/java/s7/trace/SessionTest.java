@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import tla.Tiny;
-import tla.spec.Specification;
+import tla.tlc.Modules;
 import util.ToolIO;
 
 /** Sessions with the specification itself. */
@@ -31,7 +31,7 @@ class SessionTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    contract = new Contract(new Specification(Path.of("..", "..", "spec"), Contract.MODULE, Contract.TIMES));
+    contract = new Contract(new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES));
   }
 
   private static String line(String event, int ob) {
@@ -48,7 +48,7 @@ class SessionTest {
   }
 
   private JsonObject ask(String message, String fields) {
-    return sessions.answer(message, Tiny.json("{'session': 'a', " + fields + "}"));
+    return Tiny.json(sessions.answer(message, Tiny.text("{'session': 'a', " + fields + "}")));
   }
 
   private void open() {

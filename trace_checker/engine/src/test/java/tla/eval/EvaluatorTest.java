@@ -12,6 +12,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -20,7 +21,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import tla.tree.FromSany;
+import tla.tlc.FromSany;
 import tla.tree.Module;
 import tla2sany.semantic.OpDeclNode;
 import tla2sany.semantic.OpDefNode;
@@ -54,7 +55,7 @@ class EvaluatorTest {
     String folder =
         Path.of(EvaluatorTest.class.getResource("/eval/Words.tla").toURI()).getParent().toString();
     tool = new FastTool(folder, "Words", "Words", new SimpleFilenameToStream(folder));
-    module = FromSany.of(tool.getSpecProcessor().getRootModule());
+    module = FromSany.of(tool.getSpecProcessor().getRootModule(), Map.of());
     evaluator = new Evaluator(Set.of(), module.getVariableDecls());
     initial = ofTlc(tool.getInitStates().elementAt(0));
   }

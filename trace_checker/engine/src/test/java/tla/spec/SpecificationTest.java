@@ -11,9 +11,9 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import s7.trace.Values;
 import tla.Tiny;
 import tla.eval.State;
-import tla.json.Values;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.Value;
 

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,16 +16,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Stream;
+import java.util.TreeMap;
 import java.util.stream.StreamSupport;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tla2sany.drivers.SANY;
-import tla2sany.modanalyzer.SpecObj;
-import util.SimpleFilenameToStream;
+import tla.tlc.Modules;
+import util.ToolIO;
 
 /** The graph of the specification from SANY, and the same from a file. */
 class KeptTest {
@@ -38,13 +37,9 @@ class KeptTest {
   private final List<String> text = new ArrayList<>();
 
   @BeforeAll
-  static void parse() throws Exception {
-    Path folder = Path.of("..", "..", "spec").toAbsolutePath();
-    String[] folders =
-        Stream.of("rules", "log", "report").map(each -> folder.resolve(each).toString()).toArray(String[]::new);
-    var spec = new SpecObj(folder.resolve("report/Explain").toString(), new SimpleFilenameToStream(folders));
-    SANY.frontEndMain(spec, "Explain", new PrintStream(new ByteArrayOutputStream()));
-    parsed = FromSany.of(spec.getExternalModuleTable().getRootModule());
+  static void parse() {
+    ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
+    parsed = new Modules(Path.of("..", "..", "spec"), "Explain").parsed();
     OpDefNode observe = parsed.getOpDef("Observe");
     parsed.mark(
         Set.of("Observe"),
@@ -61,6 +56,7 @@ class KeptTest {
     StreamSupport.stream(module.definitions().spliterator(), false)
         .sorted(Comparator.comparing(SymbolNode::getName))
         .forEach(test::symbol);
+    new TreeMap<>(module.texts()).forEach((name, text) -> test.text.add(name + text.get()));
     test.text.add(module.markedFor().toString());
     for (Module.Marked each : module.marked()) {
       test.text.add(each.kind() + " " + each.definition().getName() + " " + each.node().getLocation());
@@ -132,25 +128,25 @@ class KeptTest {
   @DisplayName("the graph from a file is that of SANY, node for node, with marks and locations")
   void same(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("kept");
-    Kept.write(parsed, file);
+    Modules.keep(parsed, file);
     List<String> all = described(parsed);
     assertTrue(all.size() > 10_000);
-    assertEquals(all, described(Kept.read(file)));
+    assertEquals(all, described(Modules.kept(file)));
   }
 
   @Test
   @DisplayName("a file that is damaged, cut off, of another form or missing is none")
   void damaged(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("kept");
-    assertNull(Kept.read(file));
-    Kept.write(parsed, file);
+    assertNull(Modules.kept(file));
+    Modules.keep(parsed, file);
     byte[] whole = Files.readAllBytes(file);
     Files.write(file, Arrays.copyOf(whole, whole.length / 2));
-    assertNull(Kept.read(file));
+    assertNull(Modules.kept(file));
     whole[whole.length / 3]++;
     Files.write(file, whole);
-    assertNull(Kept.read(file));
+    assertNull(Modules.kept(file));
     Files.write(file, new byte[0]);
-    assertNull(Kept.read(file));
+    assertNull(Modules.kept(file));
   }
 }

@@ -1,12 +1,11 @@
-package tla.json;
+package s7.trace;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonPrimitive;
+import s7.log.Fields;
+import s7.log.Moment;
 import tlc2.value.impl.BoolValue;
 import tlc2.value.impl.IntValue;
 import tlc2.value.impl.RecordValue;
@@ -17,30 +16,33 @@ import tlc2.value.impl.Value;
 import tlc2.value.impl.ValueVec;
 import util.UniqueString;
 
-/** Converts between JSON and the values of TLC. */
+/** Converts between JSON, as {@link Fields} has it, and the values of TLC. */
 public final class Values {
   private Values() {}
 
   /**
-   * The value of a JSON text, shaped like {@code template}: a record takes its fields from the JSON
+   * The value of a JSON value, shaped like {@code template}: a record takes its fields from the JSON
    * object and, where the object has none, from the template; a set takes the elements of an array.
    *
    * @throws IllegalArgumentException if the JSON has another shape
    */
-  public static Value like(Value template, Json json) {
+  public static Value like(Value template, Object json) {
     try {
       return next(template, json);
-    } catch (IndexOutOfBoundsException | IllegalArgumentException | ArithmeticException e) {
+    } catch (IllegalArgumentException | ArithmeticException e) {
       throw new IllegalArgumentException("expected a value like " + template + ", not " + json, e);
     }
   }
 
-  private static Value next(Value template, Json json) {
-    if (template instanceof RecordValue record) {
-      return overlay(record, json);
+  private static Value next(Value template, Object json) {
+    if (json instanceof Moment moment) {
+      return next(template, moment.asFields());
     }
-    if (template instanceof SetEnumValue) {
-      return new SetEnumValue(elements(json), false);
+    if (template instanceof RecordValue record && json instanceof Fields fields) {
+      return overlay(record, fields);
+    }
+    if (template instanceof SetEnumValue && json instanceof Collection<?> list) {
+      return new SetEnumValue(elements(list), false);
     }
     Value value = of(json);
     if (value.getClass() != template.getClass()) {
@@ -49,50 +51,49 @@ public final class Values {
     return value;
   }
 
-  private static RecordValue overlay(RecordValue template, Json json) {
+  private static RecordValue overlay(RecordValue template, Fields fields) {
     Value[] values = template.values.clone();
-    json.pass('{');
-    while (json.more('}')) {
-      int place = json.name(template.names);
-      if (place < 0) {
-        json.skip();
-      } else {
-        values[place] = next(values[place], json);
+    for (int i = 0; i < fields.size(); i++) {
+      int place = place(template, fields.name(i));
+      if (place >= 0) {
+        values[place] = next(values[place], fields.value(i));
       }
     }
     return new RecordValue(template.names, values, true);
   }
 
   /** Objects become records, arrays tuples. */
-  private static Value of(Json json) {
-    return switch (json.peek()) {
-      case '{' -> record(json);
-      case '[' -> new TupleValue(elements(json));
-      case '"' -> new StringValue(json.string());
-      case 't', 'f' -> json.truth() ? BoolValue.ValTrue : BoolValue.ValFalse;
-      default -> IntValue.gen(json.number());
-    };
+  private static Value of(Object json) {
+    if (json instanceof Fields fields) {
+      return record(fields);
+    }
+    if (json instanceof Collection<?> list) {
+      return new TupleValue(elements(list));
+    }
+    if (json instanceof String text) {
+      return new StringValue(text);
+    }
+    if (json instanceof Boolean truth) {
+      return truth ? BoolValue.ValTrue : BoolValue.ValFalse;
+    }
+    if (json instanceof Number number) {
+      return IntValue.gen(Math.toIntExact(number.longValue()));
+    }
+    throw new IllegalArgumentException();
   }
 
-  private static Value record(Json json) {
-    var names = new ArrayList<UniqueString>();
-    var values = new ArrayList<Value>();
-    json.pass('{');
-    while (json.more('}')) {
-      names.add(UniqueString.uniqueStringOf(json.name()));
-      values.add(of(json));
+  private static Value record(Fields fields) {
+    var names = new UniqueString[fields.size()];
+    var values = new Value[names.length];
+    for (int i = 0; i < names.length; i++) {
+      names[i] = UniqueString.uniqueStringOf(fields.name(i));
+      values[i] = of(fields.value(i));
     }
-    return new RecordValue(
-        names.toArray(UniqueString[]::new), values.toArray(Value[]::new), false);
+    return new RecordValue(names, values, false);
   }
 
-  private static Value[] elements(Json json) {
-    var values = new ArrayList<Value>();
-    json.pass('[');
-    while (json.more(']')) {
-      values.add(of(json));
-    }
-    return values.toArray(Value[]::new);
+  private static Value[] elements(Collection<?> list) {
+    return list.stream().map(Values::of).toArray(Value[]::new);
   }
 
   /** The string or number in a record's field; an empty string if the record has no field {@code name}. */
@@ -121,23 +122,18 @@ public final class Values {
    *
    * @throws IllegalArgumentException for any other value
    */
-  public static JsonElement toJson(Value value) {
+  public static Object toJson(Value value) {
     if (value instanceof IntValue number) {
-      return new JsonPrimitive(number.val);
+      return (long) number.val;
     }
     if (value instanceof StringValue string) {
-      return new JsonPrimitive(string.val.toString());
+      return string.val.toString();
     }
     if (value instanceof BoolValue truth) {
-      return new JsonPrimitive(truth.val);
+      return truth.val;
     }
-    var record = value.toRcd();
-    if (value instanceof RecordValue && record instanceof RecordValue fields) {
-      var object = new JsonObject();
-      for (int i = 0; i < fields.names.length; i++) {
-        object.add(fields.names[i].toString(), toJson(fields.values[i]));
-      }
-      return object;
+    if (value instanceof RecordValue) {
+      return object(value);
     }
     if (value.toSetEnum() instanceof SetEnumValue set) {
       set.normalize();
@@ -147,6 +143,16 @@ public final class Values {
       return array(tuple.elems);
     }
     throw new IllegalArgumentException("no JSON for " + value);
+  }
+
+  /** The object for a record. */
+  public static Fields object(Value value) {
+    var record = (RecordValue) value.toRcd();
+    var object = new Fields();
+    for (int i = 0; i < record.names.length; i++) {
+      object.add(record.names[i].toString(), toJson(record.values[i]));
+    }
+    return object;
   }
 
   /** The elements of a finite set, in TLC's order. */
@@ -161,10 +167,10 @@ public final class Values {
   }
 
   /** The fields of {@code record} whose values are not those of {@code template}, a record with the same fields. */
-  public static JsonObject given(RecordValue record, RecordValue template) {
+  public static Fields given(RecordValue record, RecordValue template) {
     record.normalize();
     template.normalize();
-    var object = new JsonObject();
+    var object = new Fields();
     for (int i = 0; i < record.names.length; i++) {
       if (!record.values[i].equals(template.values[i])) {
         object.add(record.names[i].toString(), toJson(record.values[i]));
@@ -173,16 +179,16 @@ public final class Values {
     return object;
   }
 
-  private static JsonArray array(ValueVec elements) {
-    var array = new JsonArray();
+  private static List<Object> array(ValueVec elements) {
+    var array = new ArrayList<Object>(elements.size());
     for (int i = 0; i < elements.size(); i++) {
       array.add(toJson(elements.elementAt(i)));
     }
     return array;
   }
 
-  private static JsonArray array(Value[] elements) {
-    var array = new JsonArray();
+  private static List<Object> array(Value... elements) {
+    var array = new ArrayList<Object>(elements.length);
     for (Value element : elements) {
       array.add(toJson(element));
     }

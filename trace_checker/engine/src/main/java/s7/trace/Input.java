@@ -1,22 +1,24 @@
-package tla.json;
+package s7.trace;
 
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Splits a stream of bytes into lines, each as soon as it has come. */
-public final class JsonLines {
+import s7.log.Fields;
+
+/** Messages, each an object in JSON on a line, as soon as it has come. */
+final class Input {
   private final InputStream in;
   private byte[] buffer = new byte[1 << 16];
   private int begin;
   private int end;
 
-  public JsonLines(InputStream in) {
+  Input(InputStream in) {
     this.in = in;
   }
 
-  /** The next line, valid until the next call; null at the end of the stream. */
-  public Json next() throws IOException {
+  /** The next message; null at the end of the stream. */
+  Fields next() throws IOException {
     int at = begin;
     while (true) {
       for (; at < end; at++) {
@@ -34,13 +36,13 @@ public final class JsonLines {
     }
   }
 
-  /** Takes bytes that are no lines, a part from {@code from} to before {@code to} at a time. */
-  public interface Bytes {
+  /** Takes bytes that are no messages, a part from {@code from} to before {@code to} at a time. */
+  interface Bytes {
     void take(byte[] bytes, int from, int to);
   }
 
   /** Passes so many bytes, each part as soon as it has come. */
-  public void pass(int count, Bytes taker) throws IOException {
+  void pass(int count, Bytes taker) throws IOException {
     int left = count;
     while (left > 0) {
       if (begin == end) {
@@ -57,8 +59,8 @@ public final class JsonLines {
     }
   }
 
-  private Json line(int to) {
-    var line = new Json(buffer, begin, to);
+  private Fields line(int to) {
+    Fields line = Fields.of(buffer, begin, to);
     begin = Math.min(to + 1, end);
     return line;
   }

@@ -1,14 +1,31 @@
-package tla.tree;
+package tla.tlc;
 
 import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 import tla2sany.semantic.ASTConstants;
 import tla2sany.semantic.LevelConstants;
 import tla2sany.semantic.LevelNode;
 import tla2sany.semantic.ModuleNode;
+import tla.tree.AtNode;
+import tla.tree.ExprNode;
+import tla.tree.ExprOrOpArgNode;
+import tla.tree.FormalParamNode;
+import tla.tree.LetInNode;
+import tla.tree.Location;
+import tla.tree.Module;
+import tla.tree.NumeralNode;
+import tla.tree.OpApplNode;
+import tla.tree.OpArgNode;
+import tla.tree.OpDeclNode;
+import tla.tree.OpDefNode;
+import tla.tree.OtherNode;
+import tla.tree.SemanticNode;
+import tla.tree.StringNode;
+import tla.tree.SymbolNode;
 
 /** Takes the graph from that of SANY. */
 public final class FromSany {
@@ -22,9 +39,10 @@ public final class FromSany {
   private FromSany() {}
 
   /** The graph of a module with all that it extends. */
-  public static Module of(ModuleNode root) {
+  public static Module of(ModuleNode root, Map<String, Supplier<String>> texts) {
     var from = new FromSany();
     return new Module(
+        texts,
         Arrays.stream(root.getVariableDecls()).map(from::symbol).toArray(OpDeclNode[]::new),
         Arrays.stream(root.getOpDefs()).map(from::symbol).toArray(OpDefNode[]::new));
   }
@@ -94,8 +112,8 @@ public final class FromSany {
     }
     if (node instanceof tla2sany.semantic.LetInNode let) {
       var made = new LetInNode(place, isAction(let));
-      made.definitions = Arrays.stream(let.getLets()).map(this::symbol).toArray(OpDefNode[]::new);
-      made.body = (ExprNode) node(let.getBody());
+      made.has(
+          Arrays.stream(let.getLets()).map(this::symbol).toArray(OpDefNode[]::new), (ExprNode) node(let.getBody()));
       return made;
     }
     if (node instanceof tla2sany.semantic.OpApplNode apply) {
@@ -107,14 +125,14 @@ public final class FromSany {
   private OpApplNode application(tla2sany.semantic.OpApplNode apply, SemanticNode.Place place) {
     var made = new OpApplNode(place, isAction(apply));
     components.put(apply, made);
-    made.operator = symbol(apply.getOperator());
+    SymbolNode operator = symbol(apply.getOperator());
     if (apply.getBdedQuantBounds() != null && apply.getBdedQuantBounds().length > 0) {
-      made.symbols =
-          Arrays.stream(apply.getBdedQuantSymbolLists()).map(this::parameters).toArray(FormalParamNode[][]::new);
-      made.bounds = Arrays.stream(apply.getBdedQuantBounds()).map(this::node).toArray(ExprNode[]::new);
-      made.tuples = apply.isBdedQuantATuple().clone();
+      made.binds(
+          Arrays.stream(apply.getBdedQuantSymbolLists()).map(this::parameters).toArray(FormalParamNode[][]::new),
+          Arrays.stream(apply.getBdedQuantBounds()).map(this::node).toArray(ExprNode[]::new),
+          apply.isBdedQuantATuple().clone());
     }
-    made.arguments = Arrays.stream(apply.getArgs()).map(this::node).toArray(ExprOrOpArgNode[]::new);
+    made.applies(operator, Arrays.stream(apply.getArgs()).map(this::node).toArray(ExprOrOpArgNode[]::new));
     return made;
   }
 }

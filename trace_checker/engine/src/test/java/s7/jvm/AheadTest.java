@@ -1,4 +1,4 @@
-package s7.trace;
+package s7.jvm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -18,12 +18,12 @@ class AheadTest {
   @Test
   @DisplayName("all items are done, in their order, when the one who added them has waited")
   void order() {
-    var ahead = new Ahead<Integer>("ahead", done::add);
+    var ahead = new Ahead("ahead");
     List<Integer> items = IntStream.range(0, 10_000).boxed().toList();
-    items.forEach(ahead::add);
+    items.forEach(item -> ahead.add(() -> done.add(item)));
     ahead.settle();
     assertEquals(items, List.copyOf(done));
-    ahead.add(-1);
+    ahead.add(() -> done.add(-1));
     ahead.settle();
     ahead.settle();
     assertEquals(-1, done.get(items.size()));
@@ -34,20 +34,19 @@ class AheadTest {
   void flush() throws InterruptedException {
     var may = new Semaphore(0);
     var has = new Semaphore(0);
-    var ahead =
-        new Ahead<Integer>(
-            "ahead",
-            item -> {
-              may.acquireUninterruptibly();
-              done.add(item);
-              has.release();
-            });
-    ahead.add(1);
+    var ahead = new Ahead("ahead");
+    Runnable item =
+        () -> {
+          may.acquireUninterruptibly();
+          done.add(1);
+          has.release();
+        };
+    ahead.add(item);
     ahead.flush();
     may.release();
     has.acquire();
     assertEquals(List.of(1), List.copyOf(done));
-    var adding = new Thread(() -> IntStream.range(0, 100_000).forEach(ahead::add));
+    var adding = new Thread(() -> IntStream.range(0, 100_000).forEach(i -> ahead.add(item)));
     adding.start();
     may.release(10);
     has.acquire(10);

@@ -1,40 +1,33 @@
-package s7.trace;
+package s7.jvm;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 
+import s7.trace.Handover;
+
 /**
  * A thread that takes what another one hands over, in its order: lines are read ahead of the judging.
  * Only one of the two works on what they share: whoever handed over waits ({@link #settle}) before it
  * touches that again.
- *
- * @param <T> what is handed over; the thread gets several at a time
  */
-final class Ahead<T> {
+final class Ahead implements Handover {
   /** Items that are handed over together, and how many times that may wait. */
   private static final int TOGETHER = 128;
 
   private static final int WAITING = 16;
 
-  /** What is done with an item. */
-  interface Work<T> {
-    void on(T item);
-  }
-
   /** Items, or a sign that all before them are done. */
-  private record Batch<T>(List<T> items, BlockingQueue<Boolean> done) {}
+  private record Batch(List<Runnable> items, BlockingQueue<Boolean> done) {}
 
-  private final Work<T> work;
-  private final BlockingQueue<Batch<T>> queue = new ArrayBlockingQueue<>(WAITING);
+  private final BlockingQueue<Batch> queue = new ArrayBlockingQueue<>(WAITING);
   private final BlockingQueue<Boolean> settled = new ArrayBlockingQueue<>(1);
-  private List<T> items = new ArrayList<>(TOGETHER);
+  private List<Runnable> items = new ArrayList<>(TOGETHER);
   private boolean ahead;
 
-  /** Starts the thread; an exception of {@code work} is handled as any uncaught one. */
-  Ahead(String name, Work<T> work) {
-    this.work = work;
+  /** Starts the thread; an exception of an item is handled as any uncaught one. */
+  Ahead(String name) {
     var thread = new Thread(this::run, name);
     thread.setDaemon(true);
     thread.start();
@@ -43,8 +36,8 @@ final class Ahead<T> {
   private void run() {
     try {
       while (true) {
-        Batch<T> batch = queue.take();
-        batch.items.forEach(work::on);
+        Batch batch = queue.take();
+        batch.items.forEach(Runnable::run);
         if (batch.done != null) {
           batch.done.put(true);
         }
@@ -54,23 +47,23 @@ final class Ahead<T> {
     }
   }
 
-  /** Hands over an item, perhaps not before {@link #flush}. */
-  void add(T item) {
+  @Override
+  public void add(Runnable item) {
     items.add(item);
     if (items.size() == TOGETHER) {
       flush();
     }
   }
 
-  /** Hands over all that was added. */
-  void flush() {
+  @Override
+  public void flush() {
     if (!items.isEmpty()) {
       put(null);
     }
   }
 
-  /** Waits until all that was added is done. */
-  void settle() {
+  @Override
+  public void settle() {
     if (ahead || !items.isEmpty()) {
       put(settled);
       try {
@@ -84,7 +77,7 @@ final class Ahead<T> {
 
   private void put(BlockingQueue<Boolean> done) {
     try {
-      queue.put(new Batch<>(items, done));
+      queue.put(new Batch(items, done));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

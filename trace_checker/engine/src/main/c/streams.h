@@ -1,0 +1,9 @@
+/* Standard input and output of the compiled engine, as bytes. */
+#pragma once
+#include <stdint.h>
+
+/* Waits for bytes and takes those that are there, at most so many; -1 at the end. */
+int32_t s7_read(void *to, int32_t most);
+
+/* Writes all of them; the process ends where nobody reads. */
+void s7_write(void *from, int32_t count);

@@ -1,0 +1,72 @@
+package s7.compiled;
+
+import java.io.FileInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+
+import org.teavm.interop.Address;
+import org.teavm.interop.Import;
+import org.teavm.interop.c.Include;
+import s7.log.Fields;
+import s7.trace.Contract;
+import s7.trace.Engine;
+import s7.trace.Handover;
+import tla.spec.Interpreter;
+import tla.spec.Specification;
+import tla.tree.Kept;
+import tla.tree.Module;
+
+/** The engine as an executable: the specification is parsed already, and nothing of TLC is there but its values. */
+public final class Main {
+  private Main() {}
+
+  /**
+   * @param args the file of the parsed specification
+   */
+  public static void main(String[] args) throws IOException {
+    Module module = args.length == 1 ? Kept.read(file(args[0])) : null;
+    if (module == null) {
+      throw new IllegalArgumentException("usage: s7-trace-engine FILE-OF-THE-PARSED-SPECIFICATION");
+    }
+    var engine =
+        new Engine(
+            new Specification(module, Contract.TIMES, Interpreter.NONE), Handover.AT_ONCE, answer -> print(answer));
+    print(new Fields().put("engine", "ready").toString());
+    engine.serve(new StandardInput());
+  }
+
+  private static byte[] file(String name) throws IOException {
+    try (var in = new FileInputStream(name)) {
+      return in.readAllBytes();
+    }
+  }
+
+  private static void print(String line) {
+    byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
+    write(Address.ofData(bytes), bytes.length);
+  }
+
+  /** Reads into a buffer what is there; -1 at the end. */
+  @Include(value = "streams.h", isSystem = false)
+  @Import(name = "s7_read")
+  private static native int read(Address to, int most);
+
+  @Include(value = "streams.h", isSystem = false)
+  @Import(name = "s7_write")
+  private static native void write(Address from, int count);
+
+  private static final class StandardInput extends InputStream {
+    private final byte[] one = new byte[1];
+
+    @Override
+    public int read() {
+      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+    }
+
+    @Override
+    public int read(byte[] bytes, int from, int most) {
+      return Main.read(Address.ofData(bytes).add(from), most);
+    }
+  }
+}
