@@ -1,6 +1,7 @@
 """Finding Java, the engine and its libraries."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -143,6 +144,34 @@ def test_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     archive.write_bytes(b"no archive")
     with Engine() as engine:
         assert engine.alternatives().families == families
+
+
+def test_damaged_archive_of_classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A JVM that crashes on it is started again without it, and the archive goes."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    for _ in range(2):
+        engine_command()
+    (archive,) = tmp_path.glob("s7check/*.jsa")
+    damaged = bytearray(archive.read_bytes())
+    for place in range(100_000, len(damaged), 1000):
+        damaged[place] ^= 1
+    archive.unlink()
+    archive.write_bytes(damaged)
+    with Engine() as engine:
+        assert engine.alternatives().families
+    assert not archive.exists()
+
+
+@pytest.mark.parametrize("option", ["-Xlog:gc", "-Xlog:class+load"])
+def test_java_that_speaks_in_between(option: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The message names the options."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", option)
+    with (
+        Engine() as engine,
+        pytest.raises(EngineError, match=f"Java printed .*: change JDK_JAVA_OPTIONS={re.escape(option)}"),
+    ):
+        engine.alternatives()
 
 
 def test_kept_specification(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

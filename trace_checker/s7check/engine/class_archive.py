@@ -19,6 +19,8 @@ _KEPT = 8
 
 _PATIENCE = 60
 
+_OPTION = "-XX:SharedArchiveFile="
+
 
 def archive_options(
     jvm: list[str], jars: list[Path], program: list[str], sample: bytes, at_once: bool = False
@@ -37,8 +39,17 @@ def archive_options(
             _make(archive, jvm, ["-cp", os.pathsep.join(map(str, jars)), *program], sample)
         if archive.exists():
             # An archive that does not fit after all is no reason to complain.
-            return ["-Xlog:disable", f"-XX:SharedArchiveFile={archive}"]
+            return ["-Xlog:disable", f"{_OPTION}{archive}"]
     return []
+
+
+def forget_archive(command: list[str]) -> bool:
+    """Delete the archive of a command whose program failed, since it may be damaged; whether there was one."""
+    found = [Path(option.partition("=")[2]) for option in command if option.startswith(_OPTION)]
+    for archive in found:
+        with suppress(OSError):
+            archive.unlink()
+    return bool(found)
 
 
 def _state(file: Path) -> str:

@@ -1,5 +1,6 @@
 """The engine's protocol: logs go in, verdicts come out; messages are JSON objects, one a line either way."""
 
+import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,8 +11,9 @@ import msgspec
 
 from s7check.engine import limits
 from s7check.engine.answer import Alternatives, Answer, Content, Decision
+from s7check.engine.class_archive import forget_archive
 from s7check.engine.command import EngineError, engine_command
-from s7check.engine.java import JavaMissingError, check_java
+from s7check.engine.java import OPTIONS, JavaMissingError, check_java
 from s7check.engine.process import EngineProcess
 from s7check.log.errors import printable
 from s7check.log.profile_file import HERE, header_line, profile_file
@@ -126,6 +128,14 @@ class Engine:
                 return self._idle
             self._drop(self._idle)
         command = self.command()
+        try:
+            return self._started(command)
+        except EngineError:
+            if not forget_archive(command):
+                raise
+        return self._started(self.command())
+
+    def _started(self, command: list[str]) -> EngineProcess:
         process = EngineProcess(command)
         with self._dropped_on_error(process):
             try:
@@ -143,6 +153,8 @@ class Engine:
             raise
 
     def _drop(self, process: EngineProcess) -> None:
+        if process.crashed:
+            forget_archive(process.command)
         process.end(at_once=True)
         self._idle = None if self._idle is process else self._idle
         self._at_work = None if self._at_work is process else self._at_work
@@ -226,4 +238,8 @@ def _decode(line: bytes, shape: type[_Shape]) -> _Shape:
         return msgspec.json.decode(line, type=shape)
     except (msgspec.MsgspecError, UnicodeDecodeError) as error:
         said = printable(line.decode(errors="replace"), _SHOWN)
-        raise EngineError(f"the engine answered {said}, which does not fit: {REMEDY}") from error
+        options = [name for name in OPTIONS if name in os.environ]
+        if line.startswith(b"{") or not options:
+            raise EngineError(f"the engine answered {said}, which does not fit: {REMEDY}") from error
+        named = " and ".join(f"{name}={os.environ[name]}" for name in options)
+        raise EngineError(f"Java printed {said} where the engine answers: change {named}") from error

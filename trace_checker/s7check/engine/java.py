@@ -12,6 +12,9 @@ from s7check.log.errors import printable
 LEAST_JAVA = 17
 """The oldest version that runs TLC and the engine."""
 
+OPTIONS = ("JDK_JAVA_OPTIONS", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS")
+"""Environment variables with options of the JVM."""
+
 _PATIENCE = 60
 _SHOWN = 300
 _VERSION = re.compile(r'version "(?:1\.)?([0-9]+)')

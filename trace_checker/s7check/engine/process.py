@@ -6,6 +6,7 @@ import signal
 import subprocess
 import tempfile
 import time
+from pathlib import Path
 
 from s7check.engine import limits
 from s7check.engine.command import EngineError
@@ -21,6 +22,11 @@ FOLDER = "s7check-engine-"
 
 _NO_MEMORY = "lack of free memory"
 """What the executable says last."""
+
+_CRASH = b"#"
+"""How the lines begin that a JVM prints when it crashes, wherever its output goes."""
+
+_CRASHES = tuple(-number for number in (signal.SIGABRT, signal.SIGSEGV, getattr(signal, "SIGBUS", signal.SIGSEGV)))
 
 _READ = 64 * 1024
 _SHOWN = 300
@@ -38,6 +44,7 @@ class EngineProcess:
     """
 
     def __init__(self, command: list[str]) -> None:
+        self.command = command
         self._received = b""
         self._fds: list[int] = []
         self._folder = ""
@@ -75,6 +82,11 @@ class EngineProcess:
         code = self._process.poll()
         return code is not None and code >= 0
 
+    @property
+    def crashed(self) -> bool:
+        """Whether the JVM itself has failed, as with a damaged archive of classes."""
+        return self._process.poll() in _CRASHES
+
     def write(self, data: bytes, until: float | None = None) -> None:
         """Sends ``data``; blocks while the engine is busy with earlier data.
 
@@ -102,6 +114,8 @@ class EngineProcess:
                 raise self._ended()
             self._received += piece
         line, self._received = self._received.split(b"\n", 1)
+        if line.startswith(_CRASH):
+            raise self._ended()
         return line
 
     def end(self, at_once: bool = False) -> None:
@@ -134,6 +148,8 @@ class EngineProcess:
         said = os.read(self._errors, _READ).decode(errors="replace").strip()
         if "OutOfMemoryError" in said or _NO_MEMORY in said:
             return EngineError("the engine ran out of memory: use --engine jvm, JDK_JAVA_OPTIONS=-Xmx4g for instance")
+        if code in _CRASHES:
+            return EngineError(f"{Path(self.command[0]).stem} crashed ({signal.Signals(-code).name}): try again, then {REMEDY}")
         how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
         words = f", {printable(_gist(said), _SHOWN)}" if said else ""
         return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")
