@@ -43,7 +43,7 @@ _JAR = "s7-trace-engine.jar"
 
 
 def engine_kind() -> str:
-    """The engine that judges, ``native`` or ``jvm``: the chosen one, else the executable if there is one of these sources."""
+    """The engine that judges, ``native`` or ``jvm``: the chosen one, else the executable if these sources have one."""
     chosen = os.environ.get(CHOICE)
     if chosen in ("native", "jvm"):
         return chosen

@@ -149,7 +149,9 @@ class EngineProcess:
         if "OutOfMemoryError" in said or _NO_MEMORY in said:
             return EngineError("the engine ran out of memory: use --engine jvm, JDK_JAVA_OPTIONS=-Xmx4g for instance")
         if code in _CRASHES:
-            return EngineError(f"{Path(self.command[0]).stem} crashed ({signal.Signals(-code).name}): try again, then {REMEDY}")
+            return EngineError(
+                f"{Path(self.command[0]).stem} crashed ({signal.Signals(-code).name}): try again, then {REMEDY}"
+            )
         how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
         words = f", {printable(_gist(said), _SHOWN)}" if said else ""
         return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")
