@@ -32,14 +32,14 @@ MCReadingSets ==
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { "AMB-" \o d \o e : d, e \in Digits }
 
-(* 86 questions, a row each, of which no formula asks eight. A default is *)
+(* 87 questions, a row each, of which no formula asks eight. A default is *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
-    /\ Cardinality(Questions) = 86
-    /\ Cardinality({ q[1] : q \in Questions }) = 86
+    /\ Cardinality(Questions) = 87
+    /\ Cardinality({ q[1] : q \in Questions }) = 87
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 86 - 8
+    /\ Cardinality(Ambiguities) = 87 - 8
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -249,6 +249,8 @@ DispatchInv ==
     /\ Holds("AMB-67", "c", {"c"}, OutsideRunEventsAreOpen)
     /\ Holds("AMB-69", "c", {"a"}, DelayBeginsWaitsAnew)
     /\ Holds("AMB-69", "c", {"b"}, NothingStandsBefore)
+    /\ Holds("AMB-87", "c", {"a"}, MissingOb85StopsAtOnce)
+    /\ Holds("AMB-87", "c", {"b"}, MissingOb85StopsInTurn)
     /\ Holds("AMB-70", "c", {"a"}, CallsComeBeforeTheEnd)
     /\ Holds("AMB-70", "c", {"b"}, CallsComeAfterTheEnd)
     /\ Holds("AMB-74", "a", {"b"}, RestartedJobKeepsSign)

@@ -119,12 +119,14 @@ RewaitMissing(r) ==
 
 (* [AIRT-08] [OBS-03] [AMB-69] A start event that is older than the        *)
 (* latency comes before a start event of a lower class.                    *)
+\* @type: ($request, $request) => Bool;
+GoesFirst(q, r) ==
+    /\ q.class > r.class /\ MayStart(q)
+    /\ \/ terms.latency = 0 \/ NothingStandsBefore
+       \/ Span(arrivals[AsItCame(q)], up) > terms.latency
+
 \* @type: $request => Bool;
-HighestFirst(r) ==
-    \A q \in requests :
-      /\ q.class > r.class /\ ~q.open /\ MayStart(q)
-      => /\ terms.latency > 0 /\ ~NothingStandsBefore
-         /\ Span(arrivals[AsItCame(q)], up) <= terms.latency
+HighestFirst(r) == \A q \in requests : ~q.open => ~GoesFirst(q, r)
 
 -----------------------------------------------------------------------------
 (* Waiting too long *)
@@ -169,7 +171,21 @@ OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
                  ELSE { o \in Jobs : dint[o].left <= 1 }
 
 MissingNow ==
-    { r \in requests : r.ob \notin loaded /\ MayStart(r) }
+    { r \in requests : MayBeMissed(r) }
+
+(* [AMB-44] (b) Missing OBs are noticed in the order of calls, of those    *)
+(* that may have no effect the higher one is dropped before. A STOP keeps  *)
+(* no order [AMB-87].                                                      *)
+\* @type: $request => Bool;
+MissedInOrder(r) ==
+    \/ MissingNoticedWhenDue \/ StopsTheCpu(r)
+    \/ \A q \in requests : GoesFirst(q, r) => q.open /\ q.ob \in loaded
+
+DropsMissing ==
+    \E r \in MissingNow :
+      /\ \E q \in MissingNow : ~MissedInOrder(q) /\ GoesFirst(r, q)
+      /\ MissedInOrder(r)
+      /\ Drop(r) /\ Rewait
 
 -----------------------------------------------------------------------------
 (* Missing OBs, where nobody knows which start events wait (Merging)  *)
@@ -221,7 +237,9 @@ ReportedByTheSame(r) ==
 
 FindMissing ==
     \/ \E r \in MissingNow \ PerhapsMissing :
-         (Missing(r) \/ ReportedByTheSame(r)) /\ RewaitMissing(r)
+         /\ MissedInOrder(r)
+         /\ (Missing(r) \/ ReportedByTheSame(r)) /\ RewaitMissing(r)
+    \/ DropsMissing
     \/ PerhapsNoticed
 
 (* [AMB-55] An open request may turn out to have no effect just before the   *)

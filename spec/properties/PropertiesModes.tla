@@ -11,7 +11,9 @@ EXTENDS Steps
 MissingProp ==
     [][ Did("missing") =>
           /\ step'.ob \notin loaded
-          /\ delay = 0 /\ step'.value > Top(stack).class
+          /\ \/ delay = 0
+             \/ step'.ob \in AsyncErrorObs /\ stopCause' # NoCause  \* [AMB-49]
+          /\ step'.value > Top(stack).class \/ step'.ob = 85        \* [AMB-87]
           /\ IF step'.ob \notin AsyncErrorObs
              THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D

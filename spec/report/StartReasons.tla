@@ -296,6 +296,7 @@ NoProgramError(past) ==
           \cup When(\E o \in tods \cup dints : Blocked(o), {"IRT-01"})
           \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
                     {"AIRT-01", "AIRT-09"})
+          \cup When(\E r \in MissingNow : ~MissedInOrder(r), {"AIRT-08", "OBS-03"})
           \cup When(MissingObEndsItsSource, {"OBS-28"})
           \cup When(MissingIsTimeError, {"OBS-24"})
 

@@ -110,7 +110,8 @@ Questions ==
     <<"AMB-83", "c", ABC>>,
     <<"AMB-84", "d", ABCD>>,
     <<"AMB-85", "c", ABC>>,
-    <<"AMB-86", "a", ABCD>> }
+    <<"AMB-86", "a", ABCD>>,
+    <<"AMB-87", "c", ABC>> }
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
@@ -424,4 +425,8 @@ OtherErrorStops      == Reading("AMB-85") # "a"
 Step7MayLeaveMonthsOut == Reading("AMB-86") \in {"a", "d"}
 Step7MayTakeLastDay    == Reading("AMB-86") \in {"b", "d"}
 Step7MayNeverRun       == Reading("AMB-86") \in {"c", "d"}
+(* [AMB-87] A missing OB 85 stops the CPU when its event comes, or when it *)
+(* would be called; else either.                                           *)
+MissingOb85StopsAtOnce == Reading("AMB-87") = "a"
+MissingOb85StopsInTurn == Reading("AMB-87") = "b"
 =============================================================================

@@ -88,7 +88,7 @@ Close(q) ==
 Remove(q, r) ==
     LET \* @type: $request => Bool;
         passed(s) == s.class = r.class /\ s.rank < r.rank
-        rest == { s \in q : s # r /\ ~(passed(s) /\ ModeAllows(s)) }
+        rest == { s \in q : s # r /\ ~(passed(s) /\ s.open /\ ModeAllows(s)) }
         gone == IF \E s \in rest : s.class = r.class /\ s.rank = r.rank
                 THEN r.rank - 1 ELSE r.rank
     IN  IF \E s \in rest : passed(s) THEN Close(rest)
@@ -174,13 +174,21 @@ ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
 (* could interrupt the running OB.                                         *)
 Undelayed == delay = 0
 
-(* [AMB-49] (a) A delay does not hold back an error whose missing OB stops *)
-(* the CPU.                                                                *)
+(* [OBS-21] [OBS-22] [OBS-23] An error whose missing OB stops the CPU.     *)
 \* @type: $request => Bool;
-StopsUndelayed(r) ==
+StopsTheCpu(r) ==
     /\ r.ob \notin loaded
     /\ r.ob \in ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
-    /\ StopIsNotDelayed
+
+(* [AMB-49] (a) A delay does not hold it back.                             *)
+\* @type: $request => Bool;
+StopsUndelayed(r) == StopsTheCpu(r) /\ StopIsNotDelayed
+
+(* [AMB-87] (a) Neither does an OB that runs or waits, if it is OB 85.     *)
+\* @type: $request => Bool;
+StopsUncalled(r) ==
+    /\ r.ob = ProgramErrorOb /\ StopsTheCpu(r) /\ MissingOb85StopsAtOnce
+    /\ Undelayed \/ StopIsNotDelayed
 
 (* [OBS-02] [TINT-12] No request before it holds it back. A request that   *)
 (* the mode holds back does not count. Within a place the numbers of the   *)
@@ -212,7 +220,18 @@ Foremost(r) == /\ Preempts(r)
 MayStart(r) == /\ ModeAllows(r)
                /\ \/ /\ Undelayed \/ StopsUndelayed(r)
                      /\ Foremost(r)
-                  \/ NoticedAtOnce(r)
+                  \/ StopsUncalled(r) \/ NoticedAtOnce(r)
+
+(* A missing OB is noticed when it would start. [AMB-49] [AMB-87] If it    *)
+(* stops the CPU, perhaps before that.                                     *)
+\* @type: $request => Bool;
+MayBeMissed(r) ==
+    /\ r.ob \notin loaded
+    /\ \/ MayStart(r)
+       \/ /\ StopsTheCpu(r) /\ ModeAllows(r)
+          /\ Undelayed \/ ~StopAwaitsTheDelay
+          /\ \/ Foremost(r)
+             \/ r.ob = ProgramErrorOb /\ ~MissingOb85StopsInTurn
 
 (* [AMB-49] A STOP by rule may wait for the end of a delay, but not that   *)
 (* of a synchronous error [OBS-63].                                        *)

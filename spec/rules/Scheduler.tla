@@ -163,8 +163,7 @@ ErrorObMissing(r) ==
 
 \* @type: $request => Bool;
 Missing(r) ==
-    /\ MayStart(r)
-    /\ r.ob \notin loaded
+    /\ MayBeMissed(r)
     /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
                                                ELSE ObMissing(r)
     /\ tod' = TodAfterMissing(r)
