@@ -32,14 +32,14 @@ MCReadingSets ==
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { "AMB-" \o d \o e : d, e \in Digits }
 
-(* 87 questions, a row each, of which no formula asks eight. A default is *)
+(* 87 questions, a row each, of which no formula asks seven. A default is *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
     /\ Cardinality(Questions) = 87
     /\ Cardinality({ q[1] : q \in Questions }) = 87
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 87 - 8
+    /\ Cardinality(Ambiguities) = 87 - 7
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
