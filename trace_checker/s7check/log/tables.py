@@ -26,10 +26,10 @@ SETTABLE_PRIORITIES: dict[int, range] = {
 }
 """OB -> the priority classes it can be given [OBS-05]."""
 
-_THREE_READINGS = frozenset(
-    int(number)
-    for number in ("1 4 5 6 14 15 19 28 34 38 39 45 47 48 49 50 52 53 54 55 57 60 61 67 68 69 70 79 83 85 87").split()
-)
+_THREE_READINGS = frozenset([
+    1, 4, 5, 6, 14, 15, 19, 28, 34, 38, 39, 45, 47, 48, 49, 50, 52, 53, 54, 55, 57, 60, 61, 67, 68, 69, 70, 79, 83, 85,
+    87,
+])  # fmt: skip
 _FOUR_READINGS = frozenset([3, 11, 13, 18, 56, 71, 77, 84, 86])
 
 READINGS: dict[str, str] = {
