@@ -18,42 +18,95 @@ EXTENDS StartReasons, NextLines
 \* @type: ($event, Int) => Set(Str);
 SetRequirements(e, ret) ==
     CASE ret = OK        -> {"TINT-30"}
-      [] ret = BadOb     -> {"TINT-35"}
+      [] ret = BadOb     -> {"TINT-01", "TINT-35"}
       [] ret = BadSdt    ->
-           CASE e.period = Monthly /\ e.sdt.day > 28 -> {"TINT-18"}
+           CASE e.period = Monthly    -> {"TINT-18", "TINT-39"}
              [] e.period = EndOfMonth -> {"TINT-19", "TINT-39"}
              [] e.period = Yearly     -> {"TINT-32", "TINT-39"}
              [] OTHER                 -> {"TINT-39", "TINT-35"}
-      [] ret = BadPeriod -> {"TINT-33"}
+      [] ret = BadPeriod -> {"TINT-33", "TINT-35"}
       [] ret = PastStart ->
            {"TINT-36"} \cup When(~HasOnePoint(e.period), {"TINT-37"})
+                       \cup When(/\ MinuteOf(e.sdt) = clock.min
+                                 /\ e.sdt.second # 0 \/ e.sdt.ms # 0,
+                                 {"TINT-11"})
       [] OTHER           -> {"TINT-22"}
 
-\* @type: ($event, Int) => Set(Str);
-ActRequirements(e, ret) ==
-    LET on == e.ob \in TodObs /\ tod[e.ob].active
-    IN  CASE ret = OK -> {"TINT-60"} \cup When(on, {"TINT-63"})
-          [] ret = PastStart ->
-               IF e.ob \in TodObs /\ ~HasOnePoint(tod[e.ob].period)
-               THEN {"TINT-62"} ELSE {"TINT-61"}
-          [] ret = NotSet -> {"TINT-61", "TINT-64"}
-          [] ret = BadOb  -> {"TINT-61"}
-          [] OTHER -> {"TINT-22"}
+\* @type: ($event, Int, Seq($event)) => Set(Str);
+CanRequirements(e, ret, past) ==
+    CASE ret = OK    -> {"TINT-50"} \cup When(e.ob \in TodObs /\ tod[e.ob].set
+                                               /\ ~tod[e.ob].active,
+                                             {"TINT-52"})
+      [] ret = BadOb -> {"TINT-01", "TINT-51"}
+      [] ret = NotSet -> {"TINT-51"} \cup WhetherSet(e.ob, past)
+                           \cup When(tod[e.ob].set /\ ~tod[e.ob].active,
+                                     {"TINT-52"})
+      [] OTHER -> {"TINT-22"}
 
-\* @type: ($event, Int) => Set(Str);
-SrtRequirements(e, ret) ==
-    CASE ret = OK       -> {"DINT-03", "DINT-07"}
+\* @type: ($event, Int, Seq($event)) => Set(Str);
+ActRequirements(e, ret, past) ==
+    CASE ret = OK -> {"TINT-60"} \cup When(tod[e.ob].active, {"TINT-63"})
+      [] ret = PastStart ->
+           IF ~HasOnePoint(tod[e.ob].period) THEN {"TINT-62"}
+           ELSE {"TINT-61"}
+                  \cup When(LastStart(past, e.ob)
+                              > LastWith(past, {"SET_TINT"}, e.ob),
+                            {"TINT-64"})
+                  \cup When(tod[e.ob].active, {"TINT-63"})
+      [] ret = NotSet ->
+           LET why == WhetherSet(e.ob, past)
+           IN  {"TINT-61"} \cup why
+                 \cup When({"TINT-08", "OBS-56"} \cap why # {}, {"TINT-64"})
+                 \cup When(tod[e.ob].active, {"TINT-63"})
+      [] ret = BadOb  -> {"TINT-01", "TINT-61"}
+      [] OTHER -> {"TINT-22"}
+
+\* @type: ($event, Int, Seq($event)) => Set(Str);
+SrtRequirements(e, ret, past) ==
+    CASE ret = OK       ->
+           {"DINT-03"} \cup When(dint[e.ob].started, {"DINT-07"})
+                       \cup When(OnStack(e.ob), {"DINT-08"})
       [] ret = BadOb    -> {"DINT-05"}
       [] ret = BadDtime -> {"DINT-04"}
       [] OTHER          -> {"DINT-21"}
 
+(* A job is running, waits, or is over.                                    *)
+\* @type: ($event, Int, Seq($event)) => Set(Str);
+CanDintRequirements(e, ret, past) ==
+    LET srt == LastWith(past, {"SRT_DINT"}, e.ob)
+    IN  CASE ret = BadOb      -> {"DINT-05", "DINT-14"}
+          [] ret = NotStarted ->
+               {"DINT-14"}
+                 \cup When(\/ LastStart(past, e.ob) > srt
+                           \/ PendingIn(requests, e.ob) \/ Unseen("ob"),
+                           {"DINT-15"})
+                 \cup When(LastOf(past, {"restart"}) > srt, {"DINT-13"})
+                 \cup When(SetInStartup(past, srt), {"OBS-55", "DINT-11"})
+                 \cup When(dint[e.ob].started /\ dint[e.ob].left <= 2,
+                           {"DINT-06"})
+          [] OTHER            -> {"DINT-14"}
+
+(* The class, or the OB, that MODE asks OB_NR for. *)
+\* @type: $event => Set(Str);
+NumberRequirements(e) ==
+    CASE e.ob \in 120..122   -> {"IRT-05", "IRT-23"}
+      [] Level(e.mode) = 0 -> {"IRT-06"}
+      [] Level(e.mode) = 1 -> {"IRT-07"}
+      [] OTHER             -> {"IRT-08"}
+
 \* @type: ($event, Int) => Set(Str);
 IrtRequirements(e, ret) ==
-    CASE ret = OK /\ e.event = "EN_IRT"  -> {"IRT-13", "IRT-24"}
-      [] ret = OK      -> {"IRT-06"}
-      [] ret = BadMode -> {"IRT-12"}
-      [] ret = BadOb   -> {"IRT-11", "IRT-12"}
-                            \cup When(e.ob \in 120..122, {"IRT-23"})
+    CASE ret = OK      ->
+           OfMode(e)
+             \cup When(e.event = "EN_IRT",
+                       {IF Meant(e.mode, e.ob) \cap irt.blocked = {}
+                        THEN "IRT-24" ELSE "IRT-15"})
+      [] ret = BadMode ->
+           {"IRT-12"} \cup When(e.event = "EN_IRT", {"IRT-13"})
+                      \cup When(/\ e.event = "DIS_IRT" /\ e.mode \in DisModes
+                                /\ WithoutEntries(e.mode),
+                                {"IRT-09"})
+      [] ret = BadOb   -> {"IRT-12"} \cup NumberRequirements(e)
       [] OTHER         -> {"IRT-22"}
 
 (* A general error code. *)
@@ -65,31 +118,47 @@ GeneralRequirements(e) ==
         [] e.event \in {"SRT_DINT", "CAN_DINT", "QRY_DINT"} -> {"DINT-21"}
         [] OTHER                                            -> {"TINT-22"}
 
-\* @type: ($event, Int) => Set(Str);
-AnswerRequirements(e, ret) ==
+(* What has ended the count of SFC 41, or would have: the end of its OB,   *)
+(* or a restart.                                                           *)
+\* @type: ($event, Seq($event)) => Set(Str);
+CountRequirements(e, past) ==
+    LET last  == LastOf(past, {"DIS_AIRT"})
+        ended == e.ret = IF e.event = "DIS_AIRT" THEN 1 ELSE NotDelayed
+    IN  {"AIRT-03"}
+          \cup When(last > 0 /\ LastOf(past, {"restart"}) > last, {"OBS-54"})
+          \cup When(\/ last > 0 /\ LastOf(past, {"end", "run"}) > last
+                    \/ delay > 0 /\ ended, {"AIRT-04"})
+
+\* @type: ($event, Int, Seq($event)) => Set(Str);
+AnswerRequirements(e, ret, past) ==
     CASE IsGeneralError(ret) -> GeneralRequirements(e)
       [] e.event = "SET_TINT" -> SetRequirements(e, ret)
-      [] e.event = "CAN_TINT" ->
-           IF ret = OK THEN {"TINT-50", "TINT-52"} ELSE {"TINT-51"}
-      [] e.event = "ACT_TINT" -> ActRequirements(e, ret)
-      [] e.event = "QRY_TINT" -> {"TINT-70"}
-      [] e.event = "SRT_DINT" -> SrtRequirements(e, ret)
-      [] e.event = "CAN_DINT" -> {"DINT-14"}
-           \cup When(ret = NotStarted, {"DINT-15"})
-      [] e.event = "QRY_DINT" -> {"DINT-16"}
+      [] e.event = "CAN_TINT" -> CanRequirements(e, ret, past)
+      [] e.event = "ACT_TINT" -> ActRequirements(e, ret, past)
+      [] e.event = "QRY_TINT" ->
+           {"TINT-70"} \cup When(ret = BadOb, {"TINT-01"})
+      [] e.event = "SRT_DINT" -> SrtRequirements(e, ret, past)
+      [] e.event = "CAN_DINT" -> CanDintRequirements(e, ret, past)
+      [] e.event = "QRY_DINT" ->
+           {"DINT-16"} \cup When(ret = BadOb, {"DINT-05"})
       [] e.event \in {"DIS_IRT", "EN_IRT"} -> IrtRequirements(e, ret)
-      [] e.event = "DIS_AIRT" -> {"AIRT-03", "AIRT-06"}
-                                   \cup When(delay = 0, {"AIRT-04"})
-      [] OTHER                -> {"AIRT-03", "AIRT-07"}
-                                   \cup When(delay = 0, {"AIRT-04"})
+      [] e.event = "DIS_AIRT" -> {"AIRT-06"} \cup CountRequirements(e, past)
+      [] OTHER                -> {"AIRT-07"} \cup CountRequirements(e, past)
 
-\* @type: $event => Set(Str);
-WrongAnswer(e) ==
-    AnswerRequirements(e, e.ret)
-      \cup UNION { AnswerRequirements(e, r) : r \in RightAnswers(e) }
-      \cup When(/\ e.event \notin {"DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
-                /\ e.ob \in TodObs \cup DintObs
-                /\ Deselected(e.ob), {"OBS-25"})
+(* What decides is an error that had to come, or one that did not apply;   *)
+(* the rule of success only where success was right.                       *)
+\* @type: ($event, Seq($event)) => Set(Str);
+WrongAnswer(e, past) ==
+    LET right   == RightAnswers(e)
+        telling == {e.ret} \cup right
+        told    == IF BadOb \in right THEN right
+                   ELSE IF OK \in right \/ telling = {OK} THEN telling
+                   ELSE telling \ {OK}
+    IN  UNION { AnswerRequirements(e, r, past) : r \in told }
+          \cup When(/\ e.event \notin {"DIS_IRT", "EN_IRT", "DIS_AIRT",
+                                       "EN_AIRT"}
+                    /\ e.ob \in TodObs \cup DintObs
+                    /\ Deselected(e.ob), {"OBS-25"})
 
 -----------------------------------------------------------------------------
 (* STATUS *)
@@ -100,18 +169,27 @@ ActiveRequirements(o, past) ==
     LET last  == LastWith(past,
                           {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
         reset == LastOf(past, {"restart"})
+        once  == When(cpu.step7[o].execution = "once", {"OBS-56"})
     IN  IF tod[o].active /\ ~HasOnePoint(tod[o].period) /\ tod[o].next = Never
         THEN {}  \* a series without a further point
-        ELSE IF reset > last THEN {"OBS-50", "TINT-38"}
-        ELSE IF last = 0 THEN {"TINT-06"}
-        ELSE CASE past[last].event = "start"    -> {"TINT-08", "TINT-64"}
+        ELSE IF reset > last THEN {"OBS-50", "TINT-38"} \cup once
+        ELSE IF PendingIn(requests, o) /\ HasOnePoint(tod[o].period)
+        THEN {"TINT-08"}
+        ELSE IF last = 0 THEN {"TINT-06"} \cup once
+        ELSE CASE past[last].event = "start"    ->
+                    IF tod[o].set /\ ~HasOnePoint(tod[o].period)
+                    THEN {"TINT-09"}
+                           \cup SinceClock(past, StartBefore(past, o))
+                    ELSE AfterOnce(o, past)
                [] past[last].event = "CAN_TINT" -> {"TINT-50"}
                [] past[last].event = "SET_TINT" ->
                     IF Worked(past[last]) THEN {"TINT-05", "TINT-31"}
                     ELSE {"TINT-31", "TINT-35"}
-               [] OTHER -> IF Blocked(o) \/ LostMeanwhile(past, o)
-                           THEN {"IRT-04", "IRT-18", "TINT-08"}
-                           ELSE {"TINT-60"}
+               [] OTHER ->
+                    IF Blocked(o) \/ LostMeanwhile(past, o)
+                    THEN {"IRT-04", "IRT-18", "TINT-08"}
+                    ELSE {"TINT-60"}
+                           \cup When(SetInStartup(past, last), {"OBS-55"})
 
 (* The requirements that decide whether a delay is started. *)
 \* @type: (Int, Seq($event)) => Set(Str);
@@ -120,7 +198,15 @@ StartedRequirements(o, past) ==
     IN  IF LastOf(past, {"restart"}) > last THEN {"DINT-13", "OBS-52"}
         ELSE IF Blocked(o) THEN {"IRT-04", "DINT-20"}
         ELSE IF last > 0 /\ past[last].event = "CAN_DINT" THEN {"DINT-14"}
-        ELSE {}
+        ELSE When(SetInStartup(past, last), {"OBS-55"})
+
+(* The requirements that decide whether the OB shows as blocked: a delay   *)
+(* by SFC 41 does not show.                                                *)
+\* @type: (Int, Seq($event)) => Set(Str);
+ShownBlocked(o, past) ==
+    IF delay > 0 /\ ~Blocked(o) THEN {"AIRT-13"}
+    ELSE {"IRT-17"} \cup When(IrtLines(past, o) # {},
+                              BlockRequirements(past, o))
 
 (* The requirements of each wrong bit.                                     *)
 \* @type: ($event, Int, Seq($event)) => Set(Str);
@@ -130,9 +216,7 @@ WrongBits(e, right, past) ==
         valid == e.ob \in TodObs \cup DintObs
     IN  IF ~valid THEN {}
         ELSE When(tods /\ wrong(1), {"TINT-72"})
-               \cup When(wrong(2),
-                         {"IRT-17"} \cup When(IrtLines(past, e.ob) # {},
-                                            BlockRequirements(past, e.ob)))
+               \cup When(wrong(2), ShownBlocked(e.ob, past))
                \cup When(tods /\ wrong(2), {"TINT-73"})
                \cup When(tods /\ wrong(4),
                          {"TINT-74"} \cup ActiveRequirements(e.ob, past))
@@ -161,7 +245,7 @@ OfCall(e, past) ==
     ELSE IF Failed THEN {"OBS-61"}
     ELSE IF ~Called THEN {IF mode = "STARTUP" THEN "OBS-42" ELSE "OBS-01"}
     ELSE IF StandsBefore(e) THEN {"AIRT-08"}
-    ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e)
+    ELSE IF AnswerRight(e) THEN WrongStatus(e, past) ELSE WrongAnswer(e, past)
 
 -----------------------------------------------------------------------------
 (* Lines that come too late: something had to come before *)
@@ -186,14 +270,21 @@ HeldBack(r, past) ==
     LET last  == LastStart(past, r.ob)
         delayed == LastOf(past, {"DIS_AIRT"})
     IN  ThoughNotBlocked(past, r.ob)
-          \cup When(delayed > last, {"AIRT-02", "AIRT-08"})
+          \cup When(delayed > last, {"AIRT-02", "AIRT-08"}
+                                      \cup When(r.ob \in AsyncErrorObs,
+                                                {"AIRT-09"}))
           \cup When(/\ delayed > last
                     /\ LastOf(past, {"EN_AIRT"}) < LastOf(past, {"end"}),
                     {"AIRT-04"})
           \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
           \cup When(Running.ob \notin {0, CycleOb} \cup StartupObs, {"OBS-01"})
           \cup When(/\ past # <<>> /\ past[Len(past)].event = "end"
-                    /\ ~Before(past[Len(past)].at, r.since), {"OBS-03"})
+                    /\ ~Before(past[Len(past)].at, r.since),
+                    IF ClassOf(past[Len(past)].ob) = r.class
+                    THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})
+                                    \cup When(r.ob \in AsyncErrorObs,
+                                              {"OBS-11"})
+                    ELSE {"OBS-03"})
 
 \* @type: ($request, Seq($event)) => Set(Str);
 LateTod(r, past) ==
@@ -202,8 +293,10 @@ LateTod(r, past) ==
         act  == LastWith(past, {"ACT_TINT"}, o)
         special ==
           SinceRun(past, o, last)
-            \cup When(ClockWasSet(past, last) < 0, SinceClock(past, last))
+            \cup When(ClockWasSet(past, last) # 0, SinceClock(past, last))
+            \cup When(ClockWasSet(past, StartBefore(past, o)) > 0, {"CLK-08"})
             \cup When(cpu.step7[o].execution = "once" /\ last = 0, {"OBS-56"})
+            \cup When(SetInStartup(past, act), {"OBS-55"})
             \cup When(Blocked(o) \/ LastIn(IrtLines(past, o)) > last,
                       {"IRT-18"})
             \cup When(~TodCallsWithdrawRuns, {"TINT-50"})
@@ -217,49 +310,81 @@ LateTod(r, past) ==
 
 \* @type: ($request, Seq($event)) => Set(Str);
 LateDint(r, past) ==
-    {"DINT-06"} \cup (SinceRun(past, r.ob, LastStart(past, r.ob))
+    LET srt == LastWith(past, {"SRT_DINT"}, r.ob)
+    IN  {"DINT-06"}
+                \cup (SinceRun(past, r.ob, LastStart(past, r.ob))
                        \ {"DINT-19"})
                 \cup OfDelay(r.ob, past)
                 \cup When(dint[r.ob].started
                             \/ LastWith(past, {"CAN_DINT"}, r.ob) > 0,
                           {"DINT-15"})
-                \cup When(dint[r.ob].started, {"DINT-08"})
+                \cup When(\/ dint[r.ob].started
+                          \/ LastStart(past, r.ob) \in 1..srt, {"DINT-08"})
+                \cup When(SetInStartup(past, srt), {"OBS-55"})
                 \cup When(OfDelay(r.ob, past) = {}, {"DINT-03"})
+
+(* The rules by which OB 85 is called in place of a missing OB.            *)
+\* @type: Int => Set(Str);
+OfMissing(o) ==
+    {"OBS-20"} \cup When(o \in TodObs, {"TINT-16", "TINT-17"})
+               \cup When(o \in DintObs, {"DINT-09"})
 
 \* @type: ($request, Seq($event)) => Set(Str);
 LateRequirement(r, past) ==
     CASE r.ob \notin loaded          ->
            IF r.ob \in AsyncErrorObs THEN {"OBS-23", "OBS-21"}
-           ELSE {"OBS-20"} \cup When(r.ob \in TodObs, {"TINT-16"})
-                  \cup When(r.ob \in DintObs, {"DINT-09"})
+           ELSE OfMissing(r.ob)
                   \cup When(ProgramErrorOb \notin loaded, {"OBS-21"})
-      [] r.follows = SkippedInHold   -> {"CLK-03", "OBS-46"}
-      [] r.follows = SkippedByClock  -> {"CLK-03"}
+      [] r.follows \in Skips         ->
+           {"CLK-03"} \cup When(r.follows = SkippedInHold, {"OBS-46"})
+                      \cup When(HasOnePoint(r.word), {"CLK-13"})
+                      \cup When(TouchedInOb80(r.ob, past), {"CLK-04"})
       [] r.follows = StillRunning    ->
-           When(r.ob \in TodObs, {"TINT-14"})
-             \cup When(r.ob \in DintObs, {"DINT-10"})
+           OfFault(r.follows, r.ob)
              \cup When(LastIn(IrtLines(past, TimeErrorOb)) > 0, {"OBS-33"})
       [] r.ob \in DintObs            ->
            LateDint(r, past) \cup HeldBack(r, past)
       [] r.ob \in TodObs             -> LateTod(r, past)
-      [] r.fault = SkippedByClock    -> {"CLK-02"} \cup HeldBack(r, past)
-      [] r.fault = SkippedInHold     -> {"OBS-46"}
       [] r.ob = TimeErrorOb          ->
-           {"OBS-30"} \cup When(r.cause \in TodObs, {"TINT-14"})
-             \cup When(r.cause \in DintObs, {"DINT-10"}) \cup HeldBack(r, past)
-      [] r.ob = ProgramErrorOb       -> {"OBS-20"} \cup HeldBack(r, past)
-           \cup When(r.cause \in TodObs, {"TINT-16"})
-           \cup When(r.cause \in DintObs, {"DINT-09"})
+           {"OBS-30"} \cup OfFault(r.fault, r.cause) \cup HeldBack(r, past)
+             \cup When(LastOf(past, {"hold"}) > LastStart(past, r.ob),
+                       {"OBS-45"})
+      [] r.ob = ProgramErrorOb       ->
+           OfMissing(r.cause) \cup HeldBack(r, past)
+             \cup ThoughNotBlocked(past, r.cause)
+             \cup When(MissingObEndsItsSource, {"OBS-28"})
       [] OTHER                       ->
            SinceRun(past, r.ob, LastStart(past, r.ob))
+             \cup When(r.ob \in AsyncErrorObs, {"OBS-29"})
              \cup (IF HeldBack(r, past) = {} THEN {"OBS-01", "OBS-03"}
                    ELSE HeldBack(r, past))
 
+(* A time error stops the CPU: the last line, or an OB that runs, has      *)
+(* caused it.                                                              *)
+\* @type: Seq($event) => Set(Str);
+OfTimeErrorStop(past) ==
+    LET last == IF past = <<>> THEN "" ELSE past[Len(past)].event
+    IN  {"OBS-22"}
+          \cup (CASE last = "clock"   -> {"CLK-05"}
+                  [] last = "release" -> {"OBS-46"}
+                  [] OTHER -> UNION { OfFault(StillRunning, stack[i].ob)
+                                      : i \in DOMAIN stack })
+          \cup When(overruns = 2, {"OBS-26"})
+          \cup When(delay > 0, {"AIRT-11"})
+
 (* The requirements of a STOP that is due. *)
-StopRequirements ==
-    CASE stopCause = NoTimeErrorOb    -> {"OBS-22", "CLK-05"}
-      [] stopCause = NoProgramErrorOb -> {"OBS-21"}
-      [] stopCause = DeselectedLoaded -> {"OBS-25"}
+\* @type: Seq($event) => Set(Str);
+StopRequirements(past) ==
+    CASE stopCause = NoTimeErrorOb    -> OfTimeErrorStop(past)
+      [] stopCause = NoProgramErrorOb ->
+           {"OBS-21"}
+             \cup When(past # <<>> /\ past[Len(past)].event = "interrupt",
+                       {"OBS-20"})
+             \cup When(\E o \in TodObs \ loaded : tod[o].active, {"TINT-16"})
+             \cup When(\E o \in DintObs \ loaded :
+                         LastWith(past, {"SRT_DINT"}, o) > 0, {"DINT-09"})
+      [] stopCause = DeselectedLoaded ->
+           {"OBS-25"} \cup When(\E o \in loaded : ClassOf(o) = 0, {"OBS-06"})
       [] stopCause \in CausesOfSyncErrors -> {"OBS-27", "OBS-63"}
       [] OTHER                        -> {"OBS-23"}
 
@@ -272,10 +397,17 @@ EntryRequirements(entry, past) ==
       [] entry.id = NoTimeErrorOb    -> {"OBS-22"}
       [] entry.id = NoProgramErrorOb -> {"OBS-21"}
       [] entry.of.ob = TimeErrorOb   ->
-           {"OBS-30"}
+           {"OBS-30"} \cup OfFault(entry.of.fault, entry.of.cause)
              \cup When(Blocked(TimeErrorOb),
                        {"OBS-33"} \cup BlockRequirements(past, TimeErrorOb))
-      [] OTHER                       -> {"OBS-20"}
+             \cup When(LastOf(past, {"restart"})
+                         > LastIn(IrtLines(past, TimeErrorOb))
+                       /\ IrtLines(past, TimeErrorOb) # {},
+                       {"IRT-03", "OBS-53"})
+      [] OTHER                       ->
+           OfMissing(entry.of.cause)
+             \cup When(Blocked(ProgramErrorOb),
+                       BlockRequirements(past, ProgramErrorOb))
 
 -----------------------------------------------------------------------------
 
@@ -283,69 +415,114 @@ EntryRequirements(entry, past) ==
 LateRequirements(e, past) ==
     UNION { LateRequirement(r, past) : r \in Late(e) }
       \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
-      \cup When(StopDuty \in DOMAIN waiting, StopRequirements)
+      \cup When(StopDuty \in DOMAIN waiting, StopRequirements(past))
       \cup When(CallDuty \in DOMAIN waiting,
                 {"OBS-61"} \cup When(delay > 0, {"AIRT-10"})
                   \cup When(irt.blocked # {}, {"IRT-05"}))
+
+(* The entries that the line may show, were its fields right.              *)
+\* @type: $event => Set($entry);
+EntriesMeant(e) ==
+    { r.entry : r \in { q \in reports :
+                          FitsEntry(q.entry, [e EXCEPT !.info = NoInfo,
+                                                       !.ob = 0,
+                                                       !.priority = -1]) } }
+
+(* The entries that the log has to show, and does not show by this line.   *)
+\* @type: Seq($event) => Set(Str);
+OfEntriesDue(past) ==
+    IF ~DiagRecorded THEN {}
+    ELSE UNION { EntryRequirements(r.entry, past) : r \in reports }
+           \cup When(\E o \in AsyncErrorObs \ loaded :
+                       LastWith(past, {"interrupt"}, o) > 0, {"OBS-23"})
 
 \* @type: ($event, Seq($event)) => Set(Str);
 OfEntry(e, past) ==
     LET fault == e.id - ErrorEntry
         quiet == Silenced(TimeErrorOb) \/ Silenced(ProgramErrorOb)
+        meant == EntriesMeant(e)
     IN  CASE e.id = EntriesDisabled ->
                {"IRT-09"} \cup When(LastOf(past, {"EN_IRT"}) > 0, {"IRT-19"})
-          [] e.id = NoTimeErrorOb       -> {"OBS-22"}
-          [] e.id = NoProgramErrorOb    -> {"OBS-21"}
-          [] e.id = DeselectedLoaded    -> {"OBS-25"}
-          [] e.id \in CausesOfSyncErrors -> {"OBS-27", "OBS-63"}
-          [] fault \in ObNotLoaded      ->
-               {"OBS-20"} \cup When(quiet, {"IRT-09"})
-          [] fault = SkippedByClock     ->
-               {"OBS-30", "CLK-02"} \cup When(quiet, {"IRT-09"})
-          [] fault = SkippedInHold      -> {"OBS-30", "OBS-46"}
-          [] fault = BufferOverflow     -> {"OBS-30", "OBS-08"}
-          [] OTHER                      ->
-               {"OBS-30"} \cup When(quiet, {"IRT-09"})
+          [] e.id \in CausesOfRules ->
+               (CASE e.id = NoTimeErrorOb    -> {"OBS-22"}
+                  [] e.id = NoProgramErrorOb -> {"OBS-21"}
+                  [] e.id = DeselectedLoaded -> {"OBS-25"}
+                  [] OTHER                   -> {"OBS-27", "OBS-63"})
+                 \cup When(stopCause # NoCause, StopRequirements(past))
+                 \cup OfEntriesDue(past)
+          [] meant # {}             ->
+               UNION { ErrorInfo(n.of, e.info) : n \in meant }
+                 \cup When(\A n \in meant : ErrorInfo(n.of, e.info) = {},
+                           IF fault \in ObNotLoaded THEN {"OBS-20"}
+                           ELSE {"OBS-30"})
+          [] OTHER                  ->
+               (IF fault \in ObNotLoaded THEN OfMissing(0) ELSE {"OBS-30"})
+                 \cup OfFault(fault, 0)
+                 \cup When(quiet, {"IRT-09"})
+                 \cup When(LastOf(past, {"hold"}) > LastOf(past, {"release"}),
+                           {"OBS-45"})
+                 \cup OfEntriesDue(past)
 
 (* The fields that are wrong.                                              *)
-\* @type: $event => Set(Str);
-OfState(e) ==
+\* @type: ($event, Seq($event)) => Set(Str);
+OfState(e, past) ==
     {"OBS-60"}
-      \cup When(~FitsTruth(e.blocked, Blocked(e.ob)), {"IRT-17"})
+      \cup When(~FitsTruth(e.blocked, Blocked(e.ob)),
+                ShownBlocked(e.ob, past))
       \cup When(~FitsTruth(e.entries_off, Silenced(e.ob)), {"IRT-20"})
       \cup When(~FitsActive(e),
-                IF e.ob \in TodObs THEN {"TINT-74"} ELSE {"DINT-16"})
+                IF e.ob \in TodObs
+                THEN {"TINT-74"} \cup ActiveRequirements(e.ob, past)
+                ELSE {"DINT-16"} \cup StartedRequirements(e.ob, past))
       \cup When(~FitsLeft(e), {"DINT-17"})
+
+\* @type: ($event, Seq($event)) => Set(Str);
+OfEnd(e, past) ==
+    CASE mode = "HOLD" -> {"OBS-45"}
+      [] mode = "STOP" -> {"OBS-41"}
+      [] Failed -> {"OBS-61"}
+      [] mode = "STARTUP" /\ e.ob = CycleOb -> {"OBS-42"}
+      [] OTHER ->
+           {"OBS-03"}
+             \cup When(Running.ob = CycleOb \/ stack = <<>>, {"OBS-01"})
+             \cup When(LastWith(past, {"CAN_TINT"}, Running.ob)
+                         > LastStart(past, Running.ob), {"TINT-53"})
+
+(* The cause that the line names, and the one that is due. *)
+\* @type: ($event, Seq($event)) => Set(Str);
+OfStop(e, past) ==
+    IF mode = "STOP" THEN {"OBS-40"}
+    ELSE (CASE e.cause = NoTimeErrorOb    -> {"OBS-22"} \cup When(overruns > 0,
+                                                           {"OBS-26"})
+            [] e.cause = NoProgramErrorOb -> {"OBS-21"}
+            [] e.cause = DeselectedLoaded -> {"OBS-25"}
+            [] OTHER                      -> {"OBS-27", "OBS-63"})
+           \cup When(stopCause # NoCause, StopRequirements(past))
 
 \* @type: ($event, Seq($event)) => Set(Str);
 Deciding(e, past) ==
     CASE ~KeepsPace(e)           -> {"CLK-01"}
       [] e.event \in CallEvents -> OfCall(e, past)
-      [] e.event = "state"       -> OfState(e)
-      [] e.event = "interrupt"   -> CASE e.ob = TimeErrorOb -> {"OBS-30"}
-                                      [] e.ob \in SyncErrorObs -> {"OBS-61"}
-                                      [] OTHER -> {"OBS-20"}
+      [] e.event = "state"       -> OfState(e, past)
+      [] e.event = "interrupt"   ->
+           CASE e.ob = TimeErrorOb -> {"OBS-30"} \cup OfFault(e.flt_id, 0)
+             [] e.ob \in SyncErrorObs -> {"OBS-61"}
+             [] OTHER -> {"OBS-20"}
       [] e.event = "start"   ->
-           OfStart(e, past) \cup When(stopCause # NoCause, StopRequirements)
+           OfStart(e, past)
+             \cup When(stopCause # NoCause, StopRequirements(past))
       [] e.event = "diag"    -> OfEntry(e, past)
-      [] e.event = "end"     -> IF mode = "HOLD" THEN {"OBS-45"}
-                                ELSE IF mode = "STOP" THEN {"OBS-41"}
-                                ELSE IF Failed THEN {"OBS-61"}
-                                ELSE IF Running.ob = CycleOb \/ stack = <<>>
-                                THEN {"OBS-01", "OBS-03"} ELSE {"OBS-03"}
+      [] e.event = "end"     -> OfEnd(e, past)
       [] e.event = "restart" ->
            {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
-      [] e.event = "run"     -> IF stopCause # NoCause THEN StopRequirements
+      [] e.event = "run"     -> IF stopCause # NoCause
+                                THEN StopRequirements(past)
                                 ELSE IF mode = "STARTUP" THEN {"OBS-42"}
                                 ELSE {"OBS-40"}
-      [] e.event = "stop"    ->
-           IF mode = "STOP" THEN {"OBS-40"}
-           ELSE IF {e.cause, stopCause} \cap CausesOfSyncErrors # {}
-           THEN {"OBS-27", "OBS-63"}
-           ELSE {"OBS-21", "OBS-22"}
-                  \cup When(e.cause = DeselectedLoaded, {"OBS-25"})
-                  \cup When(e.cause = NoTimeErrorOb, {"OBS-26"})
-      [] OTHER               -> {"OBS-40"}
+      [] e.event = "stop"    -> OfStop(e, past)
+      [] OTHER               ->
+           {"OBS-40"} \cup When(mode = "HOLD", {"OBS-45"})
+                      \cup When(mode = "STARTUP", {"OBS-42"})
 
 (* How far this state is from one that allows the line. The reasons of the *)
 (* nearest states count.                                                   *)
@@ -362,6 +539,42 @@ Distance(e) ==
                ELSE 9 - (CHOOSE d \in all : \A k \in all : k <= d)
       [] e.event = "end" -> IF OnStack(e.ob) THEN 0 ELSE 1
       [] OTHER -> 0
+
+-----------------------------------------------------------------------------
+(* The order in which requirements are cited *)
+
+(* Requirements of a special case: where one of these decides, it is what  *)
+(* the reader does not expect.                                             *)
+Special ==
+    { "AIRT-04", "AIRT-09", "AIRT-13", "AIRT-16", "CLK-01", "CLK-04", "CLK-10",
+      "CLK-11", "CLK-13", "CLK-14", "CLK-18", "DINT-04", "DINT-08", "DINT-10",
+      "DINT-11", "DINT-12", "DINT-13", "DINT-15", "DINT-17", "DINT-18",
+      "DINT-19", "DINT-20", "IRT-03", "IRT-06", "IRT-09", "IRT-11", "IRT-12",
+      "IRT-14", "IRT-16", "IRT-17", "IRT-18", "IRT-19", "IRT-20", "IRT-23",
+      "IRT-24", "OBS-05", "OBS-06", "OBS-22", "OBS-25", "OBS-28", "OBS-29",
+      "OBS-31", "OBS-33", "OBS-41", "OBS-42", "OBS-43", "OBS-46", "OBS-52",
+      "OBS-53", "OBS-54", "OBS-55", "OBS-56", "OBS-57", "OBS-60", "TINT-11",
+      "TINT-13", "TINT-14", "TINT-18", "TINT-19", "TINT-31", "TINT-32",
+      "TINT-33", "TINT-36", "TINT-51", "TINT-62", "TINT-63", "TINT-64",
+      "TINT-77", "TINT-79" }
+
+(* Requirements of every start, every call, every STOP: true, and little   *)
+(* news.                                                                   *)
+General ==
+    { "AIRT-02", "AIRT-03", "CLK-08", "CLK-12", "DINT-02", "DINT-03",
+      "DINT-05", "DINT-07", "DINT-21", "DINT-22", "IRT-13", "IRT-22", "OBS-01",
+      "OBS-02", "OBS-03", "OBS-20", "OBS-23", "OBS-30", "OBS-40", "OBS-44",
+      "TINT-01", "TINT-02", "TINT-06", "TINT-07", "TINT-08", "TINT-09",
+      "TINT-12", "TINT-17", "TINT-22", "TINT-23", "TINT-30", "TINT-35",
+      "TINT-60" }
+
+(* The least general requirement is cited first.                           *)
+\* @type: Str => Int;
+Generality(id) ==
+    CASE id \in Special                      -> 0
+      [] id \in General                      -> 2
+      [] id \in { q[1] : q \in Questions } -> 3
+      [] OTHER                               -> 1
 
 -----------------------------------------------------------------------------
 (* Why a line is possible *)
@@ -416,7 +629,7 @@ OfClock(to) ==
 
 \* @type: ($event, Seq($event)) => Set(Str);
 WhyPossible(e, past) ==
-    CASE e.event \in CallEvents -> AnswerRequirements(e, e.ret)
+    CASE e.event \in CallEvents -> AnswerRequirements(e, e.ret, past)
       [] e.event = "start"      -> OfOrdinaryStart(e, past)
       [] e.event = "end"        -> {"OBS-03"} \cup When(delay > 0, {"AIRT-04"})
       [] e.event = "interrupt"  -> OfInterrupt(e)
@@ -427,7 +640,8 @@ WhyPossible(e, past) ==
       [] e.event = "hold"       -> {"OBS-45"}
       [] e.event = "release"    ->
            {"OBS-45"} \cup When(SkippedBy(clock) # {}, {"OBS-46"})
-      [] e.event = "stop"       -> IF stopCause # NoCause THEN StopRequirements
+      [] e.event = "stop"       -> IF stopCause # NoCause
+                                   THEN StopRequirements(past)
                                    ELSE {"OBS-47"}
       [] e.event = "load"       -> {"OBS-20"}
       [] e.event = "delete"     -> IF PendingIn(requests, e.ob) THEN {"AMB-66"}

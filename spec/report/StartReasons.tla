@@ -41,6 +41,12 @@ TimesSince(past, names, o, i) ==
     Cardinality({ k \in DOMAIN past : /\ k > i /\ past[k].ob = o
                                      /\ past[k].event \in names })
 
+(* The line at position i stands in the STARTUP after the last restart.    *)
+\* @type: (Seq($event), Int) => Bool;
+SetInStartup(past, i) == LET restart == LastOf(past, {"restart"})
+                         IN  /\ 0 < restart /\ restart < i
+                             /\ LastOf(past, {"run"}) \notin restart..i
+
 \* @type: $event => Bool;
 Worked(e) == e.ret \in {OK, -1}
 
@@ -72,9 +78,10 @@ IrtLines(past, o) == { i \in DOMAIN past : Means(past[i], o) }
 OfMode(e) ==
     IF e.event = "EN_IRT"
     THEN {"IRT-13"} \cup When(Level(e.mode) = 1, {"IRT-14"})
-    ELSE CASE Level(e.mode) = 0 -> {"IRT-06"}
-           [] Level(e.mode) = 1 -> {"IRT-07"}
-           [] OTHER             -> {"IRT-08"}
+    ELSE (CASE Level(e.mode) = 0 -> {"IRT-06"}
+            [] Level(e.mode) = 1 -> {"IRT-07"}
+            [] OTHER             -> {"IRT-08"})
+           \cup When(WithoutEntries(e.mode), {"IRT-09"})
 
 (* The requirements that decide whether the OB is blocked. *)
 \* @type: (Seq($event), Int) => Set(Str);
@@ -85,6 +92,8 @@ BlockRequirements(past, o) ==
     IN  IF lines = {} THEN {"IRT-01"}
         ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
         ELSE OfMode(past[last])
+               \cup When(Level(past[last].mode) = 1 /\ o # ClassNumber(o),
+                         {"IRT-11"})
                \cup When(LastOf(past, {"end", "hold"}) > last,
                          {"IRT-02", "IRT-03"})
                \cup When(
@@ -137,13 +146,13 @@ SeriesRequirements(o, period, past) ==
     LET set == LastWith(past, {"SET_TINT"}, o)
         late == OnLateDay(cpu.step7[o]) /\ LastOf(past, {"restart"}) >= set
     IN  {"TINT-32"}
-          \cup (CASE late                -> {"AMB-86"}
-                  [] period = Hourly     -> {"TINT-34"}
-                  [] period = EndOfMonth -> {"TINT-19"}
-                  [] period = Monthly    -> {"TINT-18"}
-                  [] OTHER               -> {"TINT-24"})
-          \cup When(period \in Weekly \cup {Hourly, Yearly, Minutely, Daily},
-                    {"TINT-33"})
+          \cup When(late, {"AMB-86"})
+          \cup When(period = Hourly, {"TINT-34"})
+          \cup When(period = EndOfMonth, {"TINT-19"})
+          \cup When(/\ period = Monthly /\ ~late
+                    /\ DayOf(tod[o].start \div MinutesADay) > 28, {"TINT-18"})
+          \cup When(period \notin {Once, EndOfMonth}, {"TINT-33"})
+          \cup When(LastStart(past, o) <= set, {"TINT-24"})
           \cup When(/\ set > 0
                     /\ past[set].sdt.second # 0 \/ past[set].sdt.ms # 0,
                     {"TINT-11"})
@@ -161,10 +170,12 @@ OfDelay(o, past) ==
 -----------------------------------------------------------------------------
 (* Since a line *)
 
-(* Since position `last' the CPU has gone on to RUN, or HOLD has come.     *)
+(* Since position `last' the CPU has gone on to RUN, and the clock was not *)
+(* set in RUN; or HOLD has come.                                           *)
 \* @type: (Seq($event), Int, Int) => Set(Str);
 SinceRun(past, o, last) ==
-    When(LastOf(past, {"run"}) > last,
+    When(/\ LastOf(past, {"run"}) > last
+         /\ LastOf(past, {"clock"}) < LastOf(past, {"run"}),
              {"OBS-44"} \cup When(o \in TodObs, {"TINT-13"})
                         \cup When(o \in DintObs, {"DINT-11"})
                         \cup When(o \in ExternalObs, {"OBS-42"}))
@@ -177,7 +188,7 @@ SinceRun(past, o, last) ==
 SinceClock(past, last) ==
     LET how == ClockWasSet(past, last)
     IN  IF how = 0 THEN {}
-        ELSE IF how > 0 THEN {"CLK-03"}
+        ELSE IF how > 0 THEN {"CLK-03", "CLK-08"}
         ELSE IF ~Family.repeats THEN {"CLK-09"}
         ELSE IF Remembers THEN {"CLK-11"} ELSE {"CLK-10"}
 
@@ -199,21 +210,51 @@ RanForPoint(o, past) ==
         /\ clock.min - past[last].at.min \in {0, 1}
         /\ PointFrom(tod[o], past[last].at.min + 1) = tod[o].next
 
+(* A one-shot interrupt has run: it is used up, also where the clock was   *)
+(* set since, or where it was caught up.                                   *)
+\* @type: (Int, Seq($event)) => Set(Str);
+AfterOnce(o, past) ==
+    LET how == ClockWasSet(past, StartBefore(past, o))
+    IN  {"TINT-08"}
+          \cup When(how < 0, {"CLK-12"}) \cup When(how > 0, {"CLK-13"})
+          \cup When(cpu.step7[o].execution = "once" /\
+                      LastWith(past, {"SET_TINT"}, o) = 0, {"OBS-56"})
+
+(* The settings and activations of an interrupt that decide whether it is  *)
+(* set: the last one counts.                                               *)
+\* @type: (Int, Seq($event)) => Set(Str);
+WhetherSet(o, past) ==
+    LET last  == LastWith(past, {"SET_TINT", "CAN_TINT", "start"}, o)
+        reset == LastOf(past, {"restart"})
+        once  == When(cpu.step7[o].execution = "once", {"OBS-56"})
+    IN  IF reset > last THEN {"OBS-50"} \cup once
+        ELSE IF last = 0
+        THEN IF cpu.step7[o].execution = "none" THEN {"TINT-07"}
+             ELSE {"TINT-04", "TINT-06"} \cup once
+        ELSE CASE past[last].event = "start"    -> AfterOnce(o, past)
+               [] past[last].event = "CAN_TINT" -> {"TINT-50"}
+               [] Worked(past[last])            -> {"TINT-30"}
+               [] OTHER                         -> {"TINT-31"}
+
 (* Why a point of a time-of-day interrupt has not led to a start event.    *)
 \* @type: (Int, Seq($event)) => Set(Str);
 NoTodRequest(o, past) ==
     LET last == LastWith(past, {"SET_TINT", "CAN_TINT", "start"}, o)
-    IN  IF Deselected(o) THEN {"TINT-02", "OBS-25"}
+    IN  IF Deselected(o)
+        THEN {"TINT-02", "OBS-25"} \cup When(ClassOf(o) = 0, {"OBS-06"})
         ELSE IF LostMeanwhile(past, o) THEN {"IRT-04", "IRT-18"}
         ELSE IF OnStack(o) THEN {"OBS-02", "TINT-14"}
-        ELSE IF ~tod[o].active /\ LastOf(past, {"restart"}) > last
-        THEN {"TINT-02", "OBS-50"}
-        ELSE IF ~tod[o].set
-        THEN IF last = 0 THEN {"TINT-02", "TINT-05"}
-             ELSE IF past[last].event = "start" THEN {"TINT-08", "CLK-12"}
-             ELSE IF past[last].event = "SET_TINT" THEN {"TINT-31"}
-             ELSE {"TINT-02", "TINT-50", "TINT-54"}
-        ELSE IF ~tod[o].active THEN {"TINT-02", "TINT-05", "TINT-31"}
+        ELSE IF \/ ~tod[o].set
+                \/ ~tod[o].active /\ LastOf(past, {"restart"}) > last
+        THEN WhetherSet(o, past)
+               \cup When(last = 0 \/ past[last].event # "start", {"TINT-02"})
+               \cup When(last = 0, {"TINT-05"})
+               \cup When(TouchedInOb80(o, past), {"CLK-04", "TINT-54"})
+        ELSE IF ~tod[o].active
+        THEN {"TINT-02", "TINT-05"}
+               \cup When(LastWith(past, {"ACT_TINT"}, o) > 0, {"TINT-31"})
+               \cup When(TouchedInOb80(o, past), {"CLK-04"})
+               \cup When(LastOf(past, {"clock"}) > last, {"CLK-14"})
         ELSE LET again == RanForPoint(o, past)
                  from  == IF again THEN StartBefore(past, o)
                           ELSE LastStart(past, o)
@@ -228,7 +269,7 @@ NoTodRequest(o, past) ==
                                  /\ WasServed(tod[o], clock.min, cpu),
                                {"CLK-09"})
                      \cup When(again, {"OBS-07"})
-                     \cup When(again /\ moved = {}, {"TINT-10", "TINT-32"})
+                     \cup When(again /\ moved = {}, {"TINT-09", "TINT-32"})
                      \cup When(again /\ moved = {}
                                  /\ LastStart(past, TimeErrorOb) > from,
                                {"TINT-14"})
@@ -250,37 +291,53 @@ NoDintRequest(o, past) ==
         ELSE IF LastOf(past, {"restart"}) > last THEN {"DINT-02", "DINT-13"}
         ELSE IF last = 0 THEN {"DINT-02"}
         ELSE IF past[last].event = "CAN_DINT" THEN {"DINT-02", "DINT-14"}
-        ELSE {"DINT-02"}
+        ELSE {"DINT-02", "DINT-03"}
                \cup When(LastStart(past, TimeErrorOb) > StartBefore(past, o),
                          {"DINT-10"})
 
 -----------------------------------------------------------------------------
 (* OB 80 and OB 85 *)
 
+(* The rule of a fault of OB 80; `cause' is the OB that was to start.      *)
+\* @type: (Int, Int) => Set(Str);
+OfFault(fault, cause) ==
+    CASE fault = SkippedByClock -> {"CLK-02"}
+      [] fault = SkippedInHold  -> {"OBS-46"}
+      [] fault = BufferOverflow -> {"OBS-08"}
+      [] fault = StillRunning   -> When(cause \in TodObs, {"TINT-14"})
+                                     \cup When(cause \in DintObs, {"DINT-10"})
+      [] OTHER                  -> {}
+
 (* The fault in the line decides; without a fault, the lines before it. *)
 \* @type: ($event, Seq($event)) => Set(Str);
 NoTimeError(e, past) ==
-    LET fault == e.info.flt_id
-        last  == LastStart(past, TimeErrorOb)
+    LET fault   == e.info.flt_id
+        last    == LastStart(past, TimeErrorOb)
+        set     == LastOf(past, {"clock"})
+        release == LastOf(past, {"release"})
     IN  IF TimeErrorOb \notin loaded THEN {"OBS-22", "OBS-30"}
         ELSE {"OBS-30"}
+          \cup UNION { OfFault(fault, stack[i].ob) : i \in DOMAIN stack }
+          \cup OfFault(fault, 0)
           \cup When(LostMeanwhile(past, TimeErrorOb), {"OBS-33", "IRT-04"})
-          \cup When(/\ fault \in {-1, SkippedByClock}
-                    /\ LastOf(past, {"clock"}) > last,
-                    {"CLK-02", "OBS-32"})
-          \cup When(/\ fault \in {-1, SkippedInHold}
-                    /\ LastOf(past, {"release"}) > last,
-                    {"OBS-46"})
-          \cup When(fault = StillRunning,
-                    When(\E o \in TodObs : OnStack(o), {"TINT-14"})
-                      \cup When(\E o \in DintObs : OnStack(o), {"DINT-10"}))
-          \cup When(fault = SkippedByClock, {"CLK-02"})
-          \cup When(fault = SkippedInHold, {"OBS-46"})
-          \cup When(fault = BufferOverflow, {"OBS-08"})
-          \cup When(/\ fault \in {-1, SkippedByClock}
-                    /\ ~\E o \in TodObs : tod[o].active, {"CLK-14"})
+          \cup When(fault = -1 /\ set > last, {"CLK-02", "OBS-32"})
+          \cup When(fault \in {-1} \cup Skips /\ release > last, {"OBS-46"})
+          \cup When(/\ fault \in {-1, SkippedByClock} /\ set > last
+                    /\ \E o \in TodObs : tod[o].set /\ ~tod[o].active,
+                    {"CLK-14"})
+          \cup When(/\ fault = SkippedByClock /\ set > last
+                    /\ \E o \in TodObs : Deselected(o), {"OBS-25", "OBS-06"})
+          \cup When(fault \in {-1, SkippedByClock} /\ set > 0, {"OBS-32"})
+          \cup When(fault = SkippedByClock /\ ~Family.repeats
+                      /\ \E i \in DOMAIN past :
+                           past[i].event = "clock"
+                             /\ Before(past[i].to, past[i].at), {"CLK-09"})
+          \cup When(past # <<>> /\ past[Len(past)].event = "interrupt"
+                      /\ past[Len(past)].ob \notin loaded,
+                    {"OBS-20", "OBS-24"})
           \cup When(/\ fault = SkippedByClock
-                    /\ LastOf(past, {"DIS_AIRT"}) > LastOf(past, {"clock"}),
+                    /\ \/ set = 0 \/ LastOf(past, {"DIS_AIRT"}) > set
+                    /\ \E r \in requests : r.ob \in TodObs,
                     {"CLK-18"})
 
 (* The missing OBs whose interrupt was activated or started. *)
@@ -290,10 +347,15 @@ NoProgramError(past) ==
                                           \/ tod[o].active }
         dints == { o \in DintObs \ loaded :
                      LastWith(past, {"SRT_DINT"}, o) > 0 }
+        others == { o \in ExternalObs \ loaded :
+                      LastWith(past, {"interrupt"}, o) > 0 }
     IN  {"OBS-20"}
           \cup When(tods # {}, {"TINT-16", "TINT-17"})
           \cup When(dints # {}, {"DINT-09"})
-          \cup When(\E o \in tods \cup dints : Blocked(o), {"IRT-01"})
+          \cup When(\E o \in tods \cup dints \cup others : Blocked(o),
+                    {"IRT-01"})
+          \cup When(others \cap AsyncErrorObs # {}, {"OBS-23"})
+          \cup When(LostMeanwhile(past, ProgramErrorOb), {"IRT-04"})
           \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
                     {"AIRT-01", "AIRT-09"})
           \cup When(\E r \in MissingNow : ~MissedInOrder(r), {"AIRT-08", "OBS-03"})
@@ -306,7 +368,8 @@ NoProgramError(past) ==
 WithoutRequest(e, past) ==
     LET o == e.ob
     IN  CASE mode = "STOP"                -> {"OBS-41"}
-          [] mode = "HOLD"                -> {"OBS-45"}
+          [] mode = "HOLD"                ->
+               {"OBS-45"} \cup When(o \in DintObs, {"DINT-12", "DINT-19"})
           [] ClassOf(o) = 0               -> {"OBS-06", "TINT-02", "OBS-25"}
           [] Blocked(o)                   -> ThoughBlocked(past, o)
           [] mode = "STARTUP" /\ o \in TodObs  -> {"OBS-42", "TINT-13"}
@@ -317,12 +380,19 @@ WithoutRequest(e, past) ==
           [] o = TimeErrorOb              -> NoTimeError(e, past)
           [] o = ProgramErrorOb           -> NoProgramError(past)
           [] o \in {CycleOb} \cup StartupObs ->
-               IF mode = "STARTUP"
-               THEN {"OBS-42"} \cup When(e.info.time # NoMoment, {"OBS-10"})
-               ELSE {"OBS-03"} \cup When(stack = <<>>, {"OBS-10"})
+               (IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"})
+                 \cup When(mode = "STARTUP" /\ o \in StartupObs
+                             /\ o # StartupOb(startup), {"OBS-57"})
+                 \cup When(~Fits(e.info.priority, DefaultClass(o)), {"OBS-04"})
+                 \cup When(\/ e.info.strt_info # -1
+                           \/ /\ e.info.time # NoMoment
+                              /\ ~JustBefore(e.info.time, e),
+                           {"OBS-10"})
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
+          [] mode = "STARTUP" /\ o \notin AsyncErrorObs -> {"OBS-42"}
           [] OTHER                        ->
-               {"OBS-01", "OBS-07"} \cup SinceRun(past, o, LastStart(past, o))
+               {"OBS-01", "OBS-07"} \cup When(o \in AsyncErrorObs, {"OBS-29"})
+                 \cup SinceRun(past, o, LastStart(past, o))
                  \cup When(LastOf(past, {"restart"})
                              > LastWith(past, {"interrupt"}, o), {"OBS-52"})
 
@@ -334,7 +404,7 @@ InterruptInfo(r, e) ==
     LET i == e.info
     IN  When(~Fits(i.priority, r.class),
              IF r.ob = TimeErrorOb THEN {"OBS-31"}
-             ELSE {"OBS-04"}
+             ELSE {"OBS-04"} \cup When(r.ob \in DintObs, {"DINT-01"})
                     \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                     \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP",
                               {"OBS-43"}))
@@ -345,13 +415,16 @@ InterruptInfo(r, e) ==
                       \cup When(r.ob \in ExternalObs, {"OBS-04"}))
           \cup When(r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word),
                     {"TINT-25", "TINT-33"})
-          \cup When(/\ r.ob \in DintObs
-                    /\ ~(Fits(i.sign, r.word) /\ FitsDtime(i.dtime, r.dtime)),
+          \cup When(r.ob \in DintObs /\ ~Fits(i.sign, r.word),
                     {"DINT-03", "DINT-07", "DINT-22"})
+          \cup When(r.ob \in DintObs /\ ~FitsDtime(i.dtime, r.dtime),
+                    {"DINT-03", "DINT-07"})
           \cup When(~FitsTime(r, e),
                     CASE r.follows \in Skips -> {"CLK-07"}
                       [] r.fault \in Skips   -> {"CLK-06"}
-                      [] r.ob \in TodObs     -> {"TINT-09", "TINT-24"}
+                      [] r.ob \in TodObs     ->
+                           {"OBS-10", "TINT-09", "TINT-24"}
+                      [] r.ob \in DintObs    -> {"OBS-10", "DINT-03"}
                       [] OTHER               -> {"OBS-10"})
 
 (* OB 80 and OB 85. *)
@@ -359,13 +432,9 @@ InterruptInfo(r, e) ==
 ErrorInfo(r, i) ==
     LET rule == IF r.ob = TimeErrorOb THEN {"OBS-30"} ELSE {"OBS-20"}
     IN  When(~FitsFault(r.fault, i.flt_id) \/ ~FitsFault(r.fault, i.strt_info),
-             rule \cup When(r.fault = SkippedByClock, {"CLK-02"})
-                  \cup When(r.fault = SkippedInHold, {"OBS-46"})
-                  \cup When(r.fault = BufferOverflow, {"OBS-08"})
-                  \cup When(r.fault = StillRunning,
-                            When(r.cause \in TodObs, {"TINT-14"})
-                              \cup When(r.cause \in DintObs, {"DINT-10"})))
-          \cup When(~FitsCause(r, i), rule \cup {"OBS-10"})
+             rule \cup OfFault(r.fault, r.cause))
+          \cup When(~FitsCause(r, i), rule \cup OfFault(r.fault, r.cause)
+                                          \cup When(r.cause = 0, {"OBS-10"}))
           \cup When(~Fits(i.priority, r.class),
                     When(r.fault = BufferOverflow, {"OBS-08"})
                       \cup When(r.fault = SkippedInHold, {"OBS-46"}))
@@ -400,16 +469,26 @@ StartRequirements(r, e, past) ==
     ELSE IF ~Undelayed
     THEN {"AIRT-01", "AIRT-03"} \cup When(r.ob \in AsyncErrorObs, {"AIRT-09"})
     ELSE IF r.class = Running.class
-    THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})
-                    \cup When(r.ob \in AsyncErrorObs, {"OBS-11"})
+    THEN {"OBS-02"}
+           \cup When(r.ob \in TodObs,
+                     IF OnStack(r.ob) THEN {"TINT-14", "TINT-15"}
+                     ELSE {"TINT-12"})
+           \cup When(r.ob \in AsyncErrorObs, {"OBS-11"})
+           \cup When({r.ob, Running.ob} \cap DOMAIN cpu.priority # {},
+                     {"OBS-05"})
     ELSE IF ~Preempts(r)
     THEN {"OBS-01"}
+           \cup When({r.ob, Running.ob} \cap DOMAIN cpu.priority # {},
+                     {"OBS-05"})
            \cup When(/\ LastOf(past, {"DIS_IRT"}) > LastStart(past, Running.ob)
                      /\ Blocked(Running.ob), {"IRT-08", "OBS-03"})
     ELSE IF ~Reported(r)
-    THEN IF r.follows \in Skips THEN {"CLK-02", "CLK-03"} ELSE {"TINT-15"}
+    THEN IF r.follows \in Skips THEN OfFault(r.follows, 0) \cup {"CLK-03"}
+         ELSE {"TINT-15"}
     ELSE IF ~InTurn(r)
     THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})
+                    \cup When(r.ob \in AsyncErrorObs, {"OBS-11"})
+                    \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                     \cup When(r.follows \in Skips, {"CLK-03"})
     ELSE IF ~HighestFirst(r) THEN {"AIRT-08", "OBS-03"}
     ELSE InfoRequirements(r, e)
@@ -447,4 +526,6 @@ OfStart(e, past) ==
         ELSE IF all = {} \/ mode = "STOP" THEN WithoutRequest(e, past)
         ELSE UNION { StartRequirements(r, e, past) : r \in best }
                \cup When(e.info.dtime \notin {-1} \cup DelayTimes, {"DINT-04"})
+               \cup When(e.info.period \notin {-1} \cup PeriodCodes,
+                         {"TINT-33"})
 =============================================================================

@@ -183,7 +183,7 @@ def test_text(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = capsys.readouterr().out
     assert text.startswith("log:3: after this line\n")
     assert "    start ob=10, by 2026-11-21T06:00:00.010 [" in text
-    assert "    DIS_AIRT ret=W#16#0001, at once [AIRT-03" in text
+    assert "    DIS_AIRT ret=W#16#0001, at once [AIRT-06, AIRT-03]" in text
     assert "| this log" in text
     assert "| profile 1997" in text
     assert "TINT-32 The points are SDT + k x PERIOD" in text

@@ -1,9 +1,13 @@
 package s7.trace;
 
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 import s7.log.Fields;
@@ -69,7 +73,8 @@ public final class Contract {
     END_OF_TIME("EndOfTime", 0),
     LAST_IN_TIME("LastInTime", 0),
     TOO_LATE_NOW("TooLateNow", 0),
-    WHY_POSSIBLE("WhyPossible", 2);
+    WHY_POSSIBLE("WhyPossible", 2),
+    GENERALITY("Generality", 1);
 
     final String tla;
     final int arity;
@@ -148,6 +153,7 @@ public final class Contract {
   private final int kindPlace;
   private final Way alone;
   private Format format;
+  private final Map<String, Integer> generality = new HashMap<>();
 
   /**
    * @throws IllegalStateException if the specification has no NoEvent
@@ -443,6 +449,17 @@ public final class Contract {
   /** The requirements by which the line is possible in this state. */
   List<?> whyPossible(State state, Value event, Value past) {
     return array(Operator.WHY_POSSIBLE, state, event, past);
+  }
+
+  /** An empty set of requirements, in the order in which they are cited: those that decide most come first. */
+  TreeSet<String> requirements() {
+    return new TreeSet<>(Comparator.comparingInt(this::generality).thenComparing(Comparator.naturalOrder()));
+  }
+
+  private int generality(String requirement) {
+    return generality.computeIfAbsent(
+        requirement,
+        id -> ((IntValue) value(Operator.GENERALITY, blank, new StringValue(id))).val);
   }
 
   /** The event as an object, without the fields that it does not give. */

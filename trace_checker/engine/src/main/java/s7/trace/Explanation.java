@@ -590,7 +590,7 @@ final class Explanation {
         allowed.put(e.toString(), e);
       }
     }
-    var requirements = new TreeSet<String>();
+    TreeSet<String> requirements = spec.requirements();
     for (State state : near) {
       for (Object id : spec.deciding(failing, state, event, lines)) {
         requirements.add((String) id);

@@ -163,12 +163,12 @@ final class Session {
   }
 
   /** A line that is possible, from one time to another, with its requirements. */
-  private static final class Offer {
+  private final class Offer {
     final int from;
     int until;
 
     /** By which it is possible at the first of its times. */
-    final TreeSet<String> requirements = new TreeSet<>();
+    final TreeSet<String> requirements = spec.requirements();
 
     Offer(int from) {
       this.from = from;
@@ -214,7 +214,8 @@ final class Session {
       endless = times.endless();
       ordered = times.all();
     } else {
-      ordered = List.of(new Times.Time(spec.timeOf(spec.event(spec.format().event(question.when, next())))));
+      RecordValue when = spec.event(spec.format().event(question.when, next()));
+      ordered = List.of(new Times.Time(spec.timeOf(when), spec));
     }
     Set<Value> offers = offers(question, now);
     var found = new LinkedHashMap<Value, ArrayDeque<Offer>>();

@@ -25,8 +25,8 @@ final class Times {
 
   /** A time, and the events that are due by then where nothing may come later. */
   record Time(Value clocks, LinkedHashMap<String, Object> due, TreeSet<String> requirements) {
-    Time(Value clocks) {
-      this(clocks, new LinkedHashMap<>(), new TreeSet<>());
+    Time(Value clocks, Contract spec) {
+      this(clocks, new LinkedHashMap<>(), spec.requirements());
     }
   }
 
@@ -56,7 +56,7 @@ final class Times {
    */
   List<Time> all() {
     stuck.forEach(this::late);
-    ends.forEach((key, clocks) -> found.putIfAbsent(key, new Time(clocks)));
+    ends.forEach((key, clocks) -> found.putIfAbsent(key, new Time(clocks, spec)));
     return new ArrayList<>(found.values());
   }
 
@@ -83,7 +83,7 @@ final class Times {
     int steps = 0;
     while (!open.isEmpty()) {
       State state = open.poll();
-      Time present = new Time(spec.present(state));
+      Time present = new Time(spec.present(state), spec);
       found.putIfAbsent(sortable(present.clocks), present);
       Value later = spec.tooLateNow(state);
       behind.putIfAbsent(sortable(later), later);
@@ -161,7 +161,7 @@ final class Times {
   /** Time cannot go on from {@code state}: something has to come. */
   private void late(State state) {
     Value limit = spec.lastInTime(state);
-    Time time = found.computeIfAbsent(sortable(limit), key -> new Time(limit));
+    Time time = found.computeIfAbsent(sortable(limit), key -> new Time(limit, spec));
     RecordValue later = spec.instant(spec.tooLateNow(state));
     for (Object due : spec.expected(Contract.Failing.TOO_LATE, state, later)) {
       time.due.put(due.toString(), due);
