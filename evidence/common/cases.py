@@ -17,12 +17,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from evidence.common.checkout import ROOT
-from s7check.log.events import FIELDS
 
 if TYPE_CHECKING:
     from s7check.report.report import Report
 
 TRACES = ROOT / "traces"
+
+_SCHEMA = json.loads((TRACES / "schema" / "s7-interrupt-log-1.schema.json").read_bytes())["$defs"]
+_FIELDS = {name.removeprefix("event_"): one["properties"] for name, one in _SCHEMA.items() if "event_" in name}
+"""Event -> its fields, in their order."""
+
+_NAMED = ("event", "at", "up", "info")
 
 VERDICTS = {"A": ("accepted", "accept"), "R": ("rejected", "reject"), "U": ("unusable", "unusable")}
 """First letter of a verdict -> the verdict, the folder of its logs where they are written out."""
@@ -40,8 +45,9 @@ _EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "dair": ("DIS_AIRT", ("ret",)),
     "eair": ("EN_AIRT", ("ret",)),
     **{
-        "int" if name == "interrupt" else name: (name, tuple(field for field in fields if field != "info"))
-        for name, fields in FIELDS.items()
+        "int" if name == "interrupt" else name: (name, tuple(field for field in fields if field not in _NAMED))
+        for name, fields in _FIELDS.items()
+        if "ret" not in fields
     },
 }
 """Short name -> event and its operands; the last ones may be left out."""

@@ -84,7 +84,7 @@ def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: 
         drawn: list[_Drawn] = []
         refused: Counter[str] = Counter()
         with Engine(lambda: jvm_command(ours)) as engine:
-            generator = Generator(request.seed, request.soft_plc, engine.alternatives().letters)
+            generator = Generator(request.seed, request.soft_plc, engine.alternatives())
             for number in range(1, request.logs + 1):
                 drawn.append(_decided(generator, engine, number, folder / f"{number}.ndjson", refused))
                 if number % BATCH == 0:

@@ -10,8 +10,7 @@ from random import Random
 from typing import Any
 
 from evidence.logs.setups import OTHERS, USUAL, execution
-from s7check.log import tables
-from s7check.log.header import PROFILES
+from s7check.engine.answer import Alternatives
 
 ANSWERS = ("16#0000", "16#0001", "16#0002", "16#8080", "16#8090", "16#8091", "16#8092", "16#80A0", "16#80A1", "16#80A2")
 LATENCIES = (0, 1, 2, 9, 11, 50, 1000)
@@ -50,7 +49,7 @@ class Damage:
 
     what: str
     weight: int
-    do: Callable[[Random, Log], None]
+    do: Callable[[Random, Log, Alternatives], None]
 
 
 def _pick(random: Random, events: Sequence[Event], *names: str) -> Event:
@@ -59,7 +58,7 @@ def _pick(random: Random, events: Sequence[Event], *names: str) -> Event:
     return random.choice(having) if having else {}
 
 
-def _answer(random: Random, log: Log) -> None:
+def _answer(random: Random, log: Log, _: Alternatives) -> None:
     event = _pick(random, log.events, "ret")
     if event.get("event") in ("QRY_TINT", "QRY_DINT") and random.random() < 0.5 and "status" in event:
         event["status"] = f"16#{int(event['status'].removeprefix('16#'), 16) ^ 1 << random.randrange(6):04X}"
@@ -67,7 +66,7 @@ def _answer(random: Random, log: Log) -> None:
         event["ret"] = random.choice(ANSWERS)
 
 
-def _drop(random: Random, log: Log) -> None:
+def _drop(random: Random, log: Log, _: Alternatives) -> None:
     """A value that is not given: an answer, a field of `info`, all of it, the cause of a STOP."""
     event = _pick(random, log.events, "ret", "info", "cause", "up")
     if "info" in event and random.random() < 0.7:
@@ -79,16 +78,16 @@ def _drop(random: Random, log: Log) -> None:
             event.pop(name, None)
 
 
-def _delete(random: Random, log: Log) -> None:
+def _delete(random: Random, log: Log, _: Alternatives) -> None:
     del log.events[random.randrange(len(log.events))]
 
 
-def _double(random: Random, log: Log) -> None:
+def _double(random: Random, log: Log, _: Alternatives) -> None:
     place = random.randrange(len(log.events))
     log.events.insert(place, copy.deepcopy(log.events[place]))
 
 
-def _swap(random: Random, log: Log) -> None:
+def _swap(random: Random, log: Log, _: Alternatives) -> None:
     """Two lines that follow each other change places; the times stay."""
     if len(log.events) < 2:
         return
@@ -98,18 +97,18 @@ def _swap(random: Random, log: Log) -> None:
     log.events[place : place + 2] = [other | times[0], one | times[1]]
 
 
-def _other_ob(random: Random, log: Log) -> None:
+def _other_ob(random: Random, log: Log, _: Alternatives) -> None:
     event = _pick(random, log.events, "ob")
     near = [other["ob"] for other in log.events if "ob" in other]
     event["ob"] = random.choice([*near, *near, *USUAL, *OTHERS])
 
 
-def _other_class(random: Random, log: Log) -> None:
+def _other_class(random: Random, log: Log, _: Alternatives) -> None:
     event = _pick(random, [e["info"] for e in log.events if "info" in e], "priority")
     event["priority"] = random.choice((2, 3, 16, 23, 24, 25, 26, 28))
 
 
-def _other_value(random: Random, log: Log) -> None:
+def _other_value(random: Random, log: Log, _: Alternatives) -> None:
     """A field of a line, or of its start information, with the value that another line has there."""
     inside = [event["info"] for event in log.events if "info" in event]
     where = inside if inside and random.random() < 0.6 else log.events
@@ -120,7 +119,7 @@ def _other_value(random: Random, log: Log) -> None:
         event[name] = copy.deepcopy(random.choice([other[name] for other in where if name in other]))
 
 
-def _other_event(random: Random, log: Log) -> None:
+def _other_event(random: Random, log: Log, _: Alternatives) -> None:
     """The event of another name with the same fields."""
     siblings = random.choice(SIBLINGS)
     having = [event for event in log.events if event["event"] in siblings]
@@ -131,11 +130,11 @@ def _other_event(random: Random, log: Log) -> None:
             event.pop("info", None)
 
 
-def _insert(random: Random, log: Log) -> None:
+def _insert(random: Random, log: Log, words: Alternatives) -> None:
     """A line of its own at a time that another line has."""
     place = random.randrange(len(log.events))
     ob = random.choice([other["ob"] for other in log.events if "ob" in other] or [35])
-    outside = random.choice(sorted(tables.EXTERNAL_OBS - tables.OBS_WITH_FAULT))
+    outside = random.choice(sorted(set(words.external) - set(words.faulty)))
     new: Event = random.choice(
         (
             *({"event": name} for name in ("hold", "release", "run", "stop")),
@@ -178,7 +177,7 @@ def elapses(log: Log) -> timedelta:
     return longest
 
 
-def _later(random: Random, log: Log) -> None:
+def _later(random: Random, log: Log, _: Alternatives) -> None:
     _delay_from(
         log,
         random.randrange(len(log.events)),
@@ -187,7 +186,7 @@ def _later(random: Random, log: Log) -> None:
     )
 
 
-def _jump(random: Random, log: Log) -> None:
+def _jump(random: Random, log: Log, _: Alternatives) -> None:
     """The clock is set, with a line that says so."""
     place = random.randrange(len(log.events))
     by = timedelta(seconds=random.choice(JUMPS))
@@ -199,42 +198,42 @@ def _jump(random: Random, log: Log) -> None:
     log.events.insert(place, line)
 
 
-def _loaded(random: Random, log: Log) -> None:
+def _loaded(random: Random, log: Log, _: Alternatives) -> None:
     obs = set(log.header["obs"]) ^ {random.choice((*USUAL, *OTHERS))}
     log.header["obs"] = sorted(obs)
 
 
-def _family(random: Random, log: Log) -> None:
-    log.header["cpu"] = random.choice(("S7-300", "S7-400", "CPU 318"))
-    if log.header["cpu"] not in tables.PRIORITY_CPUS:
+def _family(random: Random, log: Log, words: Alternatives) -> None:
+    log.header["cpu"] = random.choice(words.families)
+    if log.header["cpu"] not in words.settable:
         log.header.pop("priority", None)
 
 
-def _latency(random: Random, log: Log) -> None:
+def _latency(random: Random, log: Log, _: Alternatives) -> None:
     log.header["latency_ms"] = random.choice(LATENCIES)
 
 
-def _cycle(_: Random, log: Log) -> None:
+def _cycle(_: Random, log: Log, __: Alternatives) -> None:
     log.header["cycle"] = not log.header.get("cycle", False)
 
 
-def _mode(random: Random, log: Log) -> None:
+def _mode(random: Random, log: Log, _: Alternatives) -> None:
     log.header["mode"] = random.choice(("STOP", "STARTUP", "RUN"))
 
 
-def _classes(random: Random, log: Log) -> None:
-    if log.header["cpu"] in tables.PRIORITY_CPUS:
-        ob = random.choice(sorted(tables.SETTABLE_PRIORITIES))
+def _classes(random: Random, log: Log, words: Alternatives) -> None:
+    if log.header["cpu"] in words.settable:
+        ob, classes = random.choice(words.classes)
         given = log.header.setdefault("priority", {})
-        given[str(ob)] = random.choice((tables.DESELECTED, *tables.SETTABLE_PRIORITIES[ob]))
+        given[str(ob)] = random.choice((0, *classes))
 
 
-def _step7(random: Random, log: Log) -> None:
+def _step7(random: Random, log: Log, words: Alternatives) -> None:
     tod = log.header.setdefault("step7", {}).setdefault("tod", {})
     start = (datetime.fromisoformat(log.header["clock"]) + timedelta(minutes=random.randint(-2, 3))).replace(
         second=0, microsecond=0
     )
-    tod[str(random.choice(tables.TIME_OF_DAY_OBS))] = {
+    tod[str(random.choice(words.tod_obs))] = {
         "execution": execution(random),
         "active": random.random() < 0.7,
         "start": _spelled(start),
@@ -264,16 +263,16 @@ DAMAGES = (
 )
 
 
-def ask_for_readings(random: Random, log: Log, letters: Sequence[tuple[str, list[str]]]) -> None:
+def ask_for_readings(random: Random, log: Log, words: Alternatives) -> None:
     """One to four of the specification's readings."""
     log.header["readings"] = {
-        ambiguity: random.choice(known) for ambiguity, known in random.sample(letters, random.randint(1, 4))
+        ambiguity: random.choice(known) for ambiguity, known in random.sample(words.letters, random.randint(1, 4))
     }
 
 
-def ask_for_profile(random: Random, log: Log) -> None:
+def ask_for_profile(random: Random, log: Log, words: Alternatives) -> None:
     """The readings of an edition."""
-    log.header["profile"] = random.choice(PROFILES)
+    log.header["profile"] = random.choice(words.profiles)
 
 
 SHORT, SHORTEST = 20, 8

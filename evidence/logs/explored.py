@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -12,7 +13,6 @@ from evidence.tla.behaviour import Line
 from s7check.asking.line_text import as_line
 from s7check.asking.session import Session
 from s7check.engine.client import Engine
-from s7check.log.events import read_event
 
 AT_ONCE = {"latency_ms": 0, "readings": {"AMB-69": "b"}}
 """In the models everything happens at once."""
@@ -23,7 +23,7 @@ _NO_STOP = -1
 _NOTHING: Line = {"event": "state", "ob": 1}
 """A line that only says that it is later now."""
 
-_TIMES = frozenset({"at", "up", "counter", "step"})
+_TIMES = frozenset({"at", "up", "counter", "step", "line"})
 
 
 @dataclass
@@ -50,7 +50,7 @@ class Comparison:
         self._engine = engine
         self._graph = graph
         self._lines = sorted({line for edges in graph.shown for line, _ in edges})
-        self._texts = {line: _normal(msgspec.json.decode(line)) for line in self._lines}
+        self._texts = dict(zip(self._lines, self._normal(), strict=True))
         self._clocks = sorted(set(graph.at))
         self.found = Compared()
 
@@ -64,6 +64,14 @@ class Comparison:
             self._follow(session, frozenset({state}), False, seen)
             session.close()
         return self.found
+
+    def _normal(self) -> Iterator[str]:
+        """The lines in one spelling."""
+        header = next(iter(self._graph.headers.values())) | {"records": []}
+        at = f'{{"at":"{header["clock"]}",'.encode()
+        log = [msgspec.json.encode(header), *(at + line.removeprefix(b"{") for line in self._lines)]
+        for event in self._engine.read(b"\n".join(log)).events:
+            yield _spelled(as_line({name: value for name, value in event.items() if name not in _TIMES}))
 
     def _follow(
         self, session: Session, after: frozenset[int], early: bool, seen: set[tuple[frozenset[int], bool]]
@@ -134,11 +142,6 @@ class Comparison:
             keys.add(session.possible([]).key)
             session.undo()
         return len(keys) > 1
-
-
-def _normal(line: Line) -> str:
-    event = read_event({"at": "2026-11-21T06:00", **line})
-    return _spelled(as_line({name: value for name, value in event.items() if name not in _TIMES}))
 
 
 def _spelled(line: dict[str, Any]) -> str:

@@ -24,6 +24,7 @@ from evidence.common.session import session
 from evidence.logs.damage import Log
 from evidence.logs.drop import subsets, without
 from evidence.logs.random_logs import Generator, SoftPlcError
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
@@ -113,7 +114,7 @@ class Drawing:
 def leave_out(logs: int, drawing: Drawing) -> Found:
     """Judge so many accepted logs with kinds left out. Raises `EngineError`, `SoftPlcError`."""
     found = Found()
-    generator = Generator(drawing.seed, SOFT_PLC_PROGRAM, [])
+    generator = Generator(drawing.seed, SOFT_PLC_PROGRAM, pool.alternatives())
     work = partial(_of_a_log, drawing, generator)
     with Workers(Engine) as workers:
         for judged in workers.in_order(count(1), work):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 import subprocess
-from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import timedelta
 from pathlib import Path
@@ -13,6 +12,7 @@ from random import Random
 
 from evidence.logs import damage, setups
 from evidence.logs.damage import Log
+from s7check.engine.answer import Alternatives
 
 UNCHANGED = "as it is"
 FAULTY = "a mistake of the soft PLC"
@@ -48,11 +48,11 @@ class Generated:
 class Generator:
     """Draws logs. The same seed, number and attempt give the same log."""
 
-    def __init__(self, seed: int, soft_plc: Path, letters: Sequence[tuple[str, list[str]]]) -> None:
-        """`letters` are the readings that headers may ask for. Raises `SoftPlcError`."""
+    def __init__(self, seed: int, soft_plc: Path, words: Alternatives) -> None:
+        """`words` are those that headers and lines may have. Raises `SoftPlcError`."""
         self._seed = seed
         self._soft_plc = soft_plc
-        self._letters = letters
+        self._words = words
         told = self._run("--fault", "help")
         self._faults = [line.split()[0] for line in told.splitlines() if line.strip()]
 
@@ -64,16 +64,16 @@ class Generator:
             damage.leave_out(random, log)
             done.append(LEFT_OUT)
         if random.random() < 0.2:
-            damage.ask_for_readings(random, log, self._letters)
+            damage.ask_for_readings(random, log, self._words)
             done.append(READINGS)
         if random.random() < 0.05:
-            damage.ask_for_profile(random, log)
+            damage.ask_for_profile(random, log, self._words)
             done.append(PROFILE)
         weights = [one.weight for one in damage.DAMAGES]
         for chosen in random.choices(damage.DAMAGES, weights, k=random.choice(TIMES)):
             before = copy.deepcopy(log)
             if log.events:
-                chosen.do(random, log)
+                chosen.do(random, log, self._words)
             if damage.elapses(log) > LONGEST:
                 log = before
             elif log != before:
@@ -83,12 +83,12 @@ class Generator:
     def written(self, random: Random, events: int | None = None) -> Log:
         """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`."""
         options = ["--up"] if random.random() < 0.5 else []
-        program = setups.scenario(random, events)
+        program = setups.scenario(random, self._words, events)
         header, *lines = map(json.loads, self._run(*options, "-", stdin=program).splitlines())
         return Log(header, lines)
 
     def _written(self, random: Random) -> tuple[Log, list[str]]:
-        scenario = setups.scenario(random)
+        scenario = setups.scenario(random, self._words)
         options = ["--up"] if random.random() < 0.4 else []
         done = []
         if random.random() < 0.1:

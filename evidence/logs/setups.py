@@ -7,10 +7,9 @@ from datetime import datetime, timedelta
 from random import Random
 from typing import Any
 
+from s7check.engine.answer import Alternatives
 from s7check.kit.program import FORMAT
-from s7check.log import tables
 
-FAMILIES = ("S7-300", "S7-400", "CPU 318")
 EXECUTIONS = {
     "once": 40,
     "minute": 60,
@@ -37,12 +36,12 @@ _EVER = 36525 * 86_400_000
 """Milliseconds that no program lasts."""
 
 
-def scenario(random: Random, events: int | None = None) -> str:
+def scenario(random: Random, words: Alternatives, events: int | None = None) -> str:
     """The text of a program: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, so many events.
 
     By default 9 to 59.
     """
-    family = random.choice(FAMILIES)
+    family = random.choice(words.families)
     loaded = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
     clock = _clock(random)
     header: dict[str, Any] = {
@@ -58,9 +57,9 @@ def scenario(random: Random, events: int | None = None) -> str:
     }
     header["cycle"] = random.random() < 0.2
     own["diag"] = random.random() < 0.35
-    if family != "S7-300" and random.random() < 0.7:
-        header["priority"] = _classes(random)
-    header["step7"] = {"tod": _step7(random, clock, loaded)}
+    if family in words.settable and random.random() < 0.7:
+        header["priority"] = _classes(random, words)
+    header["step7"] = {"tod": _step7(random, words, clock, loaded)}
     own["random"] = {"seed": random.randrange(1 << 31), "events": events or random.randint(_FEWEST, _MOST)}
     program = {
         "format": FORMAT,
@@ -92,12 +91,12 @@ def _spelled(time: datetime) -> str:
     return time.isoformat(timespec="milliseconds")
 
 
-def _classes(random: Random) -> dict[str, int]:
+def _classes(random: Random, words: Alternatives) -> dict[str, int]:
     """Some of them shared."""
     shared = random.randint(2, 23)
-    classes = {}
+    classes, all_settable = {}, dict(words.classes)
     for ob in random.sample((10, 11, 12, 13, 20, 21, 22, 30, 35, 40, 41, 81, 82, 85), 5):
-        settable = tables.SETTABLE_PRIORITIES[ob]
+        settable = all_settable[ob]
         classes[str(ob)] = shared if random.random() < 0.5 and shared in settable else random.choice(settable)
     return classes
 
@@ -107,10 +106,10 @@ def execution(random: Random) -> str:
     return random.choices(list(EXECUTIONS), list(EXECUTIONS.values()))[0]
 
 
-def _step7(random: Random, clock: datetime, loaded: list[int]) -> dict[str, dict[str, object]]:
+def _step7(random: Random, words: Alternatives, clock: datetime, loaded: list[int]) -> dict[str, dict[str, object]]:
     """Some time-of-day interrupts with parameters; deselected ones are hardly ever loaded."""
     parameters: dict[str, dict[str, object]] = {}
-    for ob in tables.TIME_OF_DAY_OBS:
+    for ob in words.tod_obs:
         chance = random.random()
         if chance < 0.1 and (ob not in loaded or random.random() < 0.1):
             parameters[str(ob)] = {"deselected": True}

@@ -93,7 +93,7 @@ def _random(before: Checkout, now: Checkout, logs: int, seed: int, tell: Callabl
     """A random log may have more explanations than the checkers follow; it then has no verdict, which is noted."""
     tell(f"judging {logs} random logs")
     with Engine() as engine:
-        generator = Generator(seed, SOFT_PLC_PROGRAM, engine.alternatives().letters)
+        generator = Generator(seed, SOFT_PLC_PROGRAM, engine.alternatives())
     with tempfile.TemporaryDirectory(prefix="s7check-since-") as temporary:
         files = {str(number): Path(temporary) / f"{number}.ndjson" for number in range(1, logs + 1)}
         for number, file in files.items():

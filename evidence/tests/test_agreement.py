@@ -24,10 +24,9 @@ from evidence.logs.setups import scenario
 from evidence.logs.verdicts import Compared, Judged
 from evidence.tla import tlc
 from s7check.engine import pool
+from s7check.engine.answer import Alternatives
 from s7check.resources import SPECIFICATION
 from tests.logs import event, log_text
-
-LETTERS = [("AMB-02", ["a", "b"]), ("AMB-49", ["a", "b", "c"]), ("AMB-67", ["a", "b"]), ("AMB-70", ["a", "c"])]
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +43,7 @@ def generator() -> Generator:
     """Logs of seed 1, if there is a soft PLC."""
     if not SOFT_PLC.is_file():
         pytest.skip("the soft PLC is not built")
-    return Generator(1, SOFT_PLC, LETTERS)
+    return Generator(1, SOFT_PLC, pool.alternatives())
 
 
 def run(*arguments: str) -> tuple[int, str]:
@@ -62,9 +61,9 @@ def unreadable(log: Generated) -> bool:
 def test_logs_are_drawn_by_seed(generator: Generator) -> None:
     """The same seed, number and attempt give the same log; nearly all can be read; all is done to some."""
     drawn = [generator.draw(number, 0) for number in range(1, 301)]
-    assert drawn[:5] == [Generator(1, SOFT_PLC, LETTERS).draw(number, 0) for number in range(1, 6)]
+    assert drawn[:5] == [Generator(1, SOFT_PLC, pool.alternatives()).draw(number, 0) for number in range(1, 6)]
     assert drawn[0] != generator.draw(1, 1)
-    assert drawn[0] != Generator(2, SOFT_PLC, LETTERS).draw(1, 0)
+    assert drawn[0] != Generator(2, SOFT_PLC, pool.alternatives()).draw(1, 0)
     assert sum(map(unreadable, drawn)) < 30
     assert not any(unreadable(log) for log in drawn if log.done == (UNCHANGED,))
     assert {log.cpu for log in drawn} == {"S7-300", "S7-400", "CPU 318"}
@@ -77,7 +76,8 @@ def test_logs_are_drawn_by_seed(generator: Generator) -> None:
 
 def test_scenarios_differ() -> None:
     """In family, classes, STEP 7 parameters and terms."""
-    text = "".join(scenario(Random(number)) for number in range(200))  # noqa: S311
+    words = pool.alternatives()
+    text = "".join(scenario(Random(number), words) for number in range(200))  # noqa: S311
     for setting in ("priority", "step7", "deselected", "end_of_month"):
         assert setting in text
     for setting in ('"diag": true', '"cycle": true', '"latency_ms": 0'):
@@ -99,7 +99,7 @@ def test_later_ends_where_the_clock_is_set() -> None:
     log = small_log()
     for seed in range(50):
         log = small_log()
-        damage._later(Random(seed), log)  # noqa: S311
+        damage._later(Random(seed), log, Alternatives())  # noqa: S311
         assert log.events[2]["at"] == "2026-11-21T06:10:01.000" or log.events[1] == small_log().events[1]
         ups = [one["up"] for one in log.events]
         assert ups == sorted(ups)
@@ -110,7 +110,7 @@ def test_the_clock_is_set_with_a_line() -> None:
     """Later lines show the time of the clock that was set."""
     for seed in range(50):
         log = small_log()
-        damage._jump(Random(seed), log)  # noqa: S311
+        damage._jump(Random(seed), log, Alternatives())  # noqa: S311
         assert len(log.events) == 4
         assert sum(one["event"] == "clock" for one in log.events) == 2
         content = log_text(*log.events)
@@ -240,4 +240,4 @@ def test_a_soft_plc_that_fails(tmp_path: Path) -> None:
     program.write_text("#!/bin/sh\necho 'no such thing' >&2\nexit 2\n")
     program.chmod(0o755)
     with pytest.raises(SoftPlcError, match="no such thing"):
-        Generator(1, program, LETTERS)
+        Generator(1, program, Alternatives())

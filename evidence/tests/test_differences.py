@@ -15,7 +15,6 @@ from evidence.views.differences.pages import (
     verified,
 )
 from s7check.engine.client import Engine
-from s7check.log.tables import READINGS
 from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, Kept, read_gaps, read_kept
 from s7check.simulating.shortest import bounded
 
@@ -51,18 +50,19 @@ def test_the_pages_name_every_program(engine: Engine) -> None:
     assert set(re.findall(rf"\({SOURCES}/(.*)\.scl\)", text)) == made.keys()
 
 
-def test_what_a_run_of_all_experiments_would_settle() -> None:
+def test_what_a_run_of_all_experiments_would_settle(engine: Engine) -> None:
     """The table of the page; a question without any experiment is named at its end."""
     experiments = read_kept(EXPERIMENTS)
     text = settled_table(experiments)
     nothing = {line.split("[")[1].split("]")[0] for line in text.splitlines() if line.endswith("| nothing |")}
     left = untold(experiments)
-    assert nothing == READINGS.keys() - {one.allowed.letters[0][0] for one in experiments}
+    readings = engine.alternatives().readings
+    assert nothing == readings.keys() - {one.allowed.letters[0][0] for one in experiments}
     assert {(gap.ambiguity, gap.letters) for gap in read_gaps()} == {
         (name, pair) for name, pairs in left.items() for pair in pairs
     }
     assert sum(map(len, left.values())) + len(experiments) == sum(
-        len(letters) * (len(letters) - 1) // 2 for letters in READINGS.values()
+        len(letters) * (len(letters) - 1) // 2 for letters in readings.values()
     )
 
 

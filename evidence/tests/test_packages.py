@@ -27,7 +27,7 @@ ORDER = {
 
 FLOORS = (
     *("readable", "resources", "completion", "output", "program"),
-    *("log", "names", "letters", "engine", "report", "importing", "judging", "ending", "api"),
+    *("log", "names", "engine", "letters", "report", "importing", "judging", "ending", "api"),
     *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "coverage", "exploring", "trace_command"),
     *("cli", "pytest_plugin", "__main__"),
 )

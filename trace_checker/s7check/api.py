@@ -10,14 +10,13 @@ from typing import Any, Self
 import msgspec
 
 from s7check.engine import pool
+from s7check.engine.answer import Alternatives
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import Judging, check_log
 from s7check.judging.replay import Replay, TooLongError, with_readings
 from s7check.log.chosen import Chosen
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import PROFILES
-from s7check.log.tables import READINGS
 from s7check.report.report import Reading, Report, Verdict
 
 __all__ = ["Checker", "Line", "NotAcceptedError", "Reading", "Report", "Verdict", "check"]
@@ -160,12 +159,14 @@ def encoded(line: Line) -> bytes:
 
 def _chosen(profile: str | None, letters: Mapping[str, str] | None) -> Chosen:
     """Raises ValueError, with the values that there are."""
-    if profile is not None and profile not in PROFILES:
-        raise ValueError(f"profile: expected {', '.join(PROFILES)} or None; found {profile!r}")
-    for ambiguity, letter in (letters or {}).items():
-        known = READINGS.get(ambiguity)
-        if known is None:
-            raise ValueError(f"letters: expected ambiguities such as AMB-08; found {ambiguity!r}")
-        if letter not in [*known]:
-            raise ValueError(f"letters: {ambiguity}: expected {' or '.join(known)}; found {letter!r}")
+    with suppress(EngineError):  # it is a verdict
+        words = pool.alternatives() if profile is not None or letters else Alternatives()
+        if profile is not None and profile not in words.profiles:
+            raise ValueError(f"profile: expected {', '.join(words.profiles)} or None; found {profile!r}")
+        for ambiguity, letter in (letters or {}).items():
+            known = words.readings.get(ambiguity)
+            if known is None:
+                raise ValueError(f"letters: expected ambiguities such as AMB-08; found {ambiguity!r}")
+            if letter not in known:
+                raise ValueError(f"letters: {ambiguity}: expected {' or '.join(known)}; found {letter!r}")
     return Chosen(profile, dict(letters or {}))

@@ -1,17 +1,40 @@
-"""The option ``--set``: readings of ambiguities on the command line."""
+"""Options with words of a log: families, editions, readings of ambiguities. An engine tells which ones there are."""
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import click
 import msgspec
+from click.shell_completion import CompletionItem
 
+from s7check.engine import pool
 from s7check.log.chosen import Chosen
 from s7check.log.errors import printable
-from s7check.log.header import PROFILES
 from s7check.log.profile_file import ENDING
-from s7check.log.tables import READINGS
+
+
+class OneOf(click.ParamType[str]):
+    """One of the ``families`` or ``profiles``."""
+
+    name = "word"
+
+    def __init__(self, field: Literal["families", "profiles"]) -> None:
+        self._field = field
+
+    def _choice(self) -> click.Choice[str]:
+        return click.Choice(getattr(pool.alternatives(), self._field))
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The word."""
+        return self._choice().convert(value, param, ctx)
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        """The words that begin like this."""
+        return self._choice().shell_complete(ctx, param, incomplete)
+
+
+EDITION = OneOf("profiles")
 
 
 class Letters(click.ParamType[dict[str, str]]):
@@ -22,11 +45,12 @@ class Letters(click.ParamType[dict[str, str]]):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
         """The mapping."""
         pairs = [pair.partition("=") for pair in self._written(value, param, ctx).split(",")]
+        readings = pool.alternatives().readings
         for ambiguity, _, letter in pairs:
-            letters = READINGS.get(ambiguity)
+            letters = readings.get(ambiguity)
             if letters is None:
                 self.fail(f"expected readings such as AMB-02=a,AMB-17=b; found {printable(value)!r}", param, ctx)
-            if letter not in [*letters]:
+            if letter not in letters:
                 self.fail(f"{ambiguity}: expected {' or '.join(letters)}; found {printable(letter)!r}", param, ctx)
         return {ambiguity: letter for ambiguity, _, letter in pairs}
 
@@ -54,7 +78,7 @@ class Profile(click.ParamType[Chosen]):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Chosen:
         """The edition, or no edition and the letters."""
         if not str(value).endswith(ENDING):
-            return Chosen(click.Choice(PROFILES).convert(value, param, ctx))
+            return Chosen(EDITION.convert(value, param, ctx))
         return Chosen("", Letters().convert(f"@{value}", param, ctx))
 
 

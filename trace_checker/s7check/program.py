@@ -8,6 +8,8 @@ from typing import Any
 
 import click
 
+from s7check.resources import FailedError
+
 INTERRUPTED = 130
 WRONG_ARGUMENTS = 2
 FAILED = 3
@@ -52,6 +54,9 @@ def run(program: click.Command, name: str, arguments: list[str] | None) -> int:
         return WRONG_ARGUMENTS
     except (click.Abort, KeyboardInterrupt):
         return INTERRUPTED
+    except FailedError as error:
+        click.echo(f"Error: {error}", err=True)
+        return FAILED
     except Exception as error:  # whatever it is, a user is owed a sentence, no traceback
         click.echo(f"Error: {type(error).__name__}: {error}", err=True)
         return FAILED

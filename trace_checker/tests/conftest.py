@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from s7check import trace_command
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 from s7check.report.report import Report
@@ -21,9 +21,12 @@ def fake_command() -> list[str]:
 
 
 @pytest.fixture
-def _fake_engine(fake_command: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Has ``s7check trace`` run with the fake engine."""
-    monkeypatch.setattr(trace_command, "Engine", lambda: Engine(lambda: fake_command))
+def _fake_engine(fake_command: list[str], monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Has commands run with the fake engine."""
+    pool.end()
+    monkeypatch.setattr(pool, "Engine", lambda: Engine(lambda: fake_command))
+    yield
+    pool.end()
 
 
 @pytest.fixture(scope="session")

@@ -69,6 +69,7 @@ CANDIDATE = {
 ALTERNATIVES = {
     "families": ["S7-300", "S7-400"],
     "profiles": ["2006"],
+    "choices": [["AMB-01", ["a", "c"]], ["AMB-12", ["a", "b"]]],
     "letters": [["AMB-01", ["a", "c"]], ["AMB-12", ["a", "b"]]],
     "defaults": [["AMB-01", "c"], ["AMB-12", "a"]],
 }

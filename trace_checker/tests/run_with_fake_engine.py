@@ -9,5 +9,5 @@ from tests.conftest import FAKE_ENGINE
 
 if __name__ == "__main__":
     command = [sys.executable, str(FAKE_ENGINE)]
-    with mock.patch("s7check.trace_command.Engine", side_effect=lambda: Engine(lambda: command)):
+    with mock.patch("s7check.engine.pool.Engine", side_effect=lambda: Engine(lambda: command)):
         sys.exit(main())

@@ -16,6 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from s7check import __version__, cli, trace_command
+from s7check.engine import pool
 from s7check.engine.answer import Allowed, Candidate
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_kind
@@ -239,7 +240,7 @@ def test_unusable_without_an_engine(monkeypatch: pytest.MonkeyPatch, capsys: pyt
     def missing() -> list[str]:
         raise EngineError("run `make engine`")
 
-    monkeypatch.setattr(trace_command, "Engine", lambda: Engine(missing))
+    monkeypatch.setattr(pool, "Engine", lambda: Engine(missing))
     assert cli.main(["trace", "nowhere"]) == 2
     assert cli.main(["trace", "accepted"]) == 3
     assert capsys.readouterr().out.splitlines() == [

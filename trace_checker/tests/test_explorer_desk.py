@@ -13,8 +13,8 @@ from s7check.engine.client import Engine
 from s7check.exploring.desk import SESSIONS, Call, Comparison, Desk, Question, Side, Why
 from s7check.exploring.library import Library, read
 from s7check.kit.program import read_program
+from s7check.log.calls import OPERANDS
 from s7check.log.errors import UnusableLogError
-from s7check.log.events import OPERANDS
 from tests.explorer_server import TOKEN, served
 from tests.shipped import TRACES
 

@@ -12,8 +12,7 @@ from s7check.engine.client import Engine
 from s7check.kit.layout import to_text
 from s7check.kit.program import Program
 from s7check.kit.scl import NotForCpuError, to_scl
-from s7check.log.tables import READINGS
-from s7check.report.clauses import clause
+from s7check.report.clauses import all_clauses, clause
 from s7check.simulating.kept import Gap, Kept, read_gaps
 from s7check.simulating.shortest import searched
 from s7check.simulating.two_sides import log_of_refused, side_by_side
@@ -129,21 +128,26 @@ def _page(name: str) -> str:
     return "readings.md" if name.startswith("AMB-") else "requirements.md"
 
 
+def _letters() -> dict[str, list[str]]:
+    return {one.id: sorted(one.letters) for one in all_clauses() if one.letters}
+
+
 def untold(all_kept: Iterable[Kept]) -> dict[str, list[tuple[str, str]]]:
     """The pairs of letters of each question that no experiment tells apart."""
     apart = {frozenset({one.allowed.letters[0], one.refused.letters[0]}) for one in all_kept}
     return {
-        name: [pair for pair in combinations(sorted(letters), 2) if frozenset((name, x) for x in pair) not in apart]
-        for name, letters in sorted(READINGS.items())
+        name: [pair for pair in combinations(letters, 2) if frozenset((name, x) for x in pair) not in apart]
+        for name, letters in sorted(_letters().items())
     }
 
 
 def settled_table(all_kept: Iterable[Kept]) -> str:
     """What a run of all experiments would settle, as a section of the page."""
     left = untold(all_kept)
-    pairs = {name: len(letters) * (len(letters) - 1) // 2 for name, letters in READINGS.items()}
+    letters = _letters()
+    pairs = {name: len(those) * (len(those) - 1) // 2 for name, those in letters.items()}
     rows = [
-        f"| [{name}](readings.md#{name}) | {', '.join(sorted(READINGS[name]))} | {_left(found, pairs[name])} |\n"
+        f"| [{name}](readings.md#{name}) | {', '.join(letters[name])} | {_left(found, pairs[name])} |\n"
         for name, found in left.items()
     ]
     whole = sum(not found for found in left.values())

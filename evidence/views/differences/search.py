@@ -8,8 +8,6 @@ from itertools import combinations, permutations
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.program import Program
-from s7check.log.header import CPUS, PROFILES
-from s7check.log.tables import READINGS
 from s7check.simulating.kept import Kept, Side, kept
 from s7check.simulating.search import told_apart
 from s7check.simulating.separation import Separation, log_of, separation, size
@@ -20,10 +18,16 @@ _TRIED = 12
 """Programs tried for a pair of letters, beside the programs that name the ambiguity."""
 
 
+def sides_of(engine: Engine) -> list[list[Side]]:
+    """The CPUs, and the editions."""
+    words = engine.alternatives()
+    return [[Side(cpu=name) for name in words.families], [Side(profile=name) for name in words.profiles]]
+
+
 def differences(engine: Engine, programs: Iterable[Program], say: Say) -> Iterator[Kept]:
     """One for each pair of CPUs or editions, kind of line and requirements that decide."""
     by_size = sorted(programs, key=size)
-    for sides in ([Side(cpu=cpu) for cpu in CPUS], [Side(profile=name) for name in PROFILES]):
+    for sides in sides_of(engine):
         found: set[tuple[str, str, str, tuple[str, ...]]] = set()
         for program in by_size:
             if "priority" in program.header and sides[0].cpu:
@@ -53,7 +57,7 @@ def _of(engine: Engine, program: Program, sides: list[Side]) -> Iterator[Separat
 def experiments(engine: Engine, programs: Iterable[Program], say: Say) -> Iterator[Kept]:
     """One for each pair of letters of an ambiguity that some program tells apart."""
     by_size = sorted(programs, key=size)
-    for ambiguity, letters in sorted(READINGS.items()):
+    for ambiguity, letters in sorted(engine.alternatives().readings.items()):
         naming = [one for one in by_size if ambiguity in one.requirements or one.name.startswith(ambiguity)]
         others = [one for one in by_size if one not in naming][:: max(1, len(by_size) // _TRIED)]
         for pair in combinations(letters, 2):

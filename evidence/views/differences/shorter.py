@@ -12,13 +12,13 @@ from typing import Any
 import msgspec
 
 from evidence.common.cases import all_cases
+from evidence.views.differences.search import sides_of
 from s7check.asking.log_prefix import Prefix, read_prefix
 from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.program import Program, read_program
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import CPUS, PROFILES
 from s7check.simulating.kept import Gap, Kept, Side, kept
 from s7check.simulating.separation import Separation, separation_behind
 from s7check.simulating.shortest import STANDARD, anywhere, bounded, program_behind, shortened
@@ -57,7 +57,7 @@ def _renamed(found: Separation) -> Separation:
 
 def shortest_of_sides(engine: Engine, all_kept: Sequence[Kept], say: Say) -> Iterator[Kept]:
     """For each two CPUs or editions the shortest log that one allows and the other does not."""
-    for sides in ([Side(cpu=cpu) for cpu in CPUS], [Side(profile=name) for name in PROFILES]):
+    for sides in sides_of(engine):
         for pair in permutations(sides, 2):
             these = [one for one in all_kept if (one.allowed, one.refused) == pair]
             best = min(shorter(engine, sorted(these, key=_length)[:_BEGINNINGS], say), default=None, key=_length)
@@ -104,8 +104,7 @@ def _letter(ambiguity: str, letter: str) -> Variant:
 
 
 def _program(engine: Engine, header: dict[str, Any], lines: Sequence[dict[str, Any]], ambiguity: str) -> Program:
-    like = Program(ambiguity, f"A log of {ambiguity}.", (ambiguity,), (), "", {}, 0, (), (), {})
-    return program_behind(engine, header, lines, like)
+    return program_behind(engine, header, lines, ambiguity, f"A log of {ambiguity}.", [ambiguity])
 
 
 def _separated(

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from s7check.engine.answer import Moment
-from s7check.log.events import OPERANDS
+from s7check.log.calls import OPERANDS
 from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"period", "sign", "ret", "status", "cause", "id", "error_info", "ev"})
@@ -24,6 +24,11 @@ def iso_of(moment: Moment | dict[str, int]) -> str:
     return iso(moment["min"] * MS_PER_MINUTE + moment["ms"])
 
 
+def passed_date(components: dict[str, int]) -> str:
+    """A date and time that a program has passed, which need not exist, with seconds and milliseconds."""
+    return "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}.{ms:03}".format_map(components)
+
+
 def short(text: str) -> str:
     """A date and time without seconds and milliseconds that are 0."""
     return _WHOLE.sub("", text)
@@ -39,7 +44,7 @@ def as_line(event: dict[str, Any], at: Moment | None = None) -> dict[str, Any]:
         if name not in _OF_THE_ENGINE:
             line[name] = _spelled(name, value)
     if event["event"] in OPERANDS:
-        for name in _UNSAID.keys() & OPERANDS[event["event"]].keys():
+        for name in _UNSAID.keys() & OPERANDS[event["event"]]:
             line.setdefault(name, _UNSAID[name])
         line.setdefault("ret", None)
     return line
@@ -55,8 +60,7 @@ def _spelled(name: str, value: Any) -> Any:
     if name == "up":
         return value["min"] * MS_PER_MINUTE + value["ms"]
     if name == "sdt":
-        date = "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}.{ms:03}".format_map(value)
-        return short(date)
+        return short(passed_date(value))
     if isinstance(value, dict):
         return iso_of(value)
     if name in _TRUTHS:

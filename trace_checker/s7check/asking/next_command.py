@@ -12,6 +12,7 @@ from s7check.asking.next_text import to_text
 from s7check.asking.session import as_answer
 from s7check.asking.variants import variant_options, variants
 from s7check.completion import complete_files
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.check import rejection
@@ -53,7 +54,7 @@ def next_command(
 ) -> int:
     """Answer and report."""
     try:
-        with Engine() as engine:
+        with pool.engine() as engine:
             prefix = read_prefix(engine, log)
             if event is not None:
                 return _why(engine, prefix, event, output)

@@ -14,9 +14,9 @@ from s7check.asking.session import Session, as_answer
 from s7check.engine.answer import Allowed
 from s7check.engine.client import Engine
 from s7check.judging.check import rejection
+from s7check.log.calls import OPERANDS
 from s7check.log.chosen import Chosen
 from s7check.log.errors import UnusableLogError
-from s7check.log.events import OPERANDS
 from s7check.log.objects import objects
 from s7check.report.expected import format_allowed
 from s7check.report.report import Report

@@ -6,11 +6,8 @@ from typing import Any
 
 import click
 
-from s7check.letters import Letters
-from s7check.log.header import CPUS, PROFILES
-from s7check.log.tables import PRIORITY_CPUS
-
-_CPU = click.Choice(CPUS)
+from s7check.engine import pool
+from s7check.letters import EDITION, Letters, OneOf
 
 
 @dataclass(frozen=True)
@@ -27,8 +24,8 @@ class Variant:
         changed = dict(header)
         if self.cpu is not None:
             changed["cpu"] = self.cpu
-            if self.cpu not in PRIORITY_CPUS:
-                changed.pop("priority", None)
+            if "priority" in changed and self.cpu not in pool.alternatives().settable:
+                del changed["priority"]
         if self.profile is not None:
             changed["profile"] = self.profile
         if self.letters:
@@ -56,12 +53,20 @@ def variants(cpus: Iterable[str], profiles: Iterable[str], readings: Iterable[Ma
 def variant_options(command: click.decorators.FC) -> click.decorators.FC:
     """The options ``--cpu``, ``--profile`` and ``--reading``, each any number of times."""
     options: list[Callable[[click.decorators.FC], click.decorators.FC]] = [
-        click.option("--cpu", "cpus", multiple=True, type=_CPU, help="In this CPU. May be given several times."),
+        click.option(
+            "--cpu",
+            "cpus",
+            multiple=True,
+            type=OneOf("families"),
+            metavar="FAMILY",
+            help="In this CPU. May be given several times.",
+        ),
         click.option(
             "--profile",
             "profiles",
             multiple=True,
-            type=click.Choice(PROFILES),
+            type=EDITION,
+            metavar="EDITION",
             help="By this edition of the manual. May be given several times.",
         ),
         click.option(

@@ -7,8 +7,7 @@ import click
 from s7check.completion import complete_files
 from s7check.coverage import report
 from s7check.coverage.measure import Coverage, Guard, measure, together
-from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
+from s7check.engine import pool
 from s7check.judging.decisions import decisions_of
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program
@@ -52,14 +51,9 @@ def coverage_command(
     if "" in logs:
         raise click.UsageError("LOG: expected the name of a file or folder, a pattern or -; found an empty text")
     try:
-        known = programs_of(programs)
+        total = _total(logs_of(logs), programs_of(programs))
     except UnreadableProgramError as error:
         raise click.ClickException(str(error)) from error
-    try:
-        total = _total(logs_of(logs), known)
-    except EngineError as error:
-        click.echo(f"Error: {error}", err=True)
-        return EXIT_CODES["no verdict"]
     if output == "text":
         written = report.to_text(total, guards).encode() + b"\n"
     else:
@@ -70,7 +64,7 @@ def coverage_command(
 
 def _total(names: list[str], programs: list[Program]) -> report.Total:
     found: list[Coverage] = []
-    with Engine() as engine, ProgressBar(len(names)) as progress:
+    with pool.engine() as engine, ProgressBar(len(names)) as progress:
         decisions = decisions_of(engine)
         choices = engine.alternatives()
         for name in names:

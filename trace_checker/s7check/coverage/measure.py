@@ -14,16 +14,15 @@ from s7check.engine.answer import Decision
 from s7check.engine.client import Engine
 from s7check.judging.check import Judging
 from s7check.judging.decisions import Decisions, decisions_of
+from s7check.log.calls import OPERANDS
 from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.errors import UnusableLogError
-from s7check.log.events import OPERANDS
-from s7check.log.header import KINDS
 from s7check.log.objects import decoded
 from s7check.log.profile_file import folder_of
 from s7check.log.source import open_log
 from s7check.report.report import Report, Verdict
 
-COMPLETE = frozenset(KINDS) - {"diag", "state"}
+COMPLETE = frozenset({"call", "ob", "clock", "mode", "interrupt", "load"})
 """The kinds of event that a log may leave out, and then is judged by less."""
 
 

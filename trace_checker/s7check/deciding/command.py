@@ -10,7 +10,6 @@ import msgspec
 from s7check.completion import complete_files
 from s7check.deciding.letters_left import ContradictionError, Letters
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.judging.replay import Replay, TooLongError
 from s7check.names import logs_of
 from s7check.output import echo, write_whole
@@ -56,9 +55,6 @@ def decide_command(file: Path | None, logs: tuple[str, ...]) -> int:
     except ContradictionError as error:
         echo(f"no reading explains: {', '.join(map(str, error.args[0]))}")
         return 1
-    except EngineError as error:
-        click.echo(f"Error: {error}", err=True)
-        return 3
     echo("\n".join(_lines(letters)))
     if file is not None:
         write_whole(file, msgspec.json.encode(letters.decided) + b"\n")

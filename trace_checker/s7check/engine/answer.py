@@ -198,7 +198,7 @@ class Decision(msgspec.Struct, frozen=True):
 
 
 class Alternatives(msgspec.Struct, frozen=True):
-    """The words of a log: what a header and a call may say, ``Alternatives`` of the specification.
+    """The words of a log: what a header and a call may say, ``Words`` and ``Alternatives`` of the specification.
 
     ``settable`` are families whose priority ``classes`` can be set. ``choices`` are the letters that a header may name,
     ``letters`` those that formulas tell apart. The OBs of ``faulty`` come with a fault id. ``answers`` are calls with
@@ -219,3 +219,8 @@ class Alternatives(msgspec.Struct, frozen=True):
     defaults: list[tuple[str, str]] = []
     periods: list[int] = []
     answers: list[tuple[str, list[int]]] = []
+
+    @property
+    def readings(self) -> dict[str, list[str]]:
+        """Ambiguity -> the letters that a header may name."""
+        return {name: sorted(letters) for name, letters in self.choices}

@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 import msgspec
 
 from s7check.engine import limits
-from s7check.engine.answer import Alternatives, Answer, Content, Decision
+from s7check.engine.answer import Alternatives, Answer, Content, Decision, Unusable
 from s7check.engine.class_archive import forget_archive
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import OPTIONS, JavaMissingError, check_java
@@ -32,6 +32,11 @@ class _Ready(msgspec.Struct, frozen=True):
 
 class _Alternatives(msgspec.Struct, frozen=True):
     alternatives: Alternatives
+
+
+class _Checked(msgspec.Struct, frozen=True):
+    object: dict[str, Any] = {}
+    unusable: Unusable | None = None
 
 
 class _Decisions(msgspec.Struct, frozen=True):
@@ -113,6 +118,13 @@ class Engine:
         if chosen:
             message["chosen"] = chosen
         return self.ask(message, Content, data)
+
+    def checked(self, kind: Literal["program", "offer"], text: bytes) -> dict[str, Any]:
+        """The object of a text, in one spelling; not while a log is at work. Raises UnusableLogError."""
+        answer = self.ask({"message": kind, "count": len(text)}, _Checked, text)
+        if answer.unusable is not None:
+            raise answer.unusable.error()
+        return answer.object
 
     def ask(self, message: dict[str, Any], shape: type[_Shape], data: bytes = b"") -> _Shape:
         """The answer to a message with one answer, which has this shape; not while a log is at work."""

@@ -7,7 +7,7 @@ from pathlib import Path
 from s7check.engine.class_archive import archive_options
 from s7check.engine.java import JavaMissingError, locate_java
 from s7check.engine.kept_specification import kept_specification
-from s7check.resources import ENGINE, INSTALLED, NATIVE, REMEDY, SPECIFICATION
+from s7check.resources import ENGINE, INSTALLED, NATIVE, REMEDY, SPECIFICATION, FailedError
 
 _MAIN_CLASS = "s7.jvm.Main"
 _LOG = (
@@ -32,7 +32,7 @@ _TUNING = (
 """Options of the JVM; with ``-X...`` in ``$JDK_JAVA_OPTIONS`` that decides instead."""
 
 
-class EngineError(Exception):
+class EngineError(FailedError):
     """The engine could not do its work; the text gives reason and remedy."""
 
 

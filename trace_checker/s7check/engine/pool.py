@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from s7check.engine.answer import Alternatives
 from s7check.engine.client import Engine
 
 _idle: defaultdict[int, list[Engine]] = defaultdict(list)
@@ -33,6 +34,12 @@ def engine() -> Iterator[Engine]:
         yield taken
     finally:
         give_back(taken)
+
+
+def alternatives() -> Alternatives:
+    """The words of a log. Raises EngineError."""
+    with engine() as one:
+        return one.alternatives()
 
 
 @atexit.register

@@ -6,7 +6,7 @@ import webbrowser
 import click
 
 from s7check.completion import complete_files
-from s7check.engine.client import Engine
+from s7check.engine import pool
 from s7check.engine.command import EngineError
 from s7check.log.errors import UnusableLogError
 from s7check.report.report import EXIT_CODES
@@ -38,7 +38,7 @@ def explore_command(port: int, browser: bool, log: str | None) -> int:
     try:
         library = Library(log)
         library.contents()
-        with Engine() as engine, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as listening:
+        with pool.engine() as engine, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as listening:
             warm(engine, library)  # and a page without an engine would be of no use
             listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             listening.bind((_LOOPBACK, port))

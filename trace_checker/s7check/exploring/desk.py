@@ -23,7 +23,7 @@ from s7check.judging.replay import FOLLOWED
 from s7check.kit.from_log import program_of
 from s7check.kit.layout import to_text
 from s7check.kit.program import Program, read_program
-from s7check.log.events import OPERANDS
+from s7check.log.calls import OPERANDS
 from s7check.report import words
 from s7check.report.expected import format_allowed
 from s7check.report.markup import as_text

@@ -9,7 +9,7 @@ import msgspec
 
 from s7check.kit.program import Program, read_program
 from s7check.log.errors import UnusableLogError
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 from s7check.resources import CHECKOUT, GALLERY, INSTALLED, KIT
 
 _NAME = re.compile(rb'"name": ?"([^"]+)"')
@@ -68,11 +68,7 @@ def read(data: bytes, name: str) -> dict[str, Any]:
     objects: list[dict[str, Any]] = []
     for number, text in enumerate(data.removeprefix(b"\xef\xbb\xbf").splitlines(), 1):
         if text.strip():
-            try:
-                objects.append(decode_object(text))
-            except UnusableLogError as error:
-                error.line = number
-                raise
+            objects.append(decoded(text, number))
     if not objects:
         raise UnusableLogError("a header", "an empty file", line=1)
     return {"name": name, "header": objects[0], "lines": objects[1:]}

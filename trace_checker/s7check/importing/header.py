@@ -3,7 +3,7 @@
 from typing import Any
 
 from s7check.importing.errors import SourceError, in_field
-from s7check.log.header import FORMAT
+from s7check.log.calls import LOG_FORMAT
 
 _OPTIONS = {"cpu": "--cpu", "obs": "--obs", "mode": "--mode"}
 """Required fields -> the options that give them."""
@@ -14,7 +14,7 @@ def complete(told: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
 
     The mode is required here: its default in the format, STOP, would claim what nobody said.
     """
-    header = {"format": FORMAT, **told, **given}
+    header = {"format": LOG_FORMAT, **told, **given}
     for field, option in _OPTIONS.items():
         if field not in header:
             expected = f"it from {option} or --header, since the source does not tell it"

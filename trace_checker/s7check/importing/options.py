@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from s7check.log.errors import UnusableLogError
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 
 _FAMILIES = ("S7-300", "S7-400", "CPU 318")
 _NAME = re.compile(r"(?:(?:SIMATIC|CPU|6ES7)[ -]*)*(3|4)(\d)(\d)(?!\d).*", re.IGNORECASE)
@@ -81,6 +81,6 @@ class JsonFile(click.Path):
         """The object."""
         super().convert(value, param, ctx)
         try:
-            return decode_object(Path(value).read_bytes())
+            return decoded(Path(value).read_bytes())
         except (UnusableLogError, OSError) as error:
             self.fail(f"{value}: {error}", param, ctx)

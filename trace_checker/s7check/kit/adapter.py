@@ -15,7 +15,7 @@ from typing import Self
 
 from s7check.kit.program import Program
 from s7check.log.errors import UnusableLogError, printable
-from s7check.log.jsonline import decode_object
+from s7check.log.objects import decoded
 from s7check.readable import readable
 
 _READ = 64 * 1024
@@ -153,7 +153,7 @@ def _protocol(line: bytes) -> str | None:
     if b'"done"' not in line and b'"skip"' not in line:
         return None
     try:
-        raw = decode_object(line.strip())
+        raw = decoded(line.strip())
     except UnusableLogError:
         return None
     if raw.get("event") == "skip":

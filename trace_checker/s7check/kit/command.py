@@ -18,9 +18,8 @@ from s7check.kit.program import Program
 from s7check.kit.results import Kept, Result
 from s7check.kit.running import Runner
 from s7check.kit.scl import NotForCpuError, to_scl
-from s7check.letters import set_option
+from s7check.letters import EDITION, set_option
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import PROFILES
 from s7check.output import echo, write_whole
 from s7check.report.progress import ProgressBar
 
@@ -156,7 +155,7 @@ def _outputs(_: click.Context, __: click.Parameter, names: tuple[Path, ...]) -> 
     help="Write the result to FILE too: .txt, .json, .xml (JUnit), .html or .svg, a badge. May be given several times.",
     metavar="FILE",
 )
-@click.option("--profile", type=click.Choice(PROFILES), help="Judge every log by this edition of the manual.")
+@click.option("--profile", type=EDITION, metavar="EDITION", help="Judge every log by this edition of the manual.")
 @set_option("Judge every log by this reading of an open question. May be given several times.")
 @click.argument("command", nargs=-1, required=True, type=click.UNPROCESSED)
 def run_command(

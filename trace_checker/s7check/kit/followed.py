@@ -10,9 +10,12 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
+import msgspec
+
+from s7check.asking.line_text import passed_date
 from s7check.engine.client import Engine
-from s7check.kit.program import Program
-from s7check.log.events import OPERANDS
+from s7check.kit.program import Program, bodies_of
+from s7check.log.calls import LOG_FORMAT, OPERANDS
 
 _OF_PROGRAM = ("cpu", "obs", "clock", "mode", "priority", "step7")
 
@@ -32,7 +35,8 @@ def departure(engine: Engine, program: Program, log: Sequence[bytes]) -> str:
     header = content.header
     if header is None:
         return ""  # the verdict says it
-    own = program.log_header()
+    own = engine.read(msgspec.json.encode({"format": LOG_FORMAT, **program.header})).header
+    assert own is not None
     for field in _OF_PROGRAM:
         if _ordered(header[field]) != _ordered(own[field]):
             return f'line 1: field "{field}": expected that of the program'
@@ -63,7 +67,8 @@ class _Runs:
 
     def __init__(self, program: Program) -> None:
         self._bodies = {
-            (body.ob, body.run): [_call(step) for step in body.steps if "call" in step] for body in program.bodies
+            (body.ob, body.run): [_call(step) for step in body.steps if "call" in step]
+            for body in bodies_of(program.plain)
         }
         self._last = max((body.run for body in program.bodies), default=0) + 1
         self._started: Counter[int] = Counter()
@@ -86,7 +91,13 @@ class _Runs:
 
 
 def _call(step: dict[str, Any]) -> dict[str, Any]:
-    return {"call": step["call"], **{name: read(step[name]) for name, read in OPERANDS[step["call"]].items()}}
+    return {name: step[name] for name in ("call", *OPERANDS[step["call"]])}
+
+
+def _called(event: dict[str, Any]) -> dict[str, Any]:
+    """The call of a line, as a program in one spelling has it."""
+    operands = {name: event[name] for name in OPERANDS[event["event"]]}
+    return {"call": event["event"], **operands, **({"sdt": passed_date(event["sdt"])} if "sdt" in operands else {})}
 
 
 _STARTUP = {"warm": 100, "cold": 102}
@@ -123,7 +134,6 @@ def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> st
                 left = below
             if not left:
                 return f"line {number}: no call of the program is left here"
-            called = {"call": name, **{field: event[field] for field in OPERANDS[name]}}
-            if left.pop(0) != called:
+            if left.pop(0) != _called(event):
                 return f"line {number}: expected the next call of the program"
     return ""

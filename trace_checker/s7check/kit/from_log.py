@@ -13,7 +13,7 @@ from typing import Any
 
 from s7check.engine.client import Engine
 from s7check.kit.program import FORMAT, HEADER_FIELDS
-from s7check.log.events import OPERANDS
+from s7check.log.calls import OPERANDS
 from s7check.log.objects import decoded
 
 Json = dict[str, Any]

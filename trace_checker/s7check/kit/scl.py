@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from s7check.kit.program import Body, Program
-from s7check.log.events import OPERANDS
-from s7check.log.values import date_components, duration, word
+from s7check.kit.program import Body, Program, bodies_of
+from s7check.log.calls import OPERANDS
 
 _SFC = dict(zip(OPERANDS, (*range(28, 35), *range(39, 43)), strict=True))
 """The SFCs in the order of their numbers."""
@@ -27,9 +26,10 @@ class NotForCpuError(Exception):
 
 def to_scl(program: Program) -> str:
     """The source, which ends with the end of a line. Raises NotForCpuError."""
-    obs = sorted({1, *program.header["obs"], *(body.ob for body in program.bodies)})
+    bodies = bodies_of(program.plain)
+    obs = sorted({1, *program.header["obs"], *(body.ob for body in bodies)})
     parts = [_comment(program), _data_block(obs), _WAIT]
-    parts += [_block(ob, [body for body in program.bodies if body.ob == ob]) for ob in obs]
+    parts += [_block(ob, [body for body in bodies if body.ob == ob]) for ob in obs]
     return "\n\n".join(parts) + "\n"
 
 
@@ -143,19 +143,17 @@ def _call(step: dict[str, Any]) -> str:
     return f"ret := FC{100 + _SFC[name]}({', '.join(operands)});"
 
 
-def _value(field: str, value: object) -> str:
+def _value(field: str, value: Any) -> str:
     if field == "sdt":
         return _date(value)
     if field == "dtime":
-        ms = duration(value)
-        return f"T#{'-' if ms < 0 else ''}{abs(ms)}MS"
+        return f"T#{'-' if value < 0 else ''}{abs(value)}MS"
     if field in ("period", "sign"):
-        return f"WORD#16#{word(value):04X}"
+        return f"WORD#16#{value:04X}"
     if field == "mode":
-        return f"BYTE#16#{word(value):02X}"
+        return f"BYTE#16#{value:02X}"
     return str(value)
 
 
-def _date(value: object) -> str:
-    parts = date_components(value)
-    return "DT#{year:04}-{month:02}-{day:02}-{hour:02}:{minute:02}:{second:02}.{ms:03}".format(**parts)
+def _date(value: str) -> str:
+    return "DT#" + value.replace("T", "-")

@@ -1,6 +1,5 @@
-"""The one exception of reading, and how a log's values are quoted in messages."""
+"""The one exception of reading, and how texts and numbers are told in messages."""
 
-import json
 from collections.abc import Iterable
 
 _LONGEST = 60
@@ -20,11 +19,6 @@ class UnusableLogError(Exception):
         self.found = found
         self.field = field
         self.line = line
-
-    def inside(self, name: str) -> None:
-        """Puts ``name``, a field that contains the culprit, in front of the field's path."""
-        shown = printable(name)
-        self.field = shown if self.field is None else f"{shown}.{self.field}"
 
     @property
     def reason(self) -> str:
@@ -51,17 +45,3 @@ def ranges(numbers: Iterable[int]) -> str:
         else:
             parts.append([number])
     return ", ".join(str(part[0]) if len(part) == 1 else f"{part[0]}-{part[-1]}" for part in parts)
-
-
-def quote(value: object) -> str:
-    """A decoded JSON value as it is shown in a message: short, on one line, printable."""
-    if isinstance(value, str):
-        cut = value if len(value) <= _LONGEST else value[:_LONGEST] + "..."
-        return printable(json.dumps(cut, ensure_ascii=False), 2 * _LONGEST)
-    if isinstance(value, dict):
-        return "an object"
-    if isinstance(value, list):
-        return "a list"
-    if isinstance(value, float):
-        return f"{value!r}, not an integer" if value.is_integer() else repr(value)
-    return printable(json.dumps(value))

@@ -6,7 +6,7 @@ from typing import Any
 import msgspec
 
 from s7check.log.encoding import as_utf8
-from s7check.log.errors import UnusableLogError, printable, quote
+from s7check.log.errors import UnusableLogError, printable
 from s7check.log.source import open_log
 
 _decode = msgspec.json.Decoder().decode
@@ -20,7 +20,7 @@ def decoded(text: bytes, line: int = 0) -> dict[str, Any]:
         raise UnusableLogError("a JSON object", printable(str(error)), line=line) from error
     if isinstance(fields, dict):
         return fields
-    raise UnusableLogError("a JSON object", quote(fields), line=line)
+    raise UnusableLogError("a JSON object", printable(text.decode()), line=line)
 
 
 def objects(name: str) -> Iterator[tuple[int, bytes, dict[str, Any]]]:

@@ -9,7 +9,6 @@ import click
 from s7check.asking.onward import rejections
 from s7check.completion import complete_files
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.judging.check import check_log
 from s7check.log.chosen import NOTHING
 from s7check.log.errors import UnusableLogError
@@ -64,15 +63,11 @@ def reduce_command(file: Path | None, budget: float, keep_going: bool, log: str)
         if report.verdict != "rejected":
             click.echo(f"{place(report)}: {report.verdict}: {message(report)}", err=True)
             return _NOT_REJECTED if report.verdict == "accepted" else EXIT_CODES[report.verdict]
-        try:
-            _write(file, report, reduce_log(_lines(log, report), report, engine, time.monotonic() + budget))
-            if file is not None and keep_going:
-                for number, (behind, lines) in enumerate(_behind(log, report), 2):
-                    reduction = reduce_log(lines, behind, engine, time.monotonic() + budget)
-                    _write(file.with_stem(f"{file.stem}-{number}"), behind, reduction)
-        except EngineError as error:
-            click.echo(f"Error: {error}", err=True)
-            return EXIT_CODES["no verdict"]
+        _write(file, report, reduce_log(_lines(log, report), report, engine, time.monotonic() + budget))
+        if file is not None and keep_going:
+            for number, (behind, lines) in enumerate(_behind(log, report), 2):
+                reduction = reduce_log(lines, behind, engine, time.monotonic() + budget)
+                _write(file.with_stem(f"{file.stem}-{number}"), behind, reduction)
     return 0
 
 

@@ -12,6 +12,7 @@ from s7check.asking.session import Session
 from s7check.asking.variants import Variant, variant_options, variants
 from s7check.completion import complete_files
 from s7check.ending import ending
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.kit.program import FORMAT
 from s7check.output import echo
@@ -45,7 +46,7 @@ def compare_command(
 ) -> int:
     """Compare and print."""
     sides = variants(cpus, profiles, readings)
-    with ending(file), Engine() as engine:
+    with ending(file), pool.engine() as engine:
         if _is_program(Path(file)):
             if len(sides) != 2:
                 raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")

@@ -9,8 +9,8 @@ import click
 import msgspec
 
 from s7check.asking.variants import variant_options, variants
+from s7check.engine import pool
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.layout import to_text
 from s7check.kit.program import Program
@@ -78,11 +78,8 @@ def distinguish_command(
     if len(sides) != 2:
         raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")
     try:
-        programs = _of_interest(programs_of(files), sides[0].letters, sides[1].letters)
-    except UnreadableProgramError as error:
-        raise click.ClickException(str(error)) from error
-    try:
-        with Engine() as engine:
+        with pool.engine() as engine:
+            programs = _of_interest(programs_of(files), sides[0].letters, sides[1].letters)
             begun = None if files else next((one.again(engine) for one in known(sides[0], sides[1])), None)
             begun = begun or distinguished(engine, programs, sides[0], sides[1], budget)
             if begun is None:
@@ -94,9 +91,8 @@ def distinguish_command(
                 echo("\n".join(f"  {bound.text()}" for bound in bounds))
                 return 1
             echo(_json(found, bounds) if output == "json" else _text(engine, found, bounds))
-    except EngineError as error:
-        click.echo(f"Error: {error}", err=True)
-        return 3
+    except UnreadableProgramError as error:
+        raise click.ClickException(str(error)) from error
     return 0
 
 

@@ -15,7 +15,7 @@ from s7check.engine.answer import Moment
 from s7check.engine.client import Engine
 from s7check.kit.from_log import program_of
 from s7check.kit.program import Program, read_program
-from s7check.log.header import FORMAT
+from s7check.log.calls import LOG_FORMAT
 from s7check.simulating.separation import Separation, separation_behind
 from s7check.simulating.simulation import LATENCY
 
@@ -41,7 +41,7 @@ _BY_ITSELF = ("start", "end", "run", "stop")
 _OBS = (10, 20, 40, 80, 85)
 
 STANDARD: dict[str, Any] = {
-    "format": FORMAT,
+    "format": LOG_FORMAT,
     "cpu": "S7-400",
     "obs": [1, 10, 20, 40, 80, 82, 85, 100],
     "clock": "2026-03-02T08:00:30.000",
@@ -123,7 +123,8 @@ def shortened(engine: Engine, found: Separation, pairs: int = PAIRS) -> tuple[Se
     lines, bounds = bounded(engine, found.header, found.log[1:], found.allowed, found.refused, pairs)
     if lines is None:
         return found, bounds
-    program = program_behind(engine, found.header, lines, found.program)
+    old = found.program
+    program = program_behind(engine, found.header, lines, old.name, old.about, old.requirements)
     other = separation_behind(engine, program, found.header, lines, found.allowed, found.refused)
     return (found, bounds) if other is None else (other, bounds)
 
@@ -139,15 +140,19 @@ def anywhere(
         lines, bounds = bounded(engine, header, [], allowed, refused, pairs)
         tried += bounds
         if lines is not None:
-            program = program_behind(engine, header, lines, _FOUND)
+            program = program_behind(engine, header, lines, "found", "Found by search.")
             return separation_behind(engine, program, header, lines, allowed, refused), bounds
     return None, tried
 
 
-_FOUND = Program("found", "Found by search.", (), (), "", {}, 0, (), (), {})
-
-
-def program_behind(engine: Engine, header: dict[str, Any], lines: Sequence[dict[str, Any]], like: Program) -> Program:
-    """The program that brings a log about, with the name and the requirements of another."""
+def program_behind(
+    engine: Engine,
+    header: dict[str, Any],
+    lines: Sequence[dict[str, Any]],
+    name: str,
+    about: str,
+    requirements: Iterable[str] = (),
+) -> Program:
+    """The program that brings a log about."""
     texts = [json.dumps(line).encode() for line in (header, *lines)]
-    return read_program(json.dumps(program_of(engine, texts, like.name, like.about, list(like.requirements))).encode())
+    return read_program(json.dumps(program_of(engine, texts, name, about, list(requirements))).encode())

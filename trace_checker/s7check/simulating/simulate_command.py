@@ -14,13 +14,13 @@ import msgspec
 from s7check.asking.variants import Variant
 from s7check.completion import complete_files
 from s7check.ending import ending
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program, read_program
-from s7check.letters import set_option
+from s7check.letters import EDITION, OneOf, set_option
 from s7check.log.errors import UnusableLogError
-from s7check.log.header import CPUS, PROFILES
 from s7check.output import echo
 from s7check.simulating.outcomes import as_object, as_text, count, outcomes
 from s7check.simulating.simulation import LATENCY, Simulation
@@ -51,8 +51,8 @@ Exit codes: 0 done, 2 the program cannot be used, 3 the specification could not 
 @click.option(
     "--format", "output", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Form of --all."
 )
-@click.option("--cpu", type=click.Choice(CPUS), help="Run it on this CPU.")
-@click.option("--profile", type=click.Choice(PROFILES), help="By this edition of the manual.")
+@click.option("--cpu", type=OneOf("families"), metavar="FAMILY", help="Run it on this CPU.")
+@click.option("--profile", type=EDITION, metavar="EDITION", help="By this edition of the manual.")
 @set_option("By this reading of an open question (docs/rules/readings.md). May be given several times.")
 @click.argument("program", metavar="PROGRAM", shell_complete=complete_files)
 def simulate_command(
@@ -77,7 +77,7 @@ def simulate_command(
 
     if program == "-":
         return _adapter(begun)
-    with ending(program), Engine() as engine:
+    with ending(program), pool.engine() as engine:
         simulation = begun(engine, the_program(Path(program), only))
         if whole:
             _tree(simulation, output)
@@ -110,7 +110,7 @@ def _tree(simulation: Simulation, output: str) -> None:
 
 
 def _adapter(begun: Callable[[Engine, Program], Simulation]) -> int:
-    with Engine() as engine:
+    with pool.engine() as engine:
         for text in sys.stdin.buffer:
             if not text.strip():
                 continue

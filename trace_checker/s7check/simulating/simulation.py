@@ -13,7 +13,7 @@ from s7check.asking.variants import AS_IT_IS, Variant
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.program import Program
-from s7check.log.header import FORMAT
+from s7check.log.calls import LOG_FORMAT
 from s7check.log.values import MS_PER_MINUTE, instant, iso
 from s7check.simulating.work import CYCLE_OB, Work, outside_events
 
@@ -47,7 +47,7 @@ class Simulation:
         latency: int = LATENCY,
         random: Random | None = None,
     ) -> None:
-        self.header = {"format": FORMAT, **variant.of(program.header), "latency_ms": latency}
+        self.header = {"format": LOG_FORMAT, **variant.of(program.header), "latency_ms": latency}
         self._duration = program.duration
         self._random = random
         # Where OB 1 is in its body is known here, so every cycle is told.

@@ -65,7 +65,12 @@ def test_program() -> None:
     assert (program.name, program.requirements, program.duration) == ("AIRT-nested", ("AIRT-03",), 5000)
     assert [event["after"] for event in program.outside] == [500, 1000, 1500]
     assert [(body.ob, body.run, len(body.steps)) for body in program.bodies] == [(1, 1, 5), (35, 0, 0)]
-    assert program.log_header(latency_ms=50)["latency"] == 50
+    plain = json.loads(program.plain_line())["bodies"][0]["steps"]
+    assert (plain[0]["period"], plain[0]["sdt"], plain[3]["to"]) == (
+        0x0201,
+        "2026-02-30T06:00:00.000",
+        "2026-11-21T06:00:00.000",
+    )
     assert read_program(program.line()) == program
     assert SCHEMA.is_valid(PROGRAM)
 

@@ -1,10 +1,7 @@
 """The header."""
 
-from typing import Any
-
 import pytest
 
-from s7check.log import tables
 from s7check.log.errors import UnusableLogError
 from tests.log.reading import read_header
 from tests.logs import BEGIN, HEADER
@@ -139,14 +136,6 @@ def test_priority_on_s7_300() -> None:
     """The S7-300's classes are fixed."""
     with pytest.raises(UnusableLogError, match='field "priority": expected on S7-400 and CPU 318 only'):
         read_header(HEADER | {"cpu": "S7-300", "priority": {"10": 3}})
-
-
-def test_letters_of_readings() -> None:
-    """Every ambiguity has at least two readings; a few of the counts in the requirements."""
-    assert len(tables.READINGS) == 87
-    assert {len(letters) for letters in tables.READINGS.values()} == {2, 3, 4}
-    some: dict[str, Any] = {name: tables.READINGS[name] for name in ("AMB-01", "AMB-02", "AMB-13", "AMB-77", "AMB-78")}
-    assert some == {"AMB-01": "abc", "AMB-02": "ab", "AMB-13": "abcd", "AMB-77": "abcd", "AMB-78": "ab"}
 
 
 def test_event_instead_of_header() -> None:

@@ -1,13 +1,15 @@
 """The JSON Schema of the format: it takes the lines that the reader takes and refuses those that it refuses."""
 
 import json
+from collections.abc import Iterable
 from typing import Any
 
 import jsonschema_rs
 import pytest
 
 from evidence.common.cases import Case
-from s7check.log import tables
+from s7check.engine.client import Engine
+from s7check.log.calls import OPERANDS
 from s7check.log.errors import UnusableLogError
 from tests.log import test_events, test_header
 from tests.log.reading import read_event
@@ -16,6 +18,7 @@ from tests.shipped import CASES
 from tests.shipped import SCHEMA as FILE
 
 SCHEMA = jsonschema_rs.validator_for(json.loads(FILE.read_text(encoding="utf-8")))
+SCHEMA_OF_LINES = json.loads(FILE.read_text(encoding="utf-8"))["$defs"]
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.verdict != "unusable"], ids=lambda case: case.id)
@@ -64,26 +67,28 @@ def test_legal_event(line: dict[str, Any]) -> None:
     assert not refuses(line | {"up": 5, "x_own": [{}]})
 
 
-@pytest.mark.parametrize(("ob", "classes"), tables.SETTABLE_PRIORITIES.items())
-def test_priority_classes(ob: int, classes: range) -> None:
-    """Each OB has the classes of the reader's table, and 0."""
-    taken = [n for n in range(-1, 31) if not refuses(HEADER | {"priority": {str(ob): n}})]
-    assert taken == [tables.DESELECTED, *classes]
+def test_words(real_engine: Engine) -> None:
+    """OBs have the classes of the specification and 0, ambiguities its letters, families and editions its names."""
+    words = real_engine.alternatives()
+
+    def taken(field: str, values: Iterable[Any], name: str | None = None) -> list[Any]:
+        made = ((value, value if name is None else {name: value}) for value in values)
+        return [value for value, said in made if not refuses(HEADER | {field: said})]
+
+    classes = {ob: taken("priority", range(-1, 31), str(ob)) for ob in range(256)}
+    assert {ob: levels for ob, levels in classes.items() if levels} == {ob: [0, *some] for ob, some in words.classes}
+    letters = {name: taken("readings", "abcde", name) for name in (f"AMB-{number:02}" for number in range(100))}
+    assert {name: some for name, some in letters.items() if some} == words.readings
+    properties = SCHEMA_OF_LINES["header"]["properties"]
+    assert properties["cpu"]["enum"] == words.families
+    assert properties["profile"]["anyOf"][0]["enum"] == words.profiles
 
 
-def test_obs_with_a_class() -> None:
-    """No other OB has a class that can be set."""
-    taken = {ob for ob in range(256) if not refuses(HEADER | {"priority": {str(ob): 0}})}
-    assert taken == set(tables.SETTABLE_PRIORITIES)
-
-
-def test_letters_of_readings() -> None:
-    """Each ambiguity has the letters of the reader's table."""
-    taken = {
-        name: "".join(letter for letter in "abcde" if not refuses(HEADER | {"readings": {name: letter}}))
-        for name in (f"AMB-{number:02}" for number in range(100))
-    }
-    assert {name: letters for name, letters in taken.items() if letters} == tables.READINGS
+def test_calls() -> None:
+    """A call has its operands, and its RET_VAL behind them."""
+    required = {name.removeprefix("event_"): one.get("required", ()) for name, one in SCHEMA_OF_LINES.items()}
+    calls = {name: (*fields,) for name, fields in required.items() if "ret" in fields}
+    assert calls == {name: ("event", "at", *operands, "ret") for name, operands in OPERANDS.items()}
 
 
 SPELLINGS: list[tuple[str, dict[str, Any], list[object], list[object]]] = [

@@ -10,12 +10,12 @@ from s7check.importing.sources.bcd import spaced
 from s7check.importing.sources.entry import Buffer, Entry
 from s7check.importing.sources.modes import follow
 from s7check.importing.sources.start_info import start_info, word
-from s7check.log.tables import OB_NUMBERS
 
 _START_EVENTS = frozenset({1, 3})
 """Event classes whose entries are the start information of an OB whose layout is known."""
 
 _MODE_CLASS = 4
+_OB_NUMBERS = range(1, 123)
 
 _CLASSES = range(30)
 """Priority classes; 16#FF stands for none."""
@@ -71,7 +71,7 @@ def _without_gap(entries: Sequence[Entry]) -> bool:
 
 def _ob(entry: Entry) -> tuple[int, int] | None:
     """The OB that an entry is about, and its priority class as the entry has it."""
-    if entry.coding is None or entry.event_class == _MODE_CLASS or entry.coding[3] not in OB_NUMBERS:
+    if entry.coding is None or entry.event_class == _MODE_CLASS or entry.coding[3] not in _OB_NUMBERS:
         return None
     return entry.coding[3], entry.coding[2]
 

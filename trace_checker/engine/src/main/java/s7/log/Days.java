@@ -44,18 +44,18 @@ final class Days {
     for (; days >= ofMonth(year, month); month++) {
       days -= ofMonth(year, month);
     }
-    var text = new StringBuilder().append(year);
-    append(text, '-', month, 2);
-    append(text, '-', days + 1, 2);
-    append(text, 'T', rest / 3_600_000, 2);
-    append(text, ':', rest / 60_000 % 60, 2);
-    append(text, ':', rest / 1_000 % 60, 2);
-    append(text, '.', rest % 1_000, 3);
-    return text.toString();
+    return spelled(
+        year, month, days + 1, rest / 3_600_000, rest / 60_000 % 60, rest / 1_000 % 60, rest % 1_000);
   }
 
-  private static void append(StringBuilder text, char before, int number, int digits) {
-    String written = String.valueOf(number);
-    text.append(before).append("000", 0, digits - written.length()).append(written);
+  /** Year to milliseconds, which need not exist, as a log spells them. */
+  static String spelled(int... parts) {
+    var text = new StringBuilder();
+    for (int i = 0; i < parts.length; i++) {
+      String number = String.valueOf(parts[i]);
+      String before = i == 0 ? "" : "--T::.".substring(i - 1, i);
+      text.append(before).append("000", 0, (i == 0 ? 4 : i == 6 ? 3 : 2) - number.length()).append(number);
+    }
+    return text.toString();
   }
 }

@@ -2,6 +2,7 @@ package s7.log;
 
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -13,9 +14,9 @@ final class Events {
   static final String UP = "up";
 
   private static final String OB = "ob";
-  private static final String RET = "ret";
+  static final String RET = "ret";
   private static final String STATUS = "status";
-  private static final String FAULT = "flt_id";
+  static final String FAULT = "flt_id";
 
   /** Milliseconds; no log outlasts the years that the CPU clock can show. */
   private static final long LONGEST_UP = 100L * 366 * 86_400_000;
@@ -42,6 +43,7 @@ final class Events {
               "time", MOMENT));
 
   private final Map<String, Table> tables = new HashMap<>();
+  private final Map<String, Map<String, Reader>> required = new LinkedHashMap<>();
   private final Set<Long> faulty;
 
   Events(Words words) {
@@ -90,6 +92,16 @@ final class Events {
             "left", Spellings.integer(0, Integer.MAX_VALUE)));
   }
 
+  /** The required fields of an event, without those of every event. */
+  Map<String, Reader> required(String name) {
+    return required.get(name);
+  }
+
+  /** The events that are calls. */
+  List<String> calls() {
+    return required.keySet().stream().filter(name -> required.get(name).containsKey(RET)).toList();
+  }
+
   private static Reader external(Set<Long> obs) {
     String expected = "an OB " + Quoting.ranges(obs);
     return value -> {
@@ -101,11 +113,12 @@ final class Events {
   }
 
   /** Enters an event with its required and its optional fields, without those of every event. */
-  private void kind(String name, Map<String, Reader> required, Map<String, Reader> optional) {
+  private void kind(String name, Map<String, Reader> needed, Map<String, Reader> optional) {
+    required.put(name, needed);
     var all = new LinkedHashMap<String, Reader>();
     all.put(EVENT, SAME);
     all.put(AT, Spellings::instant);
-    all.putAll(required);
+    all.putAll(needed);
     var others = new LinkedHashMap<String, Reader>();
     others.put(UP, Spellings.integer(0, LONGEST_UP));
     others.putAll(optional);
@@ -137,7 +150,7 @@ final class Events {
   }
 
   /** An interrupt line of an OB that comes with a fault id, and no other, has it. */
-  private void checkFault(Fields event) {
+  void checkFault(Fields event) {
     Object ob = event.get(OB);
     boolean needed = faulty.contains(ob);
     if (event.has(FAULT) && !needed) {

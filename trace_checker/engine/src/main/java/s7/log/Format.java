@@ -2,8 +2,9 @@ package s7.log;
 
 import java.util.List;
 
-/** The format of a log: how its header and its events are read. */
+/** How the header and the events of a log are read, and programs of the kit, whose steps are like events. */
 public final class Format {
+  private final Words words;
   private final Header header;
   private final Events events;
 
@@ -11,9 +12,9 @@ public final class Format {
    * @param words {@code Words} of the specification
    */
   public Format(Fields words) {
-    var known = new Words(words);
-    header = new Header(known);
-    events = new Events(known);
+    this.words = new Words(words);
+    header = new Header(this.words);
+    events = new Events(this.words);
   }
 
   /** The normalised header of a text, as the first line of a log has it. */
@@ -39,6 +40,16 @@ public final class Format {
     Fields event = events.read(line);
     clocks.stamp(event);
     return event;
+  }
+
+  /** A program of the kit, with one spelling for each value. */
+  public Fields program(byte[] text) {
+    return new Programs(words, header, events).program(Fields.of(text));
+  }
+
+  /** What a CPU offers to programs of the kit. */
+  public Fields offer(byte[] text) {
+    return new Programs(words, header, events).offer(Fields.of(text));
   }
 
   /** The clocks of a log with this normalised header, at its begin. */

@@ -32,6 +32,8 @@ final class Header {
   private static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
   private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
 
+  static final Reader MODE = Spellings.choice("STOP", "STARTUP", "RUN");
+
   private static final Table TIME_OF_DAY =
       new Table(
           "a time-of-day interrupt",
@@ -66,7 +68,7 @@ final class Header {
                 (Reader) Spellings::moment),
             Table.of(
                 "mode",
-                Spellings.choice("STOP", "STARTUP", "RUN"),
+                MODE,
                 "latency_ms",
                 Spellings.integer(0, Integer.MAX_VALUE),
                 "records",

@@ -147,7 +147,8 @@ final class Spellings {
     return components;
   }
 
-  private static int[] parts(Object value) {
+  /** Year to milliseconds of a date and time that need not exist. */
+  static int[] parts(Object value) {
     int[] parts = null;
     if (value instanceof String text) {
       parts = iso(text);

@@ -9,7 +9,7 @@ import java.util.Set;
 /** JSON objects of one kind, read by a table of what their fields may be. */
 final class Table implements Reader {
   /** How the names of an implementer's own fields begin. */
-  private static final String OWN = "x_";
+  static final String OWN = "x_";
 
   private final String what;
   private final Map<String, Entry> entries = new LinkedHashMap<>();

@@ -1,10 +1,12 @@
 package s7.trace;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 import s7.log.Fields;
 import s7.log.LogReader;
@@ -29,6 +31,9 @@ import tlc2.value.impl.RecordValue;
  *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is {@code unusable}.
+ *   <li>{@code {"message":"program","count":N}} has a program of the kit checked, of which N bytes follow: the answer
+ *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
+ *       what a CPU offers to programs.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which words a log may have.
  *   <li>{@code {"message":"open","session":NAME,"header":TEXT}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
@@ -108,6 +113,8 @@ public final class Engine {
         judging.finish();
       }
       case "read" -> print(read(message));
+      case "program" -> print(object(message, spec.format()::program));
+      case "offer" -> print(object(message, spec.format()::offer));
       case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
       case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
       default -> print(sessions.answer(kind, message));
@@ -189,6 +196,15 @@ public final class Engine {
       answer.put("unusable", wrong.asJson());
     }
     return answer;
+  }
+
+  /** A text as an object that a reader makes of it. */
+  private Fields object(Fields message, Function<byte[], Fields> reader) throws IOException {
+    var text = new ByteArrayOutputStream();
+    input.pass(message.number(COUNT), (bytes, from, to) -> text.write(bytes, from, to - from));
+    var answer = new Fields();
+    Unusable wrong = refused(() -> answer.put("object", reader.apply(text.toByteArray())));
+    return wrong == null ? answer : answer.put("unusable", wrong.asJson());
   }
 
   private static Unusable refused(Runnable part) {

@@ -1,0 +1,18 @@
+"""The format of a log and its calls; everything else about them the engine knows."""
+
+LOG_FORMAT = "s7-interrupt-log/1"
+
+OPERANDS: dict[str, tuple[str, ...]] = {
+    "SET_TINT": ("ob", "sdt", "period"),
+    "CAN_TINT": ("ob",),
+    "ACT_TINT": ("ob",),
+    "QRY_TINT": ("ob",),
+    "SRT_DINT": ("ob", "dtime", "sign"),
+    "CAN_DINT": ("ob",),
+    "QRY_DINT": ("ob",),
+    "DIS_IRT": ("mode", "ob"),
+    "EN_IRT": ("mode", "ob"),
+    "DIS_AIRT": (),
+    "EN_AIRT": (),
+}
+"""SFC -> its operands, without RET_VAL and STATUS; in the order of their numbers, 28 to 34 and 39 to 42."""
