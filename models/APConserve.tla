@@ -19,7 +19,7 @@ CONSTANTS
 
 APCounted == {TheOb}
 
-WorldObs == {10, 11, 20, 40, 80, 85}
+WorldObs == {10, 11, 20, 21, 40, 80, 85}
 
 ConserveConstants == /\ AnyConstants
                      /\ AnyFault # 0

@@ -2,15 +2,17 @@
 (***************************************************************************)
 (* One step of System from ANY state in which Ind holds, for Apalache.     *)
 (*                                                                         *)
-(* The world: two time-of-day OBs, a time-delay OB, a hardware OB, OB 80,  *)
-(* OB 85 and the startup OBs, each loaded or missing, and no synchronous   *)
-(* errors (OB 121, 122); the three families;                               *)
-(* classes of OB 10, 11 and 40 by default or, except on S7-300, any that   *)
+(* The world: two time-of-day OBs, two time-delay OBs, a hardware OB, OB   *)
+(* 80, OB 85 and the startup OBs, each loaded or missing, and no           *)
+(* synchronous errors (OB 121, 122); the three families; the class of each *)
+(* OB by default or, except on S7-300 and where it can be set, any that    *)
 (* OBS-05 allows. The clock, the delay count, settings, jobs, fields of    *)
 (* requests and operands of calls are any integers; a fault id is a byte.  *)
 (* Before the step at most four start events wait, and a time-of-day OB    *)
-(* remembers two runs of points of each kind; up to eight OBs run, and     *)
-(* there cannot be more (DepthInv). SomeState and FewState are smaller.    *)
+(* remembers two runs of points of each kind: bounds, which a step may     *)
+(* leave, so that nothing is said of the steps that follow it. Up to nine  *)
+(* OBs run, and there cannot be more (DepthInv). SomeState and FewState    *)
+(* are smaller.                                                            *)
 (*                                                                         *)
 (* The calendar: CalendarLemma stands for the first point of a series;     *)
 (* models/MCCalendarLemma checks it. NextPointLemma follows from it and    *)
@@ -34,7 +36,7 @@ CONSTANTS
     AnyFault
 
 APTodObs == {10, 11}
-APDintObs == {20}
+APDintObs == {20, 21}
 APExternalObs == {40, 80, 85}
 (* In its place where a formula is about the numbers of OBs: all of them.  *)
 AllExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
@@ -43,7 +45,7 @@ APAsyncErrorObs == {80, 85}
 \* @type: Set(Int);
 NoSyncErrorObs == {}
 APBlockable == (10..17) \cup (20..23) \cup APExternalObs
-APObs == {10, 11, 20, 40, 80, 85, 100, 102}
+APObs == {10, 11, 20, 21, 40, 80, 85, 100, 102}
 APNumbers == Int
 APSdts == {AnySdt}
 APMoments == {AnyMoment}
@@ -102,19 +104,26 @@ Setting(execution, start, active, deselected) ==
     [ execution |-> execution, start |-> start, active |-> active,
       deselected |-> deselected ]
 
+(* [OBS-05] A class that an OB can be given; 0 deselects it [OBS-06].      *)
+\* @type: Int => Bool;
+IsClass(c) == c = 0 \/ (2 <= c /\ c <= 23)
+
 ChosenCpu ==
     \E family \in {"S7-300", "S7-400", "CPU 318"},
-       set \in SUBSET {10, 11, 40}, c, d, e \in Nat,
+       set \in SUBSET {10, 11, 20, 21, 40, 85}, c, d, e, f, g, h \in Nat,
        x, y \in Executions, s, t \in Nat, a, b, m, n \in BOOLEAN,
        shown \in SUBSET APAmbiguities,
        u \in {"b", "c"}, v \in {"a", "b", "d"}, w \in {"a", "b"} :
       /\ s <= LastMinute /\ t <= LastMinute
-      /\ {c, d, e} \subseteq {0} \cup 2..23
+      /\ IsClass(c) /\ IsClass(d) /\ IsClass(e) /\ IsClass(f) /\ IsClass(g)
+      /\ 24 <= h /\ h <= 26
       /\ family = "S7-300" => set = {}
       /\ AnyCpu =
            [ family |-> family,
              priority |->
-               [o \in set |-> IF o = 10 THEN c ELSE IF o = 11 THEN d ELSE e],
+               [ o \in set |-> IF o = 10 THEN c ELSE IF o = 11 THEN d
+                               ELSE IF o = 20 THEN e ELSE IF o = 21 THEN f
+                               ELSE IF o = 40 THEN g ELSE h ],
              step7 |-> [ o \in TodObs |-> IF o = 10 THEN Setting(x, s, a, m)
                                                    ELSE Setting(y, t, b, n) ],
              readings |-> [ r \in shown |-> IF r = "AMB-11" THEN u
@@ -145,7 +154,8 @@ StateWith(t, u, waiting, running) ==
     /\ startup \in {"none", "warm", "cold", "begun"}
     /\ clock = Gen(1)
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
-    /\ \E j \in {Gen(1)} : dint = [o \in DintObs |-> j]
+    /\ \E j, k \in {Gen(1)} :
+         dint = [o \in DintObs |-> IF o = 20 THEN j ELSE k]
     /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
     /\ requests = Gen(waiting)
     /\ stack = Gen(running)
@@ -154,7 +164,7 @@ StateWith(t, u, waiting, running) ==
     /\ entered = {}
     /\ step = Step("any", 0, 0)
 
-AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 4, 8)
+AnyState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 4, 9)
 
 (* In its place in the queries that take longer.                           *)
 SomeState == \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 3, 3)
@@ -204,9 +214,9 @@ InWorld ==
 AnyInit == AnyState /\ Ind
 
 (* depth: no more OBs can run than in AnyState, since each has its class.  *)
-DeeperInit == /\ \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 7, 9)
+DeeperInit == /\ \E t \in {Gen(2)}, u \in {Gen(2)} : StateWith(t, u, 7, 10)
               /\ Ind
-DepthInv == Len(stack) <= 8
+DepthInv == Len(stack) <= 9
 
 (* The control: violated by every action that can take a step. *)
 NoStep == step' = step

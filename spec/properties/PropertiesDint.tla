@@ -145,10 +145,14 @@ JobStaysProp ==
              /\ step'.ob = o
           \/ step'.event \in {"time", "stop", "switch", "restart"} ]_vars
 
-(* [DINT-01] [DINT-11] [DINT-12] *)
+(* [DINT-01] [DINT-11] [DINT-12] The OB runs in RUN alone, in the class    *)
+(* that is set for it [OBS-05], or else in that of table 7.1.              *)
 DintRunProp ==
     [][ \A o \in DintObs :
-          Started(o) => mode = "RUN" /\ step'.value = o - 17 ]_vars
+          Started(o) =>
+            /\ mode = "RUN"
+            /\ step'.value = IF o \in DOMAIN cpu.priority
+                             THEN cpu.priority[o] ELSE o - 17 ]_vars
 
 (* [DINT-13] [OBS-52] *)
 DintRestartProp ==

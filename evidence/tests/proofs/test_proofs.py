@@ -792,7 +792,7 @@ def test_shards_are_all_queries(proofs: Proofs, capsys: pytest.CaptureFixture[st
 def test_the_report_says_what_is_assumed(proofs: Proofs) -> None:
     """The bounds, the world, the lemma, the readings."""
     said = assumptions(proofs)
-    for word in ("Ind", "models/APSystem.tla", "at most 4 start events", "8 OBs that run", "lemma", "by default"):
+    for word in ("Ind", "models/APSystem.tla", "at most 4 start events", "9 OBs that run", "lemma", "by default"):
         assert word in said
     assert as_json(proofs, [])["assumptions"] == said
 

@@ -22,8 +22,11 @@ What each requirement of [requirements.md](requirements.md) has, and how `spec/`
 |---|---|
 | formula | the definitions whose comment names the requirement, of the modules that `System` and `PartialLogs` extend |
 | property | those of the other modules of `spec/` (not `Explain`, `Reasons`) and of `models/`, if a model checks them |
-| proof | of how many of System's actions Apalache has proved the properties ([proofs.md](../project/proofs.md)), the \
-least of them; TLC checks the others within the bounds of its models |
+| proof | of how many of System's actions Apalache has proved the properties, the least of them: of one step from any \
+state within bounds, which a behaviour may leave: two time-of-day OBs, two time-delay OBs, a hardware OB, OB 80 and \
+OB 85; at most four start events wait, and a time-of-day OB remembers at most two runs of served points of its \
+setting and two of earlier ones ([proofs.md](../project/proofs.md#what-is-assumed)). TLC checks the others within the \
+bounds of its models |
 | model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \
 specification of which the whole fails |
