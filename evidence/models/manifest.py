@@ -2,7 +2,8 @@
 
 ``models/manifest.json`` holds entries of two shapes. A *base* entry names a module and a configuration file. A
 *derived* entry names a base entry and its changes: constants (``overrides``), text of a module (``mutate``), the
-invariants or properties that are checked. What a derived entry does not say, it has from its base.
+invariants or properties that are checked. What a derived entry does not say, it has from its base. A base that is
+derived itself adds its constants.
 
 Every error names the file and the field.
 """
@@ -215,11 +216,12 @@ def load(path: Path) -> Manifest:
     twice = [name for name, n in Counter(e.name for e in parsed.models).items() if n > 1]
     if twice:
         raise ManifestError(f"{path}: models: the name {twice[0]!r} stands there more than once")
+    entries = {e.name: e for e in parsed.models}
     bases = {e.name: e for e in parsed.models if isinstance(e.base, UnsetType)}
     models = []
     for index, entry in enumerate(parsed.models):
         where = f"{path}: models[{index}] ({entry.name})"
-        models.append(_resolve(where, path.parent, spec, entry, bases))
+        models.append(_resolve(where, path.parent, spec, _through(entry, entries), bases))
     return Manifest(path, spec, tuple(models), tuple(_unlisted(path, parsed)))
 
 
@@ -249,6 +251,14 @@ def _located(error: msgspec.ValidationError, raw: Any) -> str:
         name = entry.get("name", "?") if isinstance(entry, dict) else "?"
         where = f"{found[0]} ({name}){where[found.end() :]}"
     return f"{where or 'the document'}: {text}"
+
+
+def _through(entry: Entry, entries: dict[str, Entry]) -> Entry:
+    """Return a change of a model that itself changes constants of a base as a change of that base."""
+    between = None if isinstance(entry.base, UnsetType) else entries.get(entry.base)
+    if between is None or isinstance(between.base, UnsetType) or isinstance(between.kind, UnsetType):
+        return entry
+    return msgspec.structs.replace(entry, base=between.base, overrides=between.overrides | entry.overrides)
 
 
 def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry]) -> Model:

@@ -106,7 +106,8 @@ def _is_negative(entry: Entry) -> bool:
 
 
 def _base(entry: Entry, listed: Sequence[Entry]) -> Entry:
-    return next((e for e in listed if e.name == entry.base), entry)
+    found = next((e for e in listed if e.name == entry.base), None)
+    return entry if found is None else _base(found, listed)
 
 
 def _model(entry: Entry, listed: Sequence[Entry]) -> str:
