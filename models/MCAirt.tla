@@ -19,6 +19,11 @@ Shallow == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
 
+(* The count goes on, in OB 1 alone. *)
+NotSetUp == {[o \in TodObs |-> NotConfigured]}
+DeepRetVals == (0..42) \cup {NotDelayed}
+Deep == delay <= 40
+
 Bounded == /\ delay <= 3
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments

@@ -94,13 +94,13 @@ View == cpuVars
 (* begins in the world and within the bounds of models/APSystem.           *)
 ProvedProp ==
     [][ /\ TodObs \subseteq {10, 11}
-        /\ DintObs \subseteq {20}
+        /\ DintObs \subseteq {20, 21}
         /\ { i[1] : i \in Interrupts } \subseteq {40, 80, 85}
-        /\ loaded \subseteq {10, 11, 20, 40, 80, 85, 100, 102}
-        /\ DOMAIN cpu.priority \subseteq {10, 11, 40}
+        /\ loaded \subseteq {10, 11, 20, 21, 40, 80, 85, 100, 102}
+        /\ DOMAIN cpu.priority \subseteq {10, 11, 20, 21, 40, 85}
         /\ DOMAIN cpu.readings \subseteq {"AMB-11", "AMB-56", "AMB-57"}
         /\ Cardinality(requests) <= 4
-        /\ Len(stack) <= 8
+        /\ Len(stack) <= 9
         /\ \A o \in TodObs : /\ Cardinality(tod[o].served) <= 2
                              /\ Cardinality(tod[o].earlier) <= 2 ]_vars
 
@@ -142,22 +142,44 @@ OnceEndsInv ==
       IN  tod[o].active /\ tod[o].period = Once /\ PendingIn(requests, o)
             => (starts(TRUE) <=> starts(FALSE))
 
-(* [TINT-22] [DINT-21] [IRT-22] Each call is answered. *)
+(* [AIRT-08] [OBS-02] [OBS-20] Each definite start event that nothing of a *)
+(* higher class and nothing before it in its class keeps from starting can *)
+(* be the next: its OB starts or is missing. A late run waits for its OB   *)
+(* 80.                                                                     *)
+StartableInv ==
+    stopCause = NoCause /\ delay = 0 =>
+      \A r \in requests :
+        /\ mode = "RUN" \/ (mode = "STARTUP" /\ r.ob \in AsyncErrorObs)
+        /\ ~r.open /\ r.class > Top(stack).class
+        /\ \A q \in requests :
+             /\ mode = "RUN" \/ q.ob \in AsyncErrorObs
+             => \/ q.class < r.class
+                \/ q.class = r.class /\ (q.open \/ q.rank >= r.rank)
+        /\ \/ r.follows = 0
+           \/ ~\E q \in requests : q.ob = TimeErrorOb /\ r.ob \in q.late
+        => ENABLED ( /\ Respond /\ step'.ob = r.ob
+                     /\ step'.event \in {"start", "missing"} )
+
+(* [TINT-22] [DINT-21] [IRT-22] [AIRT-14] Where nothing is pressing, the   *)
+(* running OB can call SFC 41 and 42, whatever the count is, and the other *)
+(* functions with each of the model's operands: each has one of the        *)
+(* model's answers at least.                                               *)
 AnsweredInv ==
     Settled /\ stack # <<>> /\ mode \in {"STARTUP", "RUN"} =>
-      \A o \in ObNumbers :
-        /\ \A sdt \in Sdts, period \in Words :
-             \E ret \in RetVals : ENABLED SetTint(o, sdt, period, ret)
-        /\ \E ret \in RetVals : ENABLED CanTint(o, ret)
-        /\ \E ret \in RetVals : ENABLED ActTint(o, ret)
-        /\ \E ret \in RetVals : ENABLED QryTint(o, ret, -1)
-        /\ \A dtime \in Dtimes, sign \in Signs :
-             \E ret \in RetVals : ENABLED SrtDint(o, dtime, sign, ret)
-        /\ \E ret \in RetVals : ENABLED CanDint(o, ret)
-        /\ \E ret \in RetVals : ENABLED QryDint(o, ret, -1)
-        /\ \A m \in IrtModes :
-             /\ \E ret \in RetVals : ENABLED DisIrt(m, o, ret)
-             /\ \E ret \in RetVals : ENABLED EnIrt(m, o, ret)
+      /\ ENABLED CallDisAirt /\ ENABLED CallEnAirt
+      /\ \A o \in ObNumbers :
+           /\ \A sdt \in Sdts, period \in Words :
+                \E ret \in RetVals : ENABLED SetTint(o, sdt, period, ret)
+           /\ \E ret \in RetVals : ENABLED CanTint(o, ret)
+           /\ \E ret \in RetVals : ENABLED ActTint(o, ret)
+           /\ \E ret \in RetVals : ENABLED QryTint(o, ret, -1)
+           /\ \A dtime \in Dtimes, sign \in Signs :
+                \E ret \in RetVals : ENABLED SrtDint(o, dtime, sign, ret)
+           /\ \E ret \in RetVals : ENABLED CanDint(o, ret)
+           /\ \E ret \in RetVals : ENABLED QryDint(o, ret, -1)
+           /\ \A m \in IrtModes :
+                /\ \E ret \in RetVals : ENABLED DisIrt(m, o, ret)
+                /\ \E ret \in RetVals : ENABLED EnIrt(m, o, ret)
 
 -----------------------------------------------------------------------------
 (* Steps.  These are no properties of spec/, all of which are to be proved. *)

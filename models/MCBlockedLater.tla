@@ -19,5 +19,13 @@ MCInterrupts == {<<80, 1>>, <<85, 1>>}
 MCRestartTypes == {"warm"}
 MCRetVals == {0, 1, NotDelayed}
 
+(* Several errors of an OB wait, in STARTUP and under a delay, too. *)
+OneFamily == {"S7-400"}
+ClassOf85 == {[o \in {85} |-> 24]}
+ErrorLoads == {{80, 85, 100}}
+Errors == {<<80, 1>>, <<85, 1>>, <<85, 2>>}
+CountRetVals == {0, 1}
+TwoWait == delay <= 1 /\ Cardinality(requests) <= 2
+
 Bounded == delay <= 1 /\ Waiting(2)
 =============================================================================

@@ -21,7 +21,8 @@ MCIrtModes == {2, 3}
 MCMoments == {Moment(1, 0)}
 MCPowerOnMoments == {Moment(0, 30000)}
 MCRestartTypes == {"warm"}
-MCRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart}
+MCRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, 1, 2,
+              NotDelayed}
 MCStatusWords == {0, 4, 5, 16, 18, 20, 22}
 
 (* Behaviours after a STOP are left to MCRestart. *)

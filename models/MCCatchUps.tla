@@ -28,6 +28,14 @@ TwoTogether ==
 OfAnOb == {2}
 JustOK == {OK}
 
+(* A skipped OB, or the OB 80 that is to report it, is blocked. *)
+RemembersServed == {"S7-400"}
+SkippedAndError == {10, 80}
+FewMoments == {Moment(1, 0), Moment(4, 0)}
+OneWaits == /\ delay = 0
+            /\ Waiting(1)
+            /\ mode = "STOP" => clock \in PowerOnMoments
+
 Bounded == /\ delay = 0
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments

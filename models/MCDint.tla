@@ -39,6 +39,20 @@ DelayAndProgramError == {20, 85}
 Ob85Alone == {85}
 ModesOfAll == {0, 128}
 
+(* Two delays, which may end together. *)
+TwoDintObs == {20, 21}
+TwoLoads == {{20, 21, 80}}
+OneDtime == {30000}
+OneSign == {1}
+TwoEnds == {Moment(0, 30000), Moment(1, 0)}
+(* [OBS-05] The class of one of them is set. *)
+SettableFamily == {"S7-400"}
+ClassOfOne == {[o \in {20} |-> 9]}
+JustOK == {OK}
+TogetherBounded == /\ delay = 0
+                   /\ Waiting(2)
+                   /\ mode = "STOP" => clock \in PowerOnMoments
+
 (* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)

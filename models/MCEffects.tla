@@ -216,7 +216,7 @@ StopsAgree ==
     /\ {82, 83, 86} \subseteq ErrorObsThatStop
     /\ Holds("AMB-75", "a", {"a"}, 84 \in ErrorObsThatStop)
 
-(* [CLK-03] [OBS-46] Skips and their catch-ups. *)
+(* [CLK-03] [CLK-06] [OBS-46] Skips, their mask and their catch-ups. *)
 SkipsAgree ==
     LET \* @type: Int => Set($request);
         after(fault) == CatchUps(fault, {10}, {})
@@ -225,6 +225,8 @@ SkipsAgree ==
         t == [ NoSetting EXCEPT !.period = Minutely, !.start = Six,
                                 !.next = Six + 3, !.repeatTo = Six + 2 ]
     IN  /\ { <<c.ob, c.open>> : c \in after(SkippedByClock) } = {<<10, FALSE>>}
+        /\ LateMask({10, 13}) = 2 ^ 0 + 2 ^ 3
+        /\ \A o \in 10..17 : LateMask({o}) = 2 ^ (o - 10)
         /\ Holds("AMB-55", "c", {"b"}, after(SkippedInHold) = {})
         /\ Holds("AMB-55", "c", {"c"}, \E c \in after(SkippedInHold) : c.open)
         /\ \A c \in CatchUps(SkippedByClock, {10}, {10}) : c.follows = 0

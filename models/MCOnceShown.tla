@@ -22,6 +22,9 @@ MCClockTargets == IF mode = "RUN" THEN {Moment(1, 30000), Moment(3, 0)}
 MCRestartTypes == {"warm"}
 MCRetVals == {OK, NotSet}
 
+(* Also after a STOP; the clock is set at most twice. *)
+Anywhere == delay = 0 /\ Waiting(1)
+
 (* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0
            /\ Waiting(1)

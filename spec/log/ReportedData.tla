@@ -47,13 +47,6 @@ FitsNumber(given, o) ==
 \* @type: (Int, Int) => Bool;
 Fits(given, value) == given = -1 \/ value = -1 \/ given = value
 
-(* [CLK-06] Bit k stands for OB 10 + k. *)
-\* @type: Set(Int) => Int;
-LateMask(obs) ==
-    LET b(o, v) == IF o \in obs THEN v ELSE 0
-    IN  b(10, 1) + b(11, 2) + b(12, 4) + b(13, 8) + b(14, 16) + b(15, 32)
-          + b(16, 64) + b(17, 128)
-
 \* @type: (Int, Int) => Bool;
 FitsPeriod(given, period) ==
     \/ Fits(given, period)

@@ -13,38 +13,44 @@ ForwardProp ==
     [][ clock' # clock => \/ Did("clock")
                           \/ Did("time") /\ Before(clock, clock') ]_vars
 
-\* @type: Int => Bool;
-Skipped(o) == /\ tod[o].active /\ ~Deselected(o)
-              /\ Before(At(tod[o].next), clock')
+(* The interrupts that OB 80 may name, and those that it has to: a blocked *)
+(* one may be left out [AMB-50].                                           *)
+\* @type: Set(Int) => Bool;
+NamesSkipped(late) == /\ SkippedNow \ BlockedNow \subseteq late
+                      /\ late \subseteq SkippedNow
 
-SkippedNow == { o \in TodObs : Skipped(o) }
-
-(* [CLK-02] [CLK-05] [CLK-06] [OBS-32] A skip in RUN is one time error     *)
-(* with fault 05, which names the skipped interrupts; without OB 80 it is  *)
-(* STOP.                                                                   *)
+(* [CLK-02] [CLK-05] [CLK-06] [OBS-32] In RUN the clock skips points, of   *)
+(* one interrupt at least that is not blocked, and OB 80 is not blocked:   *)
+(* one more start event of OB 80 waits, with fault 05, the new time and    *)
+(* the skipped interrupts, of which blocked ones may lack; if OB 80 is not *)
+(* loaded, the CPU has to stop.                                            *)
 SkipProp ==
-    [][ Did("clock") /\ mode = "RUN" /\ SkippedNow # {} /\ irt.blocked = {} =>
-          IF 80 \in loaded
-          THEN /\ Cardinality({ r \in requests' : r.ob = 80 })
-                    = Cardinality({ r \in requests : r.ob = 80 }) + 1
-               /\ \E r \in requests' \ requests :
-                    /\ r.ob = 80 /\ r.fault = 5 /\ r.late = SkippedNow
-                    /\ r.since = clock'
-          ELSE stopCause' # NoCause ]_vars
+    [][ /\ Did("clock") /\ mode = "RUN" /\ SkippedNow \ BlockedNow # {}
+        /\ ~Blocked(80)
+        => IF 80 \in loaded
+           THEN /\ Cardinality({ r \in requests' : r.ob = 80 })
+                     = Cardinality({ r \in requests : r.ob = 80 }) + 1
+                /\ \E r \in requests' \ requests :
+                     /\ r.ob = 80 /\ r.fault = 5 /\ NamesSkipped(r.late)
+                     /\ r.since = clock'
+           ELSE stopCause' # NoCause ]_vars
 
 (* An open request may have been confirmed; it is not new. *)
 \* @type: Int => Set($request);
 NewOf(o) == { r \in requests' \ requests :
                 r.ob = o /\ [r EXCEPT !.open = TRUE] \notin requests }
 
-(* [CLK-03] [CLK-07] Each skipped interrupt runs once, for its first       *)
-(* skipped point, after the OB 80; an OB that waits or runs may get no     *)
-(* run. Without OB 80 none gets a run [CLK-05].                            *)
+(* [CLK-03] [CLK-07] The clock is set in RUN and OB 80 is not blocked. At  *)
+(* most one new run of a time-of-day OB waits, and only of a skipped one:  *)
+(* for its first skipped point and behind the OB 80. If the OB neither     *)
+(* waited, perhaps, nor ran, it has one; if it only did not run, it waits. *)
+(* A blocked OB has none [IRT-18], and none has one if OB 80 is not loaded *)
+(* [CLK-05].                                                               *)
 CatchUpProp ==
-    [][ Did("clock") /\ mode = "RUN" /\ irt.blocked = {} =>
+    [][ Did("clock") /\ mode = "RUN" /\ ~Blocked(80) =>
           \A o \in TodObs :
             LET new == NewOf(o)
-            IN  IF TimeErrorOb \notin loaded THEN new = {} ELSE
+            IN  IF TimeErrorOb \notin loaded \/ Blocked(o) THEN new = {} ELSE
                 /\ o \notin SkippedNow => new = {}
                 /\ /\ o \in SkippedNow /\ ~OnStack(o)
                    /\ { r \in requests : r.ob = o } = {}
@@ -80,14 +86,83 @@ RearmProp ==
                /\ ~Before(clock', At(tod[o].start))
                => IsFirstMinute(tod'[o].next, clock') ]_vars
 
-(* [OBS-46] [AMB-55] On release one time error with fault 06 reports the   *)
-(* points that passed in HOLD; the catch-ups are open.                     *)
+(* [OBS-46] On release, if points have passed in HOLD, of one interrupt at *)
+(* least that is not blocked, and OB 80 is not blocked: a start event of   *)
+(* OB 80 waits that is new and definite, with fault 06 and the interrupts  *)
+(* that were skipped, of which blocked ones may lack; if OB 80 is not      *)
+(* loaded, the CPU has to stop. New runs of these OBs: SkipTimeProp.       *)
 HoldSkipProp ==
-    [][ Did("release") /\ SkippedNow # {} /\ irt.blocked = {} =>
+    [][ Did("release") /\ SkippedNow \ BlockedNow # {} /\ ~Blocked(80) =>
           IF 80 \in loaded
           THEN \E r \in requests' \ requests :
-                 r.ob = 80 /\ r.fault = 6 /\ r.late = SkippedNow /\ ~r.open
+                 r.ob = 80 /\ r.fault = 6 /\ NamesSkipped(r.late) /\ ~r.open
           ELSE stopCause' # NoCause ]_vars
+
+(* [CLK-07] [OBS-46] [AMB-16] After a skip, by the clock or in HOLD, OB 80 *)
+(* gives the time at which it was noticed, and a run that catches up its   *)
+(* first skipped point; after HOLD the run is open [AMB-55].               *)
+SkipTimeProp ==
+    [][ step'.event \in {"clock", "release"} =>
+          \A r \in Fresh :
+            /\ r.ob = 80 /\ r.late # {} /\ SkipGivesNewTime =>
+                 r.since = clock'
+            /\ r.ob \in TodObs /\ r.follows \in {5, 6} =>
+                 /\ r.since = At(tod[r.ob].next) \/ ServedPointsAreSkipped
+                 /\ r.follows = 6 /\ CatchUpAfterHoldIsOpen => r.open ]_vars
+
+-----------------------------------------------------------------------------
+(* The memory of served points *)
+
+(* The OB was called for point p of its setting. *)
+\* @type: ($tod, Int) => Bool;
+Counted(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
+
+(* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
+(* point that is reached counts as served, unless its OB is blocked; a     *)
+(* skipped point, if a run for it waits.                                   *)
+ServedProp ==
+    [][ \A o \in TodObs :
+          LET p == tod[o].next
+          IN  Remembers /\ tod'[o].set =>
+                /\ Did("reached") /\ step'.ob = o =>
+                     ( Counted(tod'[o], p)
+                         <=> Counted(tod[o], p) \/ ~Blocked(o) )
+                /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
+                   /\ o \in SkippedNow /\ ~ServedPointsAreSkipped
+                   => ( Counted(tod'[o], p)
+                          <=> \/ Counted(tod[o], p)
+                              \/ \E r \in requests' :
+                                   r.ob = o /\ r.since.min = p ) ]_vars
+
+(* [CLK-09] [AMB-57] Nothing makes the CPU forget served points, no        *)
+(* restart and no new setting either, while it has room for more of them.  *)
+MemoryStaysProp ==
+    [][ \A o \in TodObs :
+          \/ Cardinality(tod'[o].earlier) >= LongestMemory
+          \/ NewSettingForgets(cpu) \/ SetBackWithdrawsRuns
+          \/ /\ tod[o].earlier \subseteq tod'[o].earlier
+             /\ \A i \in tod[o].served :
+                  \/ \E j \in tod'[o].served : j.from <= i.from /\ i.to <= j.to
+                  \/ \E j \in tod'[o].earlier :
+                       /\ j.from = i.from /\ j.to = i.to
+                       /\ j.start = tod[o].start
+                       /\ j.period = tod[o].period ]_vars
+
+(* [CLK-09] [AMB-56] A CPU that remembers knows how far the clock had come *)
+(* when it was set back: over the last minute, and over its own as well,   *)
+(* unless the interrupt waits for the point of this minute.                *)
+RepeatProp ==
+    [][ Did("clock") /\ mode # "HOLD" /\ Before(clock', clock) /\ Remembers =>
+          \A o \in TodObs : tod'[o].set =>
+            LET last == IF tod[o].next = clock.min THEN clock.min - 1
+                                                   ELSE clock.min
+            IN  /\ tod'[o].repeatTo
+                     = IF tod[o].repeatTo > last THEN tod[o].repeatTo ELSE last
+                /\ tod'[o].overTo
+                     = IF tod[o].overTo > last THEN tod[o].overTo
+                                               ELSE last ]_vars
+
+-----------------------------------------------------------------------------
 
 (* Setting the clock changes no setting, except of a blocked one-shot      *)
 (* interrupt that is skipped [AMB-12], and no OB starts or ends by it.     *)

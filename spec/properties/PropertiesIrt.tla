@@ -108,15 +108,14 @@ LostPointProp ==
 -----------------------------------------------------------------------------
 (* Entries *)
 
-EnteredNow == { n.id : n \in { e \in entered' : ~e.open } }
-
 (* [IRT-09] [IRT-19] [AMB-41] *)
 DisabledEntryProp ==
     [][ \h5380 \in EnteredNow <=>
           Did("DIS_IRT") /\ step'.value = 0 /\ step'.operand >= 128 ]_vars
 
-(* [OBS-30] [OBS-22] [IRT-06] [IRT-09] A time error is entered with its    *)
-(* fault, also if it is blocked, but not if it is silent.                  *)
+(* [OBS-30] [IRT-09] A definite time error that waits for OB 80 is entered *)
+(* with its fault; and no error of OB 80 or OB 85 is while its OB is       *)
+(* silent.                                                                 *)
 TimeErrorEntryProp ==
     [][ /\ step'.event \in {"reached", "elapsed", "interrupt", "clock",
                            "release"} =>
@@ -124,6 +123,31 @@ TimeErrorEntryProp ==
                r.ob = 80 /\ ~r.open => \h3500 + r.fault \in EnteredNow
         /\ \A n \in entered' : 80 \in irt.silent => n.of.ob # 80
         /\ \A n \in entered' : 85 \in irt.silent => n.of.ob # 85 ]_vars
+
+(* The error's OB is blocked by SFC 39, not without entries. *)
+\* @type: Int => Bool;
+BlockedWithEntries(o) == Blocked(o) /\ ~Silenced(o) /\ ~Deselected(o)
+
+(* [IRT-06] [IRT-04] An error that SFC 39 blocks with MODE 0, 1 or 2 is    *)
+(* entered: one from outside, a start event whose OB runs, a skipped       *)
+(* point, a missing OB.                                                    *)
+BlockedEntryProp ==
+    [][ /\ /\ Did("interrupt") /\ step'.ob \in {80, 85} /\ step'.value # 0
+           /\ mode # "STOP" /\ BlockedWithEntries(step'.ob)
+           => \h3500 + step'.value \in EnteredNow
+        /\ BlockedWithEntries(80) =>
+             /\ /\ step'.event \in {"reached", "elapsed"}
+                /\ OnStack(step'.ob) /\ TakesEvents(step'.ob)
+                /\ ~OnlyFirstPointIsReported
+                => \h3502 \in EnteredNow
+             /\ Did("clock") /\ mode = "RUN" /\ SkippedAndLoaded # {}
+                => \h3505 \in EnteredNow
+             /\ Did("release") /\ SkippedAndLoaded # {}
+                => \h3506 \in EnteredNow
+        /\ /\ Did("missing") /\ step'.ob \notin AsyncErrorObs \cup {70, 72}
+           /\ ~MissingIsTimeError /\ ~NoticedBefore(step'.ob)
+           /\ BlockedWithEntries(85)
+           => EnteredNow \cap {\h35A1, \h35A2} # {} ]_vars
 
 (* [OBS-21] [OBS-22] A STOP by rule is entered with its cause. *)
 StopEntryProp ==

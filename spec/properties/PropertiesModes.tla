@@ -6,17 +6,24 @@
 (***************************************************************************)
 EXTENDS Steps
 
-(* [TINT-16] [OBS-20] [OBS-21] [OBS-23] A missing OB leads to OB 85, or to *)
-(* STOP; its interrupt goes on [AMB-46]. A blocked OB 85 is lost [IRT-01]. *)
+(* [TINT-16] [OBS-20] [OBS-21] [OBS-22] [OBS-23] An OB is found missing    *)
+(* that is not loaded, has a higher class than the running OB or is OB 85  *)
+(* [AMB-87], and is not delayed, unless its error has to stop the CPU      *)
+(* [AMB-49]. Then OB 85 waits, runs or is blocked [IRT-01]. But the CPU    *)
+(* has to stop if it is OB 80, OB 85, OB 82, OB 83 or OB 86, and goes on   *)
+(* if it is OB 81. A time-of-day interrupt that is not a one-shot          *)
+(* interrupt stays as it is, unless the OB is its own and makes it         *)
+(* inactive [AMB-46]. Of OB 70, 72, 84 and 87 nothing is said [AMB-75].    *)
 MissingProp ==
     [][ Did("missing") =>
           /\ step'.ob \notin loaded
           /\ \/ delay = 0
              \/ step'.ob \in AsyncErrorObs /\ stopCause' # NoCause  \* [AMB-49]
           /\ step'.value > Top(stack).class \/ step'.ob = 85        \* [AMB-87]
-          /\ IF step'.ob \notin AsyncErrorObs
+          /\ IF step'.ob \notin AsyncErrorObs \cup {70, 72}
              THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D
+             ELSE IF step'.ob = 80 THEN stopCause' = \h4568
              ELSE /\ step'.ob \in {82, 83, 86} => stopCause' # NoCause
                   /\ step'.ob = 81 => UNCHANGED stopCause
           /\ \A o \in TodObs :
@@ -115,13 +122,17 @@ RestartProp ==
                         /\ Before(At(s.start), clock)
           /\ stopCause' = \h454A <=> \E o \in loaded : Deselected(o) ]_vars
 
-(* The CPU does not change, except that it may show its reading of an open *)
-(* question. OBs come and go only by load and delete.                      *)
+(* Family, classes and STEP 7 parameters of the CPU stay, and so does a    *)
+(* letter that it has; more letters may come. Load adds its OB, delete     *)
+(* takes it away, and they change none of these: mode, clock, settings,    *)
+(* requests, stack, delay. Nothing else changes the loaded OBs.            *)
 CpuProp ==
     [][ /\ cpu'.family = cpu.family /\ cpu'.priority = cpu.priority
         /\ cpu'.step7 = cpu.step7
         /\ \A a \in DOMAIN cpu.readings : cpu'.readings[a] = cpu.readings[a]
         /\ loaded' # loaded => step'.event \in {"load", "delete"}
+        /\ Did("load") => loaded' = loaded \cup {step'.ob}
+        /\ Did("delete") => loaded' = loaded \ {step'.ob}
         /\ step'.event \in {"load", "delete"} =>
              UNCHANGED <<mode, clock, tod, requests, stack, delay>> ]_vars
 =============================================================================

@@ -35,23 +35,23 @@ PriorityOrderInv ==
     /\ DefaultClass(100) < DefaultClass(72)
     /\ \A o \in 81..87 : DefaultClass(o) = DefaultClass(ProgramErrorOb)
 
-(* [OBS-04] [OBS-31] [OBS-43] The classes of running OBs: two numbers of   *)
-(* table 7.1 for each family, the changes by STARTUP, and by settings      *)
-(* [OBS-05].                                                               *)
+(* [OBS-04] [OBS-05] The class of a running OB is the one that is set for  *)
+(* it, or else that of table 7.1. An asynchronous error may have class 28: *)
+(* in STARTUP it has [OBS-43], and OB 80 after an overflow [OBS-31].       *)
 ClassInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
           c == stack[i].class
+          isSet == o \in DOMAIN cpu.priority
       IN  /\ o = CycleOb => c = 1
-          /\ o \in DOMAIN cpu.priority => c = cpu.priority[o]
-          /\ o \in TodObs \ DOMAIN cpu.priority => c = 2
-          /\ o \in DintObs => c = o - 17
-          /\ o = 40 /\ o \notin DOMAIN cpu.priority => c = 16
+          /\ o \in StartupObs => c = 27
+          /\ isSet => c = cpu.priority[o] \/ (o \in AsyncErrorObs /\ c = 28)
+          /\ o \in TodObs /\ ~isSet => c = 2
+          /\ o \in DintObs /\ ~isSet => c = o - 17
+          /\ o = 40 /\ ~isSet => c = 16
           /\ o = TimeErrorOb => c \in {26, 28}
           /\ o \in AsyncErrorObs /\ mode = "STARTUP" => c = 28
-          /\ o \in 81..87 /\ c # 28 =>
-               c = Family.errorClass
-          /\ o \in StartupObs => c = 27
+          /\ o \in 81..87 /\ ~isSet => c \in {Family.errorClass, 28}
 
 (* [OBS-41] No OB runs in STOP, and nothing is waiting. *)
 StopInv == mode = "STOP" => stack = <<>> /\ requests = {} /\ delay = 0
@@ -77,14 +77,18 @@ ContentProp ==
           => Fresh = {} ]_vars
 
 (* [OBS-10] [TINT-25] [DINT-03] The data of a start event: PERIOD or SIGN  *)
-(* of its interrupt, also where an OB 80 or OB 85 reports it; at an error  *)
-(* the OB that was active.                                                 *)
+(* of its interrupt, also where an OB 80 or OB 85 reports it; the DTIME of *)
+(* a delay, and the time at which it ended; at an error the OB that was    *)
+(* active.                                                                 *)
 WordProp ==
     [][ \A r \in Fresh :
           /\ r.ob \in TodObs =>
                r.word = (IF Did("restart") THEN Once
                          ELSE ShownPeriod(tod[r.ob].period))
-          /\ r.ob \in DintObs => r.word = dint[r.ob].sign
+          /\ r.ob \in DintObs =>
+               /\ r.word = dint[r.ob].sign
+               /\ r.dtime = dint[r.ob].dtime \/ DtimeIsElapsedTime
+               /\ r.since = clock
           /\ r.ob = TimeErrorOb /\ r.cause \in TodObs =>
                r.word = ShownPeriod(tod[r.cause].period)
           /\ r.ob = TimeErrorOb /\ r.cause \in DintObs =>
@@ -93,6 +97,31 @@ WordProp ==
                \E q \in requests : q.ob = r.cause /\ q.word = r.word
           /\ r.cause # 0 => /\ r.during = Top(stack).ob
                             /\ r.cause = step'.ob ]_vars
+
+(* [OBS-30] [OBS-20] What an error names. OB 80: the OB whose start event  *)
+(* is reached, over or comes from outside; if the cycle takes too long,    *)
+(* the OB that ran. OB 85: the missing OB, by fault A1 or A2.              *)
+NamedProp ==
+    [][ \A r \in Fresh :
+          /\ /\ r.ob = TimeErrorOb
+             /\ \/ step'.event \in {"reached", "elapsed"}
+                \/ Did("interrupt") /\ step'.ob # TimeErrorOb
+             => r.cause = step'.ob
+          /\ r.ob = TimeErrorOb /\ r.fault = 1 => r.during = Top(stack).ob
+          /\ r.ob = ProgramErrorOb /\ ~Did("interrupt") =>
+               r.cause = step'.ob /\ r.fault \in {\hA1, \hA2} ]_vars
+
+(* [OBS-07] [OBS-11] [OBS-43] In RUN and STARTUP an asynchronous error     *)
+(* from outside that is not blocked leads to one more start event of its   *)
+(* OB; or the buffer overflows, which is entered unless OB 80 is silent.   *)
+(* OB 80 waits, or the CPU has to stop.                                    *)
+ErrorComesProp ==
+    [][ /\ Did("interrupt") /\ step'.ob \in AsyncErrorObs
+        /\ mode \in {"RUN", "STARTUP"} /\ TakesEvents(step'.ob)
+        => \/ Cardinality({ r \in requests' : r.ob = step'.ob })
+                = Cardinality({ r \in requests : r.ob = step'.ob }) + 1
+           \/ IF step'.ob = TimeErrorOb THEN stopCause' # NoCause
+              ELSE \h3507 \in EnteredNow \/ Silenced(TimeErrorOb) ]_vars
 
 (* [OBS-08] A buffer overflows only if an OB of the class waits or runs    *)
 (* already.                                                                *)
@@ -129,6 +158,39 @@ TurnProp ==
             r.ob = step'.ob /\ ~\E q \in requests : /\ q.class = r.class
                                                     /\ q.rank < r.rank
                                                     /\ ~q.open ]_vars
+
+(* [OBS-02] [OBS-11] An OB starts by the first of its start events in the  *)
+(* class in which it starts: its other definite ones stay, but not those   *)
+(* of a one-shot interrupt [TINT-08].                                      *)
+FirstEventProp ==
+    [][ Dispatched =>
+          \A r \in requests :
+            /\ r.ob = step'.ob /\ ~r.open
+            /\ r.ob \in TodObs => ~HasOnePoint(tod[r.ob].period)
+            /\ \/ r.class # step'.value
+               \/ \E q \in requests : /\ q.ob = r.ob /\ q.class = r.class
+                                      /\ q.rank < r.rank /\ ~q.open
+            => \E s \in requests' : Content(s) = Content(r) /\ ~s.open ]_vars
+
+(* [OBS-02] The place of a start event is its turn: it enters behind all   *)
+(* that wait in its class, or beside one of the same time [AMB-29], and    *)
+(* those that stay keep their order. Start events with the same content    *)
+(* are not told apart.                                                     *)
+\* @type: $request => Bool;
+Single(r) == \A q \in {requests, requests'} : \A s, t \in q :
+               Content(s) = Content(r) /\ Content(t) = Content(r) => s = t
+ArrivalProp ==
+    [][ /\ \A r \in Fresh :
+             LET old    == { q \in requests' \ Fresh : q.class = r.class }
+                 beside == { q \in old : q.rank = r.rank }
+             IN  /\ \A q \in old : q.rank <= r.rank
+                 /\ beside # {} => \E q \in beside : q.since = r.since
+        /\ \A q, r \in requests :
+             /\ q.class = r.class /\ q.rank < r.rank
+             /\ Single(q) /\ Single(r)
+             => \A s, t \in requests' :
+                  Content(s) = Content(q) /\ Content(t) = Content(r)
+                    => s.rank < t.rank ]_vars
 
 (* [AIRT-08] The highest class that waits and may start is first. *)
 HighestFirstProp ==

@@ -169,6 +169,7 @@ StatusProp ==
                  \/ bit(1) <=> mode = "STARTUP" /\ ~Bit0IsZeroInStartup
               /\ bit(4) => tod[o].active
               /\ tod[o].active /\ tod[o].next # Never => bit(4)
+              /\ tod[o].called => bit(4)  \* [AMB-71] in its own OB
               /\ bit(16) <=> o \in loaded ]_vars
 
 -----------------------------------------------------------------------------

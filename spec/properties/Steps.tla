@@ -1,7 +1,7 @@
 ------------------------------- MODULE Steps --------------------------------
 (***************************************************************************)
-(* Terms of the properties: a step as an observer sees it, new requests,   *)
-(* the first minute from a moment on.                                      *)
+(* Terms of the properties: a step as an observer sees it, new requests    *)
+(* and entries, skipped points, the first minute from a moment on.         *)
 (*                                                                         *)
 (* Left out: the terms of the actions.                                     *)
 (***************************************************************************)
@@ -22,6 +22,18 @@ Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 \* @type: $request => $request;
 Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
 Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
+
+(* The entries of the diagnostic buffer that are sure. *)
+EnteredNow == { n.id : n \in { e \in entered' : ~e.open } }
+
+(* The interrupts whose next point the clock has passed with this step,    *)
+(* and those of them whose OB SFC 39 blocks.                               *)
+\* @type: Int => Bool;
+Skipped(o) == /\ tod[o].active /\ ~Deselected(o)
+              /\ Before(At(tod[o].next), clock')
+SkippedNow == { o \in TodObs : Skipped(o) }
+BlockedNow == { o \in SkippedNow : Blocked(o) }
+SkippedAndLoaded == (SkippedNow \ BlockedNow) \cap loaded
 
 (* p is the first minute that is not before moment t; Never if there is    *)
 (* none up to 2089.                                                        *)

@@ -68,6 +68,13 @@ FaultsOfRules == {StillRunning, BufferOverflow} \cup Skips \cup ObNotLoaded
 (* No source says which fault it is. *)
 UnknownFault    == -1
 
+(* [CLK-06] The mask by which OB 80 names late OBs: bit k is OB 10 + k. *)
+\* @type: Set(Int) => Int;
+LateMask(obs) ==
+    LET b(o, v) == IF o \in obs THEN v ELSE 0
+    IN  b(10, 1) + b(11, 2) + b(12, 4) + b(13, 8) + b(14, 16) + b(15, 32)
+          + b(16, 64) + b(17, 128)
+
 (* Entries of the diagnostic buffer (table 7.5): \h3500 + fault id for     *)
 (* time errors and missing OBs, and that of DIS_IRT with MODE 8x [IRT-09]. *)
 ErrorEntry == \h3500
