@@ -15,7 +15,8 @@ EXTENDS Reasons, Merging
 (* An event that may be observed, with its OB and one of its fields. *)
 \* @type: (Str, Int, Str, Int) => $allowed;
 Allowed(event, ob, field, value) ==
-    [event |-> event, ob |-> ob, field |-> field, value |-> value]
+    [ event |-> event, ob |-> ob, field |-> field, value |-> value,
+      time |-> NoMoment ]
 
 -----------------------------------------------------------------------------
 (* Headers that this specification cannot judge *)
@@ -102,6 +103,79 @@ Possible ==
       \cup (IF stopCause = NoCause /\ ENABLED Run
             THEN {Allowed("run", 0, "", 0)} ELSE {})
 
+(* The right values of fields of a line: of each wrong one. A moment stands *)
+(* in `time', every other value in `value'.                               *)
+\* @type: ($event, Int, Str, Bool, Int) => Set($allowed);
+Right(e, o, field, fits, value) ==
+    IF fits THEN {} ELSE {Allowed(e.event, o, field, value)}
+
+\* @type: ($request, $event) => Set($allowed);
+RightTime(r, e) ==
+    IF FitsTime(r, e) THEN {}
+    ELSE {[Allowed(e.event, r.ob, "time", -1) EXCEPT !.time = r.since]}
+
+(* Of the event of an OB, one value that may stand for it.                 *)
+\* @type: Int => Int;
+EventOf(o) == IF EventsOf(o) = {} THEN -1 ELSE Least(EventsOf(o))
+
+\* @type: ($request, $event) => Set($allowed);
+RightError(r, e) ==
+    LET i == e.info
+        right(field, fits, value) == Right(e, r.ob, field, fits, value)
+        during == IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
+                  THEN r.during ELSE r.cause
+    IN  right("flt_id", FitsFault(r.fault, i.flt_id), r.fault)
+          \cup right("strt_info", FitsFault(r.fault, i.strt_info), r.fault)
+          \cup right("error_info", FitsMask(r, i.error_info),
+                     LateMask(r.late))
+          \cup (IF FitsCause(r, i) THEN {}
+                ELSE IF r.cause = 0
+                THEN right("ev_ob", Fits(i.ev_ob, r.during), r.during)
+                ELSE right("ev", FitsEvent(i.ev, r.cause), EventOf(r.cause))
+                       \cup right("ev_ob", Fits(i.ev_ob, during), during)
+                       \cup right("error_info", Fits(i.error_info, r.word),
+                                  r.word))
+
+\* @type: ($request, $event) => Set($allowed);
+RightInterrupt(r, e) ==
+    LET i == e.info
+        right(field, fits, value) == Right(e, r.ob, field, fits, value)
+    IN  right("strt_info", FitsNumber(i.strt_info, r.ob), EventOf(r.ob) % 256)
+          \cup right("period", r.ob \in TodObs => FitsPeriod(i.period, r.word),
+                     r.word)
+          \cup right("sign", r.ob \in DintObs => Fits(i.sign, r.word), r.word)
+          \cup right("dtime", r.ob \in DintObs => FitsDtime(i.dtime, r.dtime),
+                     r.dtime)
+
+(* The OB of the line may start by this request, with other information.   *)
+\* @type: ($request, $event) => Set($allowed);
+RightInfo(r, e) ==
+    (IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN RightError(r, e)
+                                              ELSE RightInterrupt(r, e))
+      \cup Right(e, r.ob, "priority", Fits(e.info.priority, r.class), r.class)
+      \cup RightTime(r, e)
+
+(* The entry of the line may come, with other fields.                      *)
+\* @type: ($entry, $event) => Set($allowed);
+RightEntry(n, e) ==
+    IF n.of.ob = 0 THEN {}
+    ELSE Right(e, 0, "ob", e.ob \in {0, 255, n.of.ob}, n.of.ob)
+           \cup Right(e, n.of.ob, "priority", /\ Fits(e.priority, n.of.class)
+                                             /\ Fits(e.info.priority,
+                                                     n.of.class),
+                      n.of.class)
+           \cup RightError(n.of, e)
+
+(* The start or the entry that may come in place of the line, and the      *)
+(* field that is wrong, if a field is.                                     *)
+\* @type: $event => Set($allowed);
+WithRightFields(e) ==
+    CASE e.event = "start" ->
+           UNION { RightInfo(r, e) : r \in { q \in Startable : q.ob = e.ob } }
+      [] e.event = "diag" ->
+           UNION { RightEntry(n, e) : n \in EntriesMeant(e) }
+      [] OTHER -> {}
+
 (* The right value of each wrong field. *)
 \* @type: $event => Set($allowed);
 ExpectedState(e) ==
@@ -126,7 +200,11 @@ Expected(e) ==
          THEN { Allowed(e.event, e.ob, "status", s) : s \in RightStatuses(e) }
          ELSE { Allowed(e.event, e.ob, "ret", r) : r \in RightAnswers(e) }
                 \cup (IF stopCause = NoCause THEN {} ELSE {Stopping})
+    ELSE IF WithRightFields(e) # {} THEN WithRightFields(e)
     ELSE Possible
+           \cup (IF e.event = "diag" /\ DiagRecorded
+                 THEN { Allowed("diag", 0, "id", r.entry.id) : r \in reports }
+                 ELSE {})
 
 (* The events that had to come before this line. *)
 \* @type: $event => Set($allowed);

@@ -358,7 +358,8 @@ NoProgramError(past) ==
           \cup When(LostMeanwhile(past, ProgramErrorOb), {"IRT-04"})
           \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
                     {"AIRT-01", "AIRT-09"})
-          \cup When(\E r \in MissingNow : ~MissedInOrder(r), {"AIRT-08", "OBS-03"})
+          \cup When(\E r \in MissingNow : ~MissedInOrder(r),
+                    {"AIRT-08", "OBS-03"})
           \cup When(MissingObEndsItsSource, {"OBS-28"})
           \cup When(MissingIsTimeError, {"OBS-24"})
 

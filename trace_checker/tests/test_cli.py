@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 from s7check import __version__, cli, trace_command
 from s7check.engine import pool
-from s7check.engine.answer import Allowed, Candidate
+from s7check.engine.answer import Allowed, Candidate, Moment
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_kind
 from s7check.judging import check
@@ -39,6 +39,10 @@ UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))
 WRONG_RET = 'field "ret": expected a word such as "W#16#8090" or an integer -32768..65535, or null; found "abc"'
 NO_VERDICT = log_text(event("hold"))
 PLACE = "docs/rules/requirements.md#AIRT-07"
+WHY = (
+    "EN_AIRT cannot answer 16#0001 here. EN_AIRT returns the count that is left, 0 or more, or 8080 if nothing was "
+    "delayed (AIRT-07). It answers 16#0000."
+)
 
 
 @pytest.fixture
@@ -98,9 +102,10 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
             "requirements": ["AIRT-07"],
             "message": "no behaviour of the specification explains this line",
             "prefix": {"first": 1, "last": 3},
+            "why": WHY,
             "late": [],
             "clauses": [msgspec.to_builtins(clause("AIRT-07")) | {"place": PLACE}],
-            "candidates": [CANDIDATE],
+            "candidates": [{**CANDIDATE, "values": "delay - 1 = 16#0000"}],
             "states": 2,
             "situations": [
                 [
@@ -149,12 +154,9 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         '    {"event": "EN_AIRT", "at": "2026-11-21T05:59:31.000", "ret": "16#0001", "x_who": "me"}',
         "  expected: EN_AIRT ret=16#0000",
         "  requirements: AIRT-07",
+        f"  why not: {WHY}",
         f"    AIRT-07 {clause('AIRT-07').text} (SF06ru TIA, H; {PLACE})",
         "  shortest prefix that fails: lines 1 to 3",
-        (
-            "  why not: EnAirt(1) does not explain the line, since a condition is false: ret = delay - 1; "
-            "here delay - 1 = 16#0000 [AIRT-07, Airt:30]"
-        ),
         "  before the line 1 of 2:",
         "    mode: RUN, clock 2026-11-21T05:59:31.000",
         "    running: OB 40 (class 16), interrupting OB 1 (class 1)",
@@ -162,6 +164,10 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "    pending: OB 81 (class 25) since 2026-11-21T05:59:31.000",
         "    loaded: OB 1, 40, 80-81",
         f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
+        (
+            "  formulas: EnAirt(1) does not explain the line, since a condition is false: ret = delay - 1; "
+            "here delay - 1 = 16#0000 [AIRT-07, Airt:30]"
+        ),
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
         "4 logs: 1 accepted, 1 rejected, 1 unusable, 1 no verdict",
@@ -174,15 +180,16 @@ def test_same_cause(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (logs / "again").write_bytes(REJECTED)
     cli.main(["trace", "rejected", "again"])
     out = capsys.readouterr().out
-    assert out.count("why not: ") == out.count("before the line 1 of 2:") == 1
+    assert out.count("formulas: ") == out.count("before the line 1 of 2:") == 1
     again = out[out.index("again:3: rejected") :].splitlines()
-    assert again[2:5] == [
+    assert again[2:6] == [
         "  expected: EN_AIRT ret=16#0000",
         "  requirements: AIRT-07",
+        f"  why not: {WHY}",
         "  the same cause as: rejected:3",
     ]
-    assert again[5].startswith("  would pass with: AMB-12 b")
-    assert again[6:] == ["2 logs: 2 rejected", "  rejected by: AIRT-07 (2)"]
+    assert again[6].startswith("  would pass with: AMB-12 b")
+    assert again[7:] == ["2 logs: 2 rejected", "  rejected by: AIRT-07 (2)"]
 
 
 @pytest.mark.parametrize("header", [{}, {"readings": {"AMB-12": "a"}}])
@@ -352,8 +359,7 @@ def test_no_traceback(
         (Allowed("end", 10), "end ob=10"),
         (Allowed("stop", 0, "cause", 0x456D), "stop cause=16#456D"),
         (Allowed("start", 10, "priority", 2), "start ob=10 priority=2"),
-        (Allowed("start", 10, "time", {"min": 0, "ms": 5}), "start ob=10 time=1990-01-01T00:00:00.005"),
-        (Allowed("restart", 0, "type", "warm"), "restart type=warm"),
+        (Allowed("start", 10, "time", time=Moment(0, 5)), "start ob=10 time=1990-01-01T00:00:00.005"),
     ],
 )
 def test_allowed(allowed: Allowed, text: str) -> None:
@@ -381,14 +387,14 @@ def test_allowed(allowed: Allowed, text: str) -> None:
 )
 def test_candidate(action: str, conjunct: str, values: str, text: str) -> None:
     """A sentence comes first; each RET_VAL is hexadecimal, other numbers stay."""
-    said = words.candidate(Candidate(action, conjunct, values))
+    said = words.candidate(words.in_hexadecimal(Candidate(action, conjunct, values)))
     action = action.replace("3)", "16#0003)")
     assert said == f"{action} does not explain the line, since a condition is false: {conjunct}; here {text}"
 
 
 def test_candidate_without_ret() -> None:
     """Classes and times are decimal."""
-    said = words.candidate(Candidate("Start(OB 10)", "r.class > c", "r.class = 2, c = 12"))
+    said = words.candidate(words.in_hexadecimal(Candidate("Start(OB 10)", "r.class > c", "r.class = 2, c = 12")))
     assert (
         said
         == "Start(OB 10) does not explain the line, since a condition is false: r.class > c; here r.class = 2, c = 12"

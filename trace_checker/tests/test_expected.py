@@ -50,8 +50,12 @@ def in_place_of(line: dict[str, Any], item: str) -> dict[str, Any] | None:
         return None
     if name == "state":
         fields = {field: json.loads(str(value)) for field, value in fields.items()}
-    if "flt_id" in fields and name == "start":
-        fields["info"] = {"flt_id": fields.pop("flt_id")}
+    if name in ("start", "diag"):
+        of_line = {field: fields.pop(field) for field in ("ob", "id") if field in fields}
+        numbers = {"priority", "dtime", "ev_ob"} & fields.keys()
+        info = fields | {field: int(fields[field]) for field in numbers}
+        entry = {"id": line["id"]} if name == "diag" and "id" not in of_line else {}
+        fields = of_line | entry | ({"info": info} if info else {})
     return {key: line[key] for key in ("at", "up") if key in line} | {"event": name} | fields
 
 

@@ -10,16 +10,25 @@ NOTHING_TO_CHOOSE = "the set is empty"
 """The ``values`` of a candidate that found nothing to act on."""
 
 
+class Moment(msgspec.Struct, frozen=True):
+    """A point in time: minutes since 1990-01-01T00:00 and the milliseconds in the minute."""
+
+    min: int = 0
+    ms: int = 0
+
+
 class Allowed(msgspec.Struct, frozen=True):
     """Something that the specification allows instead of the rejected line.
 
-    ``ob`` is 0 where none belongs to it, ``field`` the field that must have ``value`` or empty.
+    ``ob`` is 0 where none belongs to it, ``field`` the field that must have ``value`` or empty; the field ``time``
+    must have ``time``.
     """
 
     event: str
     ob: int = 0
     field: str = ""
-    value: int | str | dict[str, int] = 0
+    value: int = 0
+    time: Moment = Moment()
 
 
 class Candidate(msgspec.Struct, frozen=True):
@@ -34,13 +43,6 @@ class Candidate(msgspec.Struct, frozen=True):
     values: str = ""
     place: str = ""
     requirements: list[str] = []
-
-
-class Moment(msgspec.Struct, frozen=True):
-    """A point in time: minutes since 1990-01-01T00:00 and the milliseconds in the minute."""
-
-    min: int = 0
-    ms: int = 0
 
 
 class Frame(msgspec.Struct, frozen=True):

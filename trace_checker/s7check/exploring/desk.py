@@ -116,7 +116,7 @@ class Desk:
         return {
             "explained": len(kept.sent),
             "clock": session.clock,
-            "refused": None if refusal is None else _refused(refusal),
+            "refused": None if refusal is None else _refused(refusal, question.lines[len(kept.sent)]),
             "situations": [list(map(list, words.situation(state))) for state in situations],
             "states": possible.states,
             "whole": possible.whole,
@@ -166,7 +166,7 @@ class Desk:
         """Why the line may not come after the lines; ``refused`` is null if it may."""
         kept, _ = self._brought_to(question.header, question.lines)
         refusal = kept.session.why(question.line)
-        return {"refused": None if refusal is None else _refused(refusal)}
+        return {"refused": None if refusal is None else _refused(refusal, question.line)}
 
     def _brought_to(self, header: Object, lines: Sequence[Object]) -> tuple[_Kept, Refusal | None]:
         """A session with the lines, as far as they are possible, and why the next one is not."""
@@ -192,7 +192,7 @@ class Desk:
         there, refusal = self._brought_to(header, question.lines)
         answer: Object = {"name": question.side.variant.name, "header": header, "explained": len(there.sent)}
         if refusal is not None:
-            return answer | {"refused": _refused(refusal)}
+            return answer | {"refused": _refused(refusal, question.lines[len(there.sent)])}
         mine, theirs = (_texts(kept.session.possible(at=question.at, most=SHARE)) for kept in (here, there))
         return answer | {"refused": None, "only_here": sorted(mine - theirs), "only_there": sorted(theirs - mine)}
 
@@ -206,7 +206,7 @@ class Desk:
                 continue
             refusal = session.why({"at": at, **event})
             if refusal is not None:
-                yield {"event": event, **_refused(refusal)}
+                yield {"event": event, **_refused(refusal, event)}
 
 
 def warm(engine: Engine, library: Library) -> None:
@@ -278,12 +278,13 @@ def _texts(possible: Possible) -> set[str]:
     return {spelled(as_line(line.event)) for line in possible.lines}
 
 
-def _refused(refusal: Refusal) -> Object:
+def _refused(refusal: Refusal, line: Object) -> Object:
     """A refusal in words; ``expected`` are texts, ``instead`` the same as values of a line's fields."""
-    report = rejection("-", as_answer(refusal, 1), b"{}", [])
+    report = rejection("-", as_answer(refusal, 1), msgspec.json.encode(line), [])
     return {
         "late": refusal.late,
         "message": report.message,
+        "why": report.why,
         "expected": report.late or report.expected,
         "instead": [_instead(allowed) for allowed in refusal.expected],
         "requirements": refusal.requirements,
@@ -297,6 +298,7 @@ def _refused(refusal: Refusal) -> Object:
 def _instead(allowed: Allowed) -> Object:
     line: Object = {"event": allowed.event} | ({"ob": allowed.ob} if allowed.ob else {})
     if allowed.field:
-        value = as_line({"event": allowed.event, allowed.field: allowed.value})[allowed.field]
+        given = msgspec.to_builtins(allowed.time) if allowed.field == "time" else allowed.value
+        value = as_line({"event": allowed.event, allowed.field: given})[allowed.field]
         line |= {"info": {allowed.field: value}} if allowed.event == "start" else {allowed.field: value}
     return line

@@ -18,6 +18,8 @@ from s7check.log.profile_file import HERE, folder_of
 from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
 from s7check.report.report import Report
+from s7check.report.why import why_not
+from s7check.report.words import in_hexadecimal
 
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
@@ -161,6 +163,7 @@ def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> Unusab
 
 def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes]) -> Report:
     """The report of a log that the engine rejects; ``event`` is the rejected line, ``lines`` are those up to it."""
+    late = [format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else []
     return Report(
         log,
         "rejected",
@@ -170,10 +173,11 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         event=event,
         expected=[format_allowed(allowed) for allowed in answer.expected],
         requirements=answer.requirements,
-        late=[format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else [],
+        late=late,
+        why=why_not(event or b"", late, answer.expected, answer.requirements),
         states=answer.states,
         situations=answer.situations,
-        candidates=_telling(answer.candidates),
+        candidates=[in_hexadecimal(one) for one in _telling(answer.candidates)],
         outcomes=answer.outcomes,
         open=answer.open,
         classes=answer.classes,

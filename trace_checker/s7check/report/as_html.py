@@ -162,6 +162,8 @@ def _rest(report: Report, first: int, last: int) -> Iterator[Node]:
 def _explanation(report: Report) -> Iterator[Node]:
     heading = "What had to come before the line" if report.late else "What the specification allows at this point"
     yield node("h3", heading)
+    if report.why:
+        yield _with_links("p", report.why)
     expected = report.late or report.expected or ["nothing"]
     yield node("ul", *(node("li", text, class_="chip mono") for text in expected), class_="chips")
     rows = []
@@ -172,7 +174,8 @@ def _explanation(report: Report) -> Iterator[Node]:
         rows.append(node("tr", _with_links("td", name, class_="id"), text))
     yield node("h3", "Requirements that decide")
     yield node("table", *rows)
-    yield node("div", node("div", *_situations(report)), node("div", *_candidates(report)), class_="two")
+    yield from _situations(report)
+    yield from _candidates(report)
     yield node("p", f"The shortest prefix that fails: lines 1 to {report.line}.", class_="origin")
 
 
@@ -200,8 +203,7 @@ def _candidates(report: Report) -> Iterator[Node]:
         )
         for one in report.candidates
     ]
-    yield node("h3", "Why not: each action's first false conjunct")
-    yield node("table", *rows)
+    yield node("details", node("summary", "The formulas: each action's first false conjunct"), node("table", *rows))
 
 
 def _readings(report: Report) -> Iterator[Node]:

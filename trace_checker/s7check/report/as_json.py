@@ -17,7 +17,7 @@ def to_json(report: Report) -> bytes:
             "verdict": report.verdict,
             "line": report.line,
             "events": report.events,
-            "event": None if report.event is None else msgspec.Raw(report.event.strip()),
+            "event": None if report.event is None else msgspec.Raw(report.event.strip().replace(b"\r", b" ")),
             "expected": report.expected,
             "requirements": report.requirements,
             "message": report.message,
@@ -32,6 +32,7 @@ def to_json(report: Report) -> bytes:
 def _explanation(report: Report) -> dict[str, Any]:
     return {
         **({} if report.after else {"prefix": {"first": 1, "last": report.line}}),
+        "why": report.why,
         "late": report.late,
         "clauses": [_clause(name) for name in report.requirements],
         "candidates": report.candidates,

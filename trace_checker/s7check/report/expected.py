@@ -15,8 +15,8 @@ def format_allowed(allowed: Allowed) -> str:
     parts = [allowed.event]
     if allowed.ob:
         parts.append(f"ob={allowed.ob}")
-    if allowed.field and allowed.value != NOT_LOGGED:
-        parts.append(f"{allowed.field}={_format_value(allowed.field, allowed.value)}")
+    if value := format_value(allowed):
+        parts.append(f"{allowed.field}={value}")
     return " ".join(parts)
 
 
@@ -38,13 +38,15 @@ def format_late(allowed: Allowed, situations: list[Situation]) -> str:
     return f"{format_allowed(allowed)}, within {situations[0].latency} ms{since}"
 
 
-def _format_value(field: str, value: int | str | dict[str, int]) -> str:
-    if isinstance(value, dict):
-        return iso(value["min"] * MS_PER_MINUTE + value["ms"])
-    if isinstance(value, int) and field in _WORDS:
+def format_value(allowed: Allowed) -> str:
+    """The value that the field must have; empty if there is no field, or its value is open."""
+    field, value = allowed.field, allowed.value
+    if field == "time":
+        return iso(allowed.time.min * MS_PER_MINUTE + allowed.time.ms)
+    if not field or value == NOT_LOGGED:
+        return ""
+    if field in _WORDS:
         return f"16#{value & 0xFFFF:04X}"
-    if isinstance(value, int) and field in _BYTES:
+    if field in _BYTES:
         return f"16#{value & 0xFF:02X}"
-    if field in _TRUTHS:
-        return str(bool(value)).lower()
-    return str(value)
+    return str(bool(value)).lower() if field in _TRUTHS else str(value)

@@ -39,13 +39,13 @@ class Report:
     the text of the rejected line, or None if it is no longer at hand; ``expected`` the events that the specification
     allows there; ``requirements`` the IDs that decide.
 
-    Of a rejected log also: ``late``, if the line comes too late: the events ``expected`` before it, and until when;
-    ``states``, the number of explanations of the lines before; ``situations``, those of the explanations nearest to the
-    line; ``candidates``, each an action with its first false conjunct. ``readings`` is None if no others were to be
-    tried; ``untried`` are readings for which there was no time. ``asked`` are the open questions whose letter the
-    verdict depends on, None if it may depend on any. ``lines`` are the log's lines from the first one, as
-    far as they are at hand, ``steps`` the situations after them. ``after`` says how the judging
-    went on behind the rejection before, if this is not the first.
+    Of a rejected log also: ``why`` it is, in a sentence; ``late``, if the line comes too late: the events
+    ``expected`` before it, and until when; ``states``, the number of explanations of the lines before;
+    ``situations``, those of the explanations nearest to the line; ``candidates``, each an action with its first
+    false conjunct. ``readings`` is None if no others were to be tried; ``untried`` are readings for which there was
+    no time. ``asked`` are the open questions whose letter the verdict depends on, None if it may depend on any.
+    ``lines`` are the log's lines from the first one, as far as they are at hand, ``steps`` the situations after
+    them. ``after`` says how the judging went on behind the rejection before, if this is not the first.
     """
 
     log: str
@@ -56,6 +56,7 @@ class Report:
     event: bytes | None = None
     expected: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
+    why: str = ""
     late: list[str] = field(default_factory=list)
     states: int = 0
     situations: list[Situation] = field(default_factory=list)
@@ -140,13 +141,13 @@ def parts(report: Report) -> Iterator[Part]:
         yield Part("", [clause_text(name) for name in report.requirements])
         if not report.after:
             yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
-    if report.candidates:
-        yield Part("why not", _candidates(report))
     for number, state in enumerate(report.situations, 1):
         of = f" {number} of {report.states}" if report.states > 1 else ""
         said = words.situation(state)
         yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in said])
     yield from readings(report)
+    if report.candidates and not report.late:  # what is late was said; the formula would be that of elapsing time
+        yield Part("formulas", _candidates(report))
 
 
 def decision(report: Report) -> Iterator[Part]:
@@ -158,6 +159,8 @@ def decision(report: Report) -> Iterator[Part]:
     else:
         yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
     yield Part("requirements", [", ".join(report.requirements)])
+    if report.why:
+        yield Part("why not", [report.why])
 
 
 def clause_text(name: str) -> str:

@@ -2,6 +2,8 @@
 
 import re
 
+from msgspec.structs import replace
+
 from s7check.engine.answer import Candidate, Moment, Pending, Situation
 from s7check.log.errors import ranges
 from s7check.log.values import MS_PER_MINUTE, iso
@@ -20,7 +22,7 @@ _PERIODS = {
 """In words, for people; which codes there are, and when each comes round, the specification says."""
 _NO_CAUSE = -1
 
-_ABOUT_RET = re.compile(r"\bret\b")
+_ABOUT_WORDS = re.compile(r"\b(?:ret|status|period|sign)\b")
 _RET = re.compile(r"\bret = (\d+)(?=,|$)")
 _VALUES = re.compile(r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})")
 """In the values of a condition those of its operands; numbers within an operand stay as the formula has them."""
@@ -60,19 +62,26 @@ def situation(state: Situation) -> list[tuple[str, str]]:
     return said
 
 
+def in_hexadecimal(one: Candidate) -> Candidate:
+    """The candidate with its words as the manual spells them, where its condition is about RET_VAL, STATUS, PERIOD or
+    SIGN: ``EnAirt(16#0001)``, ``ret = 16#0001, delay - 1 = 16#0000``.
+    """
+    if not _ABOUT_WORDS.search(one.conjunct):
+        return one
+    action = one.action
+    if ret := _RET.search(one.values):
+        action = re.sub(rf"\b{ret[1]}\)$", lambda _: f"{_as_word(ret)})", action)
+    return replace(one, action=action, values=_VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), one.values))
+
+
 def candidate(one: Candidate) -> str:
     """A sentence, then the condition that is false and the values of its operands.
 
     Such as ``EnAirt(16#0001) does not explain the line, since a condition is false: ret = delay - 1; here ret =
     16#0001, delay - 1 = 16#0000``.
     """
-    action, values = one.action, one.values
-    if _ABOUT_RET.search(one.conjunct):
-        values = _VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), values)
-        if ret := _RET.search(one.values):
-            action = re.sub(rf"\b{ret[1]}\)$", lambda _: f"{_as_word(ret)})", action)
-    here = f"; here {values}" if values else ""
-    return f"{action} does not explain the line, since a condition is false: {one.conjunct}{here}"
+    here = f"; here {one.values}" if one.values else ""
+    return f"{one.action} does not explain the line, since a condition is false: {one.conjunct}{here}"
 
 
 def _as_word(number: re.Match[str]) -> str:

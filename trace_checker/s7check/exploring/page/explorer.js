@@ -135,7 +135,7 @@ function showRefused() {
   box.replaceChildren(
     h("h2", {}, `Line ${index + 2} is not possible`),
     h("pre", { className: "quote" }, JSON.stringify(line)),
-    h("p", {}, view.refused.message, requirements(view.refused.requirements)),
+    h("p", {}, ...linked(view.refused.why || view.refused.message), requirements(view.refused.requirements)),
     h("p", {}, view.refused.late ? "This had to come before: " : "Possible here: ", ...choices),
     because(view.refused),
   );
@@ -151,8 +151,8 @@ function instead(one, text, index, line) {
 }
 
 const because = (refused) =>
-  h("ul", { className: "because" },
-    ...refused.because.map((one) => h("li", {}, ...linked(one.text), " ", requirements(one.requirements))));
+  h("details", {}, h("summary", {}, "formulas"), h("ul", { className: "because" },
+    ...refused.because.map((one) => h("li", {}, ...linked(one.text), " ", requirements(one.requirements)))));
 
 /** Shows the timelines of all branches, unless a later question has been asked. */
 async function showPictures(last) {

@@ -1,0 +1,72 @@
+"""The sentence that says why a line is not possible."""
+
+import pytest
+
+from s7check.engine.answer import Allowed, Moment
+from s7check.report.why import why_not
+
+
+@pytest.mark.parametrize(
+    ("event", "expected", "requirement", "said"),
+    [
+        (
+            '{"event": "SET_TINT", "ob": 10, "ret": 0}',
+            [Allowed("SET_TINT", 10, "ret", 0x8091)],
+            "TINT-18",
+            (
+                "SET_TINT cannot answer 16#0000 here. Monthly: the day of SDT is limited to 1 to 28 (TINT-18). "
+                "It answers 16#8091."
+            ),
+        ),
+        # Of a requirement with several sentences the one that has the code.
+        (
+            '{"event": "ACT_TINT", "ob": 10, "ret": "W#16#0000"}',
+            [Allowed("ACT_TINT", 10, "ret", 0x80A0), Allowed("stop")],
+            "TINT-61",
+            "ACT_TINT cannot answer 16#0000 here. 80A0: nothing is set (TINT-61). It answers 16#80A0.",
+        ),
+        (
+            '{"event": "start", "ob": 20, "info": {"sign": "W#16#0001"}}',
+            [Allowed("start", 20, "sign", 7), Allowed("stop")],
+            "DINT-22",
+            (
+                "start of OB 20 cannot have sign 16#0001 here. SIGN belongs to the program; the operating system hands "
+                "it on unread (DINT-22). It has 16#0007."
+            ),
+        ),
+        (
+            '{"event": "start", "ob": 10, "info": {"time": "2026-11-21T06:00"}}',
+            [Allowed("start", 10, "time", time=Moment(1))],
+            "AIRT-01",
+            (
+                "start of OB 10 cannot have time 2026-11-21T06:00 here. DIS_AIRT holds back every interrupt and "
+                "asynchronous error of a higher class than the current OB's (AIRT-01). It has 1990-01-01T00:01:00.000."
+            ),
+        ),
+        (
+            '{"event": "start", "ob": 40}',
+            [Allowed("start", 80, "flt_id", 2), Allowed("stop")],
+            "OBS-02",
+            (
+                "start of OB 40 cannot come here. OBs of one class never interrupt each other; they run in the order "
+                "of their start events (OBS-02)."
+            ),
+        ),
+        (
+            '{"event": "EN_AIRT", "ret": 0}',
+            [],
+            "OBS-41",
+            "EN_AIRT cannot be called here. STOP: no user program, no OB (OBS-41).",
+        ),
+    ],
+)
+def test_sentence(event: str, expected: list[Allowed], requirement: str, said: str) -> None:
+    """What cannot be, the rule, what is instead."""
+    assert why_not(event.encode(), [], expected, [requirement, "OBS-01"]) == said
+
+
+def test_late_line() -> None:
+    """What had to come before the line."""
+    assert why_not(b"{}", ["start ob=40, within 10 ms", "stop"], [], ["OBS-41"]) == (
+        "Before this line has to come: start ob=40, within 10 ms or stop. STOP: no user program, no OB (OBS-41)."
+    )
