@@ -4,12 +4,13 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 ENGINE := trace_checker/engine/target/s7-trace-engine.jar
+NATIVE := trace_checker/engine/target/s7-trace-engine
 PLC    := examples/soft_plc/build/soft_plc
 AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results views kept clean site pictures
+.PHONY: help setup engine native equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results views kept clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -17,6 +18,8 @@ help:  ## list the targets
 setup: $(BIN)/s7check $(ENGINE) $(PLC) $(KIT)  ## install .venv, the engine, the soft PLC, the programs of the kit
 
 engine: $(ENGINE)  ## build the trace checker's engine
+
+native: $(NATIVE)  ## build the engine as an executable, which s7check takes from then on: a minute of CPU, a C compiler
 
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7spec verify
@@ -79,6 +82,9 @@ kit: setup $(AWLSIM)  ## run the conformance kit on the soft PLC, on the toy CPU
 	-PYTHONPATH=build/awlsim $(BIN)/s7check kit run --offer examples/adapters/awlsim_offer.json --output build/kit/awlsim.html --output build/kit/awlsim.json -- $(BIN)/python examples/adapters/awlsim_adapter.py
 	$(BIN)/python -m evidence.kit.implementations soft_PLC=build/kit/soft_plc.json toy_CPU=build/kit/toy.json awlsim=build/kit/awlsim.json
 
+equal: setup native  ## the executable and Java give the same answers: all cases, LOGS=10000 random logs, 1,000 damaged ones
+	$(BIN)/s7spec logs engines --logs $(LOGS) --json build/engines/report.json
+
 REV ?= HEAD^
 since: setup  ## REV=HEAD^: the same verdict at the same line for every log, the same pins for every model, as at that revision
 	$(BIN)/s7spec since $(REV) --json build/since/report.json
@@ -98,7 +104,7 @@ FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
 	$(BIN)/python -m tests.fuzz --inputs $(FUZZ)
 
-wheel: setup  ## build/wheel/*.whl: s7check with all it needs but Java and Python
+wheel: setup native  ## build/wheel/*.whl: s7check for this kind of machine with all it needs but Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
 lint: setup  ## ruff and mypy
@@ -106,7 +112,7 @@ lint: setup  ## ruff and mypy
 	$(BIN)/mypy
 	$(BIN)/mypy bench/run.py bench/compare.py bench/explorer.py
 
-bench: setup  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
+bench: setup native  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
 	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7spec views results bench)
 
 RUNS ?= --write
@@ -146,6 +152,13 @@ $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/ma
 	@echo "building the engine"
 	cd trace_checker/engine && mvn -q -B package -DskipTests
 	@touch $@
+
+# The evaluator relies on what TeaVM leaves to these flags: values of other types, and integers that wrap.
+NATIVE_FLAGS := -O2 -w -fno-strict-aliasing -fwrapv -static -s
+$(NATIVE): $(ENGINE) $(wildcard trace_checker/engine/src/main/c/*)
+	@echo "building the engine as an executable"
+	cd trace_checker/engine && mvn -q -B -Pnative process-classes
+	cd trace_checker/engine && $(CC) $(NATIVE_FLAGS) -I src/main/c -o target/s7-trace-engine target/c/all.c src/main/c/streams.c -lm
 
 $(KIT): $(BIN)/s7check $(shell find evidence/common evidence/kit trace_checker/s7check/kit kit traces models/manifest.json -type f -not -name '*.pyc')
 	@echo "making the programs of the kit"

@@ -5,9 +5,11 @@ import runpy
 import shutil
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 from setuptools import setup
+from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_py import build_py
 from setuptools.errors import ExecError
 from setuptools.modified import newer_group
@@ -20,6 +22,7 @@ ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"
 TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
+EXECUTABLE = TARGET / ("s7-trace-engine.exe" if sys.platform == "win32" else "s7-trace-engine")
 
 
 class BuildWithData(build_py):
@@ -43,11 +46,28 @@ class BuildWithData(build_py):
         for name in KNOWN:
             shutil.copy(name, package)
         make_programs(package / "programs")
-        for jar in (JAR, *TARGET.glob("lib/*.jar")):
-            copy = package / "jars" / jar.relative_to(TARGET)
+        for file in (JAR, *TARGET.glob("lib/*.jar"), *([EXECUTABLE] if has_executable() else [])):
+            copy = package / "jars" / file.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(jar, copy)
+            shutil.copy(file, copy)
         parse_specification(package)
+
+
+class WheelForAMachine(bdist_wheel):
+    """With an executable the wheel is for one kind of machine; the executable is static, so any Linux will do."""
+
+    def get_tag(self) -> tuple[str, str, str]:
+        """The tag of the wheel."""
+        python, abi, platform = super().get_tag()
+        if has_executable():
+            machine = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+            platform = machine.replace("linux_", "manylinux_2_17_") if machine.startswith("linux_") else machine
+        return python, abi, platform
+
+
+def has_executable() -> bool:
+    """Whether `make native` has built the executable of the engine that is there."""
+    return EXECUTABLE.is_file() and EXECUTABLE.stat().st_mtime_ns >= JAR.stat().st_mtime_ns
 
 
 def make_programs(folder: Path) -> None:
@@ -86,4 +106,4 @@ def build_engine() -> None:
         raise ExecError(f"Maven did not build the engine: see its messages, then try `mvn package` in {ENGINE}")
 
 
-setup(cmdclass={"build_py": BuildWithData})
+setup(cmdclass={"build_py": BuildWithData, "bdist_wheel": WheelForAMachine})

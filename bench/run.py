@@ -20,6 +20,7 @@ import click
 from evidence.tla import log_as_tla
 from evidence.tla.modules import module_folders
 from evidence.tla.tlc import Toolchain, find_toolchain
+from s7check.engine.command import CHOICE
 
 PROJECT = Path(__file__).resolve().parents[1]
 SOFT_PLC = PROJECT / "examples" / "soft_plc"
@@ -67,12 +68,12 @@ Table = dict[str, Any]
 
 @dataclass(frozen=True)
 class Checked:
-    """A run of ``s7check trace``: seconds, those of the CPU, and the most memory of Python and of the JVM in MB."""
+    """A run of ``s7check trace``: seconds, those of the CPU, and the most memory of Python and of the engine in MB."""
 
     seconds: float
     cpu: float
     python: float
-    jvm: float
+    engine: float
     said: str
 
 
@@ -98,9 +99,9 @@ def soft_plc(log: Path, *arguments: str) -> Path:
     return log
 
 
-def check(logs: Path, java_options: str = "", highest: int = 0) -> Checked:
+def check(logs: Path, java_options: str = "", highest: int = 0, engine: str = "jvm") -> Checked:
     """Check logs, which have to give no exit code above ``highest``."""
-    environment = os.environ | ({"JDK_JAVA_OPTIONS": java_options} if java_options else {})
+    environment = os.environ | {CHOICE: engine} | ({"JDK_JAVA_OPTIONS": java_options} if java_options else {})
     command = [sys.executable, "-m", "s7check", "trace", "--readings", "none", str(logs)]
     before = cpu_of_children()
     began = time.monotonic()
@@ -109,17 +110,17 @@ def check(logs: Path, java_options: str = "", highest: int = 0) -> Checked:
         tempfile.TemporaryFile("w+") as output,
         subprocess.Popen(command, env=environment, cwd=PROJECT, stdout=output) as process,
     ):
-        python = jvm = 0.0
+        python = most = 0.0
         while process.poll() is None:
             python = max(python, peak(process.pid))
-            jvm = max([jvm, *map(peak, children(process.pid))])
+            most = max([most, *map(peak, children(process.pid))])
             time.sleep(POLL)
         seconds = time.monotonic() - began
         output.seek(0)
         said = output.read()
     if process.returncode > highest:
         sys.exit(f"a log is not accepted: {said}")
-    return Checked(seconds, cpu_of_children() - before, python, jvm, said)
+    return Checked(seconds, cpu_of_children() - before, python, most, said)
 
 
 def cpu_of_children() -> float:
@@ -216,7 +217,7 @@ def long_log(log: Path, events: int) -> Table:
                 tenths(ran.seconds),
                 tenths(ran.cpu),
                 round(events / ran.seconds),
-                round(ran.jvm),
+                round(ran.engine),
                 round(ran.python),
             ]
         ],
@@ -262,8 +263,21 @@ def memory(logs: dict[int, Path]) -> Table:
     for length, heap, options in runs:
         say(f"memory, {length} events, heap {heap}")
         ran = check(logs[length], options)
-        rows.append([length, heap, round(ran.jvm), round(ran.python), tenths(ran.seconds)])
+        rows.append([length, heap, round(ran.engine), round(ran.python), tenths(ran.seconds)])
     return table("Memory does not grow with the log", "events | heap | JVM, MB | Python, MB | seconds", rows)
+
+
+def engines(logs: dict[str, Path]) -> Table:
+    """The table of the executable and Java on the same logs."""
+    rows: list[list[Cell]] = []
+    for name, log in logs.items():
+        row: list[Cell] = [name]
+        for engine in ("native", "jvm"):
+            say(f"{engine}, {name}")
+            ran = min((check(log, highest=1, engine=engine) for _ in range(2)), key=lambda each: each.cpu)
+            row += [round(ran.seconds, 2), round(ran.cpu, 2), round(ran.engine)]
+        rows.append(row)
+    return table("The executable beside Java", " | native, s | CPU | MB | Java, s | CPU | MB", rows)
 
 
 def small_logs(folder: Path, count: int, limit: float) -> Table:
@@ -327,6 +341,13 @@ def main(events: int, endless: int, small: int, tlc_limit: float, output: TextIO
         tables = [
             long_log(logs[events], events),
             small_logs(folder, small, tlc_limit),
+            engines(
+                {
+                    f"a log of {SHORTEST} lines": folder / "shortest.ndjson",
+                    f"{small:,} logs of {SMALL} lines": folder / "many",
+                    f"{events:,} events": logs[events],
+                }
+            ),
             compare({n: logs[n] for n in COMPARED}, folder, tlc_limit),
             memory({n: logs[n] for n in {*MEMORY_LENGTHS, endless}}),
         ]

@@ -18,6 +18,7 @@ COMMANDS = {
 LOGS = {
     "agree": "evidence.logs.agree_command:agree_command",
     "edges": "evidence.logs.edges_command:edges_command",
+    "engines": "evidence.logs.engines_command:engines_command",
     "growth": "evidence.logs.growth_command:growth_command",
     "left-out": "evidence.logs.left_out_command:left_out_command",
 }

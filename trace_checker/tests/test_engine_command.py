@@ -58,7 +58,7 @@ def test_command(installed: Path) -> None:
 
 
 def test_kind(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The executable judges where there is one of these sources, unless Java or another TLC is asked for."""
+    """The executable judges where it is up to date, unless Java or another TLC is asked for."""
     executable = installed / "target" / "executable"
     monkeypatch.setattr(module, "NATIVE", executable)
     assert engine_kind() == "jvm"

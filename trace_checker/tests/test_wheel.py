@@ -15,6 +15,7 @@ from packaging.requirements import Requirement
 
 from s7check import __version__, resources
 from s7check.cli import COMMANDS
+from s7check.engine.command import engine_kind
 from tests.shipped import log_of
 from tests.test_shipped_logs import PROJECT
 
@@ -104,6 +105,22 @@ def test_logs_are_judged(s7check: Path) -> None:
     first, second, *_ = run.stdout.splitlines()
     assert first.startswith(f"{accepted}: accepted: ")
     assert second.startswith(f"{rejected}:3: rejected: ")
+
+
+@pytest.mark.skipif(engine_kind() == "jvm", reason="make native has not built the executable")
+def test_without_java(s7check: Path, wheel: Path, bare: Path) -> None:
+    """With the executable no Java is needed, and the wheel is for machines of this kind."""
+    (bare.parent / "bin" / "java").unlink()
+    run = subprocess.run([s7check, "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout.endswith(", engine native\n")
+    rejected = log_of("AIRT-07-nothing-delayed-answers-0000")
+    run = subprocess.run([s7check, "trace", rejected], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stderr) == (1, "")
+    assert run.stdout.startswith(f"{rejected}:3: rejected: ")
+    run = subprocess.run([s7check, "--engine", "jvm", "trace", rejected], capture_output=True, text=True, check=False)
+    assert run.returncode == 3
+    assert "no java on the PATH" in run.stderr + run.stdout
+    assert "-none-any" not in wheel.name
 
 
 def test_the_specification_comes_parsed(s7check: Path, bare: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -146,8 +146,10 @@ class EngineProcess:
             return EngineError(f"the engine broke off: try again, then {REMEDY}")
         os.lseek(self._errors, 0, os.SEEK_SET)
         said = os.read(self._errors, _READ).decode(errors="replace").strip()
-        if "OutOfMemoryError" in said or _NO_MEMORY in said:
-            return EngineError("the engine ran out of memory: use --engine jvm, JDK_JAVA_OPTIONS=-Xmx4g for instance")
+        if "OutOfMemoryError" in said:
+            return EngineError("the engine ran out of memory: give it more, JDK_JAVA_OPTIONS=-Xmx4g for instance")
+        if _NO_MEMORY in said:
+            return EngineError("the engine ran out of memory: s7check --engine jvm can have more")
         if code in _CRASHES:
             return EngineError(
                 f"{Path(self.command[0]).stem} crashed ({signal.Signals(-code).name}): try again, then {REMEDY}"

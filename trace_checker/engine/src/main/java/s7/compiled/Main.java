@@ -30,8 +30,7 @@ public final class Main {
       throw new IllegalArgumentException("usage: s7-trace-engine FILE-OF-THE-PARSED-SPECIFICATION");
     }
     var engine =
-        new Engine(
-            new Specification(module, Contract.TIMES, Interpreter.NONE), Handover.AT_ONCE, answer -> print(answer));
+        new Engine(new Specification(module, Contract.TIMES, Interpreter.NONE), new Tidy(), answer -> print(answer));
     print(new Fields().put("engine", "ready").toString());
     engine.serve(new StandardInput());
   }
@@ -55,6 +54,42 @@ public final class Main {
   @Include(value = "streams.h", isSystem = false)
   @Import(name = "s7_write")
   private static native void write(Address from, int count);
+
+  @Import(name = "teavm_gc_collect")
+  private static native void collect();
+
+  @Import(name = "teavm_gc_collectFull")
+  private static native void collectAll();
+
+  /** Collects garbage between items: by itself the collector waits until the heap, whose size is fixed, is full. */
+  private static final class Tidy implements Handover {
+    /** Bytes after which the garbage of late is collected, and after whose survival all of it is. */
+    private static final long SOME = 24 << 20;
+
+    private static final long MUCH = 32 << 20;
+
+    private final long heap = Runtime.getRuntime().totalMemory();
+    private long used = used();
+    private long needed = used;
+
+    @Override
+    public void add(Runnable item) {
+      item.run();
+      if (used() - used > SOME) {
+        collect();
+        used = used();
+        if (used > 2 * needed + MUCH) {
+          collectAll();
+          used = used();
+          needed = used;
+        }
+      }
+    }
+
+    private long used() {
+      return heap - Runtime.getRuntime().freeMemory();
+    }
+  }
 
   private static final class StandardInput extends InputStream {
     private final byte[] one = new byte[1];

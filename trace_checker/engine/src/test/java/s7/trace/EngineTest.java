@@ -43,7 +43,7 @@ class EngineTest {
   private static List<JsonObject> serve(String... messages) throws IOException {
     var answers = new ArrayList<JsonObject>();
     byte[] input = String.join("", messages).replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-    new Engine(spec, Handover.AT_ONCE, answer -> answers.add(json(answer))).serve(new ByteArrayInputStream(input));
+    new Engine(spec, Runnable::run, answer -> answers.add(json(answer))).serve(new ByteArrayInputStream(input));
     return answers;
   }
 

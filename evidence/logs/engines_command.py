@@ -1,0 +1,112 @@
+"""``s7spec logs engines``: do the executable and the engine in Java give the same answers?"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from itertools import count, islice
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import click
+import msgspec
+
+from evidence.common.cases import all_cases
+from evidence.common.checkout import SOFT_PLC_PROGRAM
+from evidence.common.console import plain
+from evidence.common.options import json_option, write_json
+from evidence.common.processes import Processes
+from evidence.common.session import session
+from evidence.logs.random_logs import Generator, SoftPlcError
+from s7check.engine.client import Engine
+from s7check.engine.command import EngineError, jvm_command, native_command
+from s7check.resources import GALLERY
+
+DIFFER = 1
+STRANGE = (
+    b"\0",
+    b"\xff",
+    b"\xed\xa0\x80",
+    "\u2028\U0001f600".encode(),
+    b"\\ud83d\\ude00",
+    b"1e400",
+    b"9" * 400,
+    b"[" * 999,
+    b'""',
+)
+
+
+@click.command(name="engines", short_help="Do the executable and Java give the same answers?")
+@click.option("--logs", type=click.IntRange(0), default=10_000, show_default=True, help="How many random logs.")
+@click.option("--damaged", type=click.IntRange(0), default=1_000, show_default=True, help="How many damaged ones.")
+@click.option("--seed", type=int, default=1, show_default=True, help="Other logs.")
+@click.option(
+    "--keep",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=Path("build") / "engines",
+    show_default=True,
+    help="Where the logs go about which the two differ.",
+)
+@json_option
+def engines_command(logs: int, damaged: int, seed: int, keep: Path, json_path: Path | None) -> None:
+    """Have both engines judge all cases, the edge cases, random logs and logs with damaged bytes.
+
+    The whole answers are compared: verdict, line, expected events, requirements, situations, candidates, outcomes. Exit
+    codes: 0 all are the same, 1 some differ, 2 wrong arguments or files, 3 an engine is missing or failed.
+    """
+    counts: Counter[str] = Counter()
+    verdicts: Counter[str] = Counter()
+    seconds = {"native": 0.0, "jvm": 0.0}
+    with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
+        with Engine(native_command) as native, Engine(jvm_command) as java:
+            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives().letters)
+            for kind, name, log in _inputs(generator, logs, damaged):
+                answers = []
+                for which, engine in (("native", native), ("jvm", java)):
+                    began = time.monotonic()
+                    answers.append(_answer(engine, log))
+                    seconds[which] += time.monotonic() - began
+                counts[kind] += 1
+                verdicts[answers[1]["verdict"]] += 1
+                if answers[0] != answers[1]:
+                    counts["different"] += 1
+                    keep.mkdir(parents=True, exist_ok=True)
+                    (keep / f"{name}.ndjson").write_bytes(log)
+                    plain(console, f"{kind} {name}: {_first(*answers)}", style="red")
+        result = {"logs": counts, "verdicts": verdicts, "seconds": {name: round(s, 1) for name, s in seconds.items()}}
+        plain(console, ", ".join(f"{n:,} {what}" for part in (counts, verdicts) for what, n in part.items()))
+        plain(console, f"{counts['different']} differ; seconds: {result['seconds']}")
+        write_json(json_path, result)
+    sys.exit(DIFFER if counts["different"] else 0)
+
+
+def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str, str, bytes]]:
+    cases = [(case.id.replace("/", "-"), b"\n".join(case.lines)) for case in all_cases()]
+    yield from (("cases", name, log) for name, log in cases)
+    yield from (("gallery", file.stem, file.read_bytes()) for file in sorted(GALLERY.glob("*.ndjson")))
+    yield from (("random", f"random-{number}", generator.draw(number, 0).content) for number in range(1, logs + 1))
+    random = Random(damaged)  # noqa: S311
+    for number in islice(count(), damaged):
+        log = bytearray(random.choice(cases)[1])
+        for _ in range(random.randint(1, 3)):
+            place = random.randrange(len(log) + 1)
+            log[place : place + random.randrange(3)] = random.choice([random.randbytes(1), *STRANGE])
+        yield "damaged", f"damaged-{number}", bytes(log)
+
+
+def _answer(engine: Engine, log: bytes) -> dict[str, Any]:
+    engine.begin(follow=1)
+    engine.send(log)
+    answer: dict[str, Any] = msgspec.to_builtins(engine.finish())
+    if answer["verdict"] == "error":
+        del answer["message"]
+    return answer
+
+
+def _first(native: dict[str, Any], java: dict[str, Any]) -> str:
+    """The first field in which two answers differ."""
+    name = next(name for name in native | java if native.get(name) != java.get(name))
+    return f"{name}: {native.get(name)} by the executable, {java.get(name)} by Java"
