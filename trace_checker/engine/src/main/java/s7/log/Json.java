@@ -19,6 +19,9 @@ final class Json {
   private static final int FEW = 16;
   private static final String OBJECT = "a JSON object";
 
+  /** Stands for bytes that are no character. */
+  private static final int REPLACEMENT = 0xFFFD;
+
   private byte[] bytes;
   private int begin;
   private int end;
@@ -363,7 +366,19 @@ final class Json {
     return new Unusable(OBJECT, excerpt + " at byte " + (at - begin + 1) + " (" + reason + ")");
   }
 
+  /** A part of the bytes, which may begin or end amid a character. */
   private String excerpt(int from, int to) {
-    return Quoting.printable(new String(bytes, from, to - from, StandardCharsets.UTF_8).strip());
+    var text = new StringBuilder();
+    int here = at;
+    int last = end;
+    end = to;
+    for (at = from; at < to; ) {
+      int b = bytes[at++];
+      int point = b >= 0 ? b : point(b & 0xFF);
+      text.appendCodePoint(point >= 0 ? point : REPLACEMENT);
+    }
+    at = here;
+    end = last;
+    return Quoting.printable(text.toString().strip());
   }
 }
