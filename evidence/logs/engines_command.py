@@ -62,7 +62,7 @@ def engines_command(logs: int, damaged: int, seed: int, keep: Path, json_path: P
     seconds = {"native": 0.0, "jvm": 0.0}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
         with Engine(native_command) as native, Engine(jvm_command) as java:
-            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives().letters)
+            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 answers = []
                 for which, engine in (("native", native), ("jvm", java)):
