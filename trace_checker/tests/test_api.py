@@ -12,6 +12,7 @@ import pytest
 import s7check
 from s7check.engine import pool
 from s7check.engine.client import Engine
+from s7check.engine.command import CHOICE
 from s7check.report.as_text import TextReports
 from tests.logs import HEADER, event, log_text
 from tests.shipped import log_of
@@ -171,6 +172,7 @@ def test_threads() -> None:
 def test_no_engine(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Without Java there is no verdict, with the remedy; the next check tries again."""
     pool.end()
+    monkeypatch.setenv(CHOICE, "jvm")
     monkeypatch.setenv("JAVA_HOME", str(tmp_path))
     report = s7check.check([RUN])
     assert report.verdict == "no verdict"

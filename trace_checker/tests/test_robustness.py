@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from s7check import cli
-from s7check.engine.command import engine_command
+from s7check.engine.command import CHOICE, engine_command
 from s7check.engine.process import EngineProcess
 from s7check.judging import check
 from tests import fuzz
@@ -119,6 +119,7 @@ def test_markup_and_control_characters(tmp_path: Path, monkeypatch: pytest.Monke
 
 def test_out_of_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """The engine itself, with a heap in which nothing has room."""
+    monkeypatch.setenv(CHOICE, "jvm")
     monkeypatch.setenv("JDK_JAVA_OPTIONS", "-Xmx8m")
     (tmp_path / "log").write_bytes(log_text(event("restart", type="warm")))
     assert cli.main(["trace", str(tmp_path / "log")]) == 3
@@ -229,7 +230,7 @@ def test_limits_too_small_for_java(tmp_path: Path, what: int, size: int, advice:
     run = subprocess.run(
         [sys.executable, "-m", "s7check", "trace", "log"],
         cwd=tmp_path,
-        env=ENVIRONMENT | {"TMPDIR": str(tmp_path / "scratch")},
+        env=ENVIRONMENT | {"TMPDIR": str(tmp_path / "scratch"), CHOICE: "jvm"},
         capture_output=True,
         text=True,
         preexec_fn=limited(what, size),
@@ -249,7 +250,7 @@ def test_folder_that_was_deleted(tmp_path: Path, options: str, code: int) -> Non
     run = subprocess.run(
         ["sh", "-c", script, "sh", sys.executable, "-m", "s7check", "trace", str(tmp_path / "log")],
         cwd=tmp_path,
-        env=ENVIRONMENT | {"JDK_JAVA_OPTIONS": options},
+        env=ENVIRONMENT | {"JDK_JAVA_OPTIONS": options, CHOICE: "jvm"},
         capture_output=True,
         text=True,
         check=False,
