@@ -5,12 +5,13 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 NATIVE := trace_checker/engine/target/s7-trace-engine
+WINDOWS := $(NATIVE).exe
 PLC    := examples/soft_plc/build/soft_plc
 AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine native equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel lint bench results views kept clean site pictures
+.PHONY: help setup engine native native-windows equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows lint bench results views kept clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -20,6 +21,8 @@ setup: $(BIN)/s7check $(ENGINE) $(PLC) $(KIT)  ## install .venv, the engine, the
 engine: $(ENGINE)  ## build the trace checker's engine
 
 native: $(NATIVE)  ## build the engine as an executable, which s7check takes from then on: a minute of CPU, a C compiler
+
+native-windows: $(WINDOWS)  ## the executable for Windows, by mingw-w64; wine runs it, nobody has tried it on Windows
 
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7spec verify
@@ -107,6 +110,9 @@ fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or it
 wheel: setup native  ## build/wheel/*.whl: s7check for this kind of machine with all it needs but Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
+wheel-windows: setup native-windows  ## the same for Windows
+	S7CHECK_WHEEL=win_amd64 $(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
+
 lint: setup  ## ruff and mypy
 	$(BIN)/ruff check
 	$(BIN)/mypy
@@ -159,6 +165,18 @@ $(NATIVE): $(ENGINE) $(wildcard trace_checker/engine/src/main/c/*)
 	@echo "building the engine as an executable"
 	cd trace_checker/engine && mvn -q -B -Pnative process-classes
 	cd trace_checker/engine && $(CC) $(NATIVE_FLAGS) -I src/main/c -o target/s7-trace-engine target/c/all.c src/main/c/streams.c -lm
+
+# TeaVM takes gcc for a sign of Unix, and expects a compiler of Microsoft on Windows.
+ON_WINDOWS := \#ifdef _WIN32\n\#undef TEAVM_WINDOWS\n\#define TEAVM_WINDOWS 1\n\#include <stdalign.h>\n\#elif defined(__GNUC__)
+$(WINDOWS): $(NATIVE)
+	@echo "building the engine as an executable for Windows"
+	rm -rf $(NATIVE)-windows
+	cp -r $(dir $(NATIVE))c $(NATIVE)-windows
+	sed -i 's/^#ifdef __GNUC__/$(ON_WINDOWS)/' $(NATIVE)-windows/definitions.h
+	mkdir $(NATIVE)-windows/include
+	echo '#include <windows.h>' > $(NATIVE)-windows/include/Windows.h
+	x86_64-w64-mingw32-gcc $(NATIVE_FLAGS) '-D__assume(x)=__builtin_unreachable()' -I $(NATIVE)-windows/include \
+	  -I trace_checker/engine/src/main/c -o $@ $(NATIVE)-windows/all.c trace_checker/engine/src/main/c/streams.c -lm -luuid -lole32
 
 $(KIT): $(BIN)/s7check $(shell find evidence/common evidence/kit trace_checker/s7check/kit kit traces models/manifest.json -type f -not -name '*.pyc')
 	@echo "making the programs of the kit"

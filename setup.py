@@ -22,7 +22,9 @@ ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"
 TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
-EXECUTABLE = TARGET / ("s7-trace-engine.exe" if sys.platform == "win32" else "s7-trace-engine")
+PLATFORM = os.environ.get("S7CHECK_WHEEL") or sysconfig.get_platform().replace("-", "_").replace(".", "_")
+"""The kind of machine that the wheel is for: this one, or ``win_amd64``."""
+EXECUTABLE = TARGET / ("s7-trace-engine.exe" if PLATFORM.startswith("win") else "s7-trace-engine")
 
 
 class BuildWithData(build_py):
@@ -60,8 +62,7 @@ class WheelForAMachine(bdist_wheel):
         """The tag of the wheel."""
         python, abi, platform = super().get_tag()
         if has_executable():
-            machine = sysconfig.get_platform().replace("-", "_").replace(".", "_")
-            platform = machine.replace("linux_", "manylinux_2_17_") if machine.startswith("linux_") else machine
+            platform = PLATFORM.replace("linux_", "manylinux_2_17_") if PLATFORM.startswith("linux_") else PLATFORM
         return python, abi, platform
 
 

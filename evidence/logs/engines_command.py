@@ -43,6 +43,7 @@ STRANGE = (
 @click.option("--logs", type=click.IntRange(0), default=10_000, show_default=True, help="How many random logs.")
 @click.option("--damaged", type=click.IntRange(0), default=1_000, show_default=True, help="How many damaged ones.")
 @click.option("--seed", type=int, default=1, show_default=True, help="Other logs.")
+@click.option("--wine", is_flag=True, help="The executable for Windows, under wine.")
 @click.option(
     "--keep",
     type=click.Path(path_type=Path, file_okay=False),
@@ -51,7 +52,7 @@ STRANGE = (
     help="Where the logs go about which the two differ.",
 )
 @json_option
-def engines_command(logs: int, damaged: int, seed: int, keep: Path, json_path: Path | None) -> None:
+def engines_command(logs: int, damaged: int, seed: int, wine: bool, keep: Path, json_path: Path | None) -> None:
     """Have both engines judge all cases, the edge cases, random logs and logs with damaged bytes.
 
     The whole answers are compared: verdict, line, expected events, requirements, situations, candidates, outcomes. Exit
@@ -61,11 +62,11 @@ def engines_command(logs: int, damaged: int, seed: int, keep: Path, json_path: P
     verdicts: Counter[str] = Counter()
     seconds = {"native": 0.0, "jvm": 0.0}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
-        with Engine(native_command) as native, Engine(jvm_command) as java:
+        with Engine(_under_wine if wine else native_command) as executable, Engine(jvm_command) as java:
             generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 answers = []
-                for which, engine in (("native", native), ("jvm", java)):
+                for which, engine in (("native", executable), ("jvm", java)):
                     began = time.monotonic()
                     answers.append(_answer(engine, log))
                     seconds[which] += time.monotonic() - began
@@ -81,6 +82,11 @@ def engines_command(logs: int, damaged: int, seed: int, keep: Path, json_path: P
         plain(console, f"{counts['different']} differ; seconds: {result['seconds']}")
         write_json(json_path, result)
     sys.exit(DIFFER if counts["different"] else 0)
+
+
+def _under_wine() -> list[str]:
+    executable, parsed = native_command()
+    return ["wine", f"{executable}.exe", f"Z:{parsed}"]
 
 
 def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str, str, bytes]]:
