@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
-from collections import Counter
 from collections.abc import Iterator
 from itertools import count, islice
 from pathlib import Path
@@ -26,6 +24,7 @@ from s7check.engine.command import EngineError, jvm_command, native_command
 from s7check.resources import GALLERY
 
 DIFFER = 1
+VERDICTS = ("accepted", "rejected", "unusable", "error")
 STRANGE = (
     b"\0",
     b"\xff",
@@ -58,30 +57,23 @@ def engines_command(logs: int, damaged: int, seed: int, wine: bool, keep: Path, 
     The whole answers are compared: verdict, line, expected events, requirements, situations, candidates, outcomes. Exit
     codes: 0 all are the same, 1 some differ, 2 wrong arguments or files, 3 an engine is missing or failed.
     """
-    counts: Counter[str] = Counter()
-    verdicts: Counter[str] = Counter()
-    seconds = {"native": 0.0, "jvm": 0.0}
+    rows: dict[str, dict[str, str | int]] = {}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
         with Engine(_under_wine if wine else native_command) as executable, Engine(jvm_command) as java:
             generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
-                answers = []
-                for which, engine in (("native", executable), ("jvm", java)):
-                    began = time.monotonic()
-                    answers.append(_answer(engine, log))
-                    seconds[which] += time.monotonic() - began
-                counts[kind] += 1
-                verdicts[answers[1]["verdict"]] += 1
-                if answers[0] != answers[1]:
-                    counts["different"] += 1
+                row = rows.setdefault(kind, {"kind": kind} | dict.fromkeys(("logs", *VERDICTS, "different"), 0))
+                native, jvm = _answer(executable, log), _answer(java, log)
+                for column in ("logs", jvm["verdict"], *(["different"] if native != jvm else [])):
+                    row[column] = int(row[column]) + 1
+                if native != jvm:
                     keep.mkdir(parents=True, exist_ok=True)
                     (keep / f"{name}.ndjson").write_bytes(log)
-                    plain(console, f"{kind} {name}: {_first(*answers)}", style="red")
-        result = {"logs": counts, "verdicts": verdicts, "seconds": {name: round(s, 1) for name, s in seconds.items()}}
-        plain(console, ", ".join(f"{n:,} {what}" for part in (counts, verdicts) for what, n in part.items()))
-        plain(console, f"{counts['different']} differ; seconds: {result['seconds']}")
-        write_json(json_path, result)
-    sys.exit(DIFFER if counts["different"] else 0)
+                    plain(console, f"{name}: {_first(native, jvm)}", style="red")
+        for row in rows.values():
+            plain(console, ", ".join(f"{name} {value}" for name, value in row.items()))
+        write_json(json_path, {"kinds": list(rows.values())})
+    sys.exit(DIFFER if any(row["different"] for row in rows.values()) else 0)
 
 
 def _under_wine() -> list[str]:

@@ -238,6 +238,15 @@ RUNS = {
         totals=("edges", "compared", "not offered"),
         parts=("spec", "engine"),
     ),
+    "engines": _s7spec(
+        "The executable and Java",
+        "The whole answers of both engines to the same logs ([commands](commands.md#s7spec-logs-engines)).",
+        "logs engines",
+        summaries.engines,
+        tlc=False,
+        totals=("logs", "different"),
+        parts=("spec", "cases", "engine"),
+    ),
     "proofs": _s7spec(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",

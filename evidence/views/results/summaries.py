@@ -187,6 +187,12 @@ def edges(text: str) -> list[Table]:
     return [Table(list(worlds[0]), [list(world.values()) for world in worlds])]
 
 
+def engines(text: str) -> list[Table]:
+    """Each kind of logs with its verdicts and the answers that differ."""
+    kinds: list[dict[str, Cell]] = json.loads(text)["kinds"]
+    return [Table(list(kinds[0]), [list(kind.values()) for kind in kinds])]
+
+
 def bench(text: str) -> list[Table]:
     """The tables of the benchmark, as they are."""
     report: dict[str, Any] = json.loads(text)
