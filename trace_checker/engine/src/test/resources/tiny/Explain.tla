@@ -68,6 +68,7 @@ Situation == [count |-> count]
 Distinct == <<count, time>>
 DistinctAfterLine == Distinct
 Alternatives == {1, 2}
+Generality(id) == 0
 
 Next == Silent(NoEvent)
 =============================================================================
