@@ -64,7 +64,7 @@ public final class Main {
   /** Collects garbage between items: by itself the collector waits until the heap, whose size is fixed, is full. */
   private static final class Tidy implements Handover {
     /** Bytes after which the garbage of late is collected, and after whose survival all of it is. */
-    private static final long SOME = 24 << 20;
+    private static final long SOME = 64 << 20;
 
     private static final long MUCH = 32 << 20;
 
