@@ -35,9 +35,6 @@ WORSE = 1
 
 SUBSETS = list(subsets())
 
-LOOSE = "too many explanations"
-"""The checker's words for a log of which it follows only definite facts."""
-
 
 @dataclass
 class Found:
@@ -137,7 +134,7 @@ def _of_a_log(drawing: Drawing, generator: Generator, number: int, engine: Engin
             file = _write(Path(temporary) / kept, without(log, kinds))
             report = _judge(file, engine)
             found.verdicts[report.verdict] += 1
-            found.loose += LOOSE in report.message
+            found.loose += report.certain_from is not None
             if report.verdict != "accepted":
                 drawing.keep.mkdir(parents=True, exist_ok=True)
                 place = shutil.copy(file, drawing.keep)

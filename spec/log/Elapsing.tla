@@ -173,19 +173,11 @@ OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
 MissingNow ==
     { r \in requests : MayBeMissed(r) }
 
-(* [AMB-44] (b) Missing OBs are noticed in the order of calls, of those    *)
-(* that may have no effect the higher one is dropped before. A STOP keeps  *)
-(* no order [AMB-87].                                                      *)
+(* [AMB-44] (b) Missing OBs are noticed in the order of calls. A STOP      *)
+(* keeps no order [AMB-87].                                                *)
 \* @type: $request => Bool;
 MissedInOrder(r) ==
-    \/ MissingNoticedWhenDue \/ StopsTheCpu(r)
-    \/ \A q \in requests : GoesFirst(q, r) => q.open /\ q.ob \in loaded
-
-DropsMissing ==
-    \E r \in MissingNow :
-      /\ \E q \in MissingNow : ~MissedInOrder(q) /\ GoesFirst(r, q)
-      /\ MissedInOrder(r)
-      /\ Drop(r) /\ Rewait
+    MissingNoticedWhenDue \/ StopsTheCpu(r) \/ HighestFirst(r)
 
 -----------------------------------------------------------------------------
 (* Missing OBs, where nobody knows which start events wait (Merging)  *)
@@ -235,11 +227,33 @@ ReportedByTheSame(r) ==
     /\ tod' = TodAfterMissing(r)
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
 
+(* [AMB-45] An OB 85 of its own, or none beside the one that waits or runs:  *)
+(* an open request is both. An entry would tell.                             *)
+\* @type: $request => Bool;
+OwnOb85IsOpen(r) ==
+    /\ ~DiagRecorded /\ ~OneOb85ForAll /\ ~OneOb85ForEach
+    /\ ~(MissingIsTimeError /\ r.ob \in TodObs \cup DintObs)
+    /\ r.ob \notin AsyncErrorObs \cup {70, 72}
+    /\ ProgramErrorOb \in loaded /\ ~Blocked(ProgramErrorOb)
+    /\ \/ r.open \/ OnStack(ProgramErrorOb)
+       \/ PendingIn(requests, ProgramErrorOb)
+
+\* @type: $request => Bool;
+MissingOpenly(r) ==
+    LET error == [ProgramError(r) EXCEPT !.open = TRUE]
+    IN  /\ MayBeMissed(r)
+        /\ requests' = Enter(RequestsAfterCall(r), error)
+        /\ entered' = OpenEntries({error})
+        /\ tod' = TodAfterMissing(r)
+        /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause,
+                       runVars>>
+
 FindMissing ==
     \/ \E r \in MissingNow \ PerhapsMissing :
          /\ MissedInOrder(r)
-         /\ (Missing(r) \/ ReportedByTheSame(r)) /\ RewaitMissing(r)
-    \/ DropsMissing
+         /\ IF OwnOb85IsOpen(r) THEN MissingOpenly(r)
+            ELSE Missing(r) \/ ReportedByTheSame(r)
+         /\ RewaitMissing(r)
     \/ PerhapsNoticed
 
 (* [AMB-55] An open request may turn out to have no effect just before the   *)
@@ -369,6 +383,21 @@ Arrived(e) == clock = e.at /\ up = e.up
 \* @type: Set(Int) => Int;
 Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 
+(* A missing OB can be noticed at line e as well as now.                     *)
+\* @type: $event => Bool;
+MissingMayWait(e) ==
+    LET d == Span(up, e.up)
+        \* @type: $request => Bool;
+        old(q) == Span(arrivals[AsItCame(q)], up) > terms.latency
+        ages(q) == Span(arrivals[AsItCame(q)], up) + d > terms.latency
+    IN  /\ terms.latency > 0 /\ ~NothingStandsBefore /\ ~Partial
+        /\ mode = "RUN" /\ stack # <<>>
+        /\ PointsNow = {} /\ OverBefore(e) = {}
+        /\ clock = e.at \/ PassesNoOther(e.at)
+        /\ Jobs = {} \/ Before(e.up, NextDelayOver)
+        /\ InTime(d)
+        /\ \A q \in requests : MayStart(q) => old(q) \/ ~ages(q)
+
 (* One step towards line e.                                                *)
 \* @type: $event => Bool;
 Towards(e) ==
@@ -379,6 +408,6 @@ Towards(e) ==
                \/ DropsBeforePoint
        ELSE IF OverNow # {} /\ up # e.up
        THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up
-       ELSE \/ FindMissing /\ UNCHANGED up
+       ELSE \/ ~MissingMayWait(e) /\ FindMissing /\ UNCHANGED up
             \/ Advance(e)
 =============================================================================

@@ -158,6 +158,9 @@ Unseen(kind) == kind \notin terms.records
 Partial == ~(Kinds \subseteq terms.records)
 DiagRecorded == "diag" \in terms.records
 
+(* Only definite facts count (LooseLogs).                                    *)
+Loose == terms.loose
+
 (* [DINT-06] The early delays whose start events may still wait.           *)
 EarlyDelays ==
     { d \in terms.early : \E r \in requests : r.since = d.since }

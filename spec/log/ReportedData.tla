@@ -88,7 +88,10 @@ FitsTime(r, e) ==
     LET time  == e.info.time
         exact == IF r.ob \in TodObs THEN r.follows \in Skips
                                     ELSE r.fault \in Skips /\ r.late # {}
-        shown == IF MayBeEarlier(r) THEN After(time, 1) ELSE time
+        shown == IF MayBeEarlier(r) THEN After(time, 1)
+                 ELSE IF r.ob = ProgramErrorOb /\ r.cause # 0
+                 THEN After(time, terms.latency)  \* noticed up to then
+                 ELSE time
     IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
         \/ /\ ~exact

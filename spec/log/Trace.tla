@@ -156,6 +156,19 @@ EndsEarly(e) ==
       /\ terms' = [ terms EXCEPT !.early =
                        EarlyDelays \cup {[ob |-> o, since |-> clock]} ]
 
+(* A missing OB can be noticed behind line e as well as before it: the line  *)
+(* makes another OB wait, of a class of its own, or calls for another OB.    *)
+\* @type: $event => Bool;
+LeavesMissing(e) ==
+    CASE e.event = "interrupt" ->
+           /\ e.ob \notin AsyncErrorObs
+           /\ ~ClassIsTaken(ClassOf(e.ob))
+      [] e.event \in CallEvents ->
+           /\ e.event \notin {"DIS_AIRT", "EN_AIRT", "DIS_IRT", "EN_IRT"}
+           /\ ~MissingNoticedAtActivation /\ ~MissingNoticedAtSrtDint
+           /\ \A r \in MissingNow : r.ob # e.ob
+      [] OTHER -> FALSE
+
 \* @type: $event => Bool;
 HiddenBefore(e) ==
     /\ UNCHANGED <<pace, up>>
@@ -165,7 +178,7 @@ HiddenBefore(e) ==
                   ComesBefore(e, o) /\ PointReached(o) /\ Rewait
              \/ \E o \in OverNow :
                   ComesBefore(e, o) /\ DelayElapses(o) /\ Rewait
-             \/ FindMissing
+             \/ ~(MissingMayWait(e) /\ LeavesMissing(e)) /\ FindMissing
              \/ DropsBeforePoint
              \/ HiddenBoundary /\ Rewait
 

@@ -55,7 +55,8 @@ Verdicts, and the exit code that each stands for:
   accepted    0  an S7-300/400 may behave like this
   rejected    1  it may not: the line, what it may do instead, the rule
   unusable    2  the log is not of the format: the line and the field
-  no verdict  3  the check could not be done, no Java for instance
+  no verdict  3  the check could not be done, no Java for instance, or a log that
+                 leaves nothing out has too many explanations
 
 Over several logs the exit code is the highest of theirs.
 """

@@ -151,8 +151,8 @@ class Answer(msgspec.Struct, frozen=True):
     Of an ``unusable`` one: why a line is not of the format. Of a rejected one: the events ``expected`` in the place of
     the line, or before it where the line comes too ``late``; the ``requirements`` that decide; how many ``states``
     explained the lines before, the ``situations`` that come nearest to the line, and the ``candidates``. From the line
-    ``loose`` on there were too many explanations, and only definite facts were followed; from the line ``wide`` on
-    waiting start events were not told apart. ``steps`` are there if the log was begun with ``follow``. What it cost:
+    ``loose`` on only definite facts were followed: the log is ``partial``, or there were too many explanations; from
+    the line ``wide`` on waiting start events were not told apart. ``steps`` are there if the log was begun with ``follow``. What it cost:
     ``largest`` states at a time at the most, and a state was ``followed`` to its successors so many times.
 
     The ``outcomes`` are those of decisions on the way of all explanations of the lines before: 2k where decision k was
@@ -170,6 +170,7 @@ class Answer(msgspec.Struct, frozen=True):
     message: str = ""
     unusable: Unusable | None = None
     loose: int | None = None
+    partial: bool = False
     wide: int | None = None
     states: int = 0
     situations: list[Situation] = []

@@ -126,8 +126,11 @@ class Judging:
         if unusable is not None:
             unusable = _source_of_import(unusable, self._recent)
             return Report(self._log, "unusable", unusable.reason, line=unusable.line or None, events=events)
+        if answer is not None and answer.loose is not None and not answer.partial:
+            message = "too many explanations" + _loosened(answer) + "; choose readings in the header"
+            return Report(self._log, "no verdict", message, events=events, certain_from=answer.loose)
         message = "the specification explains every event" + _loosened(answer)
-        report = Report(self._log, "accepted", message, events=events)
+        report = Report(self._log, "accepted", message, events=events, certain_from=answer and answer.loose)
         return report if answer is None else self._with_decided(report, answer)
 
     def _with_decided(self, report: Report, answer: Answer) -> Report:
@@ -173,6 +176,7 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         event=event,
         expected=[format_allowed(allowed) for allowed in answer.expected],
         requirements=answer.requirements,
+        certain_from=answer.loose,
         late=late,
         why=why_not(event or b"", late, answer.expected, answer.requirements),
         states=answer.states,
@@ -190,7 +194,7 @@ def _loosened(answer: Answer | None) -> str:
     if answer is None or (answer.loose is None and answer.wide is None):
         return ""
     if answer.loose is not None:
-        return f"; too many explanations: from line {answer.loose} on only definite facts are checked"
+        return f"; from line {answer.loose} on only definite facts are checked"
     return f"; too many explanations: from line {answer.wide} on start events that wait are not all told apart"
 
 

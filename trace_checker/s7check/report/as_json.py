@@ -21,6 +21,7 @@ def to_json(report: Report) -> bytes:
             "expected": report.expected,
             "requirements": report.requirements,
             "message": report.message,
+            **({} if report.certain_from is None else {"certain_from": report.certain_from}),
             **(_explanation(report) if report.verdict == "rejected" else {}),
             **({"after": report.after} if report.after else {}),
             **({"decided": report.decided, "decidable": report.decidable} if report.decidable else {}),

@@ -23,6 +23,8 @@ def to_junit(reports: Sequence[Report]) -> bytes:
         name = place(report) if report.line is None else place(report).rsplit(":", 1)[0]
         case = Xml.SubElement(suite, "testcase", {"classname": "s7check.trace", "name": name})
         if kind is None:
+            if report.certain_from is not None:
+                Xml.SubElement(case, "system-out").text = message(report)
             continue
         of = Xml.SubElement(case, kind, {"type": report.verdict, "message": f"{place(report)}: {message(report)}"})
         of.text = _text(report)

@@ -37,7 +37,8 @@ class Report:
 
     ``line`` is the physical line that decides, or None; ``events`` the number of events explained before it; ``event``
     the text of the rejected line, or None if it is no longer at hand; ``expected`` the events that the specification
-    allows there; ``requirements`` the IDs that decide.
+    allows there; ``requirements`` the IDs that decide. From the line ``certain_from`` on only definite facts were
+    checked, if it is not None.
 
     Of a rejected log also: ``why`` it is, in a sentence; ``late``, if the line comes too late: the events
     ``expected`` before it, and until when; ``states``, the number of explanations of the lines before;
@@ -57,6 +58,7 @@ class Report:
     expected: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
     why: str = ""
+    certain_from: int | None = None
     late: list[str] = field(default_factory=list)
     states: int = 0
     situations: list[Situation] = field(default_factory=list)

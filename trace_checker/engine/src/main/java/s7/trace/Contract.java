@@ -50,6 +50,8 @@ public final class Contract {
     STIRS("Stirs", 1),
     SILENT("Silent", 1),
     OBSERVE("Observe", 1),
+    PARTIAL("Partial", 0),
+    LOOSE("Loose", 0),
     LOOSEN("Loosen", 0),
     LAST_RESORT("LastResort", 0),
     CROWD("Crowd", 0),
@@ -222,6 +224,16 @@ public final class Contract {
   /** The states in which a log with this header may begin. */
   List<State> begin(Value header) {
     return successors(Operator.BEGIN, blank, header);
+  }
+
+  /** Whether the log leaves kinds of event out. */
+  boolean partial(State state) {
+    return spec.holds(Operator.PARTIAL.tla, state);
+  }
+
+  /** Whether definite facts alone count. */
+  boolean loose(State state) {
+    return spec.holds(Operator.LOOSE.tla, state);
   }
 
   /** Whether time has elapsed to the event. */

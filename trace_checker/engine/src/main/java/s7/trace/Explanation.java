@@ -109,6 +109,7 @@ final class Explanation {
   private List<State> states;
   private int most = LOOSE_STATES;
   private boolean loosened;
+  private boolean partial;
   private boolean widened;
 
   /** Whether states meet early, and on the way through a moment: definite facts alone are no way out. */
@@ -163,6 +164,8 @@ final class Explanation {
     states = spec.begin(h);
     limit(states.size());
     states = distinct(states);
+    partial = spec.partial(states.get(0));
+    loosened = spec.loose(states.get(0));
   }
 
   private Explanation(Explanation other) {
@@ -170,6 +173,7 @@ final class Explanation {
     past = new Past(other.past);
     states = other.states;
     most = other.most;
+    partial = other.partial;
     loosened = other.loosened;
     crowded = other.crowded;
     lines = other.lines;
@@ -261,9 +265,14 @@ final class Explanation {
     }
   }
 
-  /** Whether a line was explained by definite facts alone: too many states explained the log. */
+  /** Whether definite facts alone count now: the log leaves much out, or too many states explained it. */
   boolean loosened() {
     return loosened;
+  }
+
+  /** Whether the log leaves kinds of event out. */
+  boolean partial() {
+    return partial;
   }
 
   /** Whether states were made fewer or smaller that allow at least as much. */

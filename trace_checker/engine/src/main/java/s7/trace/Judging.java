@@ -133,6 +133,7 @@ final class Judging {
     answer.put("events", events);
     if (loose != NONE) {
       answer.put("loose", loose);
+      answer.put("partial", explanation.partial());
     }
     if (wide != NONE) {
       answer.put("wide", wide);
