@@ -152,8 +152,9 @@ class Answer(msgspec.Struct, frozen=True):
     the line, or before it where the line comes too ``late``; the ``requirements`` that decide; how many ``states``
     explained the lines before, the ``situations`` that come nearest to the line, and the ``candidates``. From the line
     ``loose`` on only definite facts were followed: the log is ``partial``, or there were too many explanations; from
-    the line ``wide`` on waiting start events were not told apart. ``steps`` are there if the log was begun with ``follow``. What it cost:
-    ``largest`` states at a time at the most, and a state was ``followed`` to its successors so many times.
+    the line ``wide`` on waiting start events were not told apart. ``steps`` are there if the log was begun with
+    ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its successors
+    so many times.
 
     The ``outcomes`` are those of decisions on the way of all explanations of the lines before: 2k where decision k was
     true, has another value or was an action that was taken, 2k + 1 where it was false; the ``open`` ones are those of
