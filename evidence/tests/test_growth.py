@@ -74,7 +74,7 @@ def test_definite_facts_are_left(engine: Engine) -> None:
     for wrong, rule in (
         ({"event": "end", "ob": 85}, "OBS-01"),
         ({"event": "release"}, "OBS-40"),
-        ({"event": "EN_AIRT", "ret": "16#8090"}, "AIRT-04"),
+        ({"event": "EN_AIRT", "ret": "16#8090"}, "AIRT-07"),
         ({"event": "QRY_TINT", "ob": 10, "ret": "16#0000", "status": "16#00FF"}, "TINT-79"),
     ):
         refusal = session.why(wrong)

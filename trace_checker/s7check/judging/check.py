@@ -130,7 +130,8 @@ class Judging:
             message = "too many explanations" + _loosened(answer) + "; choose readings in the header"
             return Report(self._log, "no verdict", message, events=events, certain_from=answer.loose)
         message = "the specification explains every event" + _loosened(answer)
-        report = Report(self._log, "accepted", message, events=events, certain_from=answer and answer.loose)
+        certain_from = None if answer is None else answer.loose
+        report = Report(self._log, "accepted", message, events=events, certain_from=certain_from)
         return report if answer is None else self._with_decided(report, answer)
 
     def _with_decided(self, report: Report, answer: Answer) -> Report:
