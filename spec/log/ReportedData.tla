@@ -89,8 +89,9 @@ FitsTime(r, e) ==
         exact == IF r.ob \in TodObs THEN r.follows \in Skips
                                     ELSE r.fault \in Skips /\ r.late # {}
         shown == IF MayBeEarlier(r) THEN After(time, 1)
-                 ELSE IF r.ob = ProgramErrorOb /\ r.cause # 0
-                 THEN After(time, terms.latency)  \* noticed up to then
+                 ELSE IF /\ r.ob = ProgramErrorOb /\ r.cause # 0
+                         /\ r.class \in DOMAIN waiting
+                 THEN After(time, waiting[r.class])  \* noticed meanwhile
                  ELSE time
     IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
