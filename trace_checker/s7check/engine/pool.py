@@ -5,12 +5,15 @@ import os
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
+from threading import local
 
 from s7check.engine.answer import Alternatives
 from s7check.engine.client import Engine
 
 _idle: defaultdict[int, list[Engine]] = defaultdict(list)
 """By process: a child process has no use for the engines that its parent has started."""
+
+_held = local()
 
 
 def take() -> Engine:
@@ -28,12 +31,16 @@ def give_back(engine: Engine) -> None:
 
 @contextmanager
 def engine() -> Iterator[Engine]:
-    """An engine for a block of code."""
-    taken = take()
+    """An engine for a block of code; a block inside it, in the same thread, has the same one."""
+    if hasattr(_held, "engine"):
+        yield _held.engine
+        return
+    _held.engine = take()
     try:
-        yield taken
+        yield _held.engine
     finally:
-        give_back(taken)
+        give_back(_held.engine)
+        del _held.engine
 
 
 def alternatives() -> Alternatives:
