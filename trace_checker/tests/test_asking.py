@@ -218,7 +218,7 @@ def test_why_on_the_command_line(log: Path, capsys: pytest.CaptureFixture[str]) 
     [
         (["log:9"], "log:9: unusable: expected a line 1 to 4; found 9"),
         (["none"], "none: unusable: expected a log that can be opened; found no such file or directory"),
-        (["log", "--why", "[]"], "--why: expected a JSON object; found a list"),
+        (["log", "--why", "[]"], "--why: expected a JSON object; found []"),
         (["log", "--why", '{"event": "go"}'], '--why: field "event": expected the name of an event; found "go"'),
     ],
 )
