@@ -21,11 +21,11 @@ EXTENDS Clock, Scheduler, SyncErrors, ReportedData
 
 (* The key under which `waiting' holds a STOP that is due. *)
 StopDuty == 99
-(* ... and an error OB that is called [OBS-61].                            *)
+(* The key of an error OB that is called [OBS-61].                         *)
 CallDuty == 98
 
-(* Open requests are timed under separate keys, because their OBs need not   *)
-(* start.                                                                    *)
+(* Open requests are timed under separate keys, because their OBs need not *)
+(* start.                                                                  *)
 \* @type: $request => Int;
 WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
@@ -61,9 +61,9 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 -----------------------------------------------------------------------------
 (* Data for later lines *)
 
-(* [OBS-26] The cycle and its overruns: OB 1 starts or ends, a restart       *)
-(* begins, or the cycle time is exceeded. A blocked OB 80 is not called      *)
-(* [IRT-01].                                                                 *)
+(* [OBS-26] The cycle and its overruns: OB 1 starts or ends, a restart     *)
+(* begins, or the cycle time is exceeded. A blocked OB 80 is not called    *)
+(* [IRT-01].                                                               *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == stack = <<>> /\ OnStack(CycleOb)'
@@ -131,7 +131,7 @@ HighestFirst(r) == \A q \in requests : ~q.open => ~GoesFirst(q, r)
 -----------------------------------------------------------------------------
 (* Waiting too long *)
 
-(* When d ms have elapsed, nothing that has to come is late.                 *)
+(* When d ms have elapsed, nothing that has to come is late.               *)
 \* @type: Int => Bool;
 InTime(d) ==
     /\ { c \in DOMAIN waiting :
@@ -182,8 +182,8 @@ MissedInOrder(r) ==
 -----------------------------------------------------------------------------
 (* Missing OBs, where nobody knows which start events wait (Merging)  *)
 
-(* [OBS-20] Missing OBs that may have a request. OB 85 may come for each of  *)
-(* them. The request stays: perhaps the CPU has not noticed it.              *)
+(* [OBS-20] Missing OBs that may have a request. OB 85 may come for each   *)
+(* of them. The request stays: perhaps the CPU has not noticed it.         *)
 PerhapsMissing ==
     IF terms.unsure = {} \/ Blocked(ProgramErrorOb) THEN {}
     ELSE { r \in MissingNow : /\ r.open /\ r.ob \in terms.unsure
@@ -215,8 +215,8 @@ PerhapsNoticed ==
                           IF c \in DOMAIN waiting THEN waiting[c] ELSE least ]
         /\ Report(least)
 
-(* [AMB-45] OB 85 may be pending already. If it is, it may report this       *)
-(* missing OB as well.                                                       *)
+(* [AMB-45] OB 85 may be pending already. If it is, it may report this     *)
+(* missing OB as well.                                                     *)
 \* @type: $request => Bool;
 ReportedByTheSame(r) ==
     /\ ProgramErrorOb \in terms.unsure /\ ~OneOb85ForEach
@@ -256,9 +256,9 @@ FindMissing ==
          /\ RewaitMissing(r)
     \/ PerhapsNoticed
 
-(* [AMB-55] An open request may turn out to have no effect just before the   *)
-(* next start point of its OB. Without it a lost point ends a one-shot       *)
-(* interrupt.                                                                *)
+(* [AMB-55] An open request may turn out to have no effect just before the *)
+(* next start point of its OB. Without it a lost point ends a one-shot     *)
+(* interrupt.                                                              *)
 DropsBeforePoint ==
     \E r \in requests : r.ob \in PointsNow /\ Drop(r) /\ Rewait
 
@@ -292,7 +292,7 @@ PassedOver ==
                 \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers
                 \/ Repeats(o) /\ ~Remembers }
 
-(* The setting when all its points before moment m are over.                 *)
+(* The setting when all its points before moment m are over.               *)
 \* @type: ($tod, $moment) => $tod;
 PassedUntil(t, m) ==
     IF ~Before(NextMoment(t), m) THEN t
@@ -330,10 +330,10 @@ NextDelayOver ==
     LET n == { dint[o].left : o \in Jobs }
     IN  After(up, CHOOSE m \in n : \A k \in n : m <= k)
 
-(* The moment on the clock of `up' at which the CPU clock is at b, on the    *)
-(* way to line e. The clocks differ a little, so two moments come into       *)
-(* question: one counted from now, one counted back from the line. The later *)
-(* one counts.                                                               *)
+(* The moment on the clock of `up' at which the CPU clock is at b, on the  *)
+(* way to line e. The clocks differ a little, so two moments come into     *)
+(* question: one counted from now, one counted back from the line. The     *)
+(* later one counts.                                                       *)
 \* @type: ($moment, $event) => $moment;
 UpAt(b, e) ==
     LET forward  == Shifted(up, clock, b)

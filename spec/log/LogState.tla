@@ -94,13 +94,14 @@ NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
 (* The state of an explanation *)
 
 VARIABLES
-    (* latency: an OB starts at most so many ms after it may. cycle: the log *)
-    (* has every start and end of OB 1. records: the kinds of event that the *)
-    (* log has completely. loose: the log does not tell when an OB has to    *)
-    (* start (LooseLogs). After Merging: endless, the open requests that     *)
-    (* stand for any number of requests; unsure, the OBs for which some      *)
-    (* explanations had a request and others had none. early: the delays     *)
-    (* that were over 1 ms before their time, each with the moment.          *)
+    (* latency: an OB starts at most so many ms after it may. cycle: the   *)
+    (* log has every start and end of OB 1. records: the kinds of event    *)
+    (* that the log has completely. loose: the log does not tell when an   *)
+    (* OB has to start (LooseLogs). After Merging: endless, the open       *)
+    (* requests that stand for any number of requests; unsure, the OBs for *)
+    (* which some explanations had a request and others had none. early:   *)
+    (* the delays that were over 1 ms before their time, each with the     *)
+    (* moment.                                                             *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)
@@ -128,15 +129,15 @@ VARIABLES
     (* moves this reading, too.                                             *)
     \* @type: $pace;
     pace,
-    (* The entries of the diagnostic buffer that the log has not shown yet,  *)
-    (* each with its number; if the log has such lines, also with the ms     *)
-    (* since its cause.                                                      *)
+    (* The entries of the diagnostic buffer that the log has not shown     *)
+    (* yet, each with its number; if the log has such lines, also with the *)
+    (* ms since its cause.                                                 *)
     \* @type: Set($report);
     reports
 
-(* Only lines change these variables.                                        *)
+(* Only lines change these variables.                                      *)
 lineVars == <<terms, pace>>
-(* Only events change these; they stay while time elapses.                   *)
+(* Only events change these; they stay while time elapses.                 *)
 eventVars == <<first, overruns, arrivals, changes>>
 
 NoPace == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]

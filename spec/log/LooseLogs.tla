@@ -280,14 +280,12 @@ LooseEnd(e) ==
 \* @type: $event => Bool;
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
-    /\ RestartExists(e.type)
-    /\ mode'  = IF ModeKnown THEN "STARTUP" ELSE "RUN"
-    /\ startup' = e.type
-    /\ tod'   \in SettingsByStep7
-    /\ dint' = NoJobs /\ irt' = NoneBlocked /\ delay' = 0
-    /\ requests' = RestartRequests /\ stopCause' = RestartStop
-    /\ stack' = <<Frame(StartupOb(e.type), 27)>> /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock>>
+    /\ Resets(e.type)
+    /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
+    /\ tod'  \in SettingsByStep7
+    /\ stack' = <<Frame(StartupOb(e.type), 27)>>
+    /\ NothingEntered
+    /\ UNCHANGED cpu
 
 \* @type: $event => Bool;
 LooseRun(e) ==
@@ -297,20 +295,18 @@ LooseRun(e) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, delay>>
 
-\* @type: $event => Bool;
-LooseStop(e) ==
-    /\ IF mode = "STOP" THEN UNCHANGED <<mode, stack>>
-       ELSE /\ mode' = IF ModeKnown THEN "STOP" ELSE "RUN"
-            /\ stack' = IF ModeKnown THEN <<>> ELSE <<Frame(CycleOb, 1)>>
-    /\ requests' = {} /\ dint' = NoJobs /\ delay' = 0 /\ stopCause' = NoCause
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, startup, clock, tod, irt>>
+LooseStop ==
+    IF ModeKnown /\ mode # "STOP" THEN Stop
+    ELSE /\ Clears
+         /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
+         /\ UNCHANGED modeVars
 
-\* @type: Str => Bool;
-LooseHold(to) ==
-    /\ ModeKnown => mode = IF to = "HOLD" THEN "RUN" ELSE "HOLD"
-    /\ mode' = IF ModeKnown THEN to ELSE "RUN"
-    /\ requests' = IF to = "RUN" /\ MayBeDue \cap TodObs # {}
+LooseHold == IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
+
+LooseRelease ==
+    /\ ModeKnown => mode = "HOLD"
+    /\ mode' = "RUN"
+    /\ requests' = IF MayBeDue \cap TodObs # {}
                    THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
                    ELSE requests
     /\ NothingEntered
@@ -326,7 +322,7 @@ PassesMinute(t) ==
     Before(IF SecondsAreKept THEN clock
            ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
 
-(* ... of an interrupt that may be active.                                 *)
+(* Between now and t an interrupt that may be active may have a point.     *)
 \* @type: $moment => Bool;
 PassesPoint(t) ==
     /\ PassesMinute(t)
@@ -404,9 +400,9 @@ LooseShows(e) ==
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> LooseRestart(e)
          [] e.event = "run"        -> LooseRun(e)
-         [] e.event = "hold"       -> LooseHold("HOLD")
-         [] e.event = "release"    -> LooseHold("RUN")
-         [] e.event = "stop"       -> LooseStop(e)
+         [] e.event = "hold"       -> LooseHold
+         [] e.event = "release"    -> LooseRelease
+         [] e.event = "stop"       -> LooseStop
          [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
                                       ELSE IsEntry(e)
          [] e.event = "state"      -> LooseState(e)
@@ -426,8 +422,7 @@ ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
 \* @type: (Int, Bool) => (Int -> $job);
 LooseJobs(d, known) ==
     [ o \in DintObs |->
-        IF ~dint[o].started \/ mode = "HOLD" \/ dint[o].left = Gone
-        THEN dint[o]
+        IF o \notin Jobs THEN dint[o]
         ELSE [ dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d
                                                              ELSE Gone ] ]
 

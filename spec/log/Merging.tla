@@ -31,8 +31,8 @@ Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
 MayRepeat(r) == /\ r.open /\ r.ob \in loaded
                 /\ {r.fault, r.follows} \cap Skips = {}
 
-(* The requests of this kind, if there are many and no definite request      *)
-(* stands behind the first of them.                                          *)
+(* The requests of this kind, if there are many and no definite request    *)
+(* stands behind the first of them.                                        *)
 \* @type: $request => Set($request);
 CrowdOf(kind) ==
     LET alike == { r \in requests : MayRepeat(r) /\ Kind(r) = kind }
@@ -109,12 +109,12 @@ Far(below) ==
     LET next == Farther(below)
     IN  IF next = below THEN below ELSE Farther(Farther(Farther(next)))
 
-(* Places that contradict none of these queues: a request stands before      *)
-(* another if it does so in some queue, also by way of others, and stands    *)
-(* behind it in none. A path passes a tag once at most: 256 steps suffice    *)
-(* for 256 requests in a class. More wait only if an OB is requested again   *)
-(* and again, and then the queues agree on the order. The engine evaluates   *)
-(* no recursion.                                                             *)
+(* Places that contradict none of these queues: a request stands before    *)
+(* another if it does so in some queue, also by way of others, and stands  *)
+(* behind it in none. A path passes a tag once at most: 256 steps suffice  *)
+(* for 256 requests in a class. More wait only if an OB is requested again *)
+(* and again, and then the queues agree on the order. The engine evaluates *)
+(* no recursion.                                                           *)
 \* @type: Set(Set({ tag: $tag, r: $request })) => ($tag -> Int);
 Places(queues) ==
     LET tags  == UNION { { t.tag : t \in q } : q \in queues }
@@ -200,8 +200,8 @@ Meet(all) ==
 -----------------------------------------------------------------------------
 (* Definite facts alone *)
 
-(* From this line on only definite facts count. Earlier calls and start      *)
-(* events count as unseen, and a running OB may have ended.                  *)
+(* From this line on only definite facts count. Earlier calls and start    *)
+(* events count as unseen, and a running OB may have ended.                *)
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
     /\ ~terms.loose
@@ -217,14 +217,14 @@ OnlyFacts(records) ==
                 ELSE IF Unseen("ob") \/ stack = <<>>
                 THEN << IF mode = "STARTUP" THEN Frame(100, 27)
                         ELSE Frame(CycleOb, 1) >>
-                ELSE [i \in DOMAIN stack |-> [stack[i] EXCEPT !.error = 0]]
+                ELSE [stack EXCEPT ![Len(stack)].error = 0]
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
 
-(* For a log that leaves kinds out and has too many explanations.            *)
+(* For a log that leaves kinds out and has too many explanations.          *)
 Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})
 
-(* For any log with too many explanations. An OB that is loaded now may have *)
-(* been missing before, and that may still have to be reported.              *)
+(* For any log with too many explanations. An OB that is loaded now may    *)
+(* have been missing before, and that may still have to be reported.       *)
 LastResort == OnlyFacts(terms.records \ {"call", "interrupt", "load"})
 =============================================================================

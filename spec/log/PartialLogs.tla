@@ -43,13 +43,13 @@ DependsOn(e) ==
       [] e.event = "run"    -> StartupObs
       [] OTHER              -> {}
 
-(* The OBs on which events of this moment depend.                            *)
+(* The OBs on which events of this moment depend.                          *)
 NowNeeded ==
     LET due == { r \in requests : MayStart(r) \/ MissingNoticedWhenDue }
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 
-(* The startup OB that is still to start.                                    *)
+(* The startup OB that is still to start.                                  *)
 StartupDue == IF startup \in {"warm", "cold"} THEN {StartupOb(startup)} ELSE {}
 
 \* @type: Set(Int) => Bool;
@@ -60,8 +60,8 @@ UnseenLoad(obs) ==
 -----------------------------------------------------------------------------
 (* Start events that no line shows *)
 
-(* Start events may have come unseen before SFC 39 blocks their OBs. Then    *)
-(* these OBs still wait.                                                     *)
+(* Start events may have come unseen before SFC 39 blocks their OBs. Then  *)
+(* these OBs still wait.                                                   *)
 \* @type: $event => Bool;
 UnseenEvents(e) ==
     LET fault(o) == IF o \in {TimeErrorOb, ProgramErrorOb} THEN UnknownFault
@@ -144,7 +144,7 @@ Silent(e) ==
           /\ Rewait
           /\ UNCHANGED <<lineVars, up>>
 
-(* Quick to evaluate: may a silent step be possible?                         *)
+(* Quick to evaluate: may a silent step be possible?                       *)
 \* @type: $event => Bool;
 Stirs(e) == ~terms.loose /\ (HidesBefore(e) \/ Partial)
 

@@ -26,12 +26,12 @@ EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
                  [] o \in 40..47 -> \h1141..\h1144
                  [] OTHER        -> {}
 EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
-(* Events of the OBs whose interrupts calls set. Only the CPU makes the      *)
-(* errors of these events: such an error does not come from outside.         *)
+(* Events of the OBs whose interrupts calls set. Only the CPU makes the    *)
+(* errors of these events: such an error does not come from outside.       *)
 EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 
-(* The table names no event for the other OBs. The events of interrupts are  *)
-(* not theirs.                                                               *)
+(* The table names no event for the other OBs. The events of interrupts    *)
+(* are not theirs.                                                         *)
 \* @type: (Int, Int) => Bool;
 FitsEvent(given, o) ==
     given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
@@ -72,17 +72,18 @@ JustBefore(time, e) ==
              /\ ~Before(c.from, time)
              /\ Within(time, c.from, terms.latency - ago)
 
-(* [DINT-06] A delay may have ended 1 ms early, though no line of that       *)
-(* millisecond shows it.                                                     *)
+(* [DINT-06] A delay may have ended 1 ms early, though no line of that     *)
+(* millisecond shows it.                                                   *)
 \* @type: $request => Bool;
 MayBeEarlier(r) ==
     LET o == IF r.ob \in DintObs THEN r.ob ELSE r.cause
     IN  o \in DintObs /\ [ob |-> o, since |-> r.since] \notin terms.early
 
-(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80 for  *)
-(* skipped points the new time. Any other start shows the moment of its      *)
-(* start event or a later one [OBS-10]; if the clock was set back, it may    *)
-(* show an earlier one. The moment of an unseen start event is not known.    *)
+(* [CLK-07] [AMB-16] A catch-up shows the first skipped point, an OB 80    *)
+(* for skipped points the new time. Any other start shows the moment of    *)
+(* its start event or a later one [OBS-10]; if the clock was set back, it  *)
+(* may show an earlier one. The moment of an unseen start event is not     *)
+(* known.                                                                  *)
 \* @type: ($request, $event) => Bool;
 FitsTime(r, e) ==
     LET time  == e.info.time

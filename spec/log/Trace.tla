@@ -51,9 +51,9 @@ CpuOf(h) ==
                                   deselected |-> s.deselected ]
                        ELSE NoParameters ] ]
 
-(* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a past  *)
-(* moment has already run. A point that equals the clock may have been       *)
-(* reached or not.                                                           *)
+(* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
+(* past moment has already run. A point that equals the clock may have     *)
+(* been reached or not.                                                    *)
 \* @type: ($header, Int, Int, Int) => $tod;
 TodAtBegin(h, o, monthly, called) ==
     LET t == Configured(CpuOf(h).step7[o], monthly)
@@ -70,10 +70,10 @@ TodAtBegin(h, o, monthly, called) ==
 LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
               \/ {"ob", "interrupt"} \cap h.records = {}
 
-(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU has *)
-(* just been restarted; the type of the restart is not known. Some operators *)
-(* are primed: the letters of this header already decide how STEP 7's        *)
-(* parameters are read.                                                      *)
+(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU   *)
+(* has just been restarted; the type of the restart is not known. Some     *)
+(* operators are primed: the letters of this header already decide how     *)
+(* STEP 7's parameters are read.                                           *)
 \* @type: $header => Bool;
 Begin(h) ==
     /\ cpu'    \in UNION { CpusByReference(c) : c \in CpusByLeapDay(CpuOf(h)) }
@@ -124,15 +124,15 @@ Touches(e, o) ==
                                       "state"} -> e.ob = o
       [] OTHER                            -> e.event # "diag"
 
-(* In the class of OB o another start event of this moment does more than    *)
-(* make its OB wait. Their order decides which OB runs first.                *)
+(* In the class of OB o another start event of this moment does more than  *)
+(* make its OB wait. Their order decides which OB runs first.              *)
 \* @type: Int => Bool;
 OrderMatters(o) == \E p \in PointsNow \cup OverNow :
                      ClassOf(p) = ClassOf(o) /\ ~OnlyWaits(p)
 
-(* A start event of this moment may come before or after line e. Where the   *)
-(* order makes no difference, it comes after: an OB that waits later allows  *)
-(* no less.                                                                  *)
+(* A start event of this moment may come before or after line e. Where the *)
+(* order makes no difference, it comes after: an OB that waits later       *)
+(* allows no less.                                                         *)
 \* @type: ($event, Int) => Bool;
 ComesBefore(e, o) ==
     \/ Partial \/ PointsComeByNumber
@@ -141,8 +141,8 @@ ComesBefore(e, o) ==
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
-(* OB 1 and the startup OB start and end. The end of a cycle matters only if *)
-(* it ends a delay.                                                          *)
+(* OB 1 and the startup OB start and end. The end of a cycle matters only  *)
+(* if it ends a delay.                                                     *)
 HiddenBoundary ==
     \/ ~terms.cycle /\ CycleStarts
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
@@ -182,7 +182,7 @@ HiddenBefore(e) ==
              \/ DropsBeforePoint
              \/ HiddenBoundary /\ Rewait
 
-(* Quick to evaluate: may a hidden step be possible?                         *)
+(* Quick to evaluate: may a hidden step be possible?                       *)
 \* @type: $event => Bool;
 HidesBefore(e) == \/ stack = <<>>
                   \/ delay > 0
@@ -197,9 +197,9 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
               arrivals, changes, reports, terms.endless, terms.unsure,
               EarlyDelays>>
 
-(* The same between two lines. If loading is not recorded, an OB is loaded   *)
-(* or deleted unseen as soon as something depends on it. So the loaded OBs   *)
-(* do not matter here.                                                       *)
+(* The same between two lines. If loading is not recorded, an OB is loaded *)
+(* or deleted unseen as soon as something depends on it. So the loaded OBs *)
+(* do not matter here.                                                     *)
 DistinctAfterLine ==
     <<cpu.readings,
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,

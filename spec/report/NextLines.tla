@@ -129,7 +129,7 @@ NextLines ==
              : r \in IF DiagRecorded THEN reports ELSE {} }
       \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallLines)
 
-(* The line with each answer that the CPU may give.                          *)
+(* The line with each answer that the CPU may give.                        *)
 \* @type: $event => Set($event);
 WithAnswers(e) ==
     CASE e.event \in {"QRY_TINT", "QRY_DINT"} ->
@@ -143,7 +143,7 @@ WithAnswers(e) ==
              : r \in { q \in requests : q.ob = e.ob } }
       [] OTHER -> {e}
 
-(* A line that stands for e: the same silent steps are possible before it.   *)
+(* A line that stands for e: the same silent steps are possible before it. *)
 \* @type: $event => $event;
 Likewise(e) == IF Partial \/ PointsNow # {} \/ OverNow # {} THEN e
                ELSE Line(IF e.event = "start" THEN e.event ELSE "")
@@ -168,8 +168,8 @@ EndOfTime ==
 \* @type: Int => { at: $moment, up: $moment };
 Later(d) == [at |-> After(clock, d), up |-> After(up, d)]
 
-(* The latest moment at which nothing is overdue. It is used in states in    *)
-(* which time cannot go on.                                                  *)
+(* The latest moment at which nothing is overdue. It is used in states in  *)
+(* which time cannot go on.                                                *)
 LastInTime ==
     LET ages == { waiting[c] : c \in { k \in DOMAIN waiting : k < 100 } }
                   \cup { r.age : r \in EntriesLate(terms.latency) }

@@ -88,20 +88,25 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 (* [OBS-50] [OBS-52] [OBS-53] [OBS-54] [OBS-55] [OBS-57] [DINT-13]         *)
 (* [IRT-03] [AMB-65]                                                       *)
 \* @type: Str => Bool;
-Restart(type) ==
-    /\ mode = "STOP"
+Resets(type) ==
     /\ RestartExists(type)
-    /\ mode'    = "STARTUP"
     /\ startup' = type
-    /\ Reconfigure
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
     /\ stopCause' = RestartStop
-    /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
-    /\ stack' = <<>>
     /\ delay' = 0
     /\ UNCHANGED <<loaded, clock>>
+
+(* [OBS-40] [OBS-50] *)
+\* @type: Str => Bool;
+Restart(type) ==
+    /\ mode = "STOP"
+    /\ Resets(type)
+    /\ mode'    = "STARTUP"
+    /\ Reconfigure
+    /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
+    /\ stack' = <<>>
 
 (* [OBS-42] STARTUP is over when the startup OB has been processed. *)
 Run ==
@@ -142,17 +147,21 @@ Release ==
         /\ RearmPassed
         /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
-(* [OBS-41] [OBS-47] [AIRT-11] The CPU may be stopped at any time.         *)
-(* Settings made by SFCs lose their effect: a restart follows [DINT-13].   *)
-Stop ==
-    /\ mode # "STOP"
-    /\ mode'      = "STOP"
-    /\ startup'   = "none"
+(* [OBS-41] [AIRT-11] Nothing waits in STOP, and no delay runs. Settings    *)
+(* made by SFCs lose their effect: a restart follows [DINT-13].            *)
+Clears ==
     /\ requests'  = {}
-    /\ stack'     = <<>>
     /\ delay'     = 0
     /\ stopCause' = NoCause
     /\ dint' = NoJobs
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, clock, tod, irt>>
+
+(* [OBS-41] [OBS-47] The CPU may be stopped at any time.                   *)
+Stop ==
+    /\ mode # "STOP"
+    /\ mode'      = "STOP"
+    /\ startup'   = "none"
+    /\ stack'     = <<>>
+    /\ Clears
 =============================================================================
