@@ -183,7 +183,7 @@ ArrivalProp ==
     [][ /\ \A r \in Fresh :
              LET old    == { q \in requests' \ Fresh : q.class = r.class }
                  beside == { q \in old : q.rank = r.rank }
-             IN  /\ \A q \in old : q.rank <= r.rank
+             IN  /\ \A q \in old : Single(q) => q.rank <= r.rank
                  /\ beside # {} => \E q \in beside : q.since = r.since
         /\ \A q, r \in requests :
              /\ q.class = r.class /\ q.rank < r.rank /\ ~q.open /\ ~r.open
