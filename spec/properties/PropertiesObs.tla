@@ -174,8 +174,8 @@ FirstEventProp ==
 
 (* [OBS-02] The place of a start event is its turn: it enters behind all   *)
 (* that wait in its class, or beside one of the same time [AMB-29], and    *)
-(* those that stay keep their order. Start events with the same content    *)
-(* are not told apart.                                                     *)
+(* definite ones that stay keep their order. Start events with the same    *)
+(* content are not told apart.                                             *)
 \* @type: $request => Bool;
 Single(r) == \A q \in {requests, requests'} : \A s, t \in q :
                Content(s) = Content(r) /\ Content(t) = Content(r) => s = t
@@ -183,10 +183,10 @@ ArrivalProp ==
     [][ /\ \A r \in Fresh :
              LET old    == { q \in requests' \ Fresh : q.class = r.class }
                  beside == { q \in old : q.rank = r.rank }
-             IN  /\ \A q \in old : q.rank <= r.rank
+             IN  /\ \A q \in old : Single(q) => q.rank <= r.rank
                  /\ beside # {} => \E q \in beside : q.since = r.since
         /\ \A q, r \in requests :
-             /\ q.class = r.class /\ q.rank < r.rank
+             /\ q.class = r.class /\ q.rank < r.rank /\ ~q.open /\ ~r.open
              /\ Single(q) /\ Single(r)
              => \A s, t \in requests' :
                   Content(s) = Content(q) /\ Content(t) = Content(r)
