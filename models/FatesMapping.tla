@@ -110,7 +110,7 @@ Withdrawing(o) ==
 Plus(f, g) == [o \in CountedObs |-> f[o] + g[o]]
 
 (* One that is lost is not missed, and one that is missed is not cleared.  *)
-Counted ==
+HistoryCounts ==
     LET new    == [o \in CountedObs |-> Occurring(o)]
         stops  == step'.event \in {"stop", "switch"}
         by(e)  == [o \in CountedObs |-> IF Did(e) /\ step'.ob = o THEN 1

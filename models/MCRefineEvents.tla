@@ -47,7 +47,7 @@ EventsInit == /\ Init
               /\ occurred = NoneYet /\ served = NoneYet /\ lost = NoneYet
               /\ missed = NoneYet /\ withdrawn = NoneYet
               /\ cleared = NoneYet
-EventsNext == Next /\ Counted
+EventsNext == Next /\ HistoryCounts
 EventsSpec == EventsInit /\ [][EventsNext]_<<vars, history>>
 
 Events == INSTANCE Conservation WITH Obs <- CountedObs, fates <- AllFates

@@ -60,8 +60,8 @@ def test_the_map_has_each_module_once() -> None:
 
 
 def test_modules_are_short() -> None:
-    """A module of more than 450 lines is more than one concern."""
-    long = [name for name, module in read_modules(ROOT / "spec").items() if module.text.count(b"\n") > 450]
+    """A module of more than 700 lines is more than one concern."""
+    long = [name for name, module in read_modules(ROOT / "spec").items() if module.text.count(b"\n") > 700]
     assert long == []
 
 
