@@ -133,7 +133,7 @@ SkipTimeProp ==
 
 (* The OB was called for point p of its setting. *)
 \* @type: ($tod, Int) => Bool;
-Counted(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
+CountsAsServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
 
 (* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
 (* point that is reached counts as served, unless its OB is blocked; a     *)
@@ -143,12 +143,12 @@ ServedProp ==
           LET p == tod[o].next
           IN  Remembers /\ tod'[o].set =>
                 /\ Did("reached") /\ step'.ob = o =>
-                     ( Counted(tod'[o], p)
-                         <=> Counted(tod[o], p) \/ ~Blocked(o) )
+                     ( CountsAsServed(tod'[o], p)
+                         <=> CountsAsServed(tod[o], p) \/ ~Blocked(o) )
                 /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
                    /\ o \in SkippedNow /\ ~ServedPointsAreSkipped
-                   => ( Counted(tod'[o], p)
-                          <=> \/ Counted(tod[o], p)
+                   => ( CountsAsServed(tod'[o], p)
+                          <=> \/ CountsAsServed(tod[o], p)
                               \/ \E r \in requests' :
                                    r.ob = o /\ r.since.min = p ) ]_vars
 
