@@ -55,8 +55,10 @@ ErrorsOccurring(o) ==
 
 (* A skip may wait for the end of HOLD [AMB-53].                           *)
 \* @type: Int => Bool;
-IsSkipped(o) == /\ step'.event \in {"clock", "release"} /\ mode # "STOP"
-                /\ Skipped(o) /\ tod'[o].next # tod[o].next
+IsSkipped(o) ==
+    \/ /\ step'.event \in {"clock", "release"} /\ mode # "STOP"
+       /\ Skipped(o) /\ tod'[o].next # tod[o].next
+    \/ PassedInHold(o)
 
 (* How many start events of an OB occur in this step. *)
 \* @type: Int => Int;

@@ -17,6 +17,7 @@ Occurs10 == /\ ~Deselected(10)
             /\ \/ Did("reached") /\ step'.ob = 10
                \/ /\ step'.event \in {"clock", "release"} /\ mode # "STOP"
                   /\ Skipped(10) /\ tod'[10].next # tod[10].next
+               \/ PassedInHold(10)
 
 (* The start events of OB 10 are over. *)
 PastAfter ==

@@ -81,6 +81,10 @@ NoSigns == {}
 \* @type: Set(Int);
 NoIrtModes == {}
 NoHoldPossible == FALSE
+(* Where every point is one of the moment at which HOLD ends, it counts as *)
+(* reached after HOLD; MCHold has both.                                    *)
+\* @type: Set(Int);
+NothingAtRelease == {}
 
 (* At most n start events wait, and a few more that are open. *)
 \* @type: Int => Bool;

@@ -16,6 +16,14 @@ MCClockTargets == {Moment(2, 0)}
 MCInterrupts == {<<40, 0>>}
 MCRestartTypes == {"warm"}
 
+(* [AMB-83] Back before the point that passed. *)
+BackTargets == {Moment(0, 30000)}
+(* [AMB-84] Errors whose OBs are missing. *)
+MissingErrors == {<<80, 1>>, <<82, 0>>, <<85, \hA3>>}
+LoadsWithoutErrors == {{10, 40}}
+LoadsWithTod == {{10, 80}}
+NothingSet == {[o \in TodObs |-> NotConfigured]}
+
 \* @type: Bool;
 Holding == TRUE
 

@@ -32,14 +32,14 @@ MCReadingSets ==
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { "AMB-" \o d \o e : d, e \in Digits }
 
-(* 87 questions, a row each, of which no formula asks seven. A default is *)
+(* 87 questions, a row each, of which no formula asks five. A default is  *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
     /\ Cardinality(Questions) = 87
     /\ Cardinality({ q[1] : q \in Questions }) = 87
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 87 - 7
+    /\ Cardinality(Ambiguities) = 87 - 5
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -208,6 +208,8 @@ ClockInv ==
                                /\ ReadingOf(c, "AMB-57") \in {"a", "b"}
     /\ Holds("AMB-58", "a", {"b"}, ServedPointsAreSkipped)
     /\ Holds("AMB-59", "a", {"b"}, SetBackWithdrawsRuns)
+    /\ Holds("AMB-83", "c", {"a"}, SetBackForgetsHeld)
+    /\ Holds("AMB-83", "c", {"b"}, SetBackKeepsHeld)
 
 DispatchInv ==
     /\ Holds("AMB-06", "a", {"b"}, MissingNoticedAtActivation)
@@ -255,6 +257,9 @@ DispatchInv ==
     /\ Holds("AMB-70", "c", {"b"}, CallsComeAfterTheEnd)
     /\ Holds("AMB-74", "a", {"b"}, RestartedJobKeepsSign)
     /\ Holds("AMB-75", "a", {"a"}, ErrorObsAreNotReported)
+    /\ Holds("AMB-84", "d", {"a"}, HeldErrorStopsAtOnce)
+    /\ Holds("AMB-84", "d", {"b"}, HeldErrorStopsLater)
+    /\ Holds("AMB-84", "d", {"c"}, HeldErrorIsLost)
     /\ Holds("AMB-77", "d", {"a"}, ExternalAgainIsTimeError)
     /\ Holds("AMB-77", "d", {"b"}, ExternalAgainIsBuffered)
     /\ Holds("AMB-77", "d", {"c"}, ExternalAgainIsLost)

@@ -287,7 +287,8 @@ def _merge(header: dict[str, Any], line: str) -> None:
         elif group == "priority":
             header[group] = {**header.get(group, {}), ob: _number(name, value, 10)}
         elif group == "step7":
-            header[group] = {"tod": {**header.get(group, {"tod": {}})["tod"], ob: _time_of_day(value)}}
+            kind, given = "dint" if ob.startswith("2") else "tod", header.get(group, {})
+            header[group] = {**given, kind: {**given.get(kind, {}), ob: _parameters(value)}}
         elif name == "obs":
             header[name] = [_number(name, number, 10) for number in value.split(",")]
         elif name == "records":
@@ -302,7 +303,7 @@ def _merge(header: dict[str, Any], line: str) -> None:
             header[name] = _JSON.get(value, value)
 
 
-def _time_of_day(value: str) -> dict[str, object]:
+def _parameters(value: str) -> dict[str, object]:
     """STEP 7's parameters of one interrupt: ``EXECUTION,START``, ``active``, ``deselected``."""
     made: dict[str, object] = {}
     for word in value.split(","):

@@ -36,11 +36,18 @@ ReadingsOf(h) ==
     h.readings \cup { p \in Profile(h.profile) :
                         ~\E r \in h.readings : r[1] = p[1] }
 
+(* [DINT-02] [OBS-06] The time-delay interrupts that STEP 7 deselects: they  *)
+(* have class 0, also on a CPU whose classes are fixed.                      *)
+\* @type: $header => Set(Int);
+OffBy(h) ==
+    { s.ob : s \in { q \in h.step7 : q.ob \in DintObs /\ q.deselected } }
+
 \* @type: $header => $cpu;
 CpuOf(h) ==
     [ family   |-> h.cpu,
-      priority |-> [ o \in { p[1] : p \in h.priority } |->
-                       (CHOOSE p \in h.priority : p[1] = o)[2] ],
+      priority |-> [ o \in { p[1] : p \in h.priority } \cup OffBy(h) |->
+                       IF o \in OffBy(h) THEN 0
+                       ELSE (CHOOSE p \in h.priority : p[1] = o)[2] ],
       readings |-> [ a \in { r[1] : r \in ReadingsOf(h) } |->
                        (CHOOSE r \in ReadingsOf(h) : r[1] = a)[2] ],
       step7    |-> [ o \in TodObs |->

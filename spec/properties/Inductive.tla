@@ -78,6 +78,7 @@ SettingDataInv ==
                                     /\ i.start \in 0..LastMinute
                                     /\ i.period \in Periods
       /\ tod[o].repeatTo >= -1
+      /\ tod[o].held => mode \in {"HOLD", "STOP"} /\ tod[o].active
 
 (* [CLK-09] [CLK-10] Only a CPU that does not serve a point again remembers. *)
 MemoryInv ==

@@ -31,7 +31,8 @@ AirtKeepsProp ==
           => \A r \in requests : ~r.open =>
                \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
 
-(* [AIRT-03] [AIRT-06] [AIRT-07] Counting. *)
+(* [AIRT-03] [AIRT-05] [AIRT-06] [AIRT-07] Counting: a call of EN_AIRT     *)
+(* takes one call of DIS_AIRT back, whatever block of the OB made it.      *)
 AirtCountProp ==
     [][ /\ Did("DIS_AIRT") => delay' = delay + 1 /\ step'.value = delay'
         /\ Did("EN_AIRT") =>

@@ -90,13 +90,31 @@ RearmProp ==
 (* least that is not blocked, and OB 80 is not blocked: a start event of   *)
 (* OB 80 waits that is new and definite, with fault 06 and the interrupts  *)
 (* that were skipped, of which blocked ones may lack; if OB 80 is not      *)
-(* loaded, the CPU has to stop. New runs of these OBs: SkipTimeProp.       *)
+(* loaded, the CPU has to stop. A point that equals the clock may have     *)
+(* passed, and no other [AMB-83]. New runs of these OBs: SkipTimeProp.     *)
 HoldSkipProp ==
-    [][ Did("release") /\ SkippedNow \ BlockedNow # {} /\ ~Blocked(80) =>
-          IF 80 \in loaded
-          THEN \E r \in requests' \ requests :
-                 r.ob = 80 /\ r.fault = 6 /\ NamesSkipped(r.late) /\ ~r.open
-          ELSE stopCause' # NoCause ]_vars
+    [][ Did("release") /\ ~Blocked(80) =>
+          LET passed == SkippedNow \cup { o \in TodObs : tod[o].held }
+              said   == { o \in passed : ~Blocked(o) }
+              equal  == { o \in TodObs : /\ tod[o].active /\ ~Deselected(o)
+                                         /\ At(tod[o].next) = clock }
+              errors == { r \in requests' \ requests :
+                            r.ob = 80 /\ r.fault = 6 /\ ~r.open }
+          IN  /\ said # {} =>
+                   IF 80 \in loaded
+                   THEN \E r \in errors : said \subseteq r.late
+                   ELSE stopCause' # NoCause
+              /\ \A r \in errors : r.late \ passed \subseteq equal
+              /\ passed \cup equal = {} => UNCHANGED stopCause ]_vars
+
+(* [AMB-83] Only HOLD, and a clock that is set back in it, keep a point    *)
+(* that has passed for the release, and only one that has passed.          *)
+HeldProp ==
+    [][ \A o \in TodObs : tod'[o].held =>
+          \/ tod[o].held /\ tod'[o].next = tod[o].next
+          \/ /\ Did("clock") /\ mode = "HOLD" /\ Before(clock', clock)
+             /\ tod[o].active /\ ~Before(clock, At(tod[o].next))
+             /\ tod'[o].next = tod[o].next ]_vars
 
 (* [CLK-07] [OBS-46] [AMB-16] After a skip, by the clock or in HOLD, OB 80 *)
 (* gives the time at which it was noticed, and a run that catches up its   *)
@@ -115,7 +133,7 @@ SkipTimeProp ==
 
 (* The OB was called for point p of its setting. *)
 \* @type: ($tod, Int) => Bool;
-CountsServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
+CountsAsServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
 
 (* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
 (* point that is reached counts as served, unless its OB is blocked; a     *)
@@ -125,12 +143,12 @@ ServedProp ==
           LET p == tod[o].next
           IN  Remembers /\ tod'[o].set =>
                 /\ Did("reached") /\ step'.ob = o =>
-                     ( CountsServed(tod'[o], p)
-                         <=> CountsServed(tod[o], p) \/ ~Blocked(o) )
+                     ( CountsAsServed(tod'[o], p)
+                         <=> CountsAsServed(tod[o], p) \/ ~Blocked(o) )
                 /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
                    /\ o \in SkippedNow /\ ~ServedPointsAreSkipped
-                   => ( CountsServed(tod'[o], p)
-                          <=> \/ CountsServed(tod[o], p)
+                   => ( CountsAsServed(tod'[o], p)
+                          <=> \/ CountsAsServed(tod[o], p)
                               \/ \E r \in requests' :
                                    r.ob = o /\ r.since.min = p ) ]_vars
 

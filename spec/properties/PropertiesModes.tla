@@ -42,9 +42,24 @@ StopCauseProp ==
           \/ stopCause' = \h4568 /\ 80 \notin loaded
           \/ stopCause' = \h456D /\ 85 \notin loaded
           \/ stopCause' = 0 /\ Did("missing")
+          \/ /\ stopCause' = 0 /\ Did("interrupt") /\ mode = "HOLD"  \* AMB-84
+             /\ step'.ob \notin loaded /\ step'.ob \in {82, 83, 84, 86}
           \/ stopCause' = \h4562 /\ Did("interrupt") /\ step'.ob = 121
           \/ stopCause' = \h4563 /\ Did("interrupt") /\ step'.ob = 122
           \/ stopCause' = \h454A /\ Did("restart") ]_vars
+
+(* [AMB-84] [AMB-67] An error in HOLD whose OB is missing stops the CPU;   *)
+(* or it waits, perhaps to no effect, and stops the CPU later; or it is    *)
+(* lost.                                                                   *)
+HeldErrorProp ==
+    [][ /\ Did("interrupt") /\ mode = "HOLD" /\ stopCause = NoCause
+        /\ step'.ob \in {80, 82, 83, 85, 86} \ loaded
+        /\ step'.ob \notin irt.blocked
+        => \/ stopCause' # NoCause /\ UNCHANGED requests
+           \/ /\ stopCause' = NoCause
+              /\ \A r \in requests' \ requests :
+                   \/ r.ob = step'.ob
+                   \/ r.ob = TimeErrorOb /\ r.open ]_vars
 
 (* A STOP by rule comes before all else, unless it is delayed [AMB-49]. No *)
 (* delay holds back that of a synchronous error [OBS-63].                  *)

@@ -35,6 +35,15 @@ SkippedNow == { o \in TodObs : Skipped(o) }
 BlockedNow == { o \in SkippedNow : Blocked(o) }
 SkippedAndLoaded == (SkippedNow \ BlockedNow) \cap loaded
 
+(* [AMB-83] HOLD ends, and a point of the interrupt counts as passed in it *)
+(* that is not before the clock: one that passed before the clock was set  *)
+(* back, or one that equals the clock.                                     *)
+\* @type: Int => Bool;
+PassedInHold(o) ==
+    /\ Did("release") /\ tod[o].active /\ ~Deselected(o)
+    /\ \/ tod[o].held
+       \/ At(tod[o].next) = clock /\ tod'[o].next # tod[o].next
+
 (* p is the first minute that is not before moment t; Never if there is    *)
 (* none up to 2089.                                                        *)
 \* @type: (Int, $moment) => Bool;

@@ -59,6 +59,7 @@ Words ==
                                  SettableClasses(p) # {} } },
       obs      |-> ObNumbersOfLogs,
       tod_obs  |-> TodObs,
+      dint_obs |-> DintObs,
       external |-> ExternalObs \cup SyncErrorObs,
       faulty   |-> {TimeErrorOb, ProgramErrorOb},
       profiles |-> ProfileNames,
@@ -67,8 +68,7 @@ Words ==
 (* What else can stand in their place: the letters that formulas tell      *)
 (* apart, and the defaults; PERIODs and the answers of calls.              *)
 Alternatives ==
-    [ dint_obs |-> DintObs,
-      letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
+    [ letters  |-> { <<a, Letters(a)>> : a \in Ambiguities },
       defaults |-> { DefaultOf(a) : a \in Ambiguities },
       periods  |-> PeriodCodes,
       answers  |-> AnswersOfCalls ]

@@ -17,6 +17,11 @@ DisAirtAnswers(count) == {count + 1}
 \* @type: Int => Set(Int);
 EnAirtAnswers(count) == {IF count = 0 THEN NotDelayed ELSE count - 1}
 
+(* [AIRT-05] All blocks of the OB count together: what a library block     *)
+(* turns on and off again leaves the delay of its caller.                  *)
+\* @type: Int => Int;
+CountAfterEnAirt(count) == IF count > 1 THEN count - 1 ELSE 0
+
 (* [AIRT-03] [AIRT-06] *)
 \* @type: Int => Bool;
 DisAirt(ret) ==
@@ -32,7 +37,7 @@ DisAirt(ret) ==
 EnAirt(ret) ==
     /\ Called
     /\ ret \in EnAirtAnswers(delay)
-    /\ delay' = IF delay = 0 THEN 0 ELSE delay - 1
+    /\ delay' = CountAfterEnAirt(delay)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                    stack>>

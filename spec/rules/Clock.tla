@@ -64,18 +64,31 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
        /\ Defer(skipped)
 
+(* [AMB-83] When the clock is set back in HOLD, the interrupts whose next  *)
+(* point OB 80 will report though it is ahead again. A point that equals   *)
+(* the clock may have passed or not.                                       *)
+\* @type: $moment => Set(Set(Int));
+HeldAfter(to) ==
+    IF ~(mode = "HOLD" /\ IsBack(to)) THEN {Held}
+    ELSE (IF SetBackKeepsHeld THEN {} ELSE {Held})
+           \cup (IF SetBackForgetsHeld THEN {}
+                 ELSE { Held \cup SkippedBy(clock) \cup equal
+                        : equal \in SUBSET { o \in PointsAtClock :
+                            tod[o].next = clock.min } })
+
 (* [AMB-71] This call also consumes a one-shot interrupt. *)
 \* @type: $tod => $tod;
 CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
                                          ELSE [t EXCEPT !.next = Never]
 
-(* The settings after the clock was set. If a skip is `held', the setting  *)
-(* of its OB stays until the release.                                      *)
-\* @type: ($moment, $cpu, Set(Int)) => (Int -> $tod);
-TodAfterClock(to, c, held) ==
+(* The settings after the clock was set. If a skip is `deferred', the      *)
+(* setting of its OB stays until the release; so does one that is `held'.  *)
+\* @type: ($moment, $cpu, Set(Int), Set(Int)) => (Int -> $tod);
+TodAfterClock(to, c, deferred, held) ==
     [ o \in DOMAIN tod |->
         IF mode = "STOP" THEN Repeating(tod[o], to)
-        ELSE IF o \in held THEN tod[o]
+        ELSE IF o \in held THEN Repeating([tod[o] EXCEPT !.held = TRUE], to)
+        ELSE IF o \in deferred THEN tod[o]
         ELSE IF o \in CalledBySetBack(to) /\ HasOnePoint(tod[o].period)
         THEN CalledOnce(SettingAt(o, to))
         ELSE Rearmed(o, to, c) ]
@@ -83,14 +96,16 @@ TodAfterClock(to, c, held) ==
 (* [CLK-01] *)
 \* @type: $moment => Bool;
 ClockSet(to) ==
-    LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to)
+    LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to) \ Held
         active  == IF mode = "STOP" THEN {} ELSE ActiveAt(to)
     IN  /\ to # clock
         /\ clock' = to
-        /\ \E c \in CpusThatShow(active, to), held \in Deferring :
+        /\ \E c \in CpusThatShow(active, to), deferred \in Deferring,
+              held \in HeldAfter(to) :
              /\ cpu' = c
-             /\ IF skipped = {} \/ held THEN NothingSkipped(to)
-                                        ELSE SomeSkipped(to, skipped)
-             /\ tod' = TodAfterClock(to, c, IF held THEN skipped ELSE {})
+             /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
+                                            ELSE SomeSkipped(to, skipped)
+             /\ tod' = TodAfterClock(to, c, IF deferred THEN skipped ELSE {},
+                                     held)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

@@ -51,6 +51,17 @@ ErrorShows(error, stops, cause) ==
     /\ entered'   = EntriesOf(error)
                       \cup (IF stops THEN EntriesOfStop(cause) ELSE {})
 
+(* [OBS-21] [OBS-22] [OBS-23] The errors that stop the CPU without their    *)
+(* OB, and why.                                                            *)
+ObsThatStop == ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
+\* @type: Int => Int;
+CauseWithout(o) == CASE o = ProgramErrorOb -> NoProgramErrorOb
+                     [] o = TimeErrorOb    -> NoTimeErrorOb
+                     [] OTHER              -> OtherErrorOb
+\* @type: Int => Set($entry);
+EntriesWithout(o) == IF CauseWithout(o) = OtherErrorOb THEN {}
+                     ELSE EntriesOfStop(CauseWithout(o))
+
 (* [AMB-07] *)
 \* @type: Int => Bool;
 ErrorsNeverStop(o) == DelaysNeverStopTheCpu /\ o \in DintObs

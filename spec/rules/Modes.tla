@@ -127,25 +127,42 @@ Hold ==
     /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars,
                    runVars>>
 
-(* HOLD ends: points may have passed meanwhile. *)
-RearmPassed ==
-    LET passed == { o \in DOMAIN tod :
-                      tod[o].active /\ IsPast(NextMoment(tod[o]), clock) }
-    IN  \E c \in CpusThatShow({ tod[o] : o \in passed }, clock) :
-          /\ cpu' = c
-          /\ tod' = [ o \in DOMAIN tod |-> IF o \in passed
-                                           THEN Rearmed(o, clock, c)
-                                           ELSE tod[o] ]
+(* [AMB-83] The setting of an OB whose next point passed in HOLD before    *)
+(* the clock was set back: OB 80 has reported the point. A one-shot        *)
+(* interrupt is not armed again [CLK-12].                                  *)
+\* @type: (Int, $moment, $cpu) => $tod;
+AfterHeld(o, to, c) ==
+    LET t == [tod[o] EXCEPT !.held = FALSE]
+        u == IF RunComesFor(o, t.next) THEN Served(t, t.next) ELSE t
+    IN  AfterPoint(o, IF HasOnePoint(u.period) THEN [u EXCEPT !.next = Never]
+                      ELSE Armed(u, to, c))
 
-(* [OBS-46] OB 80 reports the points that passed in HOLD. *)
+(* HOLD ends: points may have passed meanwhile, those that equal the clock *)
+(* only of the OBs `equal'.                                                *)
+\* @type: Set(Int) => Bool;
+RearmPassed(equal) ==
+    LET \* @type: Int => $moment;
+        now(o) == IF o \in equal THEN [clock EXCEPT !.ms = @ + 1] ELSE clock
+        passed == { o \in DOMAIN tod :
+                      tod[o].active /\ IsPast(NextMoment(tod[o]), now(o)) }
+    IN  \E c \in CpusThatShow({ tod[o] : o \in passed \cup Held }, clock) :
+          /\ cpu' = c
+          /\ tod' = [ o \in DOMAIN tod |->
+                        IF o \in Held THEN AfterHeld(o, now(o), c)
+                        ELSE IF o \in passed THEN Rearmed(o, now(o), c)
+                        ELSE tod[o] ]
+
+(* [OBS-46] OB 80 reports the points that passed in HOLD. A point that     *)
+(* equals the clock may have passed, or is reached after HOLD [AMB-83].    *)
 Release ==
-    LET skipped == SkippedBy(clock)
-    IN  /\ mode = "HOLD"
-        /\ mode' = "RUN"
-        /\ IF skipped = {} THEN Nothing
-           ELSE Skip(SkippedInHold, clock, skipped)
-        /\ RearmPassed
-        /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
+    /\ mode = "HOLD"
+    /\ mode' = "RUN"
+    /\ \E equal \in SUBSET PointsAtClock :
+         LET skipped == SkippedBy(clock) \cup Held \cup equal
+         IN  /\ IF skipped = {} THEN Nothing
+                ELSE Skip(SkippedInHold, clock, skipped)
+             /\ RearmPassed(equal)
+    /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
 
 (* [OBS-41] [AIRT-11] Nothing waits in STOP, and no delay runs. Settings    *)
 (* made by SFCs lose their effect: a restart follows [DINT-13].            *)

@@ -115,8 +115,7 @@ Questions ==
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
-NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78", "AMB-83",
-              "AMB-84" }
+NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -419,6 +418,17 @@ Bit3IsOpen == Reading("AMB-82") = "b"
 (* CPU.                                                                    *)
 OtherErrorObIsCalled == Reading("AMB-85") # "b"
 OtherErrorStops      == Reading("AMB-85") # "a"
+(* [AMB-83] A point that passed in HOLD before the clock was set back is   *)
+(* no longer one; or OB 80 reports it all the same; or either.             *)
+SetBackForgetsHeld == Reading("AMB-83") = "a"
+SetBackKeepsHeld   == Reading("AMB-83") = "b"
+
+(* [AMB-84] An error in HOLD whose OB is missing: STOP at once, STOP after *)
+(* the release, it is lost; or AMB-67 is asked and STOP may come at once.  *)
+HeldErrorStopsAtOnce == Reading("AMB-84") = "a"
+HeldErrorStopsLater  == Reading("AMB-84") = "b"
+HeldErrorIsLost      == Reading("AMB-84") = "c"
+
 (* [AMB-86] STEP 7 sets a monthly interrupt on day 29 to 31: months        *)
 (* without the day may be left out, unless AMB-05 (c) leaves none out; may *)
 (* have a point on their last day; or there may be no point.               *)

@@ -140,11 +140,6 @@ ObMissing(r) ==
        ELSE ProgramErrorOccurs(RequestsAfterCall(r), r)
     \/ NoticedBefore(r.ob) /\ RequestsBecome(RequestsAfterCall(r))
 
-(* [OBS-21] OB 85 is missing; OB 80 was deleted meanwhile. *)
-\* @type: Int => Int;
-CauseWithout(o) == IF o = ProgramErrorOb THEN NoProgramErrorOb
-                                         ELSE NoTimeErrorOb
-
 (* For a missing OB 84 both are allowed: the CPU stops, or nothing happens. *)
 \* @type: $request => Bool;
 ErrorObMissing(r) ==
@@ -152,14 +147,10 @@ ErrorObMissing(r) ==
        /\ ProgramErrorOccurs(Remove(requests, r), r)
     \/ /\ r.ob \in ErrorObsNotMissed
        /\ RequestsBecome(Remove(requests, r))
-    \/ /\ r.ob \in ErrorObsThatStop
-       /\ requests' = Remove(requests, r)
-       /\ stopCause' = StopFor(OtherErrorOb)
-       /\ NothingEntered
-    \/ /\ r.ob \in {ProgramErrorOb, TimeErrorOb}
+    \/ /\ r.ob \in ObsThatStop
        /\ requests' = Remove(requests, r)
        /\ stopCause' = StopFor(CauseWithout(r.ob))
-       /\ entered' = EntriesOfStop(CauseWithout(r.ob))
+       /\ entered' = EntriesWithout(r.ob)
 
 \* @type: $request => Bool;
 Missing(r) ==

@@ -222,6 +222,35 @@ OutsideRun(new) ==
 KeptFromRunning(o) ==
     mode = "HOLD" \/ (mode = "STARTUP" /\ o \notin AsyncErrorObs)
 
+(* [AMB-84] An error in HOLD whose OB is missing [OBS-22] [OBS-23]. *)
+\* @type: $request => Bool;
+MissingInHold(new) ==
+    mode = "HOLD" /\ new.ob \notin loaded /\ new.ob \in ObsThatStop
+
+(* ... STOP at once. OB 84 need not be there. *)
+\* @type: $request => Bool;
+StopsInHold(new) ==
+    /\ UNCHANGED requests
+    /\ \/ /\ stopCause' = StopFor(CauseWithout(new.ob))
+          /\ entered' = OpenEntries(IF new.fault = 0 THEN {} ELSE {new})
+                          \cup EntriesWithout(new.ob)
+       \/ /\ new.ob \in ErrorObsNotMissed
+          /\ UNCHANGED stopCause /\ NothingEntered
+
+(* ... it waits for the release, and its OB will be missing. *)
+\* @type: $request => Bool;
+AwaitsTheRelease(new) ==
+    /\ requests' = Enter(requests, new)
+    /\ UNCHANGED stopCause
+    /\ entered' = OpenEntries(IF new.fault = 0 THEN {} ELSE {new})
+
+\* @type: $request => Bool;
+ErrorInHold(new) ==
+    CASE HeldErrorStopsAtOnce -> StopsInHold(new)
+      [] HeldErrorStopsLater  -> AwaitsTheRelease(new)
+      [] HeldErrorIsLost      -> Nothing
+      [] OTHER                -> StopsInHold(new) \/ OutsideRun(new)
+
 (* [OBS-07] In STOP nothing happens [OBS-41]. *)
 \* @type: $request => Bool;
 Comes(new) ==
@@ -230,6 +259,7 @@ Comes(new) ==
     THEN TimeErrorOccurs(requests, requests, new)
     ELSE IF Blocked(new.ob)
     THEN IF new.fault = 0 THEN Lost(new.ob) ELSE ErrorLost(new)
+    ELSE IF MissingInHold(new) THEN ErrorInHold(new)
     ELSE IF KeptFromRunning(new.ob) THEN OutsideRun(new)
     ELSE IF new.ob \in AsyncErrorObs THEN ErrorOccurs(new)
     ELSE Occurs(new)

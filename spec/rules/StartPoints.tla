@@ -67,6 +67,18 @@ NextSkipped(t) ==
     IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
     ELSE [NextMoment(t) EXCEPT !.min = Earlier(@, PointFrom(t, clock.min + 1))]
 
+(* [AMB-83] The interrupts whose next point passed in HOLD, before the     *)
+(* clock was set back.                                                     *)
+Held == { o \in DOMAIN tod : tod[o].held }
+
+(* The active interrupts with a point that equals the clock and was not    *)
+(* reached yet.                                                            *)
+PointsAtClock ==
+    { o \in DOMAIN tod :
+        /\ tod[o].active /\ ~Deselected(o) /\ clock.ms = tod[o].offset
+        /\ tod[o].next <= clock.min
+        /\ NextPoint(tod[o], clock, cpu) = clock.min }
+
 (* The active interrupts with points between the old and the new time.  A  *)
 (* point that equals the new time is reached, not skipped [AMB-37].        *)
 \* @type: $moment => Set(Int);
@@ -78,9 +90,12 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
 (* The settings after a skip *)
 
 (* The last minute that has passed with its point, if it has one [AMB-14]. *)
+(* In HOLD the next point may have passed.                                 *)
 \* @type: $tod => Int;
-PassedMinute(t) == IF clock.ms < t.offset \/ t.next = clock.min
-                 THEN clock.min - 1 ELSE clock.min
+PassedMinute(t) ==
+    LET passed == mode = "HOLD" /\ (t.held \/ clock # NextMoment(t))
+    IN  IF clock.ms < t.offset \/ (t.next = clock.min /\ ~passed)
+        THEN clock.min - 1 ELSE clock.min
 
 (* A clock that is set back repeats the time until now. *)
 \* @type: ($tod, $moment) => $tod;

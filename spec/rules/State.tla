@@ -32,7 +32,8 @@ VARIABLES
     (* CPU 318 [CLK-09]: served, the points for which the OB was called, as *)
     (* runs of minutes without an unserved point between; repeatTo, the     *)
     (* last minute that the clock had reached before it was set back, -1 if *)
-    (* it was not; overTo, the same since this setting was made.            *)
+    (* it was not; overTo, the same since this setting was made. held: the  *)
+    (* next point passed in HOLD, and the clock was set back [AMB-83].      *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
@@ -75,7 +76,7 @@ VARIABLES
 (*                  period: Int, next: Int,                                *)
 (*                  served: Set({ from: Int, to: Int }),                   *)
 (*                  earlier: Set($memory), repeatTo: Int, overTo: Int,     *)
-(*                  called: Bool };                                        *)
+(*                  called: Bool, held: Bool };                            *)
 (* @typeAlias: memory = { from: Int, to: Int, start: Int, period: Int };   *)
 (* @typeAlias: job = { started: Bool, left: Int, dtime: Int, sign: Int };  *)
 (* @typeAlias: irt = { blocked: Set(Int), silent: Set(Int) };              *)

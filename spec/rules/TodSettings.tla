@@ -17,7 +17,8 @@ EXTENDS Calendar, Requests
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
                period |-> Once, next |-> Never, served |-> {}, earlier |-> {},
-               repeatTo |-> -1, overTo |-> -1, called |-> FALSE ]
+               repeatTo |-> -1, overTo |-> -1, called |-> FALSE,
+               held |-> FALSE ]
 
 (* The next point. *)
 \* @type: $tod => $moment;

@@ -43,7 +43,8 @@ def _comment(program: Program) -> str:
         f"   CPU: {header['cpu']}. Set the clock to {header['clock']}, then begin in {header.get('mode', 'STOP')}.",
     ]
     lines += [f"   Priority class of OB {ob}: {level}." for ob, level in header.get("priority", {}).items()]
-    for ob, parameters in header.get("step7", {}).get("tod", {}).items():
+    step7 = header.get("step7", {})
+    for ob, parameters in (*step7.get("tod", {}).items(), *step7.get("dint", {}).items()):
         said = ", ".join(f"{name} {value}" for name, value in parameters.items())
         lines.append(f"   STEP 7 parameters of OB {ob}: {said}.")
     if program.outside:

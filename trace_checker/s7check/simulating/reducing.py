@@ -64,7 +64,7 @@ def _smaller(raw: dict[str, Any]) -> Iterator[dict[str, Any]]:
     tod = header.get("step7", {}).get("tod", {})
     for ob in tod:
         rest = {key: value for key, value in tod.items() if key != ob}
-        yield raw | {"header": header | {"step7": {"tod": rest}}}
+        yield raw | {"header": header | {"step7": header["step7"] | {"tod": rest}}}
 
 
 def _rounder(raw: dict[str, Any]) -> Iterator[Callable[[dict[str, Any]], dict[str, Any]]]:

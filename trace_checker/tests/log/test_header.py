@@ -93,7 +93,7 @@ REFUSED: list[tuple[str, object, str]] = [
     ("priority", {"70": 29}, "priority.70"),
     ("priority", {"81": 27}, "priority.81"),
     ("priority", {"85": 23}, "priority.85"),
-    ("step7", {"dint": {}}, "step7.dint"),
+    ("step7", {"delay": {}}, "step7.delay"),
     ("step7", {"tod": {"18": {}}}, "step7.tod.18"),
     ("step7", {"tod": {"10": {"execution": "Daily"}}}, "step7.tod.10.execution"),
     ("step7", {"tod": {"10": {"execution": "daily"}}}, "step7.tod.10.start"),

@@ -27,7 +27,9 @@ final class Header {
   private static final int NO_START = -1;
 
   /** As a priority class: the OB is deselected [OBS-06]. */
-  private static final int DESELECTED = 0;
+  private static final int CLASS_OF_DESELECTED = 0;
+
+  private static final String DESELECTED = "deselected";
 
   private static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
   private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
@@ -46,8 +48,11 @@ final class Header {
               (Reader) Spellings::minute,
               "active",
               Spellings.TRUTH,
-              "deselected",
+              DESELECTED,
               Spellings.TRUTH));
+
+  private static final Table TIME_DELAY =
+      new Table("a time-delay interrupt", Map.of(), Table.of(DESELECTED, Spellings.TRUTH));
 
   private final List<String> settable;
   private final Table header;
@@ -78,7 +83,13 @@ final class Header {
                 PRIORITY,
                 priorities(words.classes),
                 "step7",
-                Table.mapping("the field tod", Map.of("tod", timesOfDay(words.timeOfDayObs))),
+                Table.mapping(
+                    "the fields tod and dint",
+                    Map.of(
+                        "tod",
+                        parameters(words.timeOfDayObs, TIME_OF_DAY),
+                        "dint",
+                        parameters(words.timeDelayObs, TIME_DELAY))),
                 READINGS,
                 readings(words.letters),
                 PROFILE,
@@ -92,18 +103,18 @@ final class Header {
   }
 
   private static Reader priority(TreeSet<Long> classes) {
-    String expected = "a class " + classes.first() + ".." + classes.last() + " or " + DESELECTED + " (deselected)";
+    String expected = "a class " + classes.first() + ".." + classes.last() + " or " + CLASS_OF_DESELECTED + " (deselected)";
     return value -> {
-      if (value instanceof Long level && (level == DESELECTED || classes.contains(level))) {
+      if (value instanceof Long level && (level == CLASS_OF_DESELECTED || classes.contains(level))) {
         return value;
       }
       throw new Unusable(expected, Quoting.quote(value));
     };
   }
 
-  private static Reader timesOfDay(TreeSet<Long> obs) {
+  private static Reader parameters(TreeSet<Long> obs, Table fields) {
     var readers = new LinkedHashMap<String, Reader>();
-    obs.forEach(ob -> readers.put(String.valueOf(ob), Header::timeOfDay));
+    obs.forEach(ob -> readers.put(String.valueOf(ob), value -> parametersOfOne(fields.read(value))));
     return Table.mapping("an OB " + Quoting.ranges(obs), readers);
   }
 
@@ -113,14 +124,13 @@ final class Header {
     return Table.mapping("an ambiguity \"" + letters.firstKey() + "\"..\"" + letters.lastKey() + "\"", readers);
   }
 
-  /** STEP 7's parameters of one time-of-day interrupt, defaults filled in. */
-  private static Object timeOfDay(Object value) {
-    Fields given = TIME_OF_DAY.read(value);
+  /** STEP 7's parameters of one interrupt, defaults filled in. */
+  private static Object parametersOfOne(Fields given) {
     var normalised = new Fields();
     normalised.put(EXECUTION, or(given, EXECUTION, NEVER));
     normalised.put(START, or(given, START, NO_START));
     normalised.put("active", or(given, "active", false));
-    normalised.put("deselected", or(given, "deselected", false));
+    normalised.put(DESELECTED, or(given, DESELECTED, false));
     if (!normalised.get(EXECUTION).equals(NEVER) && !given.has(START)) {
       throw new Unusable("with execution " + Quoting.quote(normalised.get(EXECUTION)), "none", START);
     }
@@ -154,7 +164,7 @@ final class Header {
     normalised.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
     normalised.put("cycle", or(given, "cycle", false));
     normalised.put(PRIORITY, pairs(given.get(PRIORITY), true));
-    normalised.put("step7", given.get("step7") instanceof Fields step7 ? step7(step7.get("tod")) : List.of());
+    normalised.put("step7", step7(given.get("step7")));
     normalised.put(READINGS, pairs(given.get(READINGS), false));
     normalised.put(PROFILE, or(given, PROFILE, ""));
     normalised.put("records", or(given, "records", DEFAULT_KINDS));
@@ -172,16 +182,19 @@ final class Header {
     return pairs;
   }
 
-  private static List<Object> step7(Object timesOfDay) {
+  private static List<Object> step7(Object kinds) {
     var records = new ArrayList<Object>();
-    if (timesOfDay instanceof Fields fields) {
-      for (int i = 0; i < fields.size(); i++) {
-        var record = new Fields().put("ob", Integer.valueOf(fields.name(i)));
-        var parameters = (Fields) fields.value(i);
-        for (int k = 0; k < parameters.size(); k++) {
-          record.put(parameters.name(k), parameters.value(k));
+    if (kinds instanceof Fields step7) {
+      for (int n = 0; n < step7.size(); n++) {
+        var fields = (Fields) step7.value(n);
+        for (int i = 0; i < fields.size(); i++) {
+          var record = new Fields().put("ob", Integer.valueOf(fields.name(i)));
+          var parameters = (Fields) fields.value(i);
+          for (int k = 0; k < parameters.size(); k++) {
+            record.put(parameters.name(k), parameters.value(k));
+          }
+          records.add(record);
         }
-        records.add(record);
       }
     }
     return records;

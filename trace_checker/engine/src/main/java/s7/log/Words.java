@@ -18,6 +18,7 @@ final class Words {
 
   final TreeSet<Long> obs;
   final TreeSet<Long> timeOfDayObs;
+  final TreeSet<Long> timeDelayObs;
 
   /** OBs that an interrupt line may name. */
   final TreeSet<Long> externalObs;
@@ -35,6 +36,7 @@ final class Words {
     letters = map(words.get("choices"));
     obs = new TreeSet<>(Words.<Long>list(words.get("obs")));
     timeOfDayObs = new TreeSet<>(Words.<Long>list(words.get("tod_obs")));
+    timeDelayObs = new TreeSet<>(Words.<Long>list(words.get("dint_obs")));
     externalObs = new TreeSet<>(Words.<Long>list(words.get("external")));
     faultyObs = new TreeSet<>(Words.<Long>list(words.get("faulty")));
     classes = map(words.get("classes"));
