@@ -15,7 +15,7 @@ RUN = HEADER | {"mode": "RUN", "latency_ms": 20, "x_site": "mill"}
 
 def test_fewer_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Lines, OBs, fields and odd times go that the rejection does not need; the reason stays."""
-    calls = [event("DIS_IRT", 30 + n / 50, mode=2, ob=40, ret=0) for n in range(200)]
+    calls = [event("EN_IRT", 30 + n / 50, mode=2, ob=40, ret=0) for n in range(200)]
     lost = [
         event("SRT_DINT", 40, ob=20, dtime=1234, sign=1, ret=0, up=9),
         event("CAN_DINT", 41.5, ob=20, ret="16#80A0"),
