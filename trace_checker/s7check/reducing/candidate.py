@@ -13,6 +13,7 @@ from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
 from s7check.log.errors import UnusableLogError
+from s7check.report.expected import format_allowed
 from s7check.report.report import Report
 
 Fields = Mapping[str, Any]
@@ -40,13 +41,14 @@ class Judge:
     """Judges candidates in one engine until ``until`` of ``time.monotonic``.
 
     A candidate fits if it is readable, and rejected at its last line, too late or not as the first one, by rules among
-    which is the first requirement that decided there.
+    which is the first requirement that decided there. If it is too late, the same events had to come before it.
     """
 
     def __init__(self, engine: Engine, rejection: Report, until: float) -> None:
         """``rejection`` is the report of the log itself, which is not judged again: that may take minutes."""
         self._engine = engine
         self._late = bool(rejection.late)
+        self._owed = rejection.expected
         self._decided = set(rejection.requirements[:1])
         self._until = until
 
@@ -60,6 +62,7 @@ class Judge:
             and answer.verdict == "rejected"
             and answer.line == len(events) + 1
             and answer.late == self._late
+            and (not self._late or list(map(format_allowed, answer.expected)) == self._owed)
             and self._decided <= set(answer.requirements)
         )
 
