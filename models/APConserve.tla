@@ -42,7 +42,7 @@ AnyCounted ==
     /\ CountsBegin
 FirstCounted == Init /\ occurred = NoneYet /\ CountsBegin
 
-CountedOn == Counted /\ counts' = AllFates'
+CountedOn == HistoryCounts /\ counts' = AllFates'
 
 Tokens == INSTANCE Conservation WITH Obs <- CountedObs, fates <- counts
 
