@@ -61,10 +61,9 @@ CpuOf(h) ==
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
 (* past moment has already run. A point that equals the clock may have     *)
 (* been reached or not.                                                    *)
-\* @type: ($header, Int, Int, Int) => $tod;
-TodAtBegin(h, o, monthly, called) ==
-    LET t == Configured(CpuOf(h).step7[o], monthly)
-        n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
+\* @type: ($header, $tod, Int) => $tod;
+TodAtBegin(h, t, called) ==
+    LET n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
     IN  IF ~t.active THEN t
         ELSE IF h.mode = "RUN" /\ HasOnePoint(t.period) /\ n = Never
         THEN UsedUp(t)
@@ -89,9 +88,9 @@ Begin(h) ==
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
     /\ clock'  = h.clock
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0},
-          monthly \in MonthlyPeriods' :
+          set \in SettingsByStep7' :
          tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
-                                   ELSE TodAtBegin(h, o, monthly, called)' ]
+                                   ELSE TodAtBegin(h, set[o], called)' ]
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
