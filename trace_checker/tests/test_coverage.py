@@ -117,8 +117,8 @@ def test_guards(real_engine: Engine) -> None:
     """Both outcomes of a condition are two things to meet."""
     found = measure(lines(event("EN_AIRT", ret=0x8080)), real_engine).guards
     conditions = {(one.definition, one.text, one.outcome) for one in found if one.module == "Airt"}
-    assert ("EnAirt", "delay = 0", True) in conditions
-    assert ("EnAirt", "delay = 0", False) not in conditions
+    assert ("EnAirt", "Called", True) in conditions
+    assert ("EnAirt", "Called", False) not in conditions
 
 
 def test_union() -> None:
@@ -161,7 +161,7 @@ def test_command(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "\n  AIRT-07 " not in out
     assert "EN_AIRT 0000;" in out
     assert "PERIODs never set: 0000, 0201," in out
-    assert "FALSE: delay = 0\n" in out
+    assert "FALSE: Called\n" in out
 
 
 def test_formats(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
