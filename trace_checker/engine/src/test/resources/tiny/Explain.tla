@@ -42,6 +42,9 @@ Observe(e) ==
 (* There is nothing uncertain to give up. *)
 Loosen == FALSE /\ UNCHANGED <<count, time>>
 LastResort == Loosen
+(* No log leaves anything out. *)
+Partial == FALSE
+Loose == FALSE
 
 (* Nor anything that many states share. *)
 Crowd == FALSE /\ UNCHANGED <<count, time>>
