@@ -81,8 +81,8 @@ NoSigns == {}
 \* @type: Set(Int);
 NoIrtModes == {}
 NoHoldPossible == FALSE
-(* Where every point is one of the moment at which HOLD ends, it counts as *)
-(* reached after HOLD; MCHold has both.                                    *)
+(* A point that equals the clock when HOLD ends counts as reached after    *)
+(* HOLD. Such a model has one in the full lane without this [AMB-83].      *)
 \* @type: Set(Int);
 NothingAtRelease == {}
 
