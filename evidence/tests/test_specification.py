@@ -59,10 +59,14 @@ def test_the_map_has_each_module_once() -> None:
     assert edges == {(a, b) for b in shown for a in spec[b].imports & shown}
 
 
+LONG = {"Reasons": 660, "StartReasons": 540}
+"""Lines of the modules that have one case for each kind of line, or of start."""
+
+
 def test_modules_are_short() -> None:
-    """A module of more than 700 lines is more than one concern."""
-    long = [name for name, module in read_modules(ROOT / "spec").items() if module.text.count(b"\n") > 700]
-    assert long == []
+    """A module of more than 450 lines is more than one concern."""
+    lines = {name: module.text.count(b"\n") for name, module in read_modules(ROOT / "spec").items()}
+    assert [name for name, count in lines.items() if count > LONG.get(name, 450)] == []
 
 
 def test_lines_have_79_columns() -> None:
