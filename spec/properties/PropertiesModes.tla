@@ -48,9 +48,9 @@ StopCauseProp ==
           \/ stopCause' = \h4563 /\ Did("interrupt") /\ step'.ob = 122
           \/ stopCause' = \h454A /\ Did("restart") ]_vars
 
-(* [AMB-84] [AMB-67] An error in HOLD whose OB is missing stops the CPU;   *)
-(* or it waits, perhaps to no effect, and stops the CPU later; or it is    *)
-(* lost.                                                                   *)
+(* [AMB-84] [AMB-67] OB 80, 82, 83, 85 or 86 is missing, and its error     *)
+(* comes in HOLD: it stops the CPU; or it waits, perhaps to no effect, and *)
+(* stops the CPU later; or it is lost.                                     *)
 HeldErrorProp ==
     [][ /\ Did("interrupt") /\ mode = "HOLD" /\ stopCause = NoCause
         /\ step'.ob \in {80, 82, 83, 85, 86} \ loaded

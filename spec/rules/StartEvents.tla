@@ -227,7 +227,7 @@ KeptFromRunning(o) ==
 MissingInHold(new) ==
     mode = "HOLD" /\ new.ob \notin loaded /\ new.ob \in ObsThatStop
 
-(* ... STOP at once. OB 84 need not be there. *)
+(* [AMB-84] (a) The CPU stops at once. A missing OB 84 need not stop it.   *)
 \* @type: $request => Bool;
 StopsInHold(new) ==
     /\ UNCHANGED requests
@@ -237,7 +237,7 @@ StopsInHold(new) ==
        \/ /\ new.ob \in ErrorObsNotMissed
           /\ UNCHANGED stopCause /\ NothingEntered
 
-(* ... it waits for the release, and its OB will be missing. *)
+(* [AMB-84] (b) The error waits for the release. Its OB is missed then.    *)
 \* @type: $request => Bool;
 AwaitsTheRelease(new) ==
     /\ requests' = Enter(requests, new)
