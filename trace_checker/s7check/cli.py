@@ -17,6 +17,7 @@ COMMANDS = {
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
     "explore": "s7check.exploring.command:explore_command",
+    "mcp": "s7check.assisting.command:mcp_command",
     "coverage": "s7check.coverage.command:coverage_command",
     "reduce": "s7check.reducing.command:reduce_command",
     "import": "s7check.importing.command:import_command",

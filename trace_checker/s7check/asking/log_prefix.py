@@ -37,6 +37,11 @@ def read_prefix(engine: Engine, argument: str) -> Prefix:
         name, last = numbered["log"], int(numbered["line"])
     with open_log(name) as source:
         data = b"".join(as_utf8(source.chunks()))
+    return prefix_of(engine, name, data, last)
+
+
+def prefix_of(engine: Engine, name: str, data: bytes, last: int | None = None) -> Prefix:
+    """The same for the text of a log with this name."""
     texts = data.removesuffix(b"\n").split(b"\n") if data else []
     if last is not None and last > len(texts):
         raise UnusableLogError(f"a line 1 to {len(texts)}", str(last))

@@ -6,17 +6,15 @@ import click
 import msgspec
 
 from s7check.asking.log_prefix import Prefix, read_prefix
-from s7check.asking.next_answer import opened, what_is_next
+from s7check.asking.next_answer import what_is_next
 from s7check.asking.next_json import to_json
 from s7check.asking.next_text import to_text
-from s7check.asking.session import as_answer
 from s7check.asking.variants import variant_options, variants
+from s7check.asking.why_not import why_not
 from s7check.completion import complete_files
 from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.judging.check import rejection
-from s7check.judging.replay import Replay, with_readings
 from s7check.log.errors import UnusableLogError
 from s7check.log.objects import decoded
 from s7check.output import echo
@@ -77,20 +75,13 @@ def _why(engine: Engine, prefix: Prefix, text: str, output: str) -> int:
         event = decoded(text.encode())
     except UnusableLogError as error:
         raise click.UsageError(f"--why: {error.reason}") from error
-    session, last, _ = opened(engine, prefix)
-    line = {"at": session.clock, **event}
-    if str(line.get("event")).isupper():
-        line.setdefault("ret", None)
     try:
-        refusal = session.why(line)
+        last, line, report = why_not(engine, prefix, event)
     except UnusableLogError as error:
         raise click.UsageError(f"--why: {error.reason}") from error
-    if refusal is None:
+    if report is None:
         said = {"log": prefix.name, "line": last, "event": line, "possible": True}
         echo(f"{prefix.name}:{last}: this may come next" if output == "text" else msgspec.json.encode(said).decode())
         return 0
-    lines = [*prefix.texts[:last], msgspec.json.encode(line)]
-    report = rejection(prefix.name, as_answer(refusal, last + 1), lines[-1], lines)
-    report = with_readings(report, engine, Replay("-", lines))
     echo(TextReports().add(report) if output == "text" else report_to_json(report).decode())
     return EXIT_CODES["rejected"]

@@ -8,18 +8,14 @@ from pathlib import Path
 import click
 
 from s7check.asking.log_prefix import read_prefix
-from s7check.asking.session import Session
-from s7check.asking.variants import Variant, variant_options, variants
+from s7check.asking.variants import variant_options, variants
 from s7check.completion import complete_files
 from s7check.ending import ending
 from s7check.engine import pool
-from s7check.engine.client import Engine
 from s7check.kit.program import FORMAT
 from s7check.output import echo
-from s7check.report.report import clause_text
-from s7check.simulating.separation import log_of, separation
+from s7check.simulating.comparison import compare_log, compare_program
 from s7check.simulating.simulate_command import the_program
-from s7check.simulating.two_sides import difference_text
 
 _HELP = """Compare two CPUs, editions or readings on a program or a log.
 
@@ -50,10 +46,13 @@ def compare_command(
         if _is_program(Path(file)):
             if len(sides) != 2:
                 raise click.UsageError(f"expected two of --cpu, --profile and --reading; found {len(sides)}")
-            return _programs(engine, Path(file), only, sides[0], sides[1])
-        if not sides:
+            differ, lines = compare_program(engine, the_program(Path(file), only), sides[0], sides[1])
+        elif not sides:
             raise click.UsageError("expected --cpu, --profile or --reading; found none of them")
-        return _log(engine, file, sides)
+        else:
+            differ, lines = compare_log(engine, read_prefix(engine, file), sides)
+    echo("\n".join(lines))
+    return int(differ)
 
 
 def _is_program(file: Path) -> bool:
@@ -62,36 +61,3 @@ def _is_program(file: Path) -> bool:
             return FORMAT.encode() in content.read(4096)
     except OSError:
         return False
-
-
-def _programs(engine: Engine, file: Path, only: str | None, first: Variant, second: Variant) -> int:
-    program = the_program(file, only)
-    logs = {side: log_of(engine, program, side) for side in (first, second)}
-    for allowed, refused in ((first, second), (second, first)):
-        found = separation(engine, program, logs[allowed], allowed, refused)
-        if found is not None:
-            echo("\n".join(difference_text(found, logs[allowed], logs[refused])))
-            return 1
-    echo(f"no difference: each allows the log of the other ({len(logs[first]) - 1} events)")
-    return 0
-
-
-def _log(engine: Engine, file: str, sides: list[Variant]) -> int:
-    prefix = read_prefix(engine, file)
-    ends: set[int | None] = set()
-    named: set[str] = set()
-    for side in sides:
-        session = Session(engine, side.of(prefix.header))
-        line, requirements = None, []
-        for number, event in prefix.events:
-            refusal = session.feed(event)
-            if refusal is not None:
-                line, requirements = number, refusal.requirements
-                break
-        ends.add(line)
-        named.update(requirements)
-        said = "allows it" if line is None else f"line {line} is not possible: {', '.join(requirements)}"
-        echo(f"{side.name}: {said}")
-    for name in sorted(named):
-        echo(f"  {clause_text(name)}")
-    return 1 if len(ends) > 1 else 0
