@@ -380,7 +380,7 @@ BLOCKS = re.findall(r"^FUNCTION FC(\d+) : \w+$(.*?)^END_FUNCTION$", SOURCE, re.M
 def test_wrappers_of_the_source() -> None:
     """FC 100 + n calls SFC n once, logs it under n, passes its result on; locks are taken back."""
     sfcs = {0, 28, 29, 30, 31, 32, 33, 34, 39, 40, 41, 42, 51}
-    assert {int(number) - 100 for number, _ in BLOCKS} == sfcs | {10, 11}
+    assert {int(number) - 100 for number, _ in BLOCKS} == sfcs | {10, 11, 12}
     for number, body in BLOCKS:
         sfc = int(number) - 100
         if sfc not in sfcs:
@@ -389,6 +389,22 @@ def test_wrappers_of_the_source() -> None:
         assert f"FB100.DB100(code := {sfc});" in body
         assert f"FC{number} := result;" in body
         assert body.count("lock := SFC41()") == body.count("lock := SFC42()") == (sfc != 41)
+
+
+def test_entries_are_published_last() -> None:
+    """Nothing of an entry is written once it is counted, but what SFC 42 answers."""
+    bodies = dict(BLOCKS)
+    assert SOURCE.count("DB101.written :=") == 1
+    assert bodies.pop("112").rstrip().endswith("DB101.written := DB100.number;")
+    for number, body in bodies.items():
+        before, published, after = body.partition("FC112();")
+        assert published, number
+        assert "FC112();" not in after
+        assert "FB100.DB100(" in before
+        written = re.findall(r"DB101\.entry\[slot\]\.(\w+) :=", after)
+        assert written == (["ret", "done"] if number == "142" else [])
+        if number != "141":
+            assert re.match(r"\s*lock := SFC42\(\);", after), "published inside the lock"
 
 
 def test_names_of_the_source() -> None:
