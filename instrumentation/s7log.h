@@ -47,7 +47,7 @@
 enum s7log_result {
     S7LOG_OK,
     S7LOG_RANGE, /* an argument that the format cannot express */
-    S7LOG_ORDER, /* an event before the header, or a second header */
+    S7LOG_ORDER, /* an event before the header or behind done, or a second header */
     S7LOG_FULL,  /* the line is longer than the buffer */
     S7LOG_IO     /* writing failed, now or before: the log is incomplete */
 };
@@ -60,7 +60,7 @@ struct s7log {
     void *context;
     const char *note_name, *note_text; /* x_ field of the next line */
     uint64_t events;                   /* written so far */
-    bool has_header, failed;
+    bool has_header, is_done, failed;
     enum s7log_result result; /* of the line in the buffer */
     size_t length;
     char line[S7LOG_LINE];
@@ -425,7 +425,7 @@ static inline enum s7log_result s7log__end_line(struct s7log *l)
 static inline void s7log__begin_event(struct s7log *l, struct s7log_now now, const char *event)
 {
     l->length = 0;
-    l->result = l->has_header ? S7LOG_OK : S7LOG_ORDER;
+    l->result = l->has_header && !l->is_done ? S7LOG_OK : S7LOG_ORDER;
     s7log__text(l, "{\"event\":\"");
     s7log__text(l, event);
     s7log__char(l, '"');
@@ -489,7 +489,7 @@ static inline void s7log_open(struct s7log *l, s7log_write *write, void *context
     l->context = context;
     l->note_name = l->note_text = NULL;
     l->events = 0;
-    l->has_header = l->failed = false;
+    l->has_header = l->is_done = l->failed = false;
     l->result = S7LOG_OK;
     l->length = 0;
 }
@@ -838,6 +838,14 @@ static inline enum s7log_result s7log_hold(struct s7log *l, struct s7log_now now
 static inline enum s7log_result s7log_release(struct s7log *l, struct s7log_now now)
 {
     return s7log__plain(l, now, "release");
+}
+
+/* The end of a log that is whole: nothing is missing up to now, and nothing may follow. */
+static inline enum s7log_result s7log_done(struct s7log *l, struct s7log_now now)
+{
+    enum s7log_result result = s7log__plain(l, now, "done");
+    l->is_done = l->is_done || result == S7LOG_OK;
+    return result;
 }
 
 /* ---- start events, blocks, diagnostic buffer, state ------------------------------------------ */

@@ -177,8 +177,10 @@ static void events(void)
     LINE(s7log_state(&l, now, 20, &state),
          "\"state\"," AT ",\"ob\":20,\"active\":true,\"blocked\":false,\"loaded\":true,"
          "\"entries_off\":false,\"left\":60000");
+    LINE(s7log_done(&l, now), "\"done\"," AT);
 #undef LINE
-    CHECK(l.events == 32 && s.lines == 33);
+    CHECK(s7log_run(&l, now) == S7LOG_ORDER && s7log_done(&l, now) == S7LOG_ORDER);
+    CHECK(l.events == 33 && s.lines == 34);
 }
 
 static void event_ranges(void)

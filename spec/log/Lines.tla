@@ -269,6 +269,8 @@ Shows(e) ==
          [] e.event = "stop"       -> IsStop(e)
          [] e.event = "diag"       -> IsEntry(e)
          [] e.event = "state"      -> IsState(e)
+         \* The log ends: nothing is missing up to this moment.
+         [] e.event = "done"       -> UNCHANGED cpuVars /\ NothingEntered
     /\ IF e.event = "diag" THEN UNCHANGED <<waiting, eventVars>> ELSE Rewait
     /\ UNCHANGED <<terms, up>>
 =============================================================================

@@ -406,6 +406,7 @@ LooseShows(e) ==
          [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
                                       ELSE IsEntry(e)
          [] e.event = "state"      -> LooseState(e)
+         [] e.event = "done"       -> UNCHANGED cpuVars /\ NothingEntered
     /\ UNCHANGED <<terms, up, waiting, eventVars>>
     /\ IF e.event = "diag" THEN TRUE ELSE Report(0)
 

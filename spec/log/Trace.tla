@@ -128,7 +128,7 @@ Touches(e, o) ==
       [] e.event = "interrupt"            -> ClassOf(e.ob) = ClassOf(o)
       [] e.event \in CallEvents \cup {"start", "end", "load", "delete",
                                       "state"} -> e.ob = o
-      [] OTHER                            -> e.event # "diag"
+      [] OTHER                            -> e.event \notin {"diag", "done"}
 
 (* In the class of OB o another start event of this moment does more than  *)
 (* make its OB wait. Their order decides which OB runs first.              *)

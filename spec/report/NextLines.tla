@@ -5,8 +5,9 @@
 (* need not be possible.                                                   *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events.                            *)
-(* Left out: lines of kind `state', which never have to come; most         *)
-(* operands of calls and clocks: a few represent the others.               *)
+(* Left out: lines of kind `state', which never have to come; `done',      *)
+(* which ends the log; most operands of calls and clocks: a few represent  *)
+(* the others.                                                             *)
 (***************************************************************************)
 EXTENDS PartialLogs
 

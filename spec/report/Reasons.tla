@@ -647,5 +647,6 @@ WhyPossible(e, past) ==
       [] e.event = "delete"     -> IF PendingIn(requests, e.ob) THEN {"AMB-66"}
                                    ELSE {"OBS-20"}
       [] e.event = "diag"       -> OfEntry(e, past)
+      [] e.event = "done"       -> {}
       [] OTHER                  -> {"OBS-60"}
 =============================================================================

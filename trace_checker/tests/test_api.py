@@ -44,6 +44,19 @@ def test_check_of_events() -> None:
     assert b"EN_AIRT" in report.event
 
 
+def test_checker_and_the_end_of_the_log() -> None:
+    """A `done` owes what had to come by then, and nothing can be fed behind it."""
+    dis = event("DIS_AIRT", ret=1)
+    late = event("done", at="2026-11-21T05:59:40")
+    due = event("interrupt", ob=40)
+    with pytest.raises(s7check.NotAcceptedError, match="something had to come before this line") as caught:
+        _fed([RUN | {"obs": [1, 40, 80, 85]}, due, late])
+    assert caught.value.report.expected == ["start ob=40"]
+    _fed([RUN | {"obs": [1, 40, 80, 85]}, dis, due, late])
+    with pytest.raises(s7check.NotAcceptedError, match='nothing behind "done"'):
+        _fed([RUN, late, late])
+
+
 def _fed(lines: list[s7check.Line]) -> None:
     with s7check.Checker() as checker:
         for each in lines:

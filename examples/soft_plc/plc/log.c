@@ -15,6 +15,11 @@ void log_open(struct log *log, FILE *out, bool flush_lines)
     s7log_open(&log->s7, write_line, log);
 }
 
+void log_done(struct log *log, int64_t at, int64_t up)
+{
+    s7log_done(&log->s7, (struct s7log_now){.at = at, .up = log->config.up ? up : S7LOG_NONE});
+}
+
 bool log_close(struct log *log)
 {
     return fflush(log->out) == 0 && !log->s7.failed;

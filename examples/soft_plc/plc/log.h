@@ -23,6 +23,8 @@ struct log {
 };
 
 void log_open(struct log *log, FILE *out, bool flush_lines);
+/* The log is whole up to this moment, the reading of the CPU clock and the elapsed time. */
+void log_done(struct log *log, int64_t at, int64_t up);
 /* Writes what is left; false where writing has failed. */
 bool log_close(struct log *log);
 

@@ -163,6 +163,8 @@ static int run(const struct options *o, const struct plc_config *config, struct 
     static struct log log;
     log_open(&log, out, o->real_time);
     plc_run(&plc, config, program, &log, o->real_time);
+    if (o->kit && !log.s7.is_done)
+        fputs("{\"event\": \"done\"}\n", out); /* it has broken off, and the kit says what is missing */
     if (log_close(&log)) {
         if (o->scenario != NULL && o->events == 0 && log.s7.events == config->max_events)
             fprintf(stderr, "soft_plc: the log ends after %llu events; see --events\n",
@@ -248,7 +250,6 @@ static int run_kit(const struct options *o)
         struct scenario s;
         if (scenario_read(&s, "(standard input)", number, line, (size_t)length)) {
             status = prepare_and_run(o, &s, stdout);
-            fputs("{\"event\": \"done\"}\n", stdout);
         } else {
             skip(s.error, stdout);
         }

@@ -114,4 +114,6 @@ void plc_run(struct plc *plc, const struct plc_config *config, struct program *p
         }
         follow(plc);
     }
+    if (plc->clock.up >= config->duration || plc->clock.up >= last_up(plc))
+        log_done(log, s7cpu_clock(cpu) + plc->clock.up - s7cpu_up(cpu), plc->clock.up);
 }

@@ -11,6 +11,7 @@ public final class Clocks {
   private long clock;
   private long up;
   private long elapsed;
+  private boolean ended;
 
   /**
    * The clocks when a log begins.
@@ -28,11 +29,19 @@ public final class Clocks {
     clock = other.clock;
     up = other.up;
     elapsed = other.elapsed;
+    ended = other.ended;
   }
 
   /** The CPU clock after the last line, as a log spells it. */
   public String reading() {
     return Days.iso(clock);
+  }
+
+  /** A line can only follow where the log has not ended. */
+  void requireOpen() {
+    if (ended) {
+      throw new Unusable("nothing behind \"done\", the end of the log", "a line");
+    }
   }
 
   /**
@@ -59,5 +68,6 @@ public final class Clocks {
     clock = event.get("to") instanceof Moment to ? to.inMilliseconds() : at;
     event.put(Events.AT, Moment.of(at));
     event.put(Events.UP, Moment.of(elapsed));
+    ended = event.get(Events.EVENT).equals(Events.DONE);
   }
 }

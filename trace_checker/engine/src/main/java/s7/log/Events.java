@@ -13,6 +13,9 @@ final class Events {
   static final String AT = "at";
   static final String UP = "up";
 
+  /** The event that ends a log. */
+  static final String DONE = "done";
+
   private static final String OB = "ob";
   static final String RET = "ret";
   private static final String STATUS = "status";
@@ -84,6 +87,7 @@ final class Events {
         "diag",
         Table.of("id", word),
         Table.of(OB, Spellings.BYTE, "priority", Spellings.BYTE, "info", INFO));
+    kind(DONE, none, none);
     kind(
         "state",
         block,

@@ -33,6 +33,7 @@ public final class Format {
 
   /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
   public Fields event(byte[] text, Clocks clocks) {
+    clocks.requireOpen();
     return event(Fields.of(text), clocks);
   }
 

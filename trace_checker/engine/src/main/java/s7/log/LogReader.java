@@ -93,6 +93,9 @@ public final class LogReader {
       return;
     }
     try {
+      if (clocks != null) {
+        clocks.requireOpen();
+      }
       Fields object = json.read(bytes, from, to);
       if (clocks == null) {
         Fields header = format.header(object, file);
