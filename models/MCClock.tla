@@ -28,7 +28,7 @@ MCRestartTypes == {"warm"}
 Bounded == /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
 
-(* The full lane: MCClockWide.cfg. *)
+(* The full lane: `clock-wide'. *)
 BackAndOverBoth == {Moment(0, 0), Moment(2, 30000)}
 WideClockTargets == MCClockTargets \cup {Moment(0, 30000), Moment(1, 0)}
 Wide == /\ Waiting(3)

@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* For ReadingSets of a model: a letter that is not the default, or two.   *)
 (*                                                                         *)
-(* The controls letter-... of manifest.json show what a letter contradicts *)
+(* The controls letter-... of controls.txt show what a letter contradicts  *)
 (* (not_proved of proofs.json).                                            *)
 (* Left out: the letters that contradict nothing.                          *)
 (***************************************************************************)

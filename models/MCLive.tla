@@ -25,7 +25,7 @@ MCRestartTypes == {"warm"}
 (* DIS_AIRT answers at most 2. *)
 MCRetVals == {0, 1, 2}
 
-(* MCLiveDelay.cfg: a delay that the program starts and cancels. *)
+(* `live-delay': a delay that the program starts and cancels. *)
 MCDintObs == {20}
 DelayLoads == {{20, 40, 80, 85}}
 DelayStep7 == {[o \in TodObs |-> NotConfigured]}
@@ -35,7 +35,7 @@ DelayMoments == HalfMinutes(1, 1)
 DelayRetVals == {OK}
 OneFamily == {"S7-300"}
 
-(* MCLiveReleased.cfg: DIS_AIRT answers at most 3. *)
+(* `live-released': DIS_AIRT answers at most 3. *)
 NestedInterrupts == {<<40, 0>>, <<82, 0>>}
 NestedLoads == {{40, 80, 82, 85}}
 NestedMoments == {Moment(0, 30000)}
@@ -43,8 +43,8 @@ NestedRetVals == 0..3
 
 MCBudget == 2
 TwoEvents == 2
-(* Enough for the negative controls. MCLivePoint.cfg has it, too: its      *)
-(* states are those of MCLive.cfg, and a second event, for which TLC takes *)
+(* Enough for the negative controls. `live-point' has it, too: its         *)
+(* states are those of `live', and a second event, for which TLC takes     *)
 (* longer than for any other model, is left to the full lane.              *)
 OneEvent == 1
 

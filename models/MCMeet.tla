@@ -8,7 +8,7 @@
 (* Program and world follow a plan: its interventions come in this order,  *)
 (* each at any time. Steps of the CPU itself, EN_AIRT and restart are      *)
 (* free. MetInv claims that no behaviour has all of this: the witness      *)
-(* `all-met' (MCMeetReach.cfg) is a behaviour that has it all.             *)
+(* `all-met' of models.txt is a behaviour that has it all.                 *)
 (***************************************************************************)
 EXTENDS MCAll
 

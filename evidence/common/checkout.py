@@ -5,5 +5,5 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOFT_PLC = ROOT / "examples" / "soft_plc"
 SOFT_PLC_PROGRAM = SOFT_PLC / "build" / "soft_plc"
-MANIFEST = Path("models/manifest.json")
-"""The manifest of the models, from the root."""
+MANIFEST = Path("models/models.txt")
+"""The manifest of the models, from the root; the negative controls stand beside it."""

@@ -14,7 +14,7 @@ manifest_option = click.option(
     "--manifest",
     type=click.Path(path_type=Path, dir_okay=False),
     default=ROOT / MANIFEST,
-    help="Default: models/manifest.json.",
+    help="Default: models/models.txt.",
 )
 tlc_option = click.option(
     "--tlc",

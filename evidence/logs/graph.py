@@ -9,10 +9,12 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from evidence.common.checkout import ROOT
+from evidence.common.checkout import MANIFEST, ROOT
 from evidence.common.processes import Processes
+from evidence.models.manifest import load
 from evidence.tla import tlc
 from evidence.tla.behaviour import Line, State, as_log, event_of
+from evidence.tla.cfg import replacements
 from evidence.tla.modules import module_folders
 from evidence.tla.values import assignments
 
@@ -114,11 +116,10 @@ def _module(world: World) -> str:
 
 def _configuration(world: World) -> str:
     """The model's constants, without what it checks."""
-    text = (ROOT / "models" / f"{world.model}.cfg").read_text()
-    constants = text.partition("CONSTANTS\n")[2].partition("INVARIANTS")[0].partition("PROPERTIES")[0]
-    for name in world.constants:
-        constants = re.sub(rf"^( *{name} <- ).*$", rf"\1Own{name}", constants, flags=re.MULTILINE)
-    return f"SPECIFICATION InsideSpec\nCHECK_DEADLOCK FALSE\nCONSTANTS\n{constants}"
+    model = next(m for m in load(ROOT / MANIFEST).models if m.module.stem == world.model)
+    constants = replacements(model.config) | {name: f"Own{name}" for name in world.constants}
+    lines = "\n".join(f"    {name} <- {value}" for name, value in constants.items())
+    return f"SPECIFICATION InsideSpec\nCHECK_DEADLOCK FALSE\nCONSTANTS\n{lines}\n"
 
 
 def read(dot: str) -> Graph:

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from evidence.logs.revision import Checkout
+from evidence.models.entries import ManifestError, read
 
 REASONS = {"survivor": "survivors.json", "witness": "witnesses.json"}
 
@@ -20,7 +21,7 @@ class PinsError(ValueError):
 
 
 class _Entry(msgspec.Struct):
-    """An entry of the manifest, as far as two revisions are compared."""
+    """An entry of the manifest of an older revision, as far as two revisions are compared."""
 
     name: str
     expect: dict[str, Any]
@@ -37,8 +38,20 @@ class _Reason(msgspec.Struct):
 
 def pinned(checkout: Checkout) -> dict[str, str]:
     """The pinned result of each model and negative control, in one line. Raises `PinsError`."""
-    manifest = _read(checkout.models / "manifest.json", _Manifest)
-    return {e.name: ", ".join(f"{field} {value}" for field, value in sorted(e.expect.items())) for e in manifest.models}
+    pins = {name: sorted(expect.items()) for name, expect in _expected(checkout.models)}
+    return {name: ", ".join(f"{field} {value}" for field, value in fields) for name, fields in pins.items()}
+
+
+def _expected(models: Path) -> list[tuple[str, dict[str, Any]]]:
+    """The pins of each model by their fields; before they were text, the manifest was JSON."""
+    older = models / "manifest.json"
+    if older.is_file():
+        return [(entry.name, entry.expect) for entry in _read(older, _Manifest).models]
+    try:
+        entries = read(models / "models.txt").entries
+    except ManifestError as error:
+        raise PinsError(str(error)) from error
+    return [(entry.name, msgspec.to_builtins(entry.expect)) for entry in entries]
 
 
 def reasons(checkout: Checkout, kind: str) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""The models of ``models/manifest.json``: the result that each must have, and running them.
+"""The models of ``models/models.txt``: the result that each must have, and running them.
 
 - ``manifest``: the manifest's format, its checks, and the models it resolves to
 - ``runner``: which models run when, each on a copy, and the second run that names a violated property

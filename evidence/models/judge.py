@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from evidence.models.manifest import Model, load, parse_json
+from evidence.models.entries import COUNTS, read, rewrite
+from evidence.models.manifest import Model, load
 from evidence.tla.messages import Counts, Kind, Outcome
-
-COUNTS = ("states", "distinct", "depth")
-WIDTH = 118
-"""Columns of a line of the manifest."""
 
 
 @dataclass(frozen=True)
@@ -120,40 +115,26 @@ def update(path: Path, results: list[Result]) -> tuple[list[str], list[Result]]:
     A violation's counts are set only where some are pinned already. Return a line for each change (none: the file is
     untouched), and the results by the new pins.
     """
-    document = parse_json(path, path.read_text(encoding="utf-8"))
     changes = []
-    entries = {entry["name"]: entry for entry in document["models"]}
+    entries = {entry.name: entry for entry in read(path).entries}
     for result in results:
         if result.problems or not result.count_problems:
             continue
-        expect = entries[result.model.name]["expect"]
+        expect = entries[result.model.name].expect
         for name in COUNTS:
             came = getattr(result.outcome.counts, name)
             several = name == "depth" and result.model.workers > 1
-            wanted = name in expect or (result.outcome.kind == "passed" and not several)
-            if wanted and came is not None and expect.get(name) != came:
-                changes.append(f"{result.model.name}: {name} {expect.get(name, 'not pinned')} -> {came}")
-                expect[name] = came
+            pin = getattr(expect, name)
+            wanted = pin is not None or (result.outcome.kind == "passed" and not several)
+            if wanted and came is not None and pin != came:
+                changes.append(f"{result.model.name}: {name} {'not pinned' if pin is None else pin} -> {came}")
+                setattr(expect, name, came)
     if not changes:
         return [], results
-    path.write_text(render(document) + "\n", encoding="utf-8")
+    rewrite(path, (entries[name] for name in dict.fromkeys(change.partition(":")[0] for change in changes)))
     pinned = {model.name: model for model in load(path).models}
     return changes, [r if r.exit is None or r.problems else _again(r, pinned[r.model.name], r.exit) for r in results]
 
 
 def _again(result: Result, model: Model, exit_code: int) -> Result:
     return judge(model, result.outcome, exit_code, result.seconds, result.workers, result.output)
-
-
-def render(value: Any, indent: int = 0) -> str:
-    """Return JSON with every value that fits on one line, so that a manifest stays readable and diffs small."""
-    flat = json.dumps(value, ensure_ascii=False)
-    if len(flat) + indent <= WIDTH and indent > 0:
-        return flat
-    inner = " " * (indent + 2)
-    if isinstance(value, dict) and value:
-        parts = [f"{inner}{json.dumps(k, ensure_ascii=False)}: {render(v, indent + 2)}" for k, v in value.items()]
-        return "{\n" + ",\n".join(parts) + f"\n{' ' * indent}}}"
-    if isinstance(value, list) and value:
-        return "[\n" + ",\n".join(inner + render(v, indent + 2) for v in value) + f"\n{' ' * indent}]"
-    return flat

@@ -1,116 +1,41 @@
 """The manifest: the models, and the result that each of them must have.
 
-``models/manifest.json`` holds entries of two shapes. A *base* entry names a module and a configuration file. A
-*derived* entry names a base entry and its changes: constants (``overrides``), text of a module (``mutate``), the
-invariants or properties that are checked. What a derived entry does not say, it has from its base. A base that is
-derived itself adds its constants.
+``models/models.txt`` and ``controls.txt`` beside it hold entries of two shapes (`evidence.models.entries`). A *base*
+entry names a module and a configuration file; the file is ``MCBase.cfg`` unless it names another. A *derived* entry
+names a base entry and its changes: constants, text of a module, the invariants or properties that are checked. What a
+derived entry does not say, it has from its base. A base that is derived itself adds its constants.
 
-Every error names the file and the field.
+Every error names file, line and model.
 """
 
 from __future__ import annotations
 
 import fnmatch
-import json
-import re
-from collections import Counter
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path, PurePosixPath
-from typing import Annotated, Any, Literal
+from typing import Any
 
 import msgspec
-from msgspec import UNSET, Meta, UnsetType
+from msgspec import UNSET, UnsetType
 
+from evidence.models.entries import LANES, Entry, Expect, Lane, Listed, ManifestError, ModelKind, Mutation, read
 from evidence.tla import cfg as cfg_file
 
-LANES = ("smoke", "ci", "full")
-Lane = Literal["smoke", "ci", "full"]
-ModelKind = Literal["model", "liveness", "refinement", "calendar", "witness", "negative"]
-Violates = Literal["invariant", "action", "temporal", "initial", "deadlock", "assumption"]
 PROPERTY_KINDS = frozenset({"action", "temporal", "initial"})
 
 HEAP_MB = 1024
 """Java heap of a run that names none, in MB."""
 
 _SINGLE_WORKER = frozenset({"liveness", "negative", "witness"})
+BASE_CONFIG = "MCBase.cfg"
+"""The configuration of a module whose entry names none."""
+
 _RESERVED_ARGS = frozenset(
     {"-continue", "-simulate", "-metadir", "-workers", "-config", "-tool", "-deadlock", "-recover", "-fp", "-seed"}
     | {"-generatespecte", "-nogeneratespecte"}
 )
 """Arguments that the harness sets, or under which an exit code of 0 means nothing; in lower case."""
-
-
-class ManifestError(ValueError):
-    """The manifest is wrong; the text names file, field and model."""
-
-
-Count = Annotated[int, Meta(ge=0)]
-Name = Annotated[str, Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
-
-
-class Expect(msgspec.Struct, forbid_unknown_fields=True):
-    """The result that a model must have.
-
-    `exit` is TLC's exit code: 0 passed, 10 an assumption is false, 11 deadlock, 12 or 13 a property is violated (for
-    what stands under PROPERTY the TLC versions differ between 12 and 13, so both are taken there; what kind of
-    violation it was is told by TLC's message codes). `property` names the violated invariant or property. `violates`
-    pins the kind of a violation closer than `property` alone. The counts are generated states, distinct states and
-    depth.
-    """
-
-    exit: Literal[0, 10, 11, 12, 13]
-    property: str | None = None
-    violates: Violates | None = None
-    states: Count | None = None
-    distinct: Count | None = None
-    depth: Count | None = None
-
-
-class Mutation(msgspec.Struct, forbid_unknown_fields=True):
-    """One replacement in a module's text. `replace` must occur exactly once in `module` when the model runs."""
-
-    module: str
-    replace: Annotated[str, Meta(min_length=1)]
-    by: str
-
-
-class Entry(msgspec.Struct, forbid_unknown_fields=True):
-    """An entry as it stands in the file.
-
-    Paths are relative to the manifest's directory, `seconds` is wall time. `brief`: the run is over before code that
-    is compiled well would pay, after some 7 seconds of work; unless a negative control says otherwise, it is.
-    """
-
-    name: Name
-    expect: Expect
-    base: str | UnsetType = UNSET
-    module: str | UnsetType = UNSET
-    config: str | UnsetType = UNSET
-    tool: Literal["tlc"] = "tlc"
-    lane: Lane | UnsetType = UNSET
-    kind: ModelKind | UnsetType = UNSET
-    what: str | UnsetType = UNSET
-    requirements: list[str] = []
-    seconds: tuple[float, float] | UnsetType = UNSET
-    workers: Annotated[int, Meta(ge=1)] | UnsetType = UNSET
-    deadlock: bool | UnsetType = UNSET
-    brief: bool | UnsetType = UNSET
-    heap: Annotated[int, Meta(ge=64)] | UnsetType = UNSET
-    args: list[str] | UnsetType = UNSET
-    overrides: dict[str, str | bool | int] = {}
-    mutate: Mutation | list[Mutation] = []
-    invariants: list[str] | UnsetType = UNSET
-    properties: list[str] | UnsetType = UNSET
-
-
-class ManifestFile(msgspec.Struct, forbid_unknown_fields=True):
-    """The whole file. `not_models` maps a glob below the manifest's directory to the reason why no entry names it."""
-
-    version: Literal[1]
-    models: list[Entry]
-    spec: str = "../spec"
-    not_models: dict[str, str] = {}
 
 
 @dataclass(frozen=True)
@@ -201,56 +126,18 @@ def shard(models: list[Model], number: int, of: int) -> list[Model]:
 
 def load(path: Path) -> Manifest:
     """Read and check the manifest and the files that it names. Raises `ManifestError`."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise ManifestError(f"{path}: cannot be read: {error.strerror}") from error
-    raw = parse_json(path, text)
-    try:
-        parsed = msgspec.convert(raw, ManifestFile)
-    except msgspec.ValidationError as error:
-        raise ManifestError(f"{path}: {_located(error, raw)}") from error
-    spec = (path.parent / parsed.spec).resolve()
+    listed = read(path)
+    spec = (path.parent / listed.spec).resolve()
     if not spec.is_dir():
-        raise ManifestError(f"{path}: spec: {parsed.spec} is not a directory")
-    twice = [name for name, n in Counter(e.name for e in parsed.models).items() if n > 1]
-    if twice:
-        raise ManifestError(f"{path}: models: the name {twice[0]!r} stands there more than once")
-    entries = {e.name: e for e in parsed.models}
-    bases = {e.name: e for e in parsed.models if isinstance(e.base, UnsetType)}
-    models = []
-    for index, entry in enumerate(parsed.models):
-        where = f"{path}: models[{index}] ({entry.name})"
-        models.append(_resolve(where, path.parent, spec, _through(entry, entries), bases))
-    return Manifest(path, spec, tuple(models), tuple(_unlisted(path, parsed)))
-
-
-def parse_json(path: Path, text: str) -> Any:
-    """Return the document; a key that stands twice in one object is an error, as is bad JSON (`ManifestError`)."""
-
-    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        twice = [key for key, n in Counter(key for key, _ in pairs).items() if n > 1]
-        if twice:
-            raise ManifestError(
-                f"{path}: the field {twice[0]!r} stands twice in {dict(pairs).get('name', 'an object')}"
-            )
-        return dict(pairs)
-
-    try:
-        return json.loads(text, object_pairs_hook=unique)
-    except json.JSONDecodeError as error:
-        raise ManifestError(f"{path}:{error.lineno}:{error.colno}: not JSON: {error.msg}") from error
-
-
-def _located(error: msgspec.ValidationError, raw: Any) -> str:
-    """Put the field first and the model's name next to its number: ``models[3] (neg-x).lane: ...``."""
-    text, _, where = str(error).partition(" - at `$")
-    where = where.rstrip("`").removeprefix(".")
-    if found := re.match(r"models\[(\d+)\]", where):
-        entry = raw["models"][int(found[1])]
-        name = entry.get("name", "?") if isinstance(entry, dict) else "?"
-        where = f"{found[0]} ({name}){where[found.end() :]}"
-    return f"{where or 'the document'}: {text}"
+        raise ManifestError(f"{path}: spec: {listed.spec} is not a directory")
+    entries: dict[str, Entry] = {}
+    for entry in listed.entries:
+        if entries.setdefault(entry.name, entry) is not entry:
+            first = entries[entry.name].place
+            raise ManifestError(f"{entry.place}: the name {entry.name!r} stands there more than once, see {first}")
+    bases = {e.name: e for e in listed.entries if isinstance(e.base, UnsetType)}
+    models = [_resolve(path.parent, spec, _through(entry, entries), bases) for entry in listed.entries]
+    return Manifest(path, spec, tuple(models), tuple(_unlisted(path, listed)))
 
 
 def _through(entry: Entry, entries: dict[str, Entry]) -> Entry:
@@ -258,11 +145,12 @@ def _through(entry: Entry, entries: dict[str, Entry]) -> Entry:
     between = None if isinstance(entry.base, UnsetType) else entries.get(entry.base)
     if between is None or isinstance(between.base, UnsetType) or isinstance(between.kind, UnsetType):
         return entry
-    return msgspec.structs.replace(entry, base=between.base, overrides=between.overrides | entry.overrides)
+    return msgspec.structs.replace(entry, base=between.base, constants=between.constants | entry.constants)
 
 
-def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry]) -> Model:
-    mutations = tuple(entry.mutate if isinstance(entry.mutate, list) else [entry.mutate])
+def _resolve(directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry]) -> Model:
+    where = f"{entry.place}: {entry.name}"
+    mutations = tuple(entry.mutate)
     base = _base(where, entry, mutations, bases)
     derived = base is not entry
     value = partial(_value, where, entry, base)
@@ -273,17 +161,17 @@ def _resolve(where: str, directory: Path, spec: Path, entry: Entry, bases: dict[
     if single and entry.workers not in (UNSET, 1):
         raise ManifestError(f"{where}.workers: a {kind} runs with 1 worker, its trace or liveness needs it")
     _check_mutations(where, directory, spec, mutations)
-    cfg = _config(where, directory, entry, value("config"))
+    cfg = configuration(directory, entry, base)
     model = Model(
         name=entry.name,
         kind=kind,
         lane=value("lane"),
         what=entry.what if not isinstance(entry.what, UnsetType) else _describe(where, entry, mutations),
         requirements=tuple(entry.requirements or base.requirements),
-        module=_file(where, directory, "module", value("module"), ".tla"),
+        module=_file(where, directory, "module", str(base.module), ".tla"),
         config=cfg.text,
         mutations=mutations,
-        deadlock=value("deadlock", True),
+        deadlock=value("deadlock", "FALSE" not in cfg.names("CHECK_DEADLOCK")),
         workers=1 if single else value("workers", 1),
         brief=kind == "negative" if isinstance(entry.brief, UnsetType) else entry.brief,
         heap=value("heap", HEAP_MB),
@@ -322,11 +210,11 @@ def _base(where: str, entry: Entry, mutations: tuple[Mutation, ...], bases: dict
         return entry
     if entry.base not in bases:
         raise ManifestError(f"{where}.base: {entry.base!r} is not the name of an entry with a module of its own")
-    for field in ("module", "config"):
-        if getattr(entry, field) is not UNSET:
-            raise ManifestError(f"{where}.{field}: an entry with a base has it from there")
-    own = (entry.invariants, entry.properties, entry.args, entry.deadlock)
-    if not (entry.overrides or mutations or any(field is not UNSET for field in own)):
+    if entry.config is not UNSET:
+        raise ManifestError(f"{where}.config: an entry with a base has it from there")
+    fields = ("invariants", "properties", "args", "deadlock", "specification", "view", "constraint")
+    own = any(getattr(entry, field) is not UNSET for field in fields)
+    if not (entry.constants or entry.plain or mutations or own):
         raise ManifestError(f"{where}: changes nothing of its base {entry.base}")
     return bases[entry.base]
 
@@ -335,7 +223,7 @@ def _describe(where: str, entry: Entry, mutations: tuple[Mutation, ...]) -> str:
     """Describe a derived entry without a description; any other entry must have its own."""
     if isinstance(entry.base, UnsetType):
         raise ManifestError(f"{where}.what: missing")
-    changes = [f"{name} {value}" for name, value in entry.overrides.items()]
+    changes = [f"{name} {value}" for name, value in entry.constants.items()]
     changes += [f"{m.replace!r} -> {m.by!r} in {m.module}" for m in mutations]
     for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
         changes += [] if isinstance(names, UnsetType) else [f"{keyword} {' '.join(names) or 'none'}"]
@@ -352,19 +240,35 @@ def _file(where: str, directory: Path, field: str, name: str, suffix: str) -> Pu
     return PurePosixPath(name)
 
 
-def _config(where: str, directory: Path, entry: Entry, name: str) -> cfg_file.Cfg:
-    text = (directory / _file(where, directory, "config", name, ".cfg")).read_text(encoding="utf-8")
+def configuration(directory: Path, entry: Entry, base: Entry) -> cfg_file.Cfg:
+    """The configuration of an entry in this directory: that of its base, changed. Raises `ManifestError`."""
+    name = BASE_CONFIG if base.config is UNSET else str(base.config)
+    file = _file(f"{entry.place}: {entry.name}", directory, "config", name, ".cfg")
     try:
+        text = (directory / file).read_text(encoding="utf-8")
         cfg_file.parse(text)
-        for constant, value in entry.overrides.items():
-            spelled = str(value).upper() if isinstance(value, bool) else str(value)
-            text = cfg_file.override(text, constant, spelled)
-        for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
-            if not isinstance(names, UnsetType):
-                text = cfg_file.replace_section(text, keyword, names)
+        for one in (base, entry) if entry is not base else (base,):
+            text = _changed(text, one)
         return cfg_file.parse(text)
-    except cfg_file.CfgError as error:
-        raise ManifestError(f"{where}: {name}: {error}") from error
+    except (OSError, UnicodeDecodeError, cfg_file.CfgError) as error:
+        raise ManifestError(f"{entry.place}: {entry.name}: {name}: {error}") from error
+
+
+def _changed(text: str, entry: Entry) -> str:
+    for constant in entry.plain:
+        text = cfg_file.without(text, constant)
+    for constant, value in entry.constants.items():
+        text = cfg_file.override(text, constant, value)
+    for keyword, names in (
+        ("SPECIFICATION", entry.specification),
+        ("VIEW", entry.view),
+        ("CONSTRAINT", entry.constraint),
+        ("INVARIANT", entry.invariants),
+        ("PROPERTY", entry.properties),
+    ):
+        if not isinstance(names, UnsetType):
+            text = cfg_file.replace_section(text, keyword, names)
+    return text
 
 
 def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[Mutation, ...]) -> None:
@@ -406,10 +310,12 @@ def _check_model(where: str, model: Model, check_deadlock: tuple[str, ...]) -> N
         raise ManifestError(f"{where}.expect.violates: {expect.violates} does not go with exit and property")
 
 
-def _unlisted(path: Path, parsed: ManifestFile) -> list[str]:
+def _unlisted(path: Path, listed: Listed) -> list[str]:
     """Name the .cfg and MC*.tla files that no entry names, and the exceptions that match none."""
     directory = path.parent
-    listed = {str(PurePosixPath(n)) for e in parsed.models for n in (e.module, e.config) if isinstance(n, str)}
+    named = {str(PurePosixPath(n)) for e in listed.entries for n in (e.module, e.config) if isinstance(n, str)}
+    if any(isinstance(e.module, str) and e.config is UNSET for e in listed.entries):
+        named.add(BASE_CONFIG)
     files = sorted(
         p.relative_to(directory).as_posix()
         for pattern in ("*.cfg", "MC*.tla")
@@ -417,12 +323,12 @@ def _unlisted(path: Path, parsed: ManifestFile) -> list[str]:
         if "canaries" not in p.relative_to(directory).parts[:-1]
     )
     drift = []
-    unused = dict(parsed.not_models)
+    unused = dict(listed.others)
     for file in files:
-        matching = [glob for glob in parsed.not_models if fnmatch.fnmatchcase(file, glob)]
+        matching = [glob for glob in listed.others if fnmatch.fnmatchcase(file, glob)]
         for glob in matching:
             unused.pop(glob, None)
-        if file not in listed and not matching:
+        if file not in named and not matching:
             drift.append(f"{directory / file}: no model of {path.name} names it")
-    drift += [f"{path}: not_models: {glob!r} matches no file" for glob in unused]
+    drift += [f"{path}: other: {glob!r} matches no file" for glob in unused]
     return drift

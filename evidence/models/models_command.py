@@ -17,7 +17,8 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models import canaries, distributed, judge, unchanged
 from evidence.models import models_report as report
-from evidence.models.manifest import LANES, ManifestError, Model, load
+from evidence.models.entries import LANES, ManifestError
+from evidence.models.manifest import Model, load
 from evidence.models.manifest import shard as part_of
 from evidence.models.runner import Harness, run_all
 from evidence.tla import tlc

@@ -15,8 +15,8 @@ from rich.text import Text
 
 from evidence.common.console import plain
 from evidence.models.canaries import Answers
+from evidence.models.entries import Mutation
 from evidence.models.judge import Result, exit_codes, expectation
-from evidence.models.manifest import Mutation
 from evidence.models.runner import Event
 from evidence.tla.behaviour import as_log, behaviour, of_system
 from evidence.tla.tlc import Toolchain

@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from evidence.common.processes import InterruptedRunError, Processes
+from evidence.models.entries import Mutation
 from evidence.models.judge import Result, judge
-from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model, Mutation
+from evidence.models.manifest import PROPERTY_KINDS, Manifest, Model
 from evidence.tla import tlc
 from evidence.tla.messages import Message, Outcome, progress
 from evidence.tla.modules import module_folders

@@ -12,7 +12,8 @@ from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 
 from evidence.common.cases import Case, all_cases
-from evidence.models.manifest import HEAP_MB, Expect, Model
+from evidence.models.entries import Expect
+from evidence.models.manifest import HEAP_MB, Model
 from evidence.tla import log_as_tla
 
 NAME = "logs"

@@ -19,7 +19,8 @@ from evidence.common.options import json_option, manifest_option, tlc_option, wr
 from evidence.common.processes import Processes
 from evidence.common.reasons import ReasonsError, read
 from evidence.common.session import session
-from evidence.models.manifest import LANES, Manifest, ManifestError, load
+from evidence.models.entries import LANES, ManifestError
+from evidence.models.manifest import Manifest, load
 from evidence.models.runner import Harness
 from evidence.mutants import against_kit as kit
 from evidence.mutants import against_logs as logs

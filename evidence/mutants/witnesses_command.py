@@ -15,7 +15,8 @@ from evidence.common import reasons
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
-from evidence.models.manifest import LANES, ManifestError, load
+from evidence.models.entries import LANES, ManifestError
+from evidence.models.manifest import load
 from evidence.models.models_report import Progress
 from evidence.models.runner import Harness
 from evidence.mutants import logs_model as logs

@@ -20,18 +20,11 @@ def write_lamp(folder: Path, files: Mapping[str, str], states: int, distinct: in
         tlc.find_toolchain(None)
     except tlc.ToolMissingError as missing:
         pytest.skip(str(missing))
-    model = {
-        "name": "lamp",
-        "kind": "model",
-        "lane": "smoke",
-        "what": "The lamp burns down.",
-        "module": "MCLamp.tla",
-        "config": "MCLamp.cfg",
-        "seconds": [0, 60],
-        "expect": {"exit": 0, "states": states, "distinct": distinct, "depth": depth},
-    }
-    manifest = json.dumps({"version": 1, "models": [model]})
-    for name, text in {**files, "models/manifest.json": manifest}.items():
+    manifest = f"""== lamp model smoke MCLamp.tla 0
+The lamp burns down.
+states {states}, distinct {distinct}, depth {depth}, seconds 0..60, config MCLamp.cfg
+"""
+    for name, text in {**files, "models/models.txt": manifest}.items():
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text)
     return folder
@@ -41,6 +34,6 @@ def run_command(command: click.Command, project: Path, *arguments: str) -> tuple
     """Run a command on the project's manifest; return exit code, output and results."""
     results = project / "results.json"
     results.unlink(missing_ok=True)
-    fixed = ["--manifest", str(project / "models" / "manifest.json"), "--json", str(results)]
+    fixed = ["--manifest", str(project / "models" / "models.txt"), "--json", str(results)]
     ran = CliRunner().invoke(command, [*fixed, *arguments])
     return ran.exit_code, ran.output, json.loads(results.read_text()) if results.exists() else {}

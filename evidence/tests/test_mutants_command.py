@@ -108,7 +108,7 @@ def test_models_see_what_the_logs_leave(tmp_path: Path, monkeypatch: pytest.Monk
     for folder in ("spec", "models"):
         (tmp_path / folder).mkdir()
     (tmp_path / "spec" / "M.tla").write_text(TEXT)
-    (tmp_path / "models" / "manifest.json").write_text('{"version": 1, "models": []}')
+    (tmp_path / "models" / "models.txt").touch()
     (tmp_path / "models" / "survivors.json").write_text('[{"id": "M/B/*", "reason": "not asked here"}]')
     quick, slow = FakeCheck("logs", {"x - 1": "log"}), FakeCheck("model", {"x + 2": "property", "x + 0": "property"})
     monkeypatch.setattr(command, "_stages", lambda *_: [[quick], [slow]])
@@ -128,7 +128,7 @@ def test_survivors_with_a_reason_are_not_tried_again(tmp_path: Path, monkeypatch
     for folder in ("spec", "models"):
         (tmp_path / folder).mkdir()
     (tmp_path / "spec" / "M.tla").write_text(TEXT)
-    (tmp_path / "models" / "manifest.json").write_text('{"version": 1, "models": []}')
+    (tmp_path / "models" / "models.txt").touch()
     (tmp_path / "models" / "survivors.json").write_text('[{"id": "M/A/*", "reason": "nothing differs"}]')
     quick, slow = FakeCheck("logs", {}), FakeCheck("model", {"x + 2": "property"})
     monkeypatch.setattr(command, "_stages", lambda *_: [[quick], [slow]])

@@ -35,7 +35,9 @@ def case(name: str, verdict: str, said: str, second: int) -> str:
 
 CASES = "cpu=S7-300 obs=1 clock=2026-03-02T06:00:00\n" + case("one", "A", "accepted 0", 1)
 CASES += case("two", "R3", "rejected 3 TINT-01", 2)
-MANIFEST = {"models": [{"name": "airt", "expect": {"exit": 0, "states": 7}}, {"name": "neg", "expect": {"exit": 12}}]}
+MODELS = "== airt model smoke MCAirt.tla 0\nstates 7\n\n== neg airt 12\n"
+OLDER = {"models": [{"name": "airt", "expect": {"exit": 0, "states": 7}}, {"name": "neg", "expect": {"exit": 12}}]}
+"""The same as JSON, as older revisions have it."""
 SURVIVORS = [{"id": "A/B/constant/01", "reason": "Out of reach."}, {"id": "A/C/constant/02", "reason": "As good."}]
 
 Since = Callable[..., tuple[int, str]]
@@ -61,7 +63,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     write(root / "s7check", S7CHECK)
     write(root / ".gitignore", "/build/\n/.venv/\n")
     write(root / "traces" / "TINT.txt", CASES)
-    write(root / "models" / "manifest.json", MANIFEST)
+    write(root / "models" / "models.txt", MODELS)
     write(root / "models" / "survivors.json", SURVIVORS)
     write(root / "models" / "witnesses.json", [])
     git(root, "init", "--initial-branch", "main")
@@ -87,7 +89,7 @@ def test_nothing_differs(since: Since, project: Path) -> None:
     """Also not if a log and a model are new, and a log has another name."""
     text = CASES.replace("== one", "== uno") + case("new", "A", "accepted 0", 3)
     write(project / "traces" / "TINT.txt", text)
-    write(project / "models" / "manifest.json", {"models": [*MANIFEST["models"], {"name": "dint", "expect": {}}]})
+    write(project / "models" / "models.txt", f"{MODELS}\n== dint airt 11\n")
     code, said = since()
     assert code == 0, said
     assert "no unexpected difference" in said
@@ -105,8 +107,8 @@ def test_nothing_differs(since: Since, project: Path) -> None:
         (TEXT, CASES.replace("rejected 3", "rejected 4"), "rejected at line 3; now rejected at line 4: so"),
         (TEXT, CASES.replace("rejected 3", "no_verdict 0"), "rejected at line 3; now no verdict: so"),
         (TEXT, CASES.replace("06:00:01", "06:00:09"), "case/TINT/one: its log has other events"),
-        ("models/manifest.json", {"models": MANIFEST["models"][:1]}, "model/neg: exit 12; the model is gone"),
-        ("models/manifest.json", {"models": [{"name": "airt", "expect": {"exit": 0, "states": 8}}]}, "now exit 0, sta"),
+        ("models/models.txt", MODELS.partition("\n\n")[0], "model/neg: exit 12; the model is gone"),
+        ("models/models.txt", MODELS.replace("states 7", "states 8"), "exit 0, states 7; now exit 0, states 8"),
         ("models/survivors.json", SURVIVORS[:1], "survivor/A/C/constant/02: gone: As good."),
     ],
 )
@@ -166,10 +168,15 @@ def test_json(since: Since, project: Path, tmp_path: Path) -> None:
 def test_wrong_arguments_and_failures(since: Since, project: Path) -> None:
     """A revision that is none, a manifest that is none, and a checkout that cannot be built or run."""
     assert since("nothing-of-the-kind") == (2, f"Error: nothing-of-the-kind: {NO_REVISION.format(project)}\n")
-    write(project / "models" / "manifest.json", "[]")
+    write(project / "models" / "models.txt", "[]")
     code, said = since()
     assert code == 2
-    assert f"Error: {project}/models/manifest.json: " in said
+    assert f"Error: {project}/models/models.txt:1: " in said
+    write(project / "models" / "manifest.json", "[]")
+    assert f"Error: {project}/models/manifest.json: " in since()[1]
+    write(project / "models" / "manifest.json", OLDER)
+    assert since()[0] == 0
+    (project / "models" / "manifest.json").unlink()
     write(project / ".venv" / "bin" / "s7check", "#!/bin/sh\necho no Java >&2; exit 3\n")
     code, said = since()
     assert code == 3

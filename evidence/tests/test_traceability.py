@@ -3,7 +3,6 @@
 import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -59,20 +58,14 @@ EXTENDS Properties
 OwnInv == TRUE
 ====
 """
-MANIFEST: dict[str, Any] = {
-    "version": 1,
-    "models": [
-        {
-            "name": "rules", "kind": "model", "lane": "smoke", "what": "rules", "requirements": ["TINT-01"],
-            "module": "MCRules.tla", "config": "MCRules.cfg", "seconds": [0, 9], "expect": {"exit": 0},
-        },
-        {
-            "name": "neg-rule", "base": "rules",
-            "mutate": {"module": "System.tla", "replace": "= \"a\"", "by": "= \"b\""},
-            "expect": {"exit": 12, "property": "OwnInv"},
-        },
-    ],
-}  # fmt: skip
+MODELS = """== rules model smoke MCRules.tla 0
+Rules.
+requirements TINT-01
+seconds 0..9, config MCRules.cfg
+"""
+CONTROLS = """== neg-rule rules 12 OwnInv
+System.tla: `= "a"` -> `= "b"`
+"""
 CASES = """cpu=S7-300 obs=1 clock=2026-03-02T08:00:30.000
 == a A TINT-01 TINT-02
 == b R1 TINT-02
@@ -88,7 +81,8 @@ FILES = {
     "spec/Properties.tla": PROPERTIES,
     "models/MCRules.tla": MODEL,
     "models/MCRules.cfg": "SPECIFICATION Spec\nINVARIANTS RuleInv OwnInv\n",
-    "models/manifest.json": json.dumps(MANIFEST),
+    "models/models.txt": MODELS,
+    "models/controls.txt": CONTROLS,
     "traces/TINT.txt": CASES,
 }
 
@@ -177,14 +171,6 @@ Unused == FALSE
     assert "\nnote: Abstract: no model checks Unused\n" in capsys.readouterr().out
     page = page_of(project)
     assert "#TINT-01) | System: Rule | Abstract: Step; Properties: RuleInv | rules; *neg-rule* |" in page
-
-
-def test_several_manifests(project: Path, run: Run) -> None:
-    """Entries may stand in several manifests, with a base in another one."""
-    model, control = MANIFEST["models"]
-    (project / "models/manifest.json").write_text(json.dumps(MANIFEST | {"models": [model]}), encoding="utf-8")
-    (project / "models/manifest-more.json").write_text(json.dumps(MANIFEST | {"models": [control]}), encoding="utf-8")
-    assert run() == 0
 
 
 def test_detail(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
@@ -281,7 +267,7 @@ def test_gap(
         ("spec/System.tla", "[TINT-01] ..", "[TINT-17] [TINT-01] ..", "TINT-17"),
         ("spec/System.tla", "Reading", 'Name("DINT-03") = Reading', "DINT-03"),
         ("models/MCRules.tla", "A world", "A world for IRT-01", "IRT-01"),
-        ("models/manifest.json", '["TINT-01"]', '["TINT-01", "CLK-03"]', "CLK-03"),
+        ("models/models.txt", "TINT-01", "TINT-01 CLK-03", "CLK-03"),
         ("traces/TINT.txt", "R1 TINT-02", "R1 TINT-02 AIRT-02", "AIRT-02"),
         ("docs/rules/readings.md", "AMB-01: a log may show anything", "AMB-01: see AMB-17", "AMB-17"),
     ],
@@ -385,14 +371,11 @@ def test_work_that_is_not_done_is_counted_apart(project: Path, run: Run, capsys:
         ("spec/System.tla", "nothing", "System.tla:1: the grammar cannot read this"),
         ("models/MCRules.tla", None, "models: no module"),
         ("models/MCRules.cfg", None, "MCRules.cfg"),
-        ("models/manifest.json", "[]", "manifest.json: Expected `object`"),
-        ("models/manifest.json", '{"version": 1, "models": []}', "manifest*.json: no negative controls"),
-        (
-            "models/manifest.json",
-            json.dumps(MANIFEST | {"models": MANIFEST["models"][1:]}),
-            "manifest*.json: no models",
-        ),
-        ("models/manifest.json", json.dumps(MANIFEST).replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
+        ("models/models.txt", "rules", "models.txt:1: expected spec FOLDER"),
+        ("models/models.txt", None, "models.txt: cannot be read"),
+        ("models/controls.txt", None, "models.txt: no negative controls"),
+        ("models/models.txt", "", "models.txt: no models"),
+        ("models/controls.txt", CONTROLS.replace("System.tla", "Rule.tla"), "its text is not in Rule.tla"),
         ("traces/TINT.txt", "", "traces: no accepted log names a requirement"),
         ("traces/TINT.txt", CASES[: CASES.index("== b")], "traces: no rejected log names a requirement"),
         ("traces/TINT.txt", "== a A\n0:31 act 10", "TINT.txt:2: expected clock="),

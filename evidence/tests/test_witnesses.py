@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -175,8 +174,7 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     header = "cpu=S7-300 obs=1 clock=2026-03-02T08:00:30.000 mode=RUN\n"
     (tmp_path / "traces" / "AIRT.txt").write_text(f"{header}== a A AIRT-03\n0:31 dair 0001\n0:32 eair 0000\n")
     (tmp_path / "models").mkdir()
-    manifest = {"version": 1, "models": [], "spec": str(ROOT / "spec")}
-    (tmp_path / "models" / "manifest.json").write_text(json.dumps(manifest))
+    (tmp_path / "models" / "models.txt").write_text(f"spec {ROOT / 'spec'}\n")
     code, _, document = run(tmp_path, "--against", "logs")
     assert code == 1
     seen = {c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Airt/", "Lines/Answered/"))}

@@ -123,6 +123,17 @@ def override(text: str, name: str, value: str) -> str:
     return f"{text[: old.start]}{new[0]} {new[1]}{text[old.end :]}"
 
 
+def without(text: str, name: str) -> str:
+    """Return the text without the one assignment of `name`. Raises `CfgError` if it is not assigned exactly once."""
+    found = [a for a in parse(text).assignments if a.name == name]
+    if len(found) != 1:
+        raise CfgError(f"{name} is assigned {len(found)} times, it is to be left out once")
+    section = next(s for s in parse(text).sections if s.start < found[0].start <= s.end)
+    alone = sum(section.start < a.start <= section.end for a in parse(text).assignments) == 1
+    begin = section.start if alone else text[: found[0].start].rstrip().rindex(name)
+    return f"{text[:begin].rstrip()}\n{text[found[0].end :].lstrip()}"
+
+
 def replace_section(text: str, keyword: str, names: list[str]) -> str:
     """Return the text with all sections of this keyword (singular) replaced by one of these names; none: removed."""
     for section in reversed([s for s in parse(text).sections if s.keyword == keyword]):

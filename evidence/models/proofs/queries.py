@@ -19,7 +19,8 @@ from msgspec import UNSET
 from tree_sitter import Node
 
 from evidence.common.checkout import MANIFEST as MODELS
-from evidence.models.manifest import Entry, ManifestFile, Mutation
+from evidence.models.entries import Entry, Mutation, read
+from evidence.models.entries import ManifestError as ModelsError
 from evidence.tla.actions import acting, disjuncts
 from evidence.tla.modules import closure, read_modules
 from evidence.tla.syntax import Module, operand, token
@@ -58,7 +59,7 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
 
     @property
     def control(self) -> str:
-        """The control of models/manifest.json in which TLC comes to it, such as "letter-49b-EndProp"."""
+        """The control of models/controls.txt in which TLC comes to it, such as "letter-49b-EndProp"."""
         return f"letter-{_short(self.letter)}-{self.formula}"
 
 
@@ -67,7 +68,7 @@ def _short(letters: str) -> str:
 
 
 class Mutant(msgspec.Struct, forbid_unknown_fields=True):
-    """A negative control of models/manifest.json: with its change the formula no longer holds of the action."""
+    """A negative control of models/controls.txt: with its change the formula no longer holds of the action."""
 
     control: str
     action: str
@@ -75,7 +76,7 @@ class Mutant(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class ClaimMutant(msgspec.Struct, forbid_unknown_fields=True):
-    """A negative control of models/manifest.json: with its change the formula no longer holds in the query `claim`."""
+    """A negative control of models/controls.txt: with its change the formula no longer holds in the query `claim`."""
 
     control: str
     claim: str
@@ -329,15 +330,14 @@ def load(root: Path) -> Proofs:
 def _models(path: Path) -> dict[str, Entry]:
     """The entries of the models by their names. Raises `ManifestError`, OSError."""
     try:
-        models = msgspec.json.decode(path.read_bytes(), type=ManifestFile).models
-    except msgspec.MsgspecError as error:
-        raise ManifestError(f"{path}: {error}") from error
-    return {m.name: m for m in models}
+        return {entry.name: entry for entry in read(path).entries}
+    except ModelsError as error:
+        raise ManifestError(str(error)) from error
 
 
 def _shows(model: Entry | None, cell: NotProved) -> bool:
     """Whether a control violates this formula by this letter; or whether a model has it hold, where it is unreached."""
-    if model is None or model.overrides.get("ReadingSets") != f"<- Letter{_short(cell.letter).replace('-', '')}":
+    if model is None or model.constants.get("ReadingSets") != f"<- Letter{_short(cell.letter).replace('-', '')}":
         return False
     if not cell.unreached:
         return model.expect.property == cell.formula

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 from evidence.common.processes import Processes
-from evidence.models.manifest import Mutation
+from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
 from evidence.models.proofs import kept as keeping
 from evidence.models.proofs.kept import Result, Run

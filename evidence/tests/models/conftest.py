@@ -12,9 +12,11 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
+from msgspec import convert, to_builtins
 
 from evidence.common.processes import Processes
 from evidence.models import canaries
+from evidence.models.entries import CONTROLS, Entry, read, render
 from evidence.models.models_command import models_command
 from evidence.tla import tlc
 from s7check import resources
@@ -32,17 +34,19 @@ class Project:
         """Take the project in `root`; it runs on `jar`."""
         self.root = root
         self.jar = jar
-        self.path = root / "models" / "manifest.json"
+        self.path = root / "models" / "models.txt"
 
     @property
     def document(self) -> Document:
-        """The manifest as it stands in the file."""
-        document: Document = json.loads(self.path.read_text(encoding="utf-8"))
-        return document
+        """The entries of models and controls, by their fields."""
+        return {"models": [to_builtins(entry) for entry in read(self.path).entries]}
 
     def write(self, document: Document) -> None:
-        """Replace the manifest."""
-        self.path.write_text(json.dumps(document), encoding="utf-8")
+        """Replace the manifest: all entries stand in one file then."""
+        (self.path.parent / CONTROLS).unlink(missing_ok=True)
+        others = "".join(f"other {glob}: {reason}\n" for glob, reason in document.get("others", {}).items())
+        entries = (render(convert(entry, Entry)) for entry in document["models"])
+        self.path.write_text(others + "\n\n".join(entries) + "\n", encoding="utf-8")
 
     def entry(self, name: str, **changes: Any) -> Document:
         """Return a copy of the entry of this name with fields changed."""

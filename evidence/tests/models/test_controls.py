@@ -1,10 +1,12 @@
 """The manifest of the project: it names each file, and no two of its negative controls are the same wrong rule."""
 
-import json
 import re
 from collections import defaultdict
 
+from msgspec import UNSET
+
 from evidence.common.checkout import MANIFEST, ROOT
+from evidence.models.entries import read
 from evidence.models.manifest import Manifest, Model, load
 from evidence.tla.modules import read_modules
 
@@ -29,7 +31,7 @@ def test_the_manifest_names_each_configuration() -> None:
 
 def test_each_control_has_a_wrong_rule_of_its_own() -> None:
     """One model never has a change twice. If several have it, all but one say why: the field `what` of the file."""
-    said = {entry["name"] for entry in json.loads((ROOT / MANIFEST).read_text())["models"] if "what" in entry}
+    said = {entry.name for entry in read(ROOT / MANIFEST).entries if entry.what is not UNSET}
     for same in controls(load(ROOT / MANIFEST)).values():
         names = [model.name for model in same]
         assert len({model.base for model in same}) == len(same), names

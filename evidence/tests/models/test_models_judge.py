@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from evidence.models.entries import Expect
 from evidence.models.judge import judge
-from evidence.models.manifest import Expect, Model, load
+from evidence.models.manifest import Model, load
 from evidence.tla.messages import Counts, Outcome
 
 PASSED = Outcome("passed", counts=Counts(6, 5, 5), liveness_checked=True)
@@ -17,7 +18,7 @@ PASSED = Outcome("passed", counts=Counts(6, 5, 5), liveness_checked=True)
 @pytest.fixture
 def models() -> dict[str, Model]:
     """Load the models of the fixture project, by name."""
-    manifest = load(Path(__file__).parent / "fixtures" / "models" / "manifest.json")
+    manifest = load(Path(__file__).parent / "fixtures" / "models" / "models.txt")
     return {m.name: m for m in manifest.models}
 
 

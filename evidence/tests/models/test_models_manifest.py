@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from evidence.models.judge import render
-from evidence.models.manifest import Manifest, ManifestError, load, shard
+from evidence.common.checkout import MANIFEST, ROOT
+from evidence.models.entries import ManifestError, read, render
+from evidence.models.manifest import Manifest, load, shard
 from evidence.models.runner import StaleMutationError, prepare
 
 FIXTURES = Path(__file__).parent / "fixtures"
@@ -20,119 +19,121 @@ FIXTURES = Path(__file__).parent / "fixtures"
 def manifest(tmp_path: Path) -> Path:
     """Copy the fixture project and return the path of its manifest."""
     shutil.copytree(FIXTURES, tmp_path, dirs_exist_ok=True)
-    return tmp_path / "models" / "manifest.json"
+    return tmp_path / "models" / "models.txt"
 
 
-def change(manifest: Path, index: int, **fields: Any) -> Manifest:
-    """Set fields of one entry (None removes one) and load the manifest."""
-    document = json.loads(manifest.read_text(encoding="utf-8"))
-    entry = {**document["models"][index], **fields}
-    document["models"][index] = {k: v for k, v in entry.items() if v is not None}
-    manifest.write_text(json.dumps(document), encoding="utf-8")
-    return load(manifest)
+def change(manifest: Path, old: str, new: str) -> Manifest:
+    """Replace a text that stands once in models or controls, and load the manifest."""
+    for file in (manifest, manifest.parent / "controls.txt"):
+        text = file.read_text(encoding="utf-8")
+        if old in text:
+            assert text.count(old) == 1
+            file.write_text(text.replace(old, new), encoding="utf-8")
+            return load(manifest)
+    raise AssertionError(old)
 
 
-OVERSHOOT = {"exit": 12, "property": "InRange"}
+COUNTER = "== counter liveness smoke MCCounter.tla 0\n"
+WHAT = "The counter stays in its range, steps by one and always comes back.\n"
+OVERSHOOT = "== neg-overshoot counter 12 InRange\n"
+COUNTS = "states 6, distinct 6, depth 6\n"
+CONSTANT = "constants Overshoots = TRUE\n"
 
 
 @pytest.mark.parametrize(
-    ("index", "fields", "said"),
+    ("old", "new", "said"),
     [
-        (0, {"lane": "nightly"}, "models[0] (counter).lane: Invalid enum value 'nightly'"),
-        (0, {"lanes": "ci"}, "models[0] (counter): Object contains unknown field `lanes`"),
-        (0, {"expect": {"exit": 1}}, "models[0] (counter).expect.exit: Invalid enum value 1"),
-        (0, {"expect": {"exit": 75}}, "models[0] (counter).expect.exit: Invalid enum value 75"),
-        (0, {"what": None}, "models[0] (counter).what: missing"),
-        (0, {"kind": None}, "models[0] (counter).kind: missing"),
-        (0, {"seconds": None}, "models[0] (counter).seconds: missing"),
-        (0, {"seconds": [3, 2]}, "models[0] (counter).seconds: 3.0..2.0 is not a band"),
-        (0, {"module": "MCNone.tla"}, "models[0] (counter).module: MCNone.tla is not a .tla file"),
-        (0, {"config": "MCNone.cfg"}, "models[0] (counter).config: MCNone.cfg is not a .cfg file"),
-        (0, {"module": "../spec/Counter.tla"}, "models[0] (counter).module: ../spec/Counter.tla is outside"),
-        (0, {"workers": 2}, "models[0] (counter).workers: a liveness runs with 1 worker"),
-        (0, {"args": ["-continue"]}, "models[0] (counter).args: -continue is not for a manifest"),
-        (0, {"expect": {"exit": 11}}, "models[0] (counter).expect.exit: a liveness has to pass"),
-        (1, {"name": "counter"}, "the name 'counter' stands there more than once"),
-        (1, {"base": "none"}, "models[1] (neg-overshoot).base: 'none' is not the name"),
-        (2, {"base": "neg-overshoot"}, "models[2] (neg-definition).base: 'neg-overshoot' is not the name"),
-        (1, {"config": "MCCounter.cfg"}, "models[1] (neg-overshoot).config: an entry with a base"),
-        (1, {"overrides": {}}, "models[1] (neg-overshoot): changes nothing of its base counter"),
-        (1, {"overrides": {"Nothing": "TRUE"}}, "MCCounter.cfg: Nothing is assigned 0 times"),
-        (1, {"overrides": {"Overshoots": False}}, "Overshoots = FALSE already: the override changes nothing"),
-        (1, {"expect": {"exit": 0}}, "models[1] (neg-overshoot).expect.exit: a negative control has to fail"),
-        (1, {"expect": {"exit": 12}}, "models[1] (neg-overshoot).expect.property: missing"),
-        (1, {"expect": {"exit": 12, "property": "InRang"}}, "the configuration does not check InRang"),
-        (1, {"expect": {"exit": 13, "property": "InRange"}}, "InRange is an INVARIANT, its exit is 12"),
-        (1, {"expect": {**OVERSHOOT, "violates": "action"}}, "violates: action does not go with exit and property"),
-        (1, {"mutate": {"module": "No.tla", "replace": "a", "by": "b"}}, "mutate.module: No.tla is not in exactly one"),
-        (1, {"mutate": {"module": "Counter.tla", "replace": "a", "by": "a"}}, "replaces a text by itself"),
-        (9, {"workers": 2}, "models[9] (endless).expect.depth: TLC's depth is exact with 1 worker only"),
+        (COUNTER, "== counter liveness nightly MCCounter.tla 0\n", "counter.lane: Invalid enum value 'nightly'"),
+        (COUNTER, "== counter\n", "models.txt:3: expected == NAME, of a model KIND LANE, MODULE or BASE"),
+        (COUNTER, "== counter liveness smoke MCCounter.tla 1\n", "counter.expect.exit: Invalid enum value 1"),
+        (COUNTER, "== counter liveness smoke MCCounter.tla 11\n", "counter.expect.exit: a liveness has to pass"),
+        (COUNTER, "== counter MCCounter.tla 0\n", "counter.kind: missing"),
+        (COUNTER, "== counter liveness smoke MCNone.tla 0\n", "counter.module: MCNone.tla is not a .tla file"),
+        (COUNTER, "== counter liveness smoke ../spec/Counter.tla 0\n", "../spec/Counter.tla is outside"),
+        (WHAT, "", "models.txt:3: counter.what: missing"),
+        (WHAT, f"{WHAT}lanes ci\n", "models.txt:5: counter: no field is named 'lanes'"),
+        (WHAT, f"{WHAT}what it is\n", "models.txt:5: counter: no field is named 'what'"),
+        (WHAT, f"{WHAT}args -continue\n", "counter.args: -continue is not for a manifest"),
+        (WHAT, f"{WHAT}- a\n", "models.txt:5: expected a line such as 'Module.tla:' before -"),
+        (WHAT, f"{WHAT}// Why.\n", "models.txt:6: expected == after a comment or an empty line"),
+        (", seconds 0..60", "", "models.txt:3: counter.seconds: missing"),
+        ("seconds 0..60", "seconds 3..2", "counter.seconds: 3.0..2.0 is not a band"),
+        ("seconds 0..60", "seconds long", "models.txt:6: counter: seconds: 'long' is no value of it"),
+        ("seconds 0..60", "seconds 60", "counter.seconds: Expected `array` of length 2"),
+        ("seconds 0..60", "seconds 0..60, seconds 0..70", "models.txt:6: counter: seconds stands twice"),
+        ("seconds 0..60", "seconds 0..60, workers 2", "counter.workers: a liveness runs with 1 worker"),
+        ("seconds 0..3", "seconds 0..3, workers 2", "endless.expect.depth: TLC's depth is exact with 1 worker only"),
+        ("config MCCounter.cfg", "config MCNone.cfg", "counter.config: MCNone.cfg is not a .cfg file"),
+        (", config MCCounter.cfg", "", "counter.config: MCBase.cfg is not a .cfg file"),
+        (OVERSHOOT, "== counter counter 12 InRange\n", "controls.txt:3: the name 'counter' stands there m"),
+        (OVERSHOOT, "== neg-overshoot none 12 InRange\n", "neg-overshoot.base: 'none' is not the name"),
+        (OVERSHOOT, "== neg-overshoot neg-step 12 InRange\n", "neg-overshoot.base: 'neg-step' is not the name"),
+        (OVERSHOOT, "== neg-overshoot counter 0\n", "neg-overshoot.expect.exit: a negative control has to fail"),
+        (OVERSHOOT, "== neg-overshoot counter 12\n", "neg-overshoot.expect.property: missing"),
+        (OVERSHOOT, "== neg-overshoot counter 12 InRang\n", "the configuration does not check InRang"),
+        (OVERSHOOT, "== neg-overshoot counter 13 InRange\n", "InRange is an INVARIANT, its exit is 12"),
+        (COUNTS, f"config MCCounter.cfg, {COUNTS}", "neg-overshoot.config: an entry with a base"),
+        (COUNTS, f"violates action, {COUNTS}", "violates: action does not go with exit and property"),
+        (COUNTS, "states six\n", "controls.txt:4: neg-overshoot: states: 'six' is no value of it"),
+        (CONSTANT, "", "controls.txt:3: neg-overshoot: changes nothing of its base counter"),
+        (CONSTANT, "constants Nothing = TRUE\n", "MCCounter.cfg: Nothing is assigned 0 times"),
+        (CONSTANT, "constants Overshoots = FALSE\n", "Overshoots = FALSE already: the override changes nothing"),
+        (CONSTANT, "constants Overshoots TRUE\n", "expected NAME <- DEFINITION or NAME = VALUE, not 'Overshoots TRUE'"),
+        (CONSTANT, "plain Nothing\n", "MCCounter.cfg: Nothing is assigned 0 times, it is to be left out once"),
+        (CONSTANT, "No.tla: `a` -> `b`\n", "mutate.module: No.tla is not in exactly one"),
+        (CONSTANT, "Counter.tla: `a` -> `a`\n", "replaces a text by itself"),
+        ("// Models of a counter.", "// Models.\nmodels counter", "models.txt:2: expected spec FOLDER,"),
+        ("// Models of a counter.", "spec none", "models.txt: spec: none is not a directory"),
     ],
 )
-def test_wrong_entry_is_refused(manifest: Path, index: int, fields: dict[str, Any], said: str) -> None:
-    """A wrong entry is refused in words that name the file, the model and the field."""
+def test_wrong_entry_is_refused(manifest: Path, old: str, new: str, said: str) -> None:
+    """A wrong entry is refused in words that name the file, the line, the model and the field."""
     with pytest.raises(ManifestError) as error:
-        change(manifest, index, **fields)
+        change(manifest, old, new)
     assert said in str(error.value)
-    assert str(error.value).startswith(str(manifest))
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("{", "manifest.json:1:2: not JSON"),
-        ('{"version": 2, "models": []}', "version: Invalid enum value 2"),
-        ('{"models": []}', "the document: Object missing required field `version`"),
-        ('{"version": 1, "models": [], "spec": "none"}', "spec: none is not a directory"),
-        ('{"version": 1, "models": [{"name": "a", "name": "b"}]}', "the field 'name' stands twice"),
-    ],
-)
-def test_wrong_document_is_refused(manifest: Path, text: str, said: str) -> None:
-    """Text that is not a manifest is refused with its place."""
-    manifest.write_text(text, encoding="utf-8")
-    with pytest.raises(ManifestError, match=r"manifest\.json") as error:
-        load(manifest)
-    assert said in str(error.value)
+    assert str(error.value).startswith(str(manifest.parent))
 
 
 def test_missing_manifest_is_refused(tmp_path: Path) -> None:
     """A manifest that is not there is an error of the manifest."""
-    with pytest.raises(ManifestError, match="cannot be read"):
-        load(tmp_path / "manifest.json")
+    with pytest.raises(ManifestError, match=r"models\.txt: cannot be read"):
+        load(tmp_path / "models.txt")
 
 
 def test_deadlock_must_agree_with_configuration(manifest: Path) -> None:
-    """A configuration that switches the deadlock check off behind the manifest's back is refused."""
+    """Deadlocks are looked for as the configuration says, and an entry that says otherwise is refused."""
+    assert load(manifest).models[2].deadlock
     config = manifest.parent / "MCEndless.cfg"
     config.write_text(config.read_text() + "CHECK_DEADLOCK FALSE\n")
+    assert not load(manifest).models[2].deadlock
     with pytest.raises(ManifestError, match="CHECK_DEADLOCK FALSE"):
-        load(manifest)
+        change(manifest, "seconds 0..3", "seconds 0..3, deadlock true")
 
 
 def test_derived_entry_has_the_rest_from_its_base(manifest: Path) -> None:
     """A derived entry is a negative control in its base's lane, with its requirements, and describes itself."""
-    model = load(manifest).models[1]
+    model = load(manifest).models[3]
     assert (model.kind, model.lane, model.requirements, model.workers) == ("negative", "smoke", ("T-1",), 1)
-    assert model.what == "counter with Overshoots True: InRange must fail"
+    assert model.what == "counter with Overshoots = TRUE: InRange must fail"
     assert "Overshoots = TRUE" in model.config
     assert model.seconds == (0.0, 60.0)
 
 
 def test_either_exit_for_properties_only(manifest: Path) -> None:
     """What stands under PROPERTY may be a step, liveness or the initial state; `violates` pins which."""
-    loaded = change(manifest, 3, expect={"exit": 12, "property": "StepByOne"})
-    assert loaded.models[3].kinds == {"action", "temporal", "initial"}
-    assert loaded.models[4].kinds == {"temporal"}
-    assert loaded.models[1].kinds == {"invariant"}
+    kinds = {m.name: m.kinds for m in change(manifest, "violates action\n", "").models}
+    assert kinds["neg-step"] == {"action", "temporal", "initial"}
+    assert kinds["neg-returns"] == {"temporal"}
+    assert kinds["neg-overshoot"] == {"invariant"}
 
 
 def test_names_may_be_globs(manifest: Path) -> None:
     """A glob picks all models of that form in the manifest's order, whatever their lane."""
     loaded = load(manifest)
     assert [m.name for m in loaded.select("smoke", ("neg-d*", "endless"))] == [
+        "endless",
         "neg-definition",
         "neg-deadlock",
-        "endless",
     ]
 
 
@@ -149,23 +150,26 @@ def test_each_model_is_in_one_shard(manifest: Path, of: int) -> None:
 def test_mutation_changes_the_copy_only(manifest: Path, tmp_path: Path) -> None:
     """The copy that a run works on has the new text, the specification keeps the old one."""
     loaded = load(manifest)
-    space = prepare(tmp_path / "copy", loaded, loaded.models[3])
+    model = next(m for m in loaded.models if m.name == "neg-step")
+    space = prepare(tmp_path / "copy", loaded, model)
     assert "x' = x + 2\nAgain" in (tmp_path / "copy" / "spec" / "Counter.tla").read_text()
     assert "x + 2" not in (loaded.spec / "Counter.tla").read_text()
-    assert space.config.read_text() == loaded.models[3].config
+    assert space.config.read_text() == model.config
 
 
 def test_stale_mutation(manifest: Path, tmp_path: Path) -> None:
     """A text that occurs more than once is not replaced."""
-    loaded = change(manifest, 3, mutate={"module": "Counter.tla", "replace": "x + 1", "by": "x"})
+    loaded = change(manifest, CONSTANT, "Counter.tla: `x + 1` -> `x`\n")
+    model = next(m for m in loaded.models if m.name == "neg-overshoot")
     with pytest.raises(StaleMutationError, match=r"occurs 2 times in Counter\.tla"):
-        prepare(tmp_path / "copy", loaded, loaded.models[3])
+        prepare(tmp_path / "copy", loaded, model)
 
 
-def test_rendered_manifest_is_the_same_document(manifest: Path) -> None:
-    """Rewriting keeps content and order, and entries that fit a line stay on one."""
-    document = json.loads(manifest.read_text(encoding="utf-8"))
-    text = render(document)
-    assert json.loads(text) == document
-    assert list(json.loads(text)["models"][0]) == list(document["models"][0])
-    assert '      "expect": {"exit": 0, "states": 6, "distinct": 5, "depth": 5}' in text.split("\n")
+@pytest.mark.parametrize("path", [ROOT / MANIFEST, FIXTURES / "models" / "models.txt"])
+def test_entries_stand_as_update_writes_them(path: Path) -> None:
+    """Each entry, rendered, is the lines that it was read from; so a change of pins changes their line alone."""
+    files = {name: (path.parent / name).read_text(encoding="utf-8") for name in (path.name, "controls.txt")}
+    for entry in read(path).entries:
+        file, line = entry.place.rsplit(":", 1)
+        lines = files[Path(file).name].splitlines()[int(line) - 1 :]
+        assert lines[: render(entry).count("\n") + 1] == render(entry).split("\n")

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from evidence.common.processes import Processes
-from evidence.models.manifest import Expect, load
+from evidence.models.entries import Expect
+from evidence.models.manifest import load
 from evidence.models.runner import Harness, check, prepare
 from evidence.tla import tlc
 from evidence.tla.resident import Residents

@@ -67,7 +67,7 @@ def test_all_as_pinned(project: Project) -> None:
     assert "lane smoke: 9 of 9 models as pinned" in output
     (control,) = (line for line in output.splitlines() if line.startswith("neg-step "))
     assert control.split()[:2] == ["neg-step", "counter"]
-    assert "Counter.tla: x' = x + 1 -> " in control
+    assert "Counter.tla: Count == x < Highest /\\ x' = x + 1 " in control
     assert "12 or 13" in control
     assert "as pinned: exit 1" in control
     assert "[9/9]" in output, "progress is lines where there is no terminal"
@@ -105,7 +105,7 @@ def test_runs_leave_nothing_behind(
     assert list(temporary.iterdir()) == []
 
 
-TWO_STEPS = {"module": "Counter.tla", "replace": "x' = x + 1\nAgain", "by": "x' = x + 2\nAgain"}
+TWO_STEPS = [{"module": "Counter.tla", "replace": "Highest /\\ x' = x + 1", "by": "Highest /\\ x' = x + 2"}]
 
 DRIFTS: dict[str, tuple[dict[str, Any], str]] = {
     "distinct": ({"expect": {"exit": 0, "states": 6, "distinct": 6, "depth": 5}}, "5 distinct, pinned 6"),
@@ -113,11 +113,11 @@ DRIFTS: dict[str, tuple[dict[str, Any], str]] = {
     "unpinned": ({"expect": {"exit": 0, "distinct": 5, "depth": 5}}, "states is not pinned, came 6"),
     "too-fast": ({"seconds": [50, 60]}, "is faster than 50 s"),
     "passes": (
-        {"base": "counter", "overrides": {"Limit": 3}, "expect": {"exit": 12, "property": "InRange"}},
+        {"base": "counter", "constants": {"Limit": "= 3"}, "expect": {"exit": 12, "property": "InRange"}},
         "passed: no error found",
     ),
     "other-kind": (
-        {"base": "counter", "overrides": {"Overshoots": "TRUE"}, "expect": {"exit": 13, "property": "Leaves"}},
+        {"base": "counter", "constants": {"Overshoots": "= TRUE"}, "expect": {"exit": 13, "property": "Leaves"}},
         "invariant: Invariant InRange is violated",
     ),
     "other-invariant": (
@@ -133,15 +133,15 @@ DRIFTS: dict[str, tuple[dict[str, Any], str]] = {
         "passed: no error found",
     ),
     "model-action": ({"mutate": TWO_STEPS}, "Action property StepByOne is violated"),
-    "model-temporal": ({"deadlock": False, "overrides": {"StartsOver": False}}, "(Returns)"),
+    "model-temporal": ({"deadlock": False, "constants": {"StartsOver": "= FALSE"}}, "(Returns)"),
     "deadlock-off": (
-        {"base": "counter", "deadlock": False, "overrides": {"StartsOver": False}, "expect": {"exit": 11}},
+        {"base": "counter", "deadlock": False, "constants": {"StartsOver": "= FALSE"}, "expect": {"exit": 11}},
         "temporal: ",
     ),
     "parse-error": (
         {
             "base": "counter",
-            "mutate": {"module": "Counter.tla", "replace": "Init == x = 0", "by": "Init == x ="},
+            "mutate": [{"module": "Counter.tla", "replace": "Init == x = 0", "by": "Init == x ="}],
             "expect": {"exit": 12, "property": "InRange"},
         },
         "broken: error 3002",
@@ -153,7 +153,7 @@ DRIFTS: dict[str, tuple[dict[str, Any], str]] = {
     "stale": (
         {
             "base": "counter",
-            "mutate": {"module": "Counter.tla", "replace": "no such text", "by": ""},
+            "mutate": [{"module": "Counter.tla", "replace": "no such text", "by": ""}],
             "expect": {"exit": 12, "property": "InRange"},
         },
         "stale: 'no such text' occurs 0 times in Counter.tla",
@@ -170,7 +170,7 @@ DRIFTS: dict[str, tuple[dict[str, Any], str]] = {
         {
             "base": "counter",
             "kind": "liveness",
-            "what": "x",
+            "what": "Steps.",
             "properties": ["StepByOne"],
             "expect": {"exit": 0, "states": 6, "distinct": 5, "depth": 5},
         },
@@ -188,7 +188,7 @@ def drifted(new_project: Callable[[], Project]) -> tuple[int, str, dict[str, Any
     models = [project.entry("counter")]
     for name, (changes, _) in DRIFTS.items():
         if "base" in changes:
-            models.append({"name": name, **changes})
+            models.append({"name": name, "lane": "smoke", **changes})
         else:
             models.append({**project.entry("endless" if name == "endless" else "counter"), "name": name, **changes})
     # The files of an entry stay named, whether or not it is there.
@@ -222,12 +222,12 @@ def test_unlisted_file_fails(project: Project) -> None:
     (project.root / "models" / "MCForgotten.tla").write_text("---- MODULE MCForgotten ----\n====\n")
     (project.root / "models" / "APOther.cfg").write_text("")
     document = project.document
-    project.write({**document, "not_models": {"AP*.cfg": "for another tool", "XX*.cfg": "none"}})
+    project.write({**document, "others": {"AP*.cfg": "for another tool", "XX*.cfg": "none"}})
     exit_code, output, results = project.run("neg-overshoot")
     assert exit_code == 1
-    assert "MCForgotten.tla: no model of manifest.json names it" in output
+    assert "MCForgotten.tla: no model of models.txt names it" in output
     assert [line for line in results["drift"] if "APOther" in line] == []
-    assert "not_models: 'XX*.cfg' matches no file" in output
+    assert "other: 'XX*.cfg' matches no file" in output
     assert results["ok"] is False
 
 
@@ -289,7 +289,7 @@ def test_update_pins_counts_only(project: Project) -> None:
     """--update sets counts of what is else as pinned, says so, leaves the rest alone, and the next run passes."""
     document = project.document
     counter = project.entry("counter", expect={"exit": 0, "states": 1})
-    wrong = {"name": "wrong", "base": "counter", "overrides": {"Limit": 3}, "expect": {"exit": 11, "states": 4}}
+    wrong = {"name": "wrong", "base": "counter", "constants": {"Limit": "= 3"}, "expect": {"exit": 11, "states": 4}}
     document["models"] = [counter, project.entry("neg-overshoot"), project.entry("endless"), wrong]
     document["models"][1]["expect"]["distinct"] = 9
     project.write(document)

@@ -21,7 +21,7 @@ def origins(tmp_path: Path) -> Callable[..., dict[str, str]]:
         text = (folder / file).read_text(encoding="utf-8")
         assert old in text
         (folder / file).write_text(text.replace(old, new, 1), encoding="utf-8")
-        return {model.name: origin(model, folder) for model in load(folder / "models" / "manifest.json").models}
+        return {model.name: origin(model, folder) for model in load(folder / "models" / "models.txt").models}
 
     return after
 
@@ -48,6 +48,6 @@ def test_what_counts(origins: Callable[..., dict[str, str]]) -> None:
         ("spec/Counter.tla", "x <= Limit", "x < Limit"),
         ("spec/Counter.tla", "Limit > 0", "Limit > 1"),
         ("models/MCCounter.cfg", "Limit = ", "Limit = 1"),
-        ("models/manifest.json", '"distinct": ', '"distinct": 1'),
+        ("models/models.txt", "distinct ", "distinct 1"),
     ):
         assert origins(file, old, new)["counter"] != before, (file, new)

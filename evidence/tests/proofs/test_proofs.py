@@ -20,7 +20,7 @@ from evidence.common.cases import read_cases
 from evidence.common.checkout import MANIFEST as MODELS
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.models.manifest import Mutation
+from evidence.models.entries import CONTROLS, Mutation
 from evidence.models.proofs import prove_command as command
 from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
 from evidence.models.proofs.kept import Result, Run, keys, read, together, write
@@ -438,7 +438,8 @@ def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> 
     """The message names the file and the field."""
     (tmp_path / "models").mkdir()
     (tmp_path / "spec").symlink_to(ROOT / "spec")
-    (tmp_path / MODELS).symlink_to(ROOT / MODELS)
+    for file in (MODELS, MODELS.with_name(CONTROLS)):
+        (tmp_path / file).symlink_to(ROOT / file)
     manifest = json.loads((ROOT / MANIFEST).read_bytes())
     parts = {key: manifest[key] | part if isinstance(part, dict) else part for key, part in change.items()}
     (tmp_path / MANIFEST).write_text(json.dumps(manifest | parts))
@@ -522,7 +523,8 @@ def test_letters_that_are_left_out(proofs: Proofs, tmp_path: Path) -> None:
     cell = {"action": "CallEnIrt", "formula": "SilentProp", "letter": "AMB-21 b", "tried": "ten characters"}
     (tmp_path / "models").mkdir()
     (tmp_path / "spec").symlink_to(ROOT / "spec")
-    (tmp_path / MODELS).symlink_to(ROOT / MODELS)
+    for file in (MODELS, MODELS.with_name(CONTROLS)):
+        (tmp_path / file).symlink_to(ROOT / file)
     (tmp_path / MANIFEST).write_text(json.dumps(json.loads((ROOT / MANIFEST).read_bytes()) | {"not_proved": [cell]}))
     asked = {query.name: query for query in load(tmp_path).queries}
     assert asked["letters-calls-irt"].unless == (("SilentProp", ("AMB-21 b",)),)

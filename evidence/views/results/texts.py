@@ -10,7 +10,7 @@ from evidence.common.texts import digest
 from evidence.tla.modules import read_modules
 
 _FILES = {
-    "models": ("models/*.cfg", "models/manifest.json", "models/letters.txt"),
+    "models": ("models/*.cfg", "models/*.txt"),
     "proofs": ("models/proofs.json",),
     "cases": ("traces/*.txt", "traces/by_hand/*.txt"),
     "engine": ("trace_checker/engine/src/main/**/*.java",),

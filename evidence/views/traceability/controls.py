@@ -1,4 +1,4 @@
-"""The manifests in models/ by requirement: properties that are checked, and negative controls.
+"""The models and controls in models/ by requirement: properties that are checked, and negative controls.
 
 A negative control changes a formula so that a model fails. It speaks for the requirements of the property that fails
 and those that its entry names. It touches those of the rule that it changes, and those of a whole specification
@@ -13,20 +13,21 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.models.manifest import Entry, ManifestFile
-from evidence.tla.cfg import Cfg, CfgError, parse
+from evidence.models.entries import Entry, ManifestError, read
+from evidence.models.manifest import configuration
+from evidence.tla.cfg import Cfg
 from evidence.views.traceability.entries import Entries, entries
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.modules import Definition, Module
 from evidence.views.traceability.properties import Properties
 from evidence.views.traceability.roles import rules, statements
 
-MANIFESTS = "manifest*.json"
+MODELS = "models.txt"
 
 
 @dataclass(frozen=True)
 class Controls:
-    """The content of the manifests, by requirement."""
+    """What models and controls say, by requirement."""
 
     properties: tuple[Definition, ...]
     """The properties that some model checks, and the definitions that they are made of."""
@@ -41,13 +42,12 @@ class Controls:
 
 
 def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
-    """Read the manifests in a folder and their configurations. Raises `UnreadableError`."""
-    listed = [entry for path in sorted(folder.glob(MANIFESTS)) for entry in _entries(path)]
-    listed.sort(key=lambda entry: entry.name)  # nothing is to depend on the manifest in which an entry stands
+    """Read the models and controls in a folder and their configurations. Raises `UnreadableError`."""
+    listed = _entries(folder / MODELS)
     negative = [e for e in listed if _is_negative(e)]
     positive = [e for e in listed if not _is_negative(e)]
     if not negative or not positive:
-        raise UnreadableError(f"{folder / MANIFESTS}: no {'models' if negative else 'negative controls'}")
+        raise UnreadableError(f"{folder / MODELS}: no {'models' if negative else 'negative controls'}")
     known = Properties(spec, models)
     used: dict[tuple[str, str], Definition] = {}
     assumed: set[tuple[str, str]] = set()
@@ -69,11 +69,12 @@ def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]
     return Controls(properties, controls, names, named, tuple(unchecked))
 
 
-def _entries(manifest: Path) -> list[Entry]:
+def _entries(models: Path) -> list[Entry]:
+    """All entries by their names: nothing is to depend on where an entry stands."""
     try:
-        return msgspec.json.decode(manifest.read_bytes(), type=ManifestFile).models
-    except (OSError, msgspec.MsgspecError) as error:
-        raise UnreadableError(f"{manifest}: {error}") from error
+        return sorted(read(models).entries, key=lambda entry: entry.name)
+    except ManifestError as error:
+        raise UnreadableError(str(error)) from error
 
 
 def _controls(
@@ -115,11 +116,11 @@ def _model(entry: Entry, listed: Sequence[Entry]) -> str:
 
 
 def _config(folder: Path, entry: Entry, listed: Sequence[Entry]) -> Cfg:
-    path = folder / str(_base(entry, listed).config)
+    base = _base(entry, listed)
     try:
-        return parse(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, CfgError) as error:
-        raise UnreadableError(f"{path}: {error}") from error
+        return configuration(folder, base, base)
+    except ManifestError as error:
+        raise UnreadableError(str(error)) from error
 
 
 def _checked(entry: Entry, cfg: Cfg) -> list[str]:
@@ -129,9 +130,8 @@ def _checked(entry: Entry, cfg: Cfg) -> list[str]:
 
 
 def _changed(folder: Path, entry: Entry, modules: Sequence[Module]) -> list[Definition]:
-    mutations = entry.mutate if isinstance(entry.mutate, list) else [entry.mutate]
     changed = []
-    for mutation in mutations:
+    for mutation in entry.mutate:
         module = next((m for m in modules if f"{m.name}.tla" == mutation.module), None)
         if module is None or mutation.replace.encode() not in module.text:
             raise UnreadableError(f"{folder}: {entry.name}: its text is not in {mutation.module}")

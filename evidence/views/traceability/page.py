@@ -27,7 +27,7 @@ state within bounds, which a behaviour may leave: two time-of-day OBs, two time-
 OB 85; at most four start events wait, and a time-of-day OB remembers at most two runs of served points of its \
 setting and two of earlier ones ([proofs.md](../project/proofs.md#what-is-assumed)). TLC checks the others within the \
 bounds of its models |
-| model | before the semicolon the models that name it in `models/manifest*.json`, then the negative controls: changes \
+| model | before the semicolon the models that name it in `models/models.txt`, then the negative controls: changes \
 for which a model must fail. In *italics*: the requirement stands at the changed formula only, or in an abstract \
 specification of which the whole fails |
 | accepted, rejected | a log of `traces/`, and how many more there are. In *italics*: it plays a part, and another \

@@ -24,9 +24,9 @@ TRACES = Path("traces")
 PROOFS = Path("docs/project/results/proofs.json")
 
 CITING = (
-    "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/**/*.tla", "models/*.tla", "models/manifest*.json",
-    "traces/README.md", "traces/*.txt", "examples/soft_plc/*.md", "examples/soft_plc/*/*.[ch]",
-    "examples/soft_plc/scenarios/*.json",
+    "README.md", "docs/**/*.md", "docs/rules/left_out.json", "spec/**/*.tla", "models/*.tla", "models/models.txt",
+    "models/controls.txt", "traces/README.md", "traces/*.txt", "examples/soft_plc/*.md",
+    "examples/soft_plc/*/*.[ch]", "examples/soft_plc/scenarios/*.json",
 )  # fmt: skip
 """The files in which every ID has to exist."""
 
