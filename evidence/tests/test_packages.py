@@ -29,7 +29,7 @@ FLOORS = (
     *("readable", "resources", "completion", "output", "program"),
     *("log", "names", "engine", "letters", "report", "importing", "judging", "ending", "api"),
     *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "coverage", "exploring", "trace_command"),
-    *("assisting", "cli", "pytest_plugin", "__main__"),
+    *("assisting", "live", "cli", "pytest_plugin", "__main__"),
 )
 """The packages and modules of s7check from the ground up: each imports those before it."""
 

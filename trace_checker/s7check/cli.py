@@ -21,6 +21,7 @@ COMMANDS = {
     "coverage": "s7check.coverage.command:coverage_command",
     "reduce": "s7check.reducing.command:reduce_command",
     "import": "s7check.importing.command:import_command",
+    "watch": "s7check.live.command:watch_command",
     "kit": "s7check.kit.command:kit_command",
 }
 

@@ -1,12 +1,8 @@
-"""Reading a CPU by python-snap7, against a CPU of our own: ISO-on-TCP as far as the import needs it.
-
-python-snap7's own server does not have SZL 16#00A0, and never splits an answer.
-"""
+"""Reading a CPU by python-snap7, against a CPU of our own."""
 
 import json
 import socket
 import sys
-import threading
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,93 +11,10 @@ import pytest
 
 from s7check import cli
 from s7check.importing.sources import live
+from tests.cpu import Cpu
 from tests.importing.test_import_diagnostics import records
 from tests.importing.test_import_ring import dump, entry
 from tests.test_shipped_logs import PROJECT
-
-PDU = 240
-"""The shortest PDU that CPUs negotiate; an S7-300 has it."""
-
-SETUP, READ = 0xF0, 0x04
-JOB, ANSWER, USER_DATA = 1, 3, 7
-OK, ABSENT = 0xFF, 0x0A
-NOT_AVAILABLE = 0xD401
-"""Error of a CPU that does not have an SZL."""
-
-
-class Cpu:
-    """A CPU with system status lists and data blocks, answering on a port of its own."""
-
-    def __init__(self) -> None:
-        self.szl: dict[tuple[int, int], bytes] = {}
-        self.db: dict[int, bytes] = {}
-        self.tsap = b""
-        self._rest = b""
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.port: int = self._listener.getsockname()[1]
-        self._thread = threading.Thread(target=self._serve, daemon=True)
-        self._thread.start()
-
-    def stop(self) -> None:
-        """Ends the thread."""
-        self._listener.shutdown(socket.SHUT_RDWR)
-        self._listener.close()
-        self._thread.join(10)
-
-    def _serve(self) -> None:
-        while True:
-            try:
-                connection, _ = self._listener.accept()
-            except OSError:
-                return
-            with connection, connection.makefile("rb") as stream:
-                while header := stream.read(4):
-                    answer = self._answer(stream.read(int.from_bytes(header[2:]) - 4))
-                    if answer is None:
-                        break
-                    connection.sendall(b"\x03\x00" + (len(answer) + 4).to_bytes(2) + answer)
-
-    def _answer(self, packet: bytes) -> bytes | None:
-        """The answer to a COTP packet."""
-        if packet[1] == 0xE0:  # connection request, confirmed with the references turned around
-            self.tsap = packet.partition(b"\xc2\x02")[2][:2]
-            parameters = packet[7:]
-            return bytes([6 + len(parameters), 0xD0]) + packet[4:6] + b"\x00\x01\x00" + parameters
-        if packet[1] != 0xF0:
-            return None
-        pdu = packet[3:]
-        length = int.from_bytes(pdu[6:8])
-        kind, parameters, data = pdu[1], pdu[10 : 10 + length], pdu[10 + length :]
-        reply = self._job(parameters) if kind == JOB else self._user_data(parameters, data)
-        answer_kind, errors, parameters, data = reply
-        assert 12 + len(parameters) + len(data) <= PDU
-        lengths = len(parameters).to_bytes(2) + len(data).to_bytes(2)
-        header = b"\x32" + bytes([answer_kind]) + pdu[2:6] + lengths + errors
-        return b"\x02\xf0\x80" + header + parameters + data
-
-    def _job(self, parameters: bytes) -> tuple[int, bytes, bytes, bytes]:
-        if parameters[0] == SETUP:
-            return ANSWER, b"\0\0", b"\xf0\0\0\x01\0\x01" + PDU.to_bytes(2), b""
-        assert parameters[0] == READ
-        count, number = int.from_bytes(parameters[6:8]), int.from_bytes(parameters[8:10])
-        start = int.from_bytes(parameters[11:14]) // 8
-        content = self.db.get(number, b"")[start : start + count]
-        if len(content) < count:
-            return ANSWER, b"\0\0", b"\x04\x01", bytes([ABSENT, 0, 0, 0])
-        return ANSWER, b"\0\0", b"\x04\x01", bytes([OK, 4]) + (count * 8).to_bytes(2) + content
-
-    def _user_data(self, parameters: bytes, data: bytes) -> tuple[int, bytes, bytes, bytes]:
-        """A piece of an SZL: the list anew, or what is left of it."""
-        error = 0
-        if parameters[4] == 0x11:
-            key = int.from_bytes(data[4:6]), int.from_bytes(data[6:8])
-            error = 0 if key in self.szl else NOT_AVAILABLE
-            self._rest = data[4:8] + self.szl.get(key, b"")
-        piece, self._rest = self._rest[: PDU - 40], self._rest[PDU - 40 :]
-        more = bool(self._rest)
-        head = b"\0\x01\x12\x08\x12\x84\x01\x01" + bytes([0, more]) + error.to_bytes(2)
-        code = ABSENT if error else OK
-        return USER_DATA, b"", head, bytes([code, 9]) + len(piece).to_bytes(2) + piece
 
 
 @pytest.fixture

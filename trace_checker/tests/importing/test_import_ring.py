@@ -316,6 +316,17 @@ def moment(milliseconds: int) -> str:
     return f"2026-11-{21 + day}T{seconds // 3600:02}:{seconds // 60 % 60:02}:{seconds % 60:02}.{ms:03}"
 
 
+def test_elapsed_over_a_restart_of_a_set_clock() -> None:
+    """The clock was set before the CPU stopped: the jump is no time that passes."""
+    elapsed = Elapsed()
+    assert elapsed.up("2026-11-21T05:59:00.000", 1000, False) == 0
+    elapsed.set_clock("2026-11-21T07:00:00.000")
+    assert elapsed.up("2026-11-21T07:00:04.000", 5, True) == 4000
+    assert not elapsed.jumped
+    assert elapsed.up("2026-11-21T09:00:00.000", 1005, False) == 5000
+    assert elapsed.jumped
+
+
 def test_elapsed_over_a_restart() -> None:
     """A restart sets TIME_TCK to 0; then the clock is all there is, as far as it goes on."""
     elapsed = Elapsed()

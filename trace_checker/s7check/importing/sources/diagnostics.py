@@ -41,7 +41,7 @@ def convert(buffer: Buffer, chosen: range | None = None) -> Recording:
         if index in modes.events:
             change = modes.events[index]
             recording.events.append(Placed({"event": change["event"], "at": entry.at, **change}, entry.place))
-        recording.events.append(Placed(_diag(entry), entry.place))
+        recording.events.append(Placed(diag_event(entry), entry.place))
         _note_ob(entry, recording)
     recording.header["clock"] = kept[0].at
     if modes.first in ("STOP", "STARTUP", "RUN"):
@@ -87,7 +87,8 @@ def _note_ob(entry: Entry, recording: Recording) -> None:
         recording.started.setdefault(ob, entry.place)
 
 
-def _diag(entry: Entry) -> dict[str, Any]:
+def diag_event(entry: Entry) -> dict[str, Any]:
+    """The event of an entry, without what it tells of the mode."""
     event: dict[str, Any] = {"event": "diag", "at": entry.at, "id": word(entry.id)}
     if entry.coding is None:
         return event

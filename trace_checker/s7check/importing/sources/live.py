@@ -69,20 +69,44 @@ def read_ring(address: Address, db: int) -> bytes:
         return start + bytes(cpu.db_read(db, HEADER_LENGTH, header.length - HEADER_LENGTH))
 
 
-@contextmanager
-def _connected(address: Address) -> Iterator["Client"]:
+class NoAnswerError(SourceError):
+    """The CPU cannot be reached, or refuses what is asked of it."""
+
+
+def client(address: Address) -> "Client":
+    """A connection to the CPU. Raises SourceError without python-snap7, NoAnswerError where nobody answers."""
     try:
         from snap7 import Client
-        from snap7.error import S7Error
     except ImportError as error:
         raise SourceError("", f"python-snap7 to read a CPU: {INSTALL}", "none") from error
     # What goes wrong is said once, by the exception.
     logging.getLogger("snap7").addHandler(logging.NullHandler())
     cpu = Client()
     try:
-        cpu.connect(address.host, address.rack, address.slot, address.port)
-        yield cpu
+        with answers():
+            cpu.connect(address.host, address.rack, address.slot, address.port)
+    except NoAnswerError:
+        cpu.disconnect()
+        raise
+    return cpu
+
+
+@contextmanager
+def answers() -> Iterator[None]:
+    """What goes wrong with a request, as NoAnswerError."""
+    from snap7.error import S7Error
+
+    try:
+        yield
     except (S7Error, OSError, RuntimeError, ValueError) as error:
-        raise SourceError("", "an answer of the CPU", printable(str(error), 200)) from error
+        raise NoAnswerError("", "an answer of the CPU", printable(str(error), 200)) from error
+
+
+@contextmanager
+def _connected(address: Address) -> Iterator["Client"]:
+    cpu = client(address)
+    try:
+        with answers():
+            yield cpu
     finally:
         cpu.disconnect()

@@ -12,9 +12,9 @@ from s7check.importing.sources.entry import Entry
 from s7check.importing.sources.start_info import word
 
 _MODE_CLASS = 4
-_POWER_ON = 0x4300
+POWER_ON = 0x4300
 
-_OF_NIBBLE = {
+OF_NIBBLE = {
     **dict.fromkeys([1, 2, 3, 4], "STOP"),
     **dict.fromkeys([5, 6, 7], "STARTUP"),
     8: "RUN",
@@ -69,10 +69,10 @@ def follow(entries: Sequence[Entry]) -> Modes:
     complete = True
     changes = 0
     for index, entry in enumerate(entries):
-        change = _change(entry)
+        change = change_of(entry)
         if change is None:
             # A power failure ends RUN without an entry of its own.
-            complete = complete and entry.id != _POWER_ON
+            complete = complete and entry.id != POWER_ON
             continue
         old, new = change
         if not changes:
@@ -89,12 +89,12 @@ def follow(entries: Sequence[Entry]) -> Modes:
     return Modes(first, events, complete and first is not None)
 
 
-def _change(entry: Entry) -> tuple[str | None, str | None] | None:
+def change_of(entry: Entry) -> tuple[str | None, str | None] | None:
     """Old and new mode, None where not told; None if the entry changes no mode."""
     by_id = _OF_ID.get(entry.id)
     if entry.coding is None or entry.event_class != _MODE_CLASS:
         return by_id
-    old, new = (_OF_NIBBLE.get(nibble) for nibble in divmod(entry.coding[3], 16))
+    old, new = (OF_NIBBLE.get(nibble) for nibble in divmod(entry.coding[3], 16))
     if by_id is None:
         # Of other entries of the class only those of a STOP are sure to change the mode.
         return (old, new) if old not in (None, "STOP") and new == "STOP" else None

@@ -27,7 +27,7 @@ _CALLS = {
 }
 """Code of an entry, the number of the SFC -> the event."""
 
-_MODES_AT_BEGIN = {1: "RUN", 100: "STARTUP", 102: "STARTUP"}
+MODES_AT_BEGIN = {1: "RUN", 100: "STARTUP", 102: "STARTUP"}
 """OB that makes the first entry -> the mode; another OB interrupts an unknown mode."""
 
 _DELAYS = range(20, 24)
@@ -36,6 +36,7 @@ _WITH_SOURCE = frozenset({*range(10, 18), *_DELAYS})
 
 _RESTARTS = {100: "warm", 102: "cold"}
 _HOT_RESTART = 101
+STARTUP_OBS = frozenset({100, 101, 102})
 _FIRST_CYCLES = frozenset({0x01, 0x04})
 """Event numbers with which OB 1 begins after a warm and after a cold restart."""
 
@@ -48,16 +49,43 @@ def convert(raw: bytes, chosen: range | None = None) -> Recording:
     entries = _from_known_mode(kept, recording)
     elapsed = Elapsed()
     for entry in entries:
-        at = _at(entry)
-        restarts = entry.code == _OB_BEGINS and entry.ob_nr in _RESTARTS
-        stamp = {"at": at, "up": elapsed.up(at, entry.tick, restarts)}
-        for event in _events(entry, recording):
-            recording.events.append(Placed({"event": event.pop("event"), **stamp, **event}, entry.place))
-    recording.header |= {"clock": _at(entries[0]), "records": []}
+        recording.events += events_of(entry, elapsed, recording)
+    recording.header |= {"clock": clock_of(entries[0]), "records": []}
     recording.remarks.append(
         "only you know whether each SFC call and each OB goes through the instrumentation: if so, --records call,ob"
     )
     return recording
+
+
+def events_of(entry: RingEntry, elapsed: Elapsed, recording: Recording) -> list[Placed]:
+    """The events of an entry, whose time ``elapsed`` takes. An entry that gives none is counted in ``recording``."""
+    at = clock_of(entry)
+    stamp = {"at": at, "up": elapsed.up(at, entry.tick, begins_restart(entry))}
+    events = _events(entry, recording)
+    placed = [Placed({"event": event.pop("event"), **stamp, **event}, entry.place) for event in events]
+    if sets_clock(entry):
+        elapsed.set_clock(set_to(entry))
+    return placed
+
+
+def begins_restart(entry: RingEntry) -> bool:
+    """Whether a startup OB begins."""
+    return entry.code == _OB_BEGINS and entry.ob_nr in _RESTARTS
+
+
+def restart_of(entry: RingEntry) -> dict[str, Any]:
+    """The restart that the begin of a startup OB proves."""
+    return {"event": "restart", "type": _RESTARTS[entry.ob_nr]}
+
+
+def sets_clock(entry: RingEntry) -> bool:
+    """Whether the program has set the clock."""
+    return entry.code == _SET_CLK and bool(entry.done) and not entry.ret
+
+
+def set_to(entry: RingEntry) -> str:
+    """The time to which a program has set the clock."""
+    return _date(entry)
 
 
 def _in_order(header: RingHeader, slots: Sequence[RingEntry], recording: Recording) -> list[RingEntry]:
@@ -76,10 +104,10 @@ def _in_order(header: RingHeader, slots: Sequence[RingEntry], recording: Recordi
 def _from_known_mode(entries: Sequence[RingEntry], recording: Recording) -> Sequence[RingEntry]:
     """The entries from the first one on at which a log can begin."""
     for index, entry in enumerate(entries):
-        if entry.code == _OB_BEGINS and entry.ob_nr in _RESTARTS:
+        if begins_restart(entry):
             recording.header["mode"] = "STOP"
-        elif entry.caller in _MODES_AT_BEGIN:
-            recording.header["mode"] = "STARTUP" if _begins_run(entry) else _MODES_AT_BEGIN[entry.caller]
+        elif entry.caller in MODES_AT_BEGIN:
+            recording.header["mode"] = "STARTUP" if _begins_run(entry) else MODES_AT_BEGIN[entry.caller]
             recording.remarks.append("the log begins while the program runs: what it called before is unknown")
         else:
             continue
@@ -88,7 +116,8 @@ def _from_known_mode(entries: Sequence[RingEntry], recording: Recording) -> Sequ
     raise SourceError("", "an entry of OB 1 or a startup OB to begin with", "entries of other OBs only")
 
 
-def _at(entry: RingEntry) -> str:
+def clock_of(entry: RingEntry) -> str:
+    """The CPU clock of an entry. Raises SourceError for one that there is not."""
     try:
         return bcd.instant(entry.clk)
     except ValueError as error:
@@ -107,11 +136,11 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
         yield {"event": "end", "ob": entry.ob_nr}
     elif entry.code == _STATE:
         if entry.done and not entry.ret:
-            yield {"event": "state", "ob": entry.ob_nr, **_state(entry), **own}
+            yield {"event": "state", "ob": entry.ob_nr, **state_of(entry.ob_nr, entry.status, entry.info_2), **own}
         else:
             recording.skip("RDSYSST that did not answer")
     elif entry.code == _SET_CLK:
-        if entry.done and not entry.ret:
+        if sets_clock(entry):
             yield {"event": "clock", "to": _date(entry), **own}
         else:
             recording.skip("SET_CLK that did not set the clock")
@@ -122,7 +151,7 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
 def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
     """The change of the mode that an OB's begin proves."""
     if entry.ob_nr in _RESTARTS:
-        yield {"event": "restart", "type": _RESTARTS[entry.ob_nr]}
+        yield restart_of(entry)
     elif entry.ob_nr == _HOT_RESTART:
         found = f"OB 101; import the entries after it apart, with --entries {entry.number + 1}-"
         raise SourceError(entry.place, "a warm or cold restart: a log can express no other", found)
@@ -158,14 +187,14 @@ def _result(entry: RingEntry) -> dict[str, Any]:
     return result
 
 
-def _state(entry: RingEntry) -> dict[str, Any]:
-    """What SZL 16#0222 showed: bits of its word al1, and the rest of a delay."""
+def state_of(ob: int, al1: int, left: int | None) -> dict[str, Any]:
+    """What SZL 16#0222 shows of an OB: bits of its word al1, and the milliseconds left of a delay, if known."""
     bits = {"blocked": 1, "loaded": 4, "entries_off": 6}
-    state: dict[str, Any] = {name: bool(entry.status >> bit & 1) for name, bit in bits.items()}
-    if entry.ob_nr in _WITH_SOURCE:
-        state["active"] = bool(entry.status >> 2 & 1)
-    if entry.ob_nr in _DELAYS and state["active"]:
-        state["left"] = duration(entry.info_2)
+    state: dict[str, Any] = {name: bool(al1 >> bit & 1) for name, bit in bits.items()}
+    if ob in _WITH_SOURCE:
+        state["active"] = bool(al1 >> 2 & 1)
+    if ob in _DELAYS and state["active"] and left is not None:
+        state["left"] = duration(left)
     return state
 
 

@@ -82,5 +82,9 @@ def read_slots(raw: bytes, header: RingHeader) -> list[RingEntry]:
     if len(raw) < header.length:
         expected = f"{header.length} bytes, for {header.capacity} slots"
         raise SourceError("", expected, f"{len(raw)} bytes")
-    slots = _ENTRY.iter_unpack(raw[HEADER_LENGTH : header.length])
-    return [entry for entry in map(RingEntry._make, slots) if entry.number]
+    return [entry for entry in read_entries(raw[HEADER_LENGTH : header.length]) if entry.number]
+
+
+def read_entries(raw: bytes) -> list[RingEntry]:
+    """What whole slots hold, one behind the other."""
+    return [RingEntry._make(fields) for fields in _ENTRY.iter_unpack(raw)]

@@ -1,0 +1,1 @@
+"""Tests of s7check watch."""
