@@ -627,8 +627,20 @@ OfClock(to) ==
                   /\ \E o \in TodObs : tod[o].active,
                 IF Family.repeats THEN {"CLK-10"} ELSE {"CLK-09"})
 
+(* The log's last line of SFC 41 and 42 has left a delay, which is over: an *)
+(* end of the OB that is not in the log has ended it.                      *)
+\* @type: Seq($event) => Bool;
+DelayEndedUnseen(past) ==
+    LET last == LastOf(past, {"DIS_AIRT", "EN_AIRT"})
+    IN  /\ delay = 0 /\ last > 0
+        /\ past[last].ret \notin {0, NotDelayed}
+        /\ past[last].event = "EN_AIRT" => past[last].ret > 0
+        /\ LastOf(past, {"start", "end", "run", "stop", "restart"}) < last
+
 \* @type: ($event, Seq($event)) => Set(Str);
 WhyPossible(e, past) ==
+    When(/\ e.event \in {"start", "DIS_AIRT", "EN_AIRT"}
+         /\ DelayEndedUnseen(past), {"AIRT-04"}) \cup
     CASE e.event \in CallEvents -> AnswerRequirements(e, e.ret, past)
       [] e.event = "start"      -> OfOrdinaryStart(e, past)
       [] e.event = "end"        -> {"OBS-03"} \cup When(delay > 0, {"AIRT-04"})

@@ -52,6 +52,18 @@ def told(log: list[dict[str, Any]]) -> list[str]:
     return [f"{line['at'][17:]} {line['event']} {line.get('ob', line.get('ret', ''))}".strip() for line in log[1:]]
 
 
+def test_the_end_of_ob_1_that_ends_a_delay_is_told(real_engine: Engine) -> None:
+    """Without it the start of OB 35 would not follow from the lines; other boundaries of OB 1 are left out."""
+    bodies = [{"ob": 1, "run": 1, "steps": [{"call": "DIS_AIRT"}, {"wait": 2000}]}]
+    assert told(run(real_engine, program(bodies=bodies))) == [
+        "30.000 DIS_AIRT W#16#0001",
+        "31.000 interrupt 35",
+        "32.000 end 1",
+        "32.000 start 35",
+        "32.000 end 35",
+    ]
+
+
 @pytest.mark.parametrize("seed", [None, 1])
 @pytest.mark.parametrize("one", SOME, ids=lambda one: one.name)
 def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine) -> None:

@@ -13,7 +13,7 @@ from s7check.asking.log_prefix import Prefix, read_prefix
 from s7check.asking.session import Session
 from s7check.completion import complete_files
 from s7check.ending import ending
-from s7check.engine.client import Engine
+from s7check.engine import pool
 from s7check.explaining.sentences import by_itself, of_line
 from s7check.output import echo
 from s7check.report.expected import format_allowed
@@ -49,7 +49,7 @@ def explain_command(output: str, log: str) -> int:
     """Tell the log."""
     named: set[str] = set()
     code = 0
-    with ending(log), Engine() as engine:
+    with ending(log), pool.engine() as engine:
         prefix = read_prefix(engine, log)
         for told in story(Session(engine, prefix.header), prefix):
             named.update(told.requirements)
@@ -71,11 +71,12 @@ def story(session: Session, prefix: Prefix) -> Iterator[Told]:
         if not before:
             yield _refused(session, number, line)
             return
-        grounds = {name for one in session.possible([line], line["at"]).lines for name in one.requirements}
+        possible = session.possible([line], line["at"]).lines
+        grounds = list(dict.fromkeys(name for one in possible for name in one.requirements))
         session.feed(line)
         after = session.situations()
         sentences = [*by_itself(then, before[0]), *of_line(line, before[0], after[0])]
-        yield Told(number, line["at"], sentences, sorted(grounds), len(after))
+        yield Told(number, line["at"], sentences, grounds, len(after))
         then = after[0]
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Any
 
 from s7check.asking.line_text import spelled
 from s7check.engine.answer import Pending, Situation
+from s7check.log.errors import ranges
 from s7check.report import words
 
 _NO_CAUSE = -1
+_CYCLE_CLASS = 1
 
 _LINES = {
     "end": "OB {ob} ends",
@@ -50,14 +52,28 @@ def by_itself(before: Situation, after: Situation) -> Iterator[str]:
     for request in before.pending:
         if request.missing and _of(request) not in map(_of, after.pending) and request.ob not in due:
             yield f"OB {request.ob} is missing when it would start"
+    yield from _unseen(before, after)
     if before.stop == _NO_CAUSE != after.stop:
         yield _stop(after.stop)
+
+
+def _unseen(before: Situation, after: Situation) -> Iterator[str]:
+    """The steps without a line that this explanation needs: ends and starts that the log leaves out."""
+    if after.delay < before.delay and before.running:
+        yield f"OB {before.running[-1].ob} has ended unseen, and with it the delay of interrupts (count {before.delay})"
+    for verb, old, new in (("ended", before.running, after.running), ("started", after.running, before.running)):
+        there = {frame.ob for frame in new}
+        # A cycle may begin and end between any two lines; it is told where its end has an effect.
+        gone = [frame.ob for frame in old if frame.ob not in there and frame.class_ > _CYCLE_CLASS]
+        if gone:
+            yield f"{_obs(gone)} {_has(gone)} {verb} unseen"
 
 
 def of_line(line: dict[str, Any], before: Situation, after: Situation) -> Iterator[str]:
     """The event of the line, and its effects."""
     yield _said(line, before)
     if line["event"] in ("stop", "restart"):
+        yield from _gone(before, after)
         return
     for request in after.pending:
         if _of(request) not in map(_of, before.pending):
@@ -84,6 +100,27 @@ def _said(line: dict[str, Any], before: Situation) -> str:
     return spelled(line) if form is None else form.format_map(line)
 
 
+def _gone(before: Situation, after: Situation) -> Iterator[str]:
+    """What a STOP or a restart has ended, and which settings it has brought back."""
+    if ended := {frame.ob for frame in before.running} - {frame.ob for frame in after.running}:
+        yield f"{_obs(ended)} {_are(ended)} broken off"
+    kept = set(map(_of, after.pending))
+    if waited := sorted({request.ob for request in before.pending if _of(request) not in kept}):
+        yield f"the start events of {_obs(waited)} are lost"
+    set_now = {tod.ob: tod for tod in after.tod}
+    if unset := [tod.ob for tod in before.tod if tod.ob not in set_now]:
+        yield f"the time-of-day settings of {_obs(unset)} are erased"
+    for tod in after.tod:
+        old = next((one for one in before.tod if one.ob == tod.ob), None)
+        if old is None or (old.start, old.period, old.active) != (tod.start, tod.period, tod.active):
+            active = "active" if tod.active else "not active"
+            yield f"OB {tod.ob} is set as by STEP 7, from {words.moment(tod.start)}, {active}"
+    if delays := sorted({job.ob for job in before.dint} - {job.ob for job in after.dint}):
+        yield f"no delay of {_obs(delays)} runs any more"
+    if freed := sorted(set(before.blocked) - set(after.blocked)):
+        yield f"{_obs(freed)} {_are(freed)} blocked no more"
+
+
 def _settings(before: Situation, after: Situation) -> Iterator[str]:
     if after.delay > before.delay:
         yield f"interrupts are delayed, count {after.delay}"
@@ -91,9 +128,9 @@ def _settings(before: Situation, after: Situation) -> Iterator[str]:
         yield f"the delay count falls to {after.delay}"
     gone, new = set(before.blocked) - set(after.blocked), set(after.blocked) - set(before.blocked)
     if new:
-        yield f"start events are lost from now on for {len(new)} OBs"
+        yield f"start events are lost from now on for {_obs(new)}"
     if gone:
-        yield f"start events count again for {len(gone)} OBs"
+        yield f"start events count again for {_obs(gone)}"
     armed = {tod.ob: tod.next for tod in before.tod if tod.armed}
     for tod in after.tod:
         if tod.armed and armed.get(tod.ob) != tod.next:
@@ -116,6 +153,18 @@ def _requested(request: Pending) -> str:
     if request.open:
         text += "; the sources leave open whether it comes"
     return text
+
+
+def _obs(numbers: Collection[int]) -> str:
+    return f"OB {ranges(sorted(numbers))}"
+
+
+def _has(numbers: Collection[int]) -> str:
+    return "has" if len(numbers) == 1 else "have"
+
+
+def _are(numbers: Collection[int]) -> str:
+    return "is" if len(numbers) == 1 else "are"
 
 
 def _stop(cause: int) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from itertools import takewhile
 from random import Random
 from typing import Any, Self
 
@@ -63,16 +64,19 @@ class Simulation:
         loads = {event["ob"] for event in program.outside if event["event"] == "load"}
         self._starts = [{"event": "start", "ob": ob} for ob in sorted({CYCLE_OB, *program.header["obs"], *loads})]
         self._known: Possible | None = None
+        self._ends_that_count: list[int] = []
         if self._mode == "RUN":
             self._work.start(CYCLE_OB)
 
     @property
     def log(self) -> list[dict[str, Any]]:
         """The lines of the log so far, the header first."""
-        return [self.header, *filter(self._shown, self._session.lines)]
+        return [self.header, *(line for place, line in enumerate(self._session.lines) if self._shown(place, line))]
 
-    def _shown(self, line: dict[str, Any]) -> bool:
-        return bool(self.header.get("cycle")) or line["event"] not in ("start", "end") or line["ob"] != CYCLE_OB
+    def _shown(self, place: int, line: dict[str, Any]) -> bool:
+        """Lines of OB 1 are optional; an end of it without which the next lines are hard to understand is shown."""
+        of_cycle = line["event"] in ("start", "end") and line["ob"] == CYCLE_OB
+        return not of_cycle or bool(self.header.get("cycle")) or place in self._ends_that_count
 
     def run(self) -> list[dict[str, Any]]:
         """Runs the program to its end and returns the log."""
@@ -90,6 +94,7 @@ class Simulation:
         twin._session = self._session.branch()
         twin._work = self._work.copy()
         twin._outside = list(self._outside)
+        twin._ends_that_count = list(self._ends_that_count)
         return twin
 
     def key(self) -> tuple[object, ...]:
@@ -219,6 +224,8 @@ class Simulation:
     def _feed(self, line: dict[str, Any]) -> None:
         whole = {"at": iso(self._clock), **{name: value for name, value in line.items() if name != "at"}}
         top = self._work.top
+        if whole["event"] == "end" and whole["ob"] == CYCLE_OB and self._ends_a_delay():
+            self._ends_that_count.append(len(self._session.lines))
         refusal = self._session.feed(whole)
         if refusal is not None:
             raise EngineError(f"{spelled(whole)} at {whole['at']}: refused, {', '.join(refusal.requirements)}")
@@ -235,6 +242,13 @@ class Simulation:
         elif name in ("stop", "restart"):
             self._work.clear()
         self._mode = _MODES.get(name, self._mode)
+
+    def _ends_a_delay(self) -> bool:
+        """Whether a delay by SFC 41 ends if the OB at work ends now."""
+        lines = reversed(self._session.lines)
+        cycle = takewhile(lambda line: (line["event"], line.get("ob")) != ("end", CYCLE_OB), lines)
+        called = any(line["event"] == "DIS_AIRT" for line in cycle)
+        return called and any(state.delay for state in self._session.situations(most=1))
 
     def _wait(self) -> None:
         """Time goes on to where something may happen."""
