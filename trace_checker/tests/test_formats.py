@@ -1,6 +1,7 @@
 """The forms of a report, with the fake engine."""
 
 import json
+import re
 import shutil
 import subprocess
 from html.parser import HTMLParser
@@ -47,7 +48,8 @@ def test_file_and_standard_output_agree(form: str, capsys: pytest.CaptureFixture
     data = written(form)
     assert capsys.readouterr().out == ""
     assert cli.main(["trace", "--format", form, "."]) == 3
-    assert capsys.readouterr().out.encode() == data
+    took = re.compile(rb' time="[0-9.]+"')
+    assert took.sub(b"", capsys.readouterr().out.encode()) == took.sub(b"", data)
     assert b"\x1b" not in data
     assert b"\x00" not in data
 
@@ -86,6 +88,9 @@ def test_junit() -> None:
     assert "requirements: AIRT-07" in str(failure.text)
     assert cases["ugly.ndjson"].find("error") is not None
     assert len(cases["good.ndjson"]) == 0
+    times = [float(str(case.get("time"))) for case in cases.values()]
+    assert sum(times) > 0
+    assert float(str(root.get("time"))) == pytest.approx(sum(times), abs=0.004)
 
 
 def test_sarif() -> None:
@@ -98,6 +103,43 @@ def test_sarif() -> None:
     (place,) = next(result["locations"] for result in results if result["ruleId"] == "AIRT-07")
     assert place["physicalLocation"]["artifactLocation"]["uri"] == "bad%20%3Cb%3E.ndjson"
     assert place["physicalLocation"]["region"]["startLine"] == 6
+
+
+def _rejected() -> tuple[dict[str, Any], dict[str, Any]]:
+    """The result of the rejected log, and its rule."""
+    (run,) = json.loads(written("sarif"))["runs"]
+    result = next(one for one in run["results"] if one["ruleId"] == "AIRT-07")
+    return result, run["tool"]["driver"]["rules"][result["ruleIndex"]]
+
+
+def test_sarif_leads_to_the_rejected_line() -> None:
+    """The code flow has the events up to the rejected one."""
+    result, _ = _rejected()
+    ((steps,),) = [flow["threadFlows"] for flow in result["codeFlows"]]
+    lines = [one["location"]["physicalLocation"]["region"]["startLine"] for one in steps["locations"]]
+    assert lines == [2, 3, 4, 5, 6]
+    assert [one["importance"] for one in steps["locations"]] == ["important"] * 4 + ["essential"]
+    assert '"start"' in steps["locations"][0]["location"]["message"]["text"]
+
+
+def test_sarif_knows_a_rejection_again() -> None:
+    """Lines before it and other times leave the fingerprint as it is; another answer changes it."""
+    first = _rejected()[0]["partialFingerprints"]
+    log = Path("bad <b>.ndjson")
+    header, *lines = log.read_bytes().splitlines(keepends=True)
+    log.write_bytes(b"".join([header, b"\n", *(line.replace(b"05:59:34", b"05:59:36") for line in lines)]))
+    assert _rejected()[0]["partialFingerprints"] == first
+    log.write_bytes(log.read_bytes().replace(b'"ret": 1', b'"ret": 2'))
+    assert _rejected()[0]["partialFingerprints"] != first
+
+
+def test_sarif_says_where_a_rule_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In this installation, or where the environment says that a code host shows the documents."""
+    here = _rejected()[1]["helpUri"]
+    assert here.startswith("file:///")
+    assert Path(here.removeprefix("file://").partition("#")[0]).is_file()
+    monkeypatch.setenv("S7CHECK_DOCUMENTS", "https://example.org/docs/rules/")
+    assert _rejected()[1]["helpUri"] == "https://example.org/docs/rules/requirements.md#AIRT-07"
 
 
 class Page(HTMLParser):
@@ -131,6 +173,9 @@ def test_html() -> None:
     assert text.index("bad &lt;b&gt;") < text.index("good.ndjson")
     assert "OB 42: no effect" in text
     assert "clock set" in text
+    assert page.tags.count("main") == 1
+    regions = re.findall(r'role="region"[^>]*aria-label="([^"]*)"', text)
+    assert len(set(regions)) == len(regions) == 2
 
 
 @pytest.mark.skipif(not CHROMIUM, reason="no chromium on the PATH")

@@ -10,6 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import sync_playwright
 
 from s7check.engine.answer import Candidate, Frame, Pending, Situation, Step
 from s7check.report.as_html import to_html
@@ -217,3 +218,17 @@ def test_the_levels_of_headings_have_no_gap() -> None:
     levels = [int(level) for level in re.findall(r"<h([1-6])", page(long_log("a", 4), long_log("b", 5)))]
     assert levels[0] == 1
     assert all(after <= before + 1 for before, after in pairwise(levels))
+
+
+@pytest.mark.skipif(not CHROMIUM, reason="no chromium on the PATH")
+def test_nothing_is_wider_than_a_small_window(tmp_path: Path) -> None:
+    """Long names, formulas and lines break; only the timeline scrolls."""
+    file = tmp_path / "page.html"
+    file.write_bytes(to_html([long_log("a-long-name-of-a-log-in-a-folder/" * 4, 50), long_log("b" * 90, 9)]))
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        small = browser.new_page(viewport={"width": 360, "height": 700})
+        small.goto(file.as_uri())
+        small.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
+        assert small.evaluate("document.documentElement.scrollWidth") <= 360
+        browser.close()

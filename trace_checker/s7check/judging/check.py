@@ -1,5 +1,6 @@
 """Checks one log: reads it, has the engine judge it, decides which line comes first."""
 
+import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -24,6 +25,9 @@ from s7check.report.words import in_hexadecimal
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
 
+_FLOW = 20
+"""Lines that lead to a rejected one and stay in its report."""
+
 _LOOKED_AT = 1000
 """Lines of a file without a header that are looked at to tell its kind."""
 
@@ -39,6 +43,7 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
 
     ``chosen`` takes the place of the header's own choices.
     """
+    begun = time.monotonic()
     judging = Judging(click.format_filename(name), engine, chosen, folder_of(name))
     try:
         with open_log(name) as source:
@@ -47,7 +52,7 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
         judging.refuse(error)
     except EngineError as error:
         judging.fail(error)
-    return judging.report()
+    return replace(judging.report(), seconds=time.monotonic() - begun)
 
 
 class Judging:
@@ -188,6 +193,7 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         classes=answer.classes,
         asked=answer.asked,
         lines=lines,
+        flow=[(number, text) for number, text in enumerate(lines, 1) if number > 1 and text.strip()][-_FLOW:],
     )
 
 

@@ -124,7 +124,7 @@ class Sections:
         if drawn is None:
             return
         shown = f"lines {drawn.first} to {drawn.last} of {len(report.lines)}"
-        label = {"role": "region", "tabindex": "0", "aria_label": f"timeline, {shown}"}
+        label = {"role": "region", "tabindex": "0", "aria_label": f"timeline of {place(report)}, {shown}"}
         parts = [
             node("p", shown[0].upper() + shown[1:], class_="origin"),
             *_rest(report, 1, drawn.first - 1),

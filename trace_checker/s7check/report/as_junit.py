@@ -17,11 +17,14 @@ def to_junit(reports: Sequence[Report]) -> bytes:
         "errors": str(kinds.count("error")),
         "skipped": "0",
     }
+    counts["time"] = f"{sum(report.seconds for report in reports):.3f}"
     root = Xml.Element("testsuites", counts)
     suite = Xml.SubElement(root, "testsuite", {"name": "s7check trace", **counts})
     for report, kind in zip(reports, kinds, strict=True):
         name = place(report) if report.line is None else place(report).rsplit(":", 1)[0]
-        case = Xml.SubElement(suite, "testcase", {"classname": "s7check.trace", "name": name})
+        case = Xml.SubElement(
+            suite, "testcase", {"classname": "s7check.trace", "name": name, "time": f"{report.seconds:.3f}"}
+        )
         if kind is None:
             if report.certain_from is not None:
                 Xml.SubElement(case, "system-out").text = message(report)

@@ -40,7 +40,7 @@ def document(title: str, style: str, script: str, *content: Node) -> bytes:
         node("title", title),
         node("style", style),
     )
-    body = node("body", *content, node("script", script))
+    body = node("body", node("main", *content), node("script", script))
     page: bytes = Xml.tostring(node("html", head, body, lang="en"), encoding="utf-8", method="html")
     return b"<!DOCTYPE html>\n" + page + b"\n"
 

@@ -46,7 +46,8 @@ class Report:
     false conjunct. ``readings`` is None if no others were to be tried; ``untried`` are readings for which there was
     no time. ``asked`` are the open questions whose letter the verdict depends on, None if it may depend on any.
     ``lines`` are the log's lines from the first one, as far as they are at hand, ``steps`` the situations after
-    them. ``after`` says how the judging went on behind the rejection before, if this is not the first.
+    them, ``flow`` the numbered events up to a rejected line, the latest ones. ``after`` says how the judging went on
+    behind the rejection before, if this is not the first. The judging took ``seconds``.
     """
 
     log: str
@@ -73,7 +74,9 @@ class Report:
     decidable: int = 0
     lines: list[bytes] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
+    flow: list[tuple[int, bytes]] = field(default_factory=list, repr=False)
     after: str = ""
+    seconds: float = field(default=0, compare=False)
 
     @property
     def exit_code(self) -> int:
