@@ -5,6 +5,7 @@ buffer that is older than one of these slots is at hand; those behind the last s
 not certain what is missing or which came first, there is a cut, and nothing is guessed.
 """
 
+import sys
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -149,17 +150,17 @@ class Tail:
 
     def _read_diag(self) -> bool:
         """Reads the new entries of the diagnostic buffer, by comparing. False if the last one is gone."""
-        for records in self._views():
-            new = _new(records, self._known)
+        for read, longest in ((self._newest, _FEW), (self._cpu.all_records, sys.maxsize)):
+            records = read()
+            new = _new(records, self._known, longest)
             if new is not None:
                 self._known = records[:_FEW]
                 self._waiting.diag += map(entry_of, reversed(records[:new]))
                 return True
         return False
 
-    def _views(self) -> Iterator[list[bytes]]:
-        yield self._cpu.newest(_FEW)
-        yield self._cpu.all_records()
+    def _newest(self) -> list[bytes]:
+        return self._cpu.newest(_FEW)
 
     def _read_slots(self, header: RingHeader) -> None:
         """The entries up to the counter; what was overwritten before it was read is a cut."""
@@ -290,10 +291,10 @@ def _spelled(clock: datetime) -> str:
     return clock.isoformat(timespec="milliseconds")
 
 
-def _new(records: list[bytes], known: list[bytes]) -> int | None:
-    """How many of the records come before those that are known; None if these are not there."""
+def _new(records: list[bytes], known: list[bytes], longest: int) -> int | None:
+    """How many of the newest ``longest`` records come before those that are known; None if these are not there."""
     if not known:
-        return len(records) if len(records) < _FEW else None
+        return len(records) if len(records) < longest else None
     for count in range(len(records)):
         same = known[: min(_KNOWN, len(records) - count)]
         if records[count : count + len(same)] == same:

@@ -352,9 +352,13 @@ def test_lost_entries_of_the_buffer(begin: Begin) -> None:
 
 
 def test_many_new_entries(begin: Begin) -> None:
-    """More than are read at a time, some of them alike: all are there, once."""
+    """More than are read at a time, some of them alike: all are there, once; the buffer was empty at first."""
     plc = Plc()
     watch = begin(plc)
+    for _ in range(6):
+        plc.note("1381 FF00 0000 0000 0000 0000")
+    steps(watch, plc)
+    assert told(watch) == plc.told
     plc.restart()
     steps(watch, plc)
     for _ in range(20):
