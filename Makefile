@@ -178,9 +178,10 @@ $(WINDOWS): $(NATIVE)
 	x86_64-w64-mingw32-gcc $(NATIVE_FLAGS) '-D__assume(x)=__builtin_unreachable()' -I $(NATIVE)-windows/include \
 	  -I trace_checker/engine/src/main/c -o $@ $(NATIVE)-windows/all.c trace_checker/engine/src/main/c/streams.c -lm -luuid -lole32
 
-$(KIT): $(BIN)/s7check $(shell find evidence/common evidence/kit trace_checker/s7check/kit kit traces models/models.txt -type f -not -name '*.pyc')
-	@echo "making the programs of the kit"
+$(KIT): $(BIN)/s7check $(shell find evidence/common evidence/kit trace_checker/s7check/kit kit traces gallery models/models.txt -type f -not -name '*.pyc')
+	@echo "making the programs of the kit, and the edge cases"
 	$(BIN)/python -m evidence.kit.programs
+	$(BIN)/python -m evidence.common.gallery
 	@touch $@
 
 $(PLC): $(filter-out examples/soft_plc/build/%,$(wildcard examples/soft_plc/*/*.[ch] instrumentation/*.h))

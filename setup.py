@@ -16,7 +16,6 @@ from setuptools.modified import newer_group
 
 SPECIFICATION = Path("spec")
 RULES = ("docs/rules/requirements.md", "docs/rules/readings.md")
-GALLERY = Path("gallery")
 KNOWN = ("kit/differences.ndjson", "kit/experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"
@@ -41,13 +40,12 @@ class BuildWithData(build_py):
         super().run()
         build_engine()
         shutil.copytree(SPECIFICATION, package / "spec")
-        shutil.copytree(GALLERY, package / "gallery")
         (package / "rules").mkdir()
         for page in RULES:
             shutil.copy(page, package / "rules")
         for name in KNOWN:
             shutil.copy(name, package)
-        make_programs(package / "programs")
+        make_programs_and_gallery(package)
         for file in (JAR, *TARGET.glob("lib/*.jar"), *([EXECUTABLE] if has_executable() else [])):
             copy = package / "jars" / file.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
@@ -71,12 +69,14 @@ def has_executable() -> bool:
     return EXECUTABLE.is_file() and EXECUTABLE.stat().st_mtime_ns >= JAR.stat().st_mtime_ns
 
 
-def make_programs(folder: Path) -> None:
-    """Makes the programs of the conformance kit."""
+def make_programs_and_gallery(package: Path) -> None:
+    """Makes the programs of the conformance kit, and the logs of the edge cases."""
     sys.path[:0] = [".", "trace_checker"]
-    from evidence.kit.programs import write
+    from evidence.common import gallery
+    from evidence.kit import programs
 
-    write(folder)
+    programs.write(package / "programs")
+    gallery.write(package / "gallery")
 
 
 def parse_specification(package: Path) -> None:

@@ -32,7 +32,7 @@ _NAMED = ("event", "at", "up", "info")
 VERDICTS = {"A": ("accepted", "accept"), "R": ("rejected", "reject"), "U": ("unusable", "unusable")}
 """First letter of a verdict -> the verdict, the folder of its logs where they are written out."""
 
-_EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
+EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "set": ("SET_TINT", ("ob", "sdt", "period", "ret")),
     "act": ("ACT_TINT", ("ob", "ret")),
     "can": ("CAN_TINT", ("ob", "ret")),
@@ -52,10 +52,10 @@ _EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
 }
 """Short name -> event and its operands; the last ones may be left out."""
 
-_BYTES = ("mode", "flt_id", "strt_info")
-_WORDS = ("ret", "status", "period", "sign", "cause", "id", "ev", "error_info")
-_INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob")
-_MOMENTS = ("at", "to", "time")
+BYTES = ("mode", "flt_id", "strt_info")
+WORDS = ("ret", "status", "period", "sign", "cause", "id", "ev", "error_info")
+INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob")
+MOMENTS = ("at", "to", "time")
 _JSON = {"true": True, "false": False, "null": None}
 
 _BYTES_OF_FILE: dict[str, Callable[[bytes], bytes]] = {
@@ -69,6 +69,7 @@ _BYTES_OF_FILE: dict[str, Callable[[bytes], bytes]] = {
 _REQUIREMENT = re.compile(r"[A-Z]+-\d+")
 _TIME = re.compile(r"(\d+:)?\d+:\d+(\.\d+)?")
 _VERDICT = re.compile(r"A|[RU]\d*")
+_NOTE = re.compile(r"(\w+): (.+)")
 
 
 class CasesError(ValueError):
@@ -80,7 +81,7 @@ class Case:
     """A log and what is to be said of it; ``line`` is None where it is accepted.
 
     ``requirements`` begins with the one that decides. ``packed`` says that ``log`` is a gzip file. ``place`` is the
-    case's line in the file of its area.
+    case's line in the file of its area. ``notes`` are lines ``NAME: TEXT``, in files that have them.
     """
 
     area: str
@@ -92,6 +93,7 @@ class Case:
     log: bytes
     packed: bool = False
     place: int = 0
+    notes: dict[str, str] = field(default_factory=dict)
 
     @property
     def id(self) -> str:
@@ -141,8 +143,8 @@ def difference(case: Case, report: Report) -> str | None:
     return f"{case.id}: expected {wanted}; got {got}: {report.message}"
 
 
-def read_cases(file: Path) -> Iterator[Case]:
-    """The cases of one file, whose name is their area. Raises `CasesError`, OSError."""
+def read_cases(file: Path, *, notes: bool = False) -> Iterator[Case]:
+    """The cases of one file, whose name is their area; it may have `notes`. Raises `CasesError`, OSError."""
     defaults: dict[str, Any] = {"format": "s7-interrupt-log/1"}
     drafts: list[_Draft] = []
     add: Callable[[str], None] = partial(_merge, defaults)
@@ -152,6 +154,8 @@ def read_cases(file: Path) -> Iterator[Case]:
             if line.startswith("== "):
                 drafts.append(_Draft.begin(place, line, defaults))
                 add = drafts[-1].add
+            elif notes and drafts and (note := _NOTE.fullmatch(line)):
+                drafts[-1].notes[note[1]] = " ".join(note[2].split())
             elif line.strip() and not line.startswith("//"):
                 add(line)
         names = set[str]()
@@ -193,6 +197,7 @@ class _Draft:
     at: str = ""
     up: _Elapsed | None = None
     ends: list[_Draft] = field(default_factory=list)
+    notes: dict[str, str] = field(default_factory=dict)
 
     @classmethod
     def begin(cls, place: int, line: str, defaults: dict[str, Any]) -> _Draft:
@@ -260,7 +265,8 @@ class _Draft:
             raise ValueError(f"a verdict of {self.name}, A, or R or U and the line; found {self.verdict or 'none'}")
         verdict, _ = VERDICTS[self.verdict[0]]
         at = None if verdict == "accepted" else int(self.verdict[1:] or len(lines))
-        yield Case(area, self.name, verdict, at, self.requirements, self.reason, log, "gzip" in changes, self.place)
+        said = self.requirements, self.reason, log, "gzip" in changes, self.place, self.notes
+        yield Case(area, self.name, verdict, at, *said)
 
 
 @dataclass(frozen=True)
@@ -313,7 +319,7 @@ def _parameters(value: str) -> dict[str, object]:
 
 def _event(words: list[str], header: dict[str, Any]) -> dict[str, Any]:
     short, *operands = words or [""]
-    event, names = _EVENTS[_one_of(_EVENTS, short)]
+    event, names = EVENTS[_one_of(EVENTS, short)]
     plain = [word for word in operands if "=" not in word]
     if len(plain) > len(names):
         raise ValueError(f"{short} {' '.join(names).upper()}; found {' '.join(operands)}")
@@ -328,13 +334,13 @@ def _event(words: list[str], header: dict[str, Any]) -> dict[str, Any]:
 def _value(name: str, text: str, header: dict[str, Any]) -> object:
     if text in _JSON:
         return _JSON[text]
-    if name in _INTEGERS:
+    if name in INTEGERS:
         return _number(name, text, 10)
-    if name in _BYTES:
+    if name in BYTES:
         return f"B#16#{_number(name, text, 16):02X}"
-    if name in _WORDS:
+    if name in WORDS:
         return f"W#16#{_number(name, text, 16):04X}"
-    if name in _MOMENTS:
+    if name in MOMENTS:
         return _moment(text, header)
     if name == "sdt" and "T" not in text:
         return f"{_clock(header)[:10]}T{text}"

@@ -12,6 +12,7 @@ from typing import Any
 import click
 import msgspec
 
+from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.common.console import plain
@@ -21,7 +22,6 @@ from evidence.common.session import session
 from evidence.logs.random_logs import Generator, SoftPlcError
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, jvm_command, native_command
-from s7check.resources import GALLERY
 
 DIFFER = 1
 VERDICTS = ("accepted", "rejected", "unusable", "error")
@@ -84,7 +84,7 @@ def _under_wine() -> list[str]:
 def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str, str, bytes]]:
     cases = [(case.id.replace("/", "-"), b"\n".join(case.lines)) for case in all_cases()]
     yield from (("cases", name, log) for name, log in cases)
-    yield from (("gallery", file.stem, file.read_bytes()) for file in sorted(GALLERY.glob("*.ndjson")))
+    yield from (("gallery", case.name, case.log) for case in gallery.cases())
     yield from (("random", f"random-{number}", generator.draw(number, 0).content) for number in range(1, logs + 1))
     random = Random(damaged)  # noqa: S311
     for number in islice(count(), damaged):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 from evidence.common.console import plain
+from evidence.common.shorthand import shorthand
 from evidence.models.canaries import Answers
 from evidence.models.entries import Mutation
 from evidence.models.judge import Result, exit_codes, expectation
@@ -263,5 +263,5 @@ def write_logs(file: Path, results: list[Result]) -> None:
             continue
         states = behaviour(result.outcome.trace)
         if all(map(of_system, states)):
-            text += [f"== {result.model.name} A\n", *(f"| {json.dumps(line)}\n" for line in as_log(states))]
-    file.write_text("".join(text), encoding="utf-8")
+            text += [f"== {result.model.name} A", *shorthand(as_log(states))]
+    file.write_text("".join(f"{line}\n" for line in text), encoding="utf-8")

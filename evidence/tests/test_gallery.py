@@ -1,14 +1,18 @@
 """The gallery: its cases, its logs, and the way from TLC's states to a log."""
 
-import msgspec
+import json
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
+from evidence.common.cases import CasesError
+from evidence.common.gallery import CASES, cases, replace_log, write
 from evidence.common.processes import Processes
+from evidence.common.shorthand import shorthand
 from evidence.tla.behaviour import as_log
 from evidence.tla.tlc import find_toolchain
 from evidence.tla.values import UnreadableValueError, assignments, value
-from evidence.views.gallery import gallery_command as command
-from evidence.views.gallery.cases import FOLDER, cases
 from evidence.views.gallery.search import NotFoundError, Search, configuration, module
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
@@ -16,20 +20,21 @@ from s7check.report.clauses import all_clauses
 
 
 def test_each_case_has_a_log_of_its_own_and_requirements_that_exist() -> None:
-    """At least forty cases; no log without a case."""
+    """At least forty cases."""
     found = cases()
     assert len(found) >= 40
-    assert {case.log.name for case in found} == {path.name for path in FOLDER.glob("*.ndjson")}
+    assert len({case.log for case in found}) == len(found)
     known = {clause.id for clause in all_clauses()}
     assert {name for case in found for name in case.requirements} <= known
     assert all(case.requirements and case.told for case in found)
 
 
-def test_the_trace_checker_accepts_each_log() -> None:
+def test_the_trace_checker_accepts_each_log(tmp_path: Path) -> None:
     """What TLC finds, the trace checker explains."""
+    write(tmp_path)
     with Engine() as engine:
         for case in cases():
-            report = check_log(str(case.log), engine, lambda *_: None)
+            report = check_log(str(tmp_path / f"{case.name}.ndjson"), engine, lambda *_: None)
             assert report.verdict == "accepted", str(report)
 
 
@@ -37,10 +42,40 @@ def test_a_case_is_found_again() -> None:
     """By TLC, as shipped; and not where its goal is never reached."""
     case = next(one for one in cases() if one.name == "delay-taken-back-too-often")
     search = Search(find_toolchain(None), Processes())
-    assert command._text(search(case)) == case.log.read_text()
-    never = msgspec.structs.replace(case, goal="FALSE", world={"Moments": "{Moment(0, 30000)}"})
+    short = shorthand(search(case))
+    assert "\n".join(["", *short, ""]) in CASES.read_text()
+    never = replace(case, goal="FALSE", world={"Moments": "{Moment(0, 30000)}"})
     with pytest.raises(NotFoundError, match="passed"):
         search(never)
+
+
+def test_a_log_is_put_in_the_place_of_another(tmp_path: Path) -> None:
+    """The rest of the file stays as it is; what the log says comes back from its short form."""
+    path = tmp_path / "cases.txt"
+    path.write_text(CASES.read_text())
+    case, last = cases()[2], cases()[-1]
+    replace_log(case.name, shorthand([json.loads(line) for line in last.log.splitlines()]), path)
+    changed = cases(path)
+    assert [one for one in cases() if one != case] == [one for one in changed if one.name != case.name]
+    assert changed[2] == replace(case, log=last.log)
+    replace_log(case.name, shorthand([json.loads(line) for line in case.log.splitlines()]), path)
+    assert path.read_text() == CASES.read_text()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("goal: Due", "expected one of title, goal, middle, budget, title: of a is missing"),
+        ("title: A\nfoal: Due", "not foal"),
+        ("title: A\ngoal: Due\nbudget: some", "budget: a number"),
+        ("title: A\ngoal: Due\nfoal Due", "FIELD=VALUE; found foal"),
+    ],
+)
+def test_a_case_that_is_none(line: str, said: str, tmp_path: Path) -> None:
+    """The message has the line of the case and what is expected."""
+    (tmp_path / "cases.txt").write_text(f"== a A CLK-02\n{line}\ncpu=S7-300 obs=1 clock=2026-11-21T06:00\n0:30 run\n")
+    with pytest.raises(CasesError, match=f"cases.txt:[14]: .*{said}"):
+        cases(tmp_path / "cases.txt")
 
 
 def test_a_case_changes_only_the_constants_it_names() -> None:

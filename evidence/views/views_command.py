@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from evidence.common import gallery
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
@@ -37,6 +38,7 @@ def make_command(output: Path) -> int:
         for place, text in made.items():
             (output / place).parent.mkdir(parents=True, exist_ok=True)
             (output / place).write_text(text, encoding="utf-8")
+        gallery.write(output / "gallery")
         count = programs.write(output / "kit" / "programs")
         logs = vectors.write(output / "vectors")
         plain(console, f"{output}: {len(made)} pages and sources, {count} programs of the kit, {logs} vectors")

@@ -34,8 +34,8 @@ PARSED = _PACKAGE / "parsed"
 RULES = _PACKAGE / "rules" if INSTALLED else CHECKOUT / "docs" / "rules"
 """The pages with the requirements and the readings."""
 
-GALLERY = _PACKAGE / "gallery" if INSTALLED else CHECKOUT / "gallery"
-"""The edge cases, and their logs."""
+GALLERY = _PACKAGE / "gallery" if INSTALLED else CHECKOUT / "build" / "views" / "gallery"
+"""The edge cases, and their logs; in a checkout `make setup` makes them."""
 
 KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "build" / "views" / "kit" / "programs"
 """The programs of the conformance kit, in files of a program a line; in a checkout `make setup` makes them."""

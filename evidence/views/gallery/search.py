@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from evidence.common.checkout import ROOT
+from evidence.common.gallery import Case
 from evidence.common.processes import Processes
 from evidence.tla import tlc
 from evidence.tla.behaviour import Line, as_log, behaviour
 from evidence.tla.modules import module_folders
-from evidence.views.gallery.cases import Case
 
 MODULE = "GalleryCase"
 _HEAP = 1500

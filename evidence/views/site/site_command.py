@@ -11,6 +11,7 @@ from pathlib import Path
 import click
 import msgspec
 
+from evidence.common import gallery
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
@@ -35,7 +36,6 @@ _MENU = {
     "rules/readings.html": "readings",
     "modules.html": "specification",
 }
-_CASES = ROOT / "gallery" / "cases.json"
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
@@ -102,17 +102,18 @@ def _gallery() -> Document:
     sections = []
     logs = set()
     with Engine() as engine:
-        for case in msgspec.json.decode(_CASES.read_bytes()):
-            log = ROOT / "gallery" / f"{case['name']}.ndjson"
+        gallery.write()
+        for case in gallery.cases():
+            log = gallery.LOGS / f"{case.name}.ndjson"
             report = check_log(str(log), engine, lambda *_: None)
             picture = timeline(with_steps(report, engine, Replay(str(log), [])))
             drawn = "" if picture is None else as_text(picture.labels) + as_text(picture.lanes)
-            ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case["requirements"])
+            ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case.requirements)
             parts.append(
-                f'<section id="{case["name"]}"><h2>{html.escape(case["title"])}</h2><p>{html.escape(case["told"])}</p>'
+                f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
                 f'<div class="scroll">{drawn}</div><p>{ids}; <a href="{page_of(log)}">log</a></p></section>'
             )
-            sections.append(Section(f"gallery.html#{case['name']}", case["title"], case["told"]))
+            sections.append(Section(f"gallery.html#{case.name}", case.title, case.told))
             logs.add(log)
     return Document("Edge cases", "\n".join(parts), sections, logs)
 
