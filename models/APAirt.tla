@@ -20,6 +20,7 @@ APInit ==
     /\ loaded = {1, 10, 40, 80, 85}
     /\ mode = "RUN"
     /\ startup = "none"
+    /\ resume = NothingKept
     /\ clock = Moment(0, 30000)
     /\ tod = [ o \in TodObs |->
                  [ NoSetting EXCEPT !.set = TRUE, !.active = TRUE,

@@ -3,8 +3,8 @@
 (* One step of System from ANY state in which Ind holds, for Apalache.     *)
 (*                                                                         *)
 (* The world: two time-of-day OBs, two time-delay OBs, a hardware OB, OB   *)
-(* 80, OB 85 and the startup OBs, each loaded or missing, and no           *)
-(* synchronous errors (OB 121, 122); the three families; the class of each *)
+(* 80, OB 85 and the startup OBs, each loaded or missing; no synchronous   *)
+(* errors (OB 121, 122), no hot restart; the three families; the class of each *)
 (* OB by default or, except on S7-300 and where it can be set, any that    *)
 (* OBS-05 allows. The clock, the delay count, settings, jobs, fields of    *)
 (* requests and operands of calls are any integers; a fault id is a byte.  *)
@@ -45,6 +45,7 @@ APAsyncErrorObs == {80, 85}
 \* @type: Set(Int);
 NoSyncErrorObs == {}
 APBlockable == (10..17) \cup (20..23) \cup APExternalObs
+APRestartTypes == {"warm", "cold"}
 APObs == {10, 11, 20, 21, 40, 80, 85, 100, 102}
 APNumbers == Int
 APSdts == {AnySdt}
@@ -152,6 +153,7 @@ StateWith(t, u, waiting, running) ==
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
+    /\ resume = NothingKept
     /\ clock = Gen(1)
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j, k \in {Gen(1)} :
@@ -206,6 +208,7 @@ InWorld ==
     /\ loaded \subseteq APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
+    /\ resume = NothingKept
     /\ DOMAIN tod = APTodObs
     /\ DOMAIN dint = APDintObs
     /\ irt.blocked \subseteq APBlockable

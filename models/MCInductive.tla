@@ -94,6 +94,7 @@ VARIABLE
 (* Conjuncts of IndInv stand between, where they save states. *)
 IndInit ==
     /\ \E m \in ModesOfStart : mode = m[1] /\ startup = m[2]
+    /\ resume = NothingKept
     /\ stack \in Stacks
     /\ StackInv /\ StartingInv
     /\ requests \in Queues

@@ -57,7 +57,9 @@ FamiliesAgree ==
              /\ f.settable <=> ~isS7300
              /\ f.lacks = IF isS7300 THEN {30, 31, 32, 33, 34, 60, 70, 72}
                                     ELSE {60, 70, 72}
-             /\ f.restarts = IF isS7300 THEN {"warm"} ELSE {"warm", "cold"}
+             /\ f.restarts = CASE isS7300 -> {"warm"}
+                               [] f.name = "S7-400" -> {"warm", "cold", "hot"}
+                               [] OTHER -> {"warm", "cold"}
              /\ f.repeats <=> isS7300
 
 (* [OBS-04] Table 7.1; [OBS-05] OB 57 has the class that is set. *)

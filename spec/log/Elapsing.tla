@@ -66,7 +66,7 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 (* [IRT-01].                                                               *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
-        begins   == stack = <<>> /\ OnStack(CycleOb)'
+        begins   == mode = "RUN" /\ stack = <<>> /\ OnStack(CycleOb)'
         ends     == OnStack(CycleOb) /\ stack' = <<>>
         exceeded ==
           /\ ~Blocked(TimeErrorOb)
@@ -161,7 +161,8 @@ Expire(stale) ==
 (* Start points that equal the clock. *)
 PointsNow ==
     IF ~Watching \/ (clock.ms # 0 /\ ~SecondsAreKept) THEN {}
-    ELSE { o \in DOMAIN tod : tod[o].active /\ NextMoment(tod[o]) = clock }
+    ELSE { o \in DOMAIN tod : /\ tod[o].active /\ ~tod[o].held
+                              /\ NextMoment(tod[o]) = clock }
 
 (* Delays that are over now; delays that may be over before line e. Under  *)
 (* AMB-70 (a) calls in the last millisecond still see the job.             *)
@@ -287,7 +288,7 @@ PassedOver ==
     IF ~Watching THEN {}
     ELSE { o \in DOMAIN tod :
              /\ tod[o].active /\ ~HasOnePoint(tod[o].period)
-             /\ clock.min > tod[o].repeatTo
+             /\ clock.min > tod[o].repeatTo /\ ~tod[o].held
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
                 \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers
                 \/ Repeats(o) /\ ~Remembers }
@@ -302,8 +303,9 @@ PassedUntil(t, m) ==
 \* @type: $moment => Bool;
 PassesNoOther(t) ==
     \A o \in DOMAIN tod \ PassedOver :
-      tod[o].active => /\ ~Before(NextMoment(tod[o]), t)
-                       /\ clock # NextMoment(tod[o])
+      tod[o].active => \/ /\ ~Before(NextMoment(tod[o]), t)
+                          /\ clock # NextMoment(tod[o])
+                       \/ tod[o].held
 
 (* Time passes, as in TimePasses, and points without effect pass with it. *)
 \* @type: ($moment, Int) => Bool;
@@ -321,7 +323,8 @@ PassesOver(t, d) ==
 
 (* The next start point, on the CPU clock. *)
 NextPointDue ==
-    LET obs == { p \in DOMAIN tod \ PassedOver : tod[p].active }
+    LET obs == { p \in DOMAIN tod \ PassedOver :
+                   tod[p].active /\ ~tod[p].held }
         n   == { NextMoment(tod[o]) : o \in obs }
     IN  CHOOSE m \in n : \A k \in n : ~Before(k, m)
 
@@ -402,7 +405,9 @@ MissingMayWait(e) ==
 \* @type: $event => Bool;
 Towards(e) ==
     /\ UNCHANGED lineVars
-    /\ IF PointsNow # {} /\ clock # e.at
+    /\ IF resume.due /\ mode = "RUN"
+       THEN NoticesPassed /\ Rewait /\ UNCHANGED up
+       ELSE IF PointsNow # {} /\ clock # e.at
        THEN /\ UNCHANGED up
             /\ \/ PointReached(Least(PointsNow)) /\ Rewait
                \/ DropsBeforePoint

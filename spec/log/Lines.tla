@@ -66,9 +66,11 @@ IsCall(e) ==
 (* Starts, and events from outside *)
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
-(* following ones. If a log begins in RUN, its first OB 1 may have any.    *)
+(* following ones. After a hot restart it may also follow the cycle that   *)
+(* has gone on. If a log begins in RUN, its first OB 1 may have any.       *)
 CycleEvents == CASE first = "warm" -> {1}
                  [] first = "cold" -> {4}
+                 [] first = "hot"  -> {2, 3}
                  [] first = "none" -> {3}
                  [] OTHER          -> 1..4
 
@@ -106,8 +108,9 @@ IsStart(e) ==
                                 outcomeVars, stack>>
       [] e.ob \in StartupObs ->
            /\ Fits(e.info.priority, 27)
-           /\ e.info.strt_info \in {-1} \cup (IF e.ob = 100 THEN \h81..\h82
-                                                          ELSE \h85..\h86)
+           /\ e.info.strt_info \in {-1} \cup (CASE e.ob = 100 -> \h81..\h82
+                                                [] e.ob = 101 -> \h83..\h84
+                                                [] OTHER      -> \h85..\h86)
            /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ StartupStarts(e.ob)
       [] e.ob \in SyncErrorObs -> ErrorObStarts(e.ob) /\ FitsFailed(e)

@@ -111,8 +111,8 @@ VARIABLES
     (* start. For StopDuty: the ms that a STOP has been due.                *)
     \* @type: Int -> Int;
     waiting,
-    (* "warm" or "cold": the first OB 1 after this restart is still to      *)
-    (* come.  "none": it has come.  "unknown": the log begins in RUN.       *)
+    (* "warm", "cold" or "hot": the first OB 1 after this restart is still  *)
+    (* to come. "none": it has come. "unknown": the log begins in RUN.      *)
     \* @type: Str;
     first,
     (* How often the cycle time was exceeded in this cycle, twice at most.  *)

@@ -277,12 +277,30 @@ LooseEnd(e) ==
 -----------------------------------------------------------------------------
 (* Modes *)
 
+(* [AMB-26] [OBS-52] A hot restart. OB 80 may report points of the STOP.   *)
+LooseResumes ==
+    LET old == IF ModeKnown THEN resume.requests ELSE requests
+    IN  /\ RestartExists("hot")
+        /\ startup' = "hot"
+        /\ requests' = { r \in old : Outlives(r) }
+             \cup (IF MayBeDue \cap TodObs = {} THEN {}
+                   ELSE {Mark(TimeErrorOb, SkippedByClock)})
+        /\ dint' = IF ~HotRestartKeepsSettings THEN NoJobs
+                   ELSE IF ModeKnown THEN resume.dint ELSE dint
+        /\ irt' = IF HotRestartKeepsSettings THEN irt ELSE NoneBlocked
+        /\ tod' \in IF HotRestartKeepsSettings THEN {tod}
+                    ELSE SettingsByStep7
+        /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
+        /\ stopCause' = RestartStop
+        /\ delay' = 0
+        /\ UNCHANGED <<loaded, clock>>
+
 \* @type: $event => Bool;
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
-    /\ Resets(e.type)
+    /\ IF e.type = "hot" THEN LooseResumes
+       ELSE Resets(e.type) /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
-    /\ tod'  \in SettingsByStep7
     /\ stack' = <<Frame(StartupOb(e.type), 27)>>
     /\ NothingEntered
     /\ UNCHANGED cpu
@@ -291,12 +309,23 @@ LooseRestart(e) ==
 LooseRun(e) ==
     /\ ModeKnown => mode = "STARTUP"
     /\ MayRun
-    /\ mode' = "RUN" /\ startup' = "none" /\ stack' = <<Frame(CycleOb, 1)>>
+    /\ mode' = "RUN" /\ startup' = "none"
+    /\ stack' = IF resume.stack = <<>> THEN <<Frame(CycleOb, 1)>>
+                ELSE resume.stack
+    /\ delay' = IF resume.stack = <<>> THEN delay ELSE resume.delay
+    /\ resume' = NothingKept
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, delay>>
+    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars>>
 
+(* Where changes of the mode may be unseen, a hot restart may bring all    *)
+(* back that waits.                                                        *)
 LooseStop ==
     IF ModeKnown /\ mode # "STOP" THEN Stop
+    ELSE IF ~ModeKnown /\ HotRestartExists
+    THEN /\ stack' = <<Frame(CycleOb, 1)>>
+         /\ NothingEntered
+         /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
+                        delay>>
     ELSE /\ Clears
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
@@ -310,7 +339,7 @@ LooseRelease ==
                    THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
                    ELSE requests
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, stopCause,
+    /\ UNCHANGED <<deviceVars, startup, resume, clock, settingVars, stopCause,
                    runVars>>
 
 -----------------------------------------------------------------------------
@@ -339,6 +368,10 @@ SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
                         THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
 
 SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
+
+(* Settings of the clock; a hot restart finds points that passed in STOP.  *)
+UnseenSkips == SkipsInHold \cup (IF ~ModeKnown /\ HotRestartExists
+                                THEN {SkippedByClock} ELSE {})
 
 \* @type: $event => Bool;
 LooseClock(e) ==
@@ -438,7 +471,7 @@ LooseElapse(e) ==
         /\ requests' = requests
              \cup { Mark(o, 0) : o \in { j \in DintObs :
                                    dint'[j].started /\ dint'[j].left = Gone } }
-             \cup SkipMarks(e.at, SkipsInHold)
+             \cup SkipMarks(e.at, UnseenSkips)
         /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
         /\ NothingEntered
         /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,

@@ -74,8 +74,8 @@ Others == { r \in requests : ~Outside(r) }
 
 (* Two explanations can meet if these values are equal. *)
 MeetingPlace ==
-    << cpu.readings, loaded, mode, startup, clock, tod, dint, irt, stack,
-       delay, stopCause, up, first, overruns, changes, terms, pace,
+    << cpu.readings, loaded, mode, startup, resume, clock, tod, dint, irt,
+       stack, delay, stopCause, up, first, overruns, changes, terms, pace,
        { << [r EXCEPT !.rank = 0],
             Cardinality({ s \in Others : AsItCame(s) = AsItCame(r) }) >>
          : r \in Others },
@@ -218,8 +218,10 @@ OnlyFacts(records) ==
                 THEN << IF mode = "STARTUP" THEN Frame(100, 27)
                         ELSE Frame(CycleOb, 1) >>
                 ELSE [stack EXCEPT ![Len(stack)].error = 0]
+    /\ resume' = [ resume EXCEPT !.dint = NoJobs, !.requests = {},
+                                !.due = FALSE ]
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, up, pace>>
+    /\ UNCHANGED <<deviceVars, mode, startup, clock, up, pace>>
 
 (* For a log that leaves kinds out and has too many explanations.          *)
 Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})

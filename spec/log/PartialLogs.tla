@@ -46,11 +46,12 @@ DependsOn(e) ==
 (* The OBs on which events of this moment depend.                          *)
 NowNeeded ==
     LET due == { r \in requests : MayStart(r) \/ MissingNoticedWhenDue }
-    IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} THEN {}
+    IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} /\ ~resume.due THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 
 (* The startup OB that is still to start.                                  *)
-StartupDue == IF startup \in {"warm", "cold"} THEN {StartupOb(startup)} ELSE {}
+StartupDue == IF startup \in {"warm", "cold", "hot"}
+              THEN {StartupOb(startup)} ELSE {}
 
 \* @type: Set(Int) => Bool;
 UnseenLoad(obs) ==

@@ -19,7 +19,8 @@ Init ==
     /\ cpu = [ family |-> "", priority |-> [o \in {} |-> 0],
                step7 |-> [o \in {} |-> NoParameters],
                readings |-> [a \in {} |-> ""] ]
-    /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ clock = At(0)
+    /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ resume = NothingKept
+    /\ clock = At(0)
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
@@ -76,8 +77,9 @@ TodAtBegin(h, t, called) ==
 LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
               \/ {"ob", "interrupt"} \cap h.records = {}
 
-(* In STOP nothing is set before the restart. In STARTUP and RUN the CPU   *)
-(* has just been restarted; the type of the restart is not known. Some     *)
+(* In STOP nothing is set before the restart, unless a hot restart may     *)
+(* follow: then the parameters of STEP 7 hold. In STARTUP and RUN the CPU  *)
+(* has just been restarted, warm or cold; which is not known. Some         *)
 (* operators are primed: the letters of this header already decide how     *)
 (* STEP 7's parameters are read.                                           *)
 \* @type: $header => Bool;
@@ -86,11 +88,13 @@ Begin(h) ==
     /\ loaded' = h.obs
     /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
+    /\ resume'   = NothingKept
     /\ clock'  = h.clock
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0},
           set \in SettingsByStep7' :
-         tod' = [ o \in TodObs |-> IF h.mode = "STOP" THEN NoSetting
-                                   ELSE TodAtBegin(h, set[o], called)' ]
+         tod' = [ o \in TodObs |->
+                    IF h.mode = "STOP" /\ ~HotRestartExists' THEN NoSetting
+                    ELSE TodAtBegin(h, set[o], called)' ]
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
@@ -153,6 +157,7 @@ HiddenBoundary ==
     \/ ~terms.cycle /\ CycleStarts
     \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
+    \/ resume.due /\ NoticesPassed
 
 (* [DINT-06] *)
 \* @type: $event => Bool;
@@ -193,15 +198,15 @@ HiddenBefore(e) ==
 HidesBefore(e) == \/ stack = <<>>
                   \/ delay > 0
                   \/ requests # {}
-                  \/ mode = "STARTUP"
+                  \/ mode = "STARTUP" \/ resume.due
                   \/ PointsNow # {}
                   \/ OverBefore(e) # {}
 
 (* Two explanations of a log differ if these values differ.                *)
-Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
-              requests, stack, delay, stopCause, up, waiting, first, overruns,
-              arrivals, changes, reports, terms.endless, terms.unsure,
-              EarlyDelays>>
+Distinct == <<cpu.readings, loaded, mode, startup, resume, clock, tod, dint,
+              irt, requests, stack, delay, stopCause, up, waiting, first,
+              overruns, arrivals, changes, reports, terms.endless,
+              terms.unsure, EarlyDelays>>
 
 (* The same between two lines. If loading is not recorded, an OB is loaded *)
 (* or deleted unseen as soon as something depends on it. So the loaded OBs *)
@@ -209,7 +214,7 @@ Distinct == <<cpu.readings, loaded, mode, startup, clock, tod, dint, irt,
 DistinctAfterLine ==
     <<cpu.readings,
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
-      mode, startup, clock, tod, dint, irt, requests, stack, delay, stopCause,
-      up, waiting, first, overruns, arrivals, changes, reports, terms.endless,
-      terms.unsure, EarlyDelays>>
+      mode, startup, resume, clock, tod, dint, irt, requests, stack, delay,
+      stopCause, up, waiting, first, overruns, arrivals, changes, reports,
+      terms.endless, terms.unsure, EarlyDelays>>
 =============================================================================

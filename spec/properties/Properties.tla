@@ -21,7 +21,7 @@ Periods == PeriodCodes \cup LateMonthlies
 
 TypeInv ==
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
-    /\ startup \in {"none", "warm", "cold", "begun"}
+    /\ startup \in {"none", "warm", "cold", "hot", "begun", "resuming"}
     /\ IsMoment(clock)
     /\ DOMAIN tod = TodObs
     /\ \A o \in TodObs :

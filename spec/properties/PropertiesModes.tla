@@ -75,8 +75,9 @@ ModeProp ==
         /\ Did("restart") => mode = "STOP" /\ mode' = "STARTUP"
         /\ Did("run") => /\ mode = "STARTUP"
                          /\ stack = <<>>
-                         /\ startup = "begun" \/ loaded \cap StartupObs = {}
-                              \/ StartupOb(startup) \notin loaded
+                         /\ \/ startup \in {"begun", "resuming"}
+                            \/ loaded \cap StartupObs = {}
+                            \/ StartupOb(startup) \notin loaded
         /\ mode # "RUN" /\ mode' = "RUN" => Did("run") \/ Did("release")
         /\ Did("hold") => mode = "RUN" /\ mode' = "HOLD"
         /\ Did("release") => mode = "HOLD" /\ mode' = "RUN"
@@ -97,7 +98,9 @@ HoldProp ==
 StartupProp ==
     [][ \A o \in StartupObs : Started(o) =>
           /\ o \in loaded /\ stack = <<>>
-          /\ startup = (IF o = 100 THEN "warm" ELSE "cold") ]_vars
+          /\ startup = CASE o = 100 -> "warm"
+                         [] o = 101 -> "hot"
+                         [] OTHER   -> "cold" ]_vars
 
 (* [TINT-25] Execution of STEP 7 and PERIOD of SFC 28 are one parameter. *)
 PeriodTable ==
@@ -120,7 +123,7 @@ LateMonthly(period) == CASE period = Monthly       -> Step7MayLeaveMonthsOut
 (* that is loaded, by STEP 7 or by class 0 [OBS-06], aborts the startup    *)
 (* [OBS-25].                                                               *)
 RestartProp ==
-    [][ Did("restart") =>
+    [][ Did("restart") /\ startup' # "hot" =>
           /\ delay' = 0 /\ stack' = <<>>
           /\ \A o \in TodObs :
                LET s == cpu.step7[o]
@@ -136,6 +139,60 @@ RestartProp ==
                         /\ s.execution = "once" /\ s.active /\ ~Deselected(o)
                         /\ Before(At(s.start), clock)
           /\ stopCause' = \h454A <=> \E o \in loaded : Deselected(o) ]_vars
+
+(* [OBS-52] [OBS-53] [IRT-03] [DINT-13] [AMB-26] A hot restart is one of a *)
+(* CPU that has it [OBS-57]. It keeps the blocks, the settings, all but    *)
+(* the next point, and of each job all that STOP has left of it; no        *)
+(* diagnostic interrupt waits.                                             *)
+HotRestartProp ==
+    [][ Did("restart") /\ startup' = "hot" =>
+          /\ cpu.family = "S7-400"
+          /\ stack' = <<>> /\ delay' = 0
+          /\ ~OpenIn(requests', 82) /\ ~PendingIn(requests', 82)
+          /\ \A r \in requests' : r.ob # 82 =>
+               \E q \in resume.requests : Content(q) = Content(r)
+          /\ \A q \in resume.requests : q.ob \notin TodObs \cup DintObs \cup {82}
+               => \E r \in requests' : Content(q) = Content(r)
+          /\ Reading("AMB-26") = "a" =>
+               /\ UNCHANGED irt /\ dint' = resume.dint
+               /\ \A q \in resume.requests : q.ob # 82 =>
+                    \E r \in requests' : Content(q) = Content(r)
+               /\ \A o \in TodObs :
+                    [tod'[o] EXCEPT !.next = 0, !.held = FALSE]
+                      = [tod[o] EXCEPT !.next = 0, !.held = FALSE]
+          /\ Reading("AMB-26") = "b" =>
+               /\ irt'.blocked = {} /\ \A o \in DintObs : ~dint'[o].started
+               /\ \A r \in requests' : r.ob \notin TodObs \cup DintObs ]_vars
+
+(* [OBS-52] [OBS-54] What STOP finds is what a hot restart, and then RUN,  *)
+(* bring back: the interrupted OBs with their count, jobs, start events.   *)
+(* STOP in STARTUP leaves no OB but those that waited for RUN.             *)
+ResumeProp ==
+    [][ /\ step'.event \in {"stop", "switch"} /\ HotRestartExists =>
+             /\ resume'.dint = dint /\ resume'.requests = requests
+             /\ IF mode = "STARTUP"
+                THEN /\ resume'.stack = resume.stack
+                     /\ resume'.delay = resume.delay
+                ELSE resume'.stack = stack /\ resume'.delay = delay
+        /\ Did("run") =>
+             /\ stack' = resume.stack /\ delay' = resume.delay
+             /\ startup \notin {"hot", "resuming"} => stack' = <<>> ]_vars
+
+(* [AMB-26] [CLK-02] A point that passed in STOP is noticed before time    *)
+(* goes on in RUN: OB 80 reports it with fault 05, if it is not blocked,   *)
+(* or the CPU has to stop; nothing else starts by it.                      *)
+PassedInStopProp ==
+    [][ /\ mode = "RUN" /\ Did("time") => \A o \in TodObs : ~tod[o].held
+        /\ Did("noticed") =>
+             /\ \A o \in TodObs : ~tod'[o].held
+             /\ \A o \in TodObs : tod[o].held /\ irt.blocked = {} =>
+                  \/ stopCause' # NoCause
+                  \/ \E r \in requests' : /\ r.ob = 80 /\ r.fault = 5
+                                         /\ o \in r.late
+        /\ Did("restart") /\ startup' = "hot" /\ Reading("AMB-26") = "a" =>
+             \A o \in TodObs : /\ tod[o].active /\ ~Deselected(o)
+                               /\ tod[o].next < clock.min
+               => tod'[o].held \/ tod'[o].next >= clock.min ]_vars
 
 (* Family, classes and STEP 7 parameters of the CPU stay, and so does a    *)
 (* letter that it has; more letters may come. Load adds its OB, delete     *)

@@ -53,6 +53,7 @@ ObNumbersOfLogs == 1..122
 (* kind.                                                                   *)
 Words ==
     [ families |-> FamilyNames,
+      restarts |-> { <<f.name, f.restarts>> : f \in KnownFamilies },
       settable |-> { f.name : f \in { g \in KnownFamilies : g.settable } },
       classes  |-> { <<o, SettableClasses(o)>>
                      : o \in { p \in ObNumbersOfLogs :

@@ -122,7 +122,9 @@ NextLines ==
       \cup { LineOf("load", o)
              : o \in (Blockable \cup StartupObs \cup SyncErrorObs) \ loaded }
       \cup { LineOf("delete", o) : o \in loaded \ {CycleOb} }
-      \cup { [Line("restart") EXCEPT !.type = t] : t \in {"warm", "cold"} }
+      \cup { [Line("restart") EXCEPT !.type = t]
+             : t \in {"warm", "cold"} \cup (IF HotRestartExists THEN {"hot"}
+                                          ELSE {}) }
       \cup { Line(name) : name \in {"run", "hold", "release", "stop"} }
       \cup (IF stopCause \in {NoCause, OtherErrorOb} THEN {}
             ELSE {[Line("stop") EXCEPT !.cause = stopCause]})

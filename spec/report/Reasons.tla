@@ -80,7 +80,8 @@ CanDintRequirements(e, ret, past) ==
                  \cup When(\/ LastStart(past, e.ob) > srt
                            \/ PendingIn(requests, e.ob) \/ Unseen("ob"),
                            {"DINT-15"})
-                 \cup When(LastOf(past, {"restart"}) > srt, {"DINT-13"})
+                 \cup When(LastOf(past, {"restart"}) > srt,
+                           {"DINT-13", "OBS-52"})
                  \cup When(SetInStartup(past, srt), {"OBS-55", "DINT-11"})
                  \cup When(dint[e.ob].started /\ dint[e.ob].left <= 2,
                            {"DINT-06"})
@@ -168,11 +169,12 @@ WrongAnswer(e, past) ==
 ActiveRequirements(o, past) ==
     LET last  == LastWith(past,
                           {"SET_TINT", "CAN_TINT", "ACT_TINT", "start"}, o)
-        reset == LastOf(past, {"restart"})
+        reset == LastReset(past)
         once  == When(cpu.step7[o].execution = "once", {"OBS-56"})
     IN  IF tod[o].active /\ ~HasOnePoint(tod[o].period) /\ tod[o].next = Never
         THEN {}  \* a series without a further point
         ELSE IF reset > last THEN {"OBS-50", "TINT-38"} \cup once
+        ELSE IF LastHot(past) > last THEN {"AMB-26", "OBS-52"}
         ELSE IF PendingIn(requests, o) /\ HasOnePoint(tod[o].period)
         THEN {"TINT-08"}
         ELSE IF last = 0 THEN {"TINT-06"} \cup once
@@ -514,7 +516,7 @@ Deciding(e, past) ==
       [] e.event = "diag"    -> OfEntry(e, past)
       [] e.event = "end"     -> OfEnd(e, past)
       [] e.event = "restart" ->
-           {"OBS-40"} \cup When(e.type = "cold", {"OBS-57"})
+           {"OBS-40"} \cup When(e.type # "warm", {"OBS-57"})
       [] e.event = "run"     -> IF stopCause # NoCause
                                 THEN StopRequirements(past)
                                 ELSE IF mode = "STARTUP" THEN {"OBS-42"}
@@ -646,8 +648,10 @@ WhyPossible(e, past) ==
       [] e.event = "end"        -> {"OBS-03"} \cup When(delay > 0, {"AIRT-04"})
       [] e.event = "interrupt"  -> OfInterrupt(e)
       [] e.event = "clock"      -> OfClock(e.to)
-      [] e.event = "restart"    -> {"OBS-40", "OBS-50"}
-                                     \cup When(e.type = "cold", {"OBS-57"})
+      [] e.event = "restart"    ->
+           {"OBS-40"} \cup (IF e.type = "hot" THEN {"OBS-52", "OBS-53"}
+                           ELSE {"OBS-50"})
+                      \cup When(e.type # "warm", {"OBS-57"})
       [] e.event = "run"        -> {"OBS-42"}
       [] e.event = "hold"       -> {"OBS-45"}
       [] e.event = "release"    ->

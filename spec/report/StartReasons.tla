@@ -41,6 +41,16 @@ TimesSince(past, names, o, i) ==
     Cardinality({ k \in DOMAIN past : /\ k > i /\ past[k].ob = o
                                      /\ past[k].event \in names })
 
+(* The last restart that erases settings, and the last hot one.            *)
+\* @type: Seq($event) => Int;
+LastReset(past) ==
+    LastIn({ i \in DOMAIN past : past[i].event = "restart"
+                                 /\ past[i].type # "hot" })
+\* @type: Seq($event) => Int;
+LastHot(past) ==
+    LastIn({ i \in DOMAIN past : past[i].event = "restart"
+                                 /\ past[i].type = "hot" })
+
 (* The line at position i stands in the STARTUP after the last restart.    *)
 \* @type: (Seq($event), Int) => Bool;
 SetInStartup(past, i) == LET restart == LastOf(past, {"restart"})
@@ -137,14 +147,14 @@ ThoughNotBlocked(past, o) ==
 Step7Requirements(o, past) ==
     LET call == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT"}, o)
     IN  When(cpu.step7[o].execution # "none",
-             IF LastOf(past, {"restart"}) > call THEN {"OBS-50"}
+             IF LastReset(past) > call THEN {"OBS-50"}
              ELSE IF call = 0 THEN {"TINT-06"} ELSE {"TINT-38"})
 
 (* The rules that say when an interrupt of this PERIOD is due. *)
 \* @type: (Int, Int, Seq($event)) => Set(Str);
 SeriesRequirements(o, period, past) ==
     LET set == LastWith(past, {"SET_TINT"}, o)
-        late == OnLateDay(cpu.step7[o]) /\ LastOf(past, {"restart"}) >= set
+        late == OnLateDay(cpu.step7[o]) /\ LastReset(past) >= set
     IN  {"TINT-32"}
           \cup When(late, {"AMB-86"})
           \cup When(period = Hourly, {"TINT-34"})
@@ -225,9 +235,10 @@ AfterOnce(o, past) ==
 \* @type: (Int, Seq($event)) => Set(Str);
 WhetherSet(o, past) ==
     LET last  == LastWith(past, {"SET_TINT", "CAN_TINT", "start"}, o)
-        reset == LastOf(past, {"restart"})
+        reset == LastReset(past)
         once  == When(cpu.step7[o].execution = "once", {"OBS-56"})
     IN  IF reset > last THEN {"OBS-50"} \cup once
+        ELSE IF LastHot(past) > last THEN {"AMB-26", "OBS-52"}
         ELSE IF last = 0
         THEN IF cpu.step7[o].execution = "none" THEN {"TINT-07"}
              ELSE {"TINT-04", "TINT-06"} \cup once
@@ -245,7 +256,7 @@ NoTodRequest(o, past) ==
         ELSE IF LostMeanwhile(past, o) THEN {"IRT-04", "IRT-18"}
         ELSE IF OnStack(o) THEN {"OBS-02", "TINT-14"}
         ELSE IF \/ ~tod[o].set
-                \/ ~tod[o].active /\ LastOf(past, {"restart"}) > last
+                \/ ~tod[o].active /\ LastReset(past) > last
         THEN WhetherSet(o, past)
                \cup When(last = 0 \/ past[last].event # "start", {"TINT-02"})
                \cup When(last = 0, {"TINT-05"})

@@ -8,12 +8,15 @@
 EXTENDS StartPoints, TimeDelay
 
 (* Time does not pass a start point: it stops at the next point, and a     *)
-(* point that equals the clock must have been handled.                     *)
+(* point that equals the clock must have been handled. Those that passed   *)
+(* in STOP are noticed when RUN begins at the latest.                      *)
 \* @type: $moment => Bool;
 PassesNoPoint(t) ==
-    Watching => \A o \in DOMAIN tod :
-                  tod[o].active => /\ ~Before(NextMoment(tod[o]), t)
-                                   /\ clock # NextMoment(tod[o])
+    Watching => /\ ~(resume.due /\ mode = "RUN")
+                /\ \A o \in DOMAIN tod :
+                     tod[o].active => \/ /\ ~Before(NextMoment(tod[o]), t)
+                                         /\ clock # NextMoment(tod[o])
+                                      \/ tod[o].held
 
 (* The clock goes on to t while d ms elapse. *)
 \* @type: ($moment, Int) => Bool;

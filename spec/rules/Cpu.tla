@@ -4,7 +4,7 @@
 (* 39, the stack of running OBs.                                           *)
 (*                                                                         *)
 (* Sources: requirements, section 5.1, table 7.1.                          *)
-(* Left out: OB 90; hot restart (AMB-26).                                  *)
+(* Left out: OB 90.                                                        *)
 (***************************************************************************)
 EXTENDS Sequences, Families, State
 
@@ -20,19 +20,27 @@ DintObs == 20..23
 
 CycleOb   == 1
 TimeErrorOb == 80
+DiagnosticOb == 82
 ProgramErrorOb == 85
 (* [OBS-29] Asynchronous errors with an OB of their own. *)
 AsyncErrorObs == 80..87
 (* [OBS-61] [IRT-23] Synchronous errors: a programming error, an access    *)
 (* error.                                                                  *)
 SyncErrorObs == {121, 122}
-StartupObs == {100, 102}
+StartupObs == {100, 101, 102}
 (* Start events from outside. *)
 ExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
                  \cup AsyncErrorObs
 
 \* @type: Str => Int;
-StartupOb(type) == IF type = "warm" THEN 100 ELSE 102
+StartupOb(type) == CASE type = "warm" -> 100
+                     [] type = "hot"  -> 101
+                     [] OTHER         -> 102
+
+(* The types of restart that are possible; models use fewer.               *)
+RestartTypes == {"warm", "cold", "hot"}
+(* [OBS-57] *)
+HotRestartExists == "hot" \in Family.restarts \cap RestartTypes
 
 (* [OBS-04] Table 7.1. *)
 \* @type: Int => Int;

@@ -78,7 +78,7 @@ TimeErrorStops(error) ==
     /\ IF Blocked(TimeErrorOb) THEN BlockedErrorStopsTheCpu
                                ELSE ~ErrorsNeverStop(error.cause)
 
-(* The requests after a time error: `kept' with the runs that follow it,   *)
+(* The requests after a time error: `resume' with the runs that follow it,   *)
 (* `lost' without these runs. If OB 80 is blocked, the runs may be lost,   *)
 (* too [AMB-48].                                                           *)
 \* @type: (Set($request), Set($request), $request) => Set(Set($request));

@@ -17,8 +17,8 @@ EXTENDS Integers
 (* errorClass: the class of OB 81 to 87 [OBS-04]. settable: the classes of *)
 (* OBs can be set [OBS-05]. lacks: OBs that SFC 39 and 40 know and that no *)
 (* CPU of the family has [AMB-73]. restarts: the types of restart          *)
-(* [AMB-65]. repeats: after the clock was set back, points are served      *)
-(* again that were served already [CLK-09] [CLK-10].                       *)
+(* [OBS-57] [AMB-65]. repeats: after the clock was set back, points are    *)
+(* served again that were served already [CLK-09] [CLK-10].                *)
 \* @type: Set($family);
 KnownFamilies ==
   { [ name       |-> "S7-300",
@@ -31,7 +31,7 @@ KnownFamilies ==
       errorClass |-> 25,
       settable   |-> TRUE,
       lacks      |-> {60, 70, 72},
-      restarts   |-> {"warm", "cold"},
+      restarts   |-> {"warm", "cold", "hot"},
       repeats    |-> FALSE ],
     [ name       |-> "CPU 318",
       errorClass |-> 25,

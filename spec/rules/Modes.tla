@@ -1,10 +1,10 @@
 -------------------------------- MODULE Modes -------------------------------
 (***************************************************************************)
-(* STOP, warm and cold restart, STARTUP, RUN and HOLD (sections 5.4 and    *)
-(* 5.5).                                                                   *)
+(* STOP, warm, cold and hot restart, STARTUP, RUN and HOLD (sections 5.4   *)
+(* and 5.5).                                                               *)
 (*                                                                         *)
-(* Left out: hot restart (AMB-26); memory reset [OBS-58] and power off     *)
-(* [OBS-59], which no log shows.                                           *)
+(* Left out: memory reset [OBS-58] and power off [OBS-59], which no log    *)
+(* shows.                                                                  *)
 (***************************************************************************)
 EXTENDS StartPoints, TimeDelay
 
@@ -76,10 +76,14 @@ RestartRequests ==
       : o \in { p \in TodObs : PastOnce(p) } }
 
 NoneBlocked == [blocked |-> {}, silent |-> {}]
+\* @type: $resume;
+NothingKept == [ stack |-> <<>>, delay |-> 0, dint |-> NoJobs,
+                 requests |-> {}, due |-> FALSE ]
 
-(* [AMB-65] *)
+(* [OBS-57] [AMB-65] *)
 \* @type: Str => Bool;
-RestartExists(type) == type \notin Family.restarts => S7300RestartsCold
+RestartExists(type) == \/ type \in Family.restarts
+                       \/ type = "cold" /\ S7300RestartsCold
 
 (* [OBS-25] *)
 RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
@@ -91,6 +95,7 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 Resets(type) ==
     /\ RestartExists(type)
     /\ startup' = type
+    /\ resume'    = NothingKept
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
@@ -100,23 +105,22 @@ Resets(type) ==
 
 (* [OBS-40] [OBS-50] *)
 \* @type: Str => Bool;
-Restart(type) ==
-    /\ mode = "STOP"
-    /\ Resets(type)
-    /\ mode'    = "STARTUP"
-    /\ Reconfigure
-    /\ entered'   = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
-    /\ stack' = <<>>
+ResetsAll(type) == Resets(type) /\ Reconfigure
 
-(* [OBS-42] STARTUP is over when the startup OB has been processed. *)
+(* [OBS-42] STARTUP is over when the startup OB has been processed. After  *)
+(* a hot restart the OBs that STOP has interrupted go on, with their delay *)
+(* count [OBS-54].                                                         *)
 Run ==
     /\ mode = "STARTUP"
-    /\ startup = "begun" \/ StartupOb(startup) \notin loaded
+    /\ startup \in {"begun", "resuming"} \/ StartupOb(startup) \notin loaded
     /\ stack = <<>>
     /\ mode'    = "RUN"
     /\ startup' = "none"
+    /\ stack'   = resume.stack
+    /\ delay'   = resume.delay
+    /\ resume'    = [NothingKept EXCEPT !.due = resume.due]
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars, runVars>>
+    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars>>
 
 (* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the     *)
 (* clock goes on.                                                          *)
@@ -124,18 +128,8 @@ Hold ==
     /\ mode = "RUN"
     /\ mode' = "HOLD"
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, startup, clock, settingVars, outcomeVars,
-                   runVars>>
-
-(* [AMB-83] The setting of an OB whose next point passed in HOLD before    *)
-(* the clock was set back: OB 80 has reported the point. A one-shot        *)
-(* interrupt is not armed again [CLK-12].                                  *)
-\* @type: (Int, $moment, $cpu) => $tod;
-AfterHeld(o, to, c) ==
-    LET t == [tod[o] EXCEPT !.held = FALSE]
-        u == IF RunComesFor(o, t.next) THEN Served(t, t.next) ELSE t
-    IN  AfterPoint(o, IF HasOnePoint(u.period) THEN [u EXCEPT !.next = Never]
-                      ELSE Armed(u, to, c))
+    /\ UNCHANGED <<deviceVars, startup, resume, clock, settingVars,
+                   outcomeVars, runVars>>
 
 (* HOLD ends: points may have passed meanwhile, those that equal the clock *)
 (* only of the OBs `equal'.                                                *)
@@ -162,10 +156,22 @@ Release ==
          IN  /\ IF skipped = {} THEN Nothing
                 ELSE Skip(SkippedInHold, clock, skipped)
              /\ RearmPassed(equal)
-    /\ UNCHANGED <<loaded, startup, clock, dint, irt, runVars>>
+    /\ UNCHANGED <<loaded, startup, resume, clock, dint, irt, runVars>>
+
+-----------------------------------------------------------------------------
+(* STOP and hot restart *)
+
+(* [OBS-52] [OBS-54] What STOP leaves to a hot restart. STOP in STARTUP    *)
+(* ends the startup OB for good.                                           *)
+KeptByStop ==
+    LET before == IF mode = "STARTUP" THEN resume
+                  ELSE [NothingKept EXCEPT !.stack = stack, !.delay = delay]
+    IN  IF ~HotRestartExists THEN NothingKept
+        ELSE [ before EXCEPT !.dint = dint, !.requests = requests,
+                             !.due = FALSE ]
 
 (* [OBS-41] [AIRT-11] Nothing waits in STOP, and no delay runs. Settings    *)
-(* made by SFCs lose their effect: a restart follows [DINT-13].            *)
+(* made by SFCs lose their effect at a warm or cold restart [DINT-13].     *)
 Clears ==
     /\ requests'  = {}
     /\ delay'     = 0
@@ -180,5 +186,63 @@ Stop ==
     /\ mode'      = "STOP"
     /\ startup'   = "none"
     /\ stack'     = <<>>
+    /\ resume'      = KeptByStop
     /\ Clears
+
+(* [OBS-52] Diagnostic interrupts are discarded; [AMB-26] (b) and so are   *)
+(* interrupts that a program sets.                                         *)
+\* @type: $request => Bool;
+Outlives(r) == /\ r.ob # DiagnosticOb
+               /\ HotRestartKeepsSettings \/ r.ob \notin TodObs \cup DintObs
+
+(* [AMB-26] The settings after a hot restart. Points that have passed      *)
+(* since STOP will be noticed, or are lost; those that equal the clock     *)
+(* have passed only of the OBs `equal'.                                    *)
+\* @type: (Set(Int), Bool) => Bool;
+PassedInStop(equal, noticed) ==
+    LET \* @type: Int => $moment;
+        now(o) == IF o \in equal THEN [clock EXCEPT !.ms = @ + 1] ELSE clock
+        passed == Held \cup SkippedBy(clock) \cup equal
+        \* @type: $cpu => (Int -> $tod);
+        armed(c) == [ o \in DOMAIN tod |->
+                        IF o \notin passed THEN tod[o]
+                        ELSE IF HasOnePoint(tod[o].period)
+                        THEN [tod[o] EXCEPT !.held = FALSE, !.next = Never]
+                        ELSE Armed([tod[o] EXCEPT !.held = FALSE], now(o), c) ]
+    IN  IF noticed
+        THEN /\ cpu' = cpu
+             /\ tod' = [ o \in DOMAIN tod |->
+                           [tod[o] EXCEPT !.held = o \in passed] ]
+             /\ resume' = [ resume EXCEPT !.dint = NoJobs, !.requests = {},
+                                      !.due = passed # {} ]
+        ELSE /\ \E c \in CpusThatShow({ tod[o] : o \in passed }, clock) :
+                  cpu' = c /\ tod' = armed(c)
+             /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
+
+(* [OBS-52] [OBS-53] [IRT-03] [DINT-13] [AMB-26] *)
+Resumes ==
+    /\ RestartExists("hot")
+    /\ startup'   = "hot"
+    /\ requests'  = Close({ r \in resume.requests : Outlives(r) })
+    /\ stopCause' = RestartStop
+    /\ delay' = 0
+    /\ IF HotRestartKeepsSettings
+       THEN /\ dint' = resume.dint
+            /\ irt' = irt
+            /\ \E equal \in SUBSET PointsAtClock, noticed \in BOOLEAN :
+                 PassedInStop(equal, noticed)
+       ELSE /\ dint' = NoJobs
+            /\ irt' = NoneBlocked
+            /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
+            /\ Reconfigure
+    /\ UNCHANGED <<loaded, clock>>
+
+(* [OBS-40] *)
+\* @type: Str => Bool;
+Restart(type) ==
+    /\ mode = "STOP"
+    /\ IF type = "hot" THEN Resumes ELSE ResetsAll(type)
+    /\ mode'    = "STARTUP"
+    /\ entered' = IF RestartStop = NoCause THEN {} ELSE {Entry(RestartStop)}
+    /\ stack'   = <<>>
 =============================================================================

@@ -115,7 +115,7 @@ Questions ==
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
-NotAsked == { "AMB-24", "AMB-26", "AMB-30", "AMB-64", "AMB-78" }
+NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -239,6 +239,8 @@ Mode0TakesOb0Alone == Reading("AMB-22") = "b"
 BlockedErrorStopsTheCpu == Reading("AMB-23") = "b"
 (* [AMB-25] The delay count outlives the end of OB 1. *)
 CountOutlivesTheCycle == Reading("AMB-25") = "b"
+(* [AMB-26] A hot restart keeps settings, jobs, blocks and requests. *)
+HotRestartKeepsSettings == Reading("AMB-26") = "a"
 (* [AMB-27] OB 80 names the OB that ran, not the requested OB. *)
 TimeErrorNamesRunningOb == Reading("AMB-27") = "a"
 

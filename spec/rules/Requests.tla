@@ -29,10 +29,12 @@
 EXTENDS FiniteSets, Codes, Cpu, Readings
 
 -----------------------------------------------------------------------------
-(* [OBS-42] [OBS-43] [TINT-13] *)
+(* [OBS-42] [OBS-43] [TINT-13] After a hot restart an error from before    *)
+(* the STOP waits for RUN.                                                 *)
 \* @type: $request => Bool;
 ModeAllows(r) == \/ mode = "RUN"
                  \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
+                      /\ (startup \in {"hot", "resuming"} => r.class > 27)
 
 -----------------------------------------------------------------------------
 (* Queues *)

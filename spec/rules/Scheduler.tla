@@ -106,14 +106,15 @@ CycleStarts ==
 (* [OBS-42] [OBS-55] *)
 \* @type: Int => Bool;
 StartupStarts(o) ==
-    /\ startup \in {"warm", "cold"}
+    /\ startup \in {"warm", "cold", "hot"}
     /\ o = StartupOb(startup)
     /\ o \in loaded
     /\ stack = <<>>
     /\ stack'   = <<Frame(o, 27)>>
-    /\ startup' = "begun"
+    /\ startup' = IF startup = "hot" THEN "resuming" ELSE "begun"
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, mode, clock, settingVars, outcomeVars, delay>>
+    /\ UNCHANGED <<deviceVars, mode, resume, clock, settingVars, outcomeVars,
+                   delay>>
 
 -----------------------------------------------------------------------------
 (* Missing OBs *)

@@ -26,7 +26,7 @@ RequestsBecome(q) ==
 \* @type: $request => Bool;
 Ordinary(new) == RequestsBecome(Enter(requests, new))
 
-(* [TINT-14] [DINT-10] The start event leads to a time error; `kept' are   *)
+(* [TINT-14] [DINT-10] The start event leads to a time error; `resume' are   *)
 (* the requests after it, with the run that follows it, if there is one.   *)
 \* @type: ($request, Int, Set($request)) => Bool;
 Overlap(new, fault, kept) ==

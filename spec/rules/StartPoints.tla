@@ -49,6 +49,7 @@ RunIsDeferred(o) ==
 PointReached(o) ==
     /\ Watching
     /\ clock = NextMoment(tod[o])
+    /\ ~tod[o].held
     /\ PointsComeByNumber =>
          \A q \in TodObs : q < o => clock # NextMoment(tod[q])
     /\ PassesItsPoint(o)
@@ -67,8 +68,8 @@ NextSkipped(t) ==
     IF ~(ServedPointsAreSkipped /\ clock.min < t.repeatTo) THEN NextMoment(t)
     ELSE [NextMoment(t) EXCEPT !.min = Earlier(@, PointFrom(t, clock.min + 1))]
 
-(* [AMB-83] The interrupts whose next point passed in HOLD, before the     *)
-(* clock was set back.                                                     *)
+(* [AMB-83] [AMB-26] The interrupts whose next point passed in HOLD before *)
+(* the clock was set back, or in STOP before a hot restart.                *)
 Held == { o \in DOMAIN tod : tod[o].held }
 
 (* The active interrupts with a point that equals the clock and was not    *)
@@ -219,4 +220,29 @@ Defer(skipped) ==
                   : o \in { s \in skipped : ~PendingIn(requests, s)
                                             /\ ~Blocked(s) } }
     IN  RequestsBecome(WithCatchUps(requests, runs))
+
+-----------------------------------------------------------------------------
+(* Points that passed before HOLD ends, or in STOP *)
+
+(* [AMB-83] [AMB-26] The setting of an OB whose next point passed in HOLD  *)
+(* before the clock was set back, or in STOP: OB 80 has reported the       *)
+(* point. A one-shot interrupt is not armed again [CLK-12].                *)
+\* @type: (Int, $moment, $cpu) => $tod;
+AfterHeld(o, to, c) ==
+    LET t == [tod[o] EXCEPT !.held = FALSE]
+        u == IF RunComesFor(o, t.next) THEN Served(t, t.next) ELSE t
+    IN  AfterPoint(o, IF HasOnePoint(u.period) THEN [u EXCEPT !.next = Never]
+                      ELSE Armed(u, to, c))
+
+(* [AMB-26] [CLK-02] The points that passed in STOP are noticed, in        *)
+(* STARTUP or when RUN begins: OB 80 reports them.                         *)
+NoticesPassed ==
+    /\ resume.due /\ Watching
+    /\ resume' = [resume EXCEPT !.due = FALSE]
+    /\ IF Held = {} THEN Nothing ELSE Skip(SkippedByClock, clock, Held)
+    /\ \E c \in CpusThatShow({ tod[o] : o \in Held }, clock) :
+         /\ cpu' = c
+         /\ tod' = [ o \in DOMAIN tod |->
+                       IF o \in Held THEN AfterHeld(o, clock, c) ELSE tod[o] ]
+    /\ UNCHANGED <<loaded, mode, startup, clock, dint, irt, runVars>>
 =============================================================================

@@ -20,10 +20,17 @@ VARIABLES
     (* [OBS-40] "STOP", "STARTUP", "RUN" or "HOLD". *)
     \* @type: Str;
     mode,
-    (* The startup OB of this STARTUP: "warm" or "cold" before it starts,   *)
-    (* "begun" after that, or "none" outside STARTUP.                       *)
+    (* The startup OB of this STARTUP: "warm", "cold" or "hot" before it    *)
+    (* starts, after that "begun", or of a hot restart "resuming"; "none"   *)
+    (* outside STARTUP.                                                     *)
     \* @type: Str;
     startup,
+    (* [OBS-52] [OBS-54] What a hot restart brings back: the OBs that STOP  *)
+    (* has interrupted and the delay count, until RUN; the jobs and the     *)
+    (* start events that waited, until the restart. due: it has started,    *)
+    (* and the points that passed in STOP are still to be noticed [AMB-26]. *)
+    \* @type: $resume;
+    resume,
     (* The CPU clock. *)
     \* @type: $moment;
     clock,
@@ -33,7 +40,8 @@ VARIABLES
     (* runs of minutes without an unserved point between; repeatTo, the     *)
     (* last minute that the clock had reached before it was set back, -1 if *)
     (* it was not; overTo, the same since this setting was made. held: the  *)
-    (* next point passed in HOLD, and the clock was set back [AMB-83].      *)
+    (* next point passed in HOLD, and the clock was set back [AMB-83], or   *)
+    (* in STOP before a hot restart [AMB-26].                               *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
@@ -79,6 +87,9 @@ VARIABLES
 (*                  called: Bool, held: Bool };                            *)
 (* @typeAlias: memory = { from: Int, to: Int, start: Int, period: Int };   *)
 (* @typeAlias: job = { started: Bool, left: Int, dtime: Int, sign: Int };  *)
+(* @typeAlias: resume = { stack: Seq($frame), delay: Int,                    *)
+(*                      dint: Int -> $job, requests: Set($request),        *)
+(*                      due: Bool };                                       *)
 (* @typeAlias: irt = { blocked: Set(Int), silent: Set(Int) };              *)
 (* @typeAlias: request = { ob: Int, class: Int, rank: Int, fault: Int,     *)
 (*                         since: $moment, word: Int, dtime: Int,          *)
@@ -92,8 +103,8 @@ VARIABLES
 
 \* @type: <<$cpu, Set(Int)>>;
 deviceVars  == <<cpu, loaded>>
-\* @type: <<Str, Str>>;
-modeVars    == <<mode, startup>>
+\* @type: <<Str, Str, $resume>>;
+modeVars    == <<mode, startup, resume>>
 \* @type: <<Int -> $tod, Int -> $job, $irt>>;
 settingVars == <<tod, dint, irt>>
 \* @type: <<Set($request), Int>>;

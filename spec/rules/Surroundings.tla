@@ -55,8 +55,6 @@ ClockTargets == Moments
 Interrupts == ((ExternalObs \cup SyncErrorObs) \X {0})
                 \cup ({TimeErrorOb, ProgramErrorOb} \X (0..255))
 
-RestartTypes == {"warm", "cold"}
-
 (* Whether the CPU may be put on HOLD. *)
 HoldPossible == TRUE
 

@@ -42,6 +42,7 @@ Init ==
     /\ loaded \in Loads
     /\ mode = "STOP"
     /\ startup = "none"
+    /\ resume = NothingKept
     /\ clock \in PowerOnMoments
     /\ tod = [o \in TodObs |-> NoSetting]
     /\ dint = NoJobs
@@ -59,6 +60,7 @@ Init ==
 Pressing == \/ \E r \in requests : MayStart(r)
             \/ ErrorObIsDue
             \/ StopIsDue
+            \/ resume.due /\ mode = "RUN"
 
 (* [AIRT-08] The highest class first. *)
 \* @type: $request => Bool;
@@ -224,9 +226,11 @@ World == \/ EventFromOutside \/ ClockIsSet
 -----------------------------------------------------------------------------
 (* Time *)
 
+(* [AMB-26] The points of a STOP are noticed in STARTUP, or as RUN begins. *)
 PointIsReached ==
-    /\ Settled
-    /\ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
+    \/ /\ Settled
+       /\ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
+    \/ ~StopIsDue /\ NoticesPassed /\ Seen("noticed", 0, 0)
 
 DelayIsOver ==
     /\ Settled

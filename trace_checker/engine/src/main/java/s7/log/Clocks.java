@@ -7,6 +7,9 @@ package s7.log;
  * out. All times are milliseconds.
  */
 public final class Clocks {
+  /** The family of the CPU, which decides what a line may have. */
+  final String cpu;
+
   private final boolean jumpsLogged;
   private long clock;
   private long up;
@@ -17,14 +20,17 @@ public final class Clocks {
    * The clocks when a log begins.
    *
    * @param jumpsLogged whether every setting of the clock is in the log
+   * @param cpu the family of the CPU
    */
-  Clocks(Moment clock, boolean jumpsLogged) {
+  Clocks(Moment clock, boolean jumpsLogged, String cpu) {
+    this.cpu = cpu;
     this.clock = clock.inMilliseconds();
     this.jumpsLogged = jumpsLogged;
   }
 
   /** The same clocks, which go on by themselves. */
   public Clocks(Clocks other) {
+    cpu = other.cpu;
     jumpsLogged = other.jumpsLogged;
     clock = other.clock;
     up = other.up;

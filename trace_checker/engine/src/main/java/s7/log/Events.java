@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /** The events: every line of a log but the first. */
@@ -20,6 +21,7 @@ final class Events {
   static final String RET = "ret";
   private static final String STATUS = "status";
   static final String FAULT = "flt_id";
+  private static final String HOT = "hot";
 
   /** Milliseconds; no log outlasts the years that the CPU clock can show. */
   private static final long LONGEST_UP = 100L * 366 * 86_400_000;
@@ -48,9 +50,11 @@ final class Events {
   private final Map<String, Table> tables = new HashMap<>();
   private final Map<String, Map<String, Reader>> required = new LinkedHashMap<>();
   private final Set<Long> faulty;
+  private final Map<String, TreeSet<String>> restarts;
 
   Events(Words words) {
     faulty = words.faultyObs;
+    restarts = words.restarts;
     Map<String, Reader> none = Map.of();
     Map<String, Reader> block = Table.of(OB, Spellings.integer(words.obs.first(), words.obs.last()));
     Map<String, Reader> info = Table.of("info", INFO);
@@ -75,7 +79,7 @@ final class Events {
     kind("start", block, info);
     kind("end", block, none);
     kind("clock", Table.of("to", MOMENT), none);
-    kind("restart", Table.of("type", Spellings.choice("warm", "cold")), none);
+    kind("restart", Table.of("type", Spellings.choice("warm", "cold", HOT)), none);
     kind("run", none, none);
     kind("stop", none, Table.of("cause", word));
     kind("hold", none, none);
@@ -133,8 +137,10 @@ final class Events {
    * The normalised event of a line's object. Points in time are moments but for {@code at}, which stays milliseconds
    * since 1990-01-01T00:00, and {@code sdt}, which is its components. {@code step} is the unit in which {@code at} is
    * written, if that is not a millisecond.
+   *
+   * @param cpu the family of the log's CPU
    */
-  Fields read(Fields raw) {
+  Fields read(Fields raw, String cpu) {
     Object name = raw.get(EVENT);
     Table fields = name instanceof String ? tables.get(name) : null;
     if (fields == null) {
@@ -147,10 +153,20 @@ final class Events {
     }
     if (name.equals("interrupt")) {
       checkFault(event);
+    } else if (name.equals("restart")) {
+      checkHot(event.get("type"), cpu);
     } else if (((String) name).startsWith("QRY") && event.get(RET).equals(0) && !event.has(STATUS)) {
       throw new Unusable("where \"ret\" is 0", "none", STATUS);
     }
     return event;
+  }
+
+  /** A hot restart is one of a CPU that knows it [OBS-57]. */
+  private void checkHot(Object type, String cpu) {
+    if (HOT.equals(type) && restarts.containsKey(cpu) && !restarts.get(cpu).contains(HOT)) {
+      var others = restarts.keySet().stream().filter(name -> restarts.get(name).contains(HOT)).toList();
+      throw new Unusable("hot on " + String.join(" and ", others) + " only", "on " + cpu, "type");
+    }
   }
 
   /** An interrupt line of an OB that comes with a fault id, and no other, has it. */

@@ -38,7 +38,7 @@ public final class Format {
   }
 
   Fields event(Fields line, Clocks clocks) {
-    Fields event = events.read(line);
+    Fields event = events.read(line, clocks.cpu);
     clocks.stamp(event);
     return event;
   }
@@ -55,6 +55,7 @@ public final class Format {
 
   /** The clocks of a log with this normalised header, at its begin. */
   public static Clocks clocksOf(Fields header) {
-    return new Clocks((Moment) header.get("clock"), ((List<?>) header.get("records")).contains("clock"));
+    boolean jumpsLogged = ((List<?>) header.get("records")).contains("clock");
+    return new Clocks((Moment) header.get("clock"), jumpsLogged, (String) header.get(Header.CPU));
   }
 }

@@ -14,7 +14,7 @@ final class Header {
   private static final String PROFILE = "profile";
   private static final String READINGS = "readings";
   private static final String PRIORITY = "priority";
-  private static final String CPU = "cpu";
+  static final String CPU = "cpu";
   private static final String START = "start";
   private static final String EXECUTION = "execution";
   private static final String NEVER = "none";

@@ -11,6 +11,9 @@ final class Words {
   /** The families whose priority classes can be set. */
   final List<String> settable;
 
+  /** Family -> the types of restart that it knows. */
+  final TreeMap<String, TreeSet<String>> restarts;
+
   final List<String> profiles;
 
   /** Ambiguity -> the letters of its readings. */
@@ -32,6 +35,7 @@ final class Words {
   Words(Fields words) {
     families = list(words.get("families"));
     settable = list(words.get("settable"));
+    restarts = map(words.get("restarts"));
     profiles = list(words.get("profiles"));
     letters = map(words.get("choices"));
     obs = new TreeSet<>(Words.<Long>list(words.get("obs")));
