@@ -82,8 +82,8 @@ NothingKept == [ stack |-> <<>>, delay |-> 0, dint |-> NoJobs,
 
 (* [OBS-57] [AMB-65] *)
 \* @type: Str => Bool;
-RestartExists(type) == \/ type \in Family.restarts
-                       \/ type = "cold" /\ S7300RestartsCold
+RestartExists(type) ==
+    type \notin Family.restarts => type = "cold" /\ S7300RestartsCold
 
 (* [OBS-25] *)
 RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded

@@ -100,7 +100,7 @@ def _called(event: dict[str, Any]) -> dict[str, Any]:
     return {"call": event["event"], **operands, **({"sdt": passed_date(event["sdt"])} if "sdt" in operands else {})}
 
 
-_STARTUP = {"warm": 100, "cold": 102}
+_STARTUP = {"warm": 100, "hot": 101, "cold": 102}
 
 
 def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:
@@ -110,6 +110,8 @@ def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> st
     lowest = _STARTUP["warm"] if program.header.get("mode") == "STARTUP" else 1
     below: list[dict[str, Any]] | None = None
     stack: list[tuple[int, list[dict[str, Any]]]] = []
+    # What STOP has interrupted and a hot restart brings back.
+    stopped, stopped_below = stack, below
     if cycles_logged and program.header.get("mode") == "RUN":
         stack.append((1, runs.start(1)))  # it runs when the log begins
     for number, event in events:
@@ -120,11 +122,16 @@ def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> st
             _, left = stack.pop()
             if left:
                 return f"line {number}: expected {left[0]['call']} before the end of OB {event['ob']}"
-        elif name in ("stop", "restart", "run"):
-            if name != "run":
-                stack.clear()
-            lowest = _STARTUP[event["type"]] if name == "restart" else 1
-            below = None
+        elif name == "stop":
+            if lowest == 1:
+                stopped, stopped_below = stack, below
+            stack, below = [], None
+        elif name == "restart":
+            lowest = _STARTUP[event["type"]]
+            if event["type"] != "hot":
+                stopped, stopped_below = [], None
+        elif name == "run":
+            lowest, stack, below = 1, [*stopped, *stack], stopped_below
         elif name in OPERANDS:
             if stack:
                 left = stack[-1][1]

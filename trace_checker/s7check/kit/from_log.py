@@ -21,7 +21,7 @@ Json = dict[str, Any]
 AFTERWARDS = 1_000
 """Milliseconds that a program lasts beyond the last line of its log, so that OBs that are due then are seen."""
 
-_STARTUP = {"warm": 100, "cold": 102}
+_STARTUP = {"warm": 100, "hot": 101, "cold": 102}
 
 _MADE_BY_RULES = {0x4568, 0x456D, 0x454A}
 """Causes of a STOP by the CPU itself."""
@@ -64,6 +64,8 @@ class _Log:
         self.now = 0
         self._runs: Counter[int] = Counter()
         self._stack: list[_Run] = []
+        self._stopped: list[_Run] = []
+        """What STOP has interrupted and a hot restart brings back."""
         self._cycles = bool(header.get("cycle"))
         mode = header.get("mode", "STOP")
         if mode != "STOP":
@@ -84,14 +86,15 @@ class _Log:
         elif name == "stop":
             if event.get("cause") not in _MADE_BY_RULES:
                 self._outside({"event": "stop"})
-            self._cut()
+            self._stop()
         elif name == "restart":
-            self._cut()
+            if raw["type"] != "hot":
+                self._close(self._stopped)
             self._outside({"event": "restart", "type": raw["type"]})
             self._begin(_STARTUP[raw["type"]])
         elif name == "run":
             self._cut()
-            self._begin(1)
+            self._run()
         elif name == "interrupt" and event.get("flt_id") in _FAULTS_OF_RULES.get(event["ob"], ()):
             return
         elif name in ("hold", "release", "clock", "interrupt", "load", "delete"):
@@ -101,6 +104,7 @@ class _Log:
     def finish(self, now: int) -> None:
         self.now = now
         self._cut()
+        self._close(self._stopped)
 
     def _outside(self, event: Json) -> None:
         self.outside.append({"after": self.now, **event})
@@ -129,16 +133,34 @@ class _Log:
 
     def _cut(self) -> None:
         """Nothing runs any more: each OB stays at work until here."""
-        for run in reversed(self._stack):
-            if run is self._stack[-1]:
-                run.wait(self.now)
-            elif run.worked:
+        if self._stack:
+            self._stack[-1].wait(self.now)
+        self._close(self._stack)
+
+    def _stop(self) -> None:
+        """STOP ends a startup OB for good; others may go on."""
+        if not self._stack or self._stack[0].ob in _STARTUP.values():
+            self._cut()
+        else:
+            self._stack[-1].wait(self.now)
+            self._stopped, self._stack = self._stack, []
+
+    def _run(self) -> None:
+        self._stack, self._stopped = self._stopped, []
+        if self._stack:
+            self._stack[-1].since = self.now
+        else:
+            self._begin(1)
+
+    def _close(self, runs: list[_Run]) -> None:
+        for run in reversed(runs):
+            if run.worked:
                 run.steps.append({"wait": run.worked})
             if run.ob == 1:
                 # Its cycle must not end before the STOP: the next runs would have other numbers.
                 run.steps.append({"wait": 1})
             self._finished(run)
-        self._stack = []
+        runs.clear()
 
     def _finished(self, run: _Run) -> None:
         if run.steps:

@@ -239,8 +239,12 @@ class Simulation:
             self._work.end()
         elif name == "clock":
             self._clock = instant(line["to"])
-        elif name in ("stop", "restart"):
-            self._work.clear()
+        elif name == "stop":
+            self._work.stop(self._mode == "STARTUP")
+        elif name == "restart":
+            self._work.restart(line["type"] == "hot")
+        elif name == "run":
+            self._work.go_on()
         self._mode = _MODES.get(name, self._mode)
 
     def _ends_a_delay(self) -> bool:

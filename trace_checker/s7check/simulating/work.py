@@ -58,6 +58,8 @@ class Work:
         self._last_run = {ob: max(run for other, run in self._bodies if other == ob) for ob, _ in self._bodies}
         self._runs: Counter[int] = Counter()
         self.frames: list[Frame] = []
+        self._stopped: list[Frame] = []
+        """What STOP has interrupted and a hot restart brings back."""
 
     def copy(self) -> Work:
         """Work that goes on by itself."""
@@ -65,6 +67,7 @@ class Work:
         twin._bodies, twin._last_run = self._bodies, self._last_run
         twin._runs = self._runs.copy()
         twin.frames = [frame.copy() for frame in self.frames]
+        twin._stopped = [frame.copy() for frame in self._stopped]
         return twin
 
     def start(self, ob: int) -> None:
@@ -81,9 +84,20 @@ class Work:
         """The OB on top has ended."""
         self.frames.pop()
 
-    def clear(self) -> None:
-        """STOP, or a restart."""
-        self.frames.clear()
+    def stop(self, in_startup: bool) -> None:
+        """STOP; that of STARTUP ends the startup OB for good."""
+        if not in_startup:
+            self._stopped = self.frames
+        self.frames = []
+
+    def restart(self, hot: bool) -> None:
+        """Only a hot restart brings back what STOP has interrupted."""
+        if not hot:
+            self._stopped = []
+
+    def go_on(self) -> None:
+        """RUN."""
+        self.frames, self._stopped = self._stopped, []
 
     @property
     def top(self) -> Frame | None:
@@ -92,7 +106,8 @@ class Work:
 
     def key(self) -> tuple[object, ...]:
         """Equal for work that goes on alike."""
-        frames = tuple((frame.ob, id(frame.steps), frame.place, frame.busy) for frame in self.frames)
+        both = (*self._stopped, None, *self.frames)
+        frames = tuple(frame and (frame.ob, id(frame.steps), frame.place, frame.busy) for frame in both)
         return (frames, tuple(sorted(self._runs.items())))
 
 
