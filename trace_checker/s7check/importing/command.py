@@ -8,6 +8,7 @@ import click
 from s7check.completion import complete_files
 from s7check.importing import header, log_text
 from s7check.importing.errors import SourceError
+from s7check.importing.kinds import kind_of
 from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
 from s7check.importing.recording import Recording
 from s7check.importing.sources import csv_rows, diagnostics, hex_text, live, ring, step7_text, szl
@@ -28,7 +29,7 @@ S7-300), which needs python-snap7: {live.INSTALL}.
 
 \b
 --from
-  step7  the diagnostic buffer as STEP 7 V5 saves it as text, English or German
+  step7  the diagnostic buffer as STEP 7 V5 saves it as text
          (Module Information, Diagnostic Buffer, Save As)
   szl    records of SZL 16#00A0, 20 bytes each, binary or hexadecimal digits
   csv    one event a row; --map says which column is which field
@@ -62,7 +63,7 @@ Exit codes:
     "--from",
     "kind",
     type=click.Choice(_KINDS),
-    help="What SOURCE is (above). Needed for a file; a CPU gives szl by default.",
+    help="What SOURCE is (above), where it does not show it; a CPU gives szl by default.",
 )
 @click.option(
     "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), help="The log; standard output by default."
@@ -121,9 +122,13 @@ def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording
     chosen: range | None = options["entries"]
     if source.startswith(live.SCHEME):
         return _record_live(kind, live.parse(source, options["port"]), options["db"], chosen)
-    if kind is None:
-        raise click.UsageError("--from is missing: expected step7, szl, csv or ring")
     content = _content(source)
+    kind = kind or ("csv" if options["columns"] is not None else kind_of(content))
+    if kind is None:
+        raise click.UsageError(
+            "--from is missing, and SOURCE does not show what it is: expected the text of a diagnostic buffer (step7), "
+            "records of SZL 16#00A0 (szl), the data block of the SCL source (ring), or with --map a table (csv)"
+        )
     if kind == "step7":
         return diagnostics.convert(step7_text.read(content, options["dates"]), chosen)
     if kind == "szl":
@@ -131,7 +136,9 @@ def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording
     if kind == "ring":
         return ring.convert(hex_text.decode(content), chosen)
     if options["columns"] is None:
-        raise click.UsageError("--map: --from csv needs a column map")
+        raise click.UsageError(
+            "--map is missing: expected a JSON file that says which column is which field (docs/checking/import.md)"
+        )
     return csv_rows.convert(content, csv_rows.read_map(_content(options["columns"])), chosen)
 
 

@@ -252,9 +252,73 @@ def test_wrong_arguments(refused: Callable[..., str], arguments: list[str]) -> N
     assert refused(DATA / "english.txt", *arguments)
 
 
-def test_kind_of_a_file(refused: Callable[..., str]) -> None:
-    """What a file is has to be said."""
-    assert refused(DATA / "english.txt", *CPU) == "--from is missing: expected step7, szl, csv or ring"
+@pytest.mark.parametrize(
+    ("name", "more"),
+    [
+        ("english.txt", []),
+        ("german.txt", []),
+        ("szl.hex", ["--mode", "RUN"]),
+        ("ring.hex", ["--mode", "RUN"]),
+        ("events.csv", ["--map", DATA / "columns.json", "--mode", "RUN"]),
+    ],
+)
+def test_kind_of_a_file(run: Run, name: str, more: list[str | Path]) -> None:
+    """A file shows what it is."""
+    kind = {"hex": name.partition(".")[0], "csv": "csv"}.get(name.partition(".")[2], "step7")
+    assert run(DATA / name, *CPU, *more)[:2] == run("--from", kind, DATA / name, *CPU, *more)[:2]
+
+
+def test_kind_of_another_file(refused: Callable[..., str], tmp_path: Path) -> None:
+    """What it may be is said in words."""
+    (tmp_path / "a").write_bytes(b"Date;Event\n")
+    said = refused(tmp_path / "a", *CPU)
+    assert said.startswith("--from is missing, and SOURCE does not show what it is: expected the text of a diagnostic")
+    assert "with --map a table (csv)" in said
+
+
+FRENCH = """Tampon de diagnostic du module  CPU 315-2 DP
+
+Ev\u00e9nement 1 sur 2 :  ID d'\u00e9v\u00e9nement 16# 4302
+Passage de l'\u00e9tat de fonctionnement MISE EN ROUTE \u00e0 MARCHE
+\u00e9v\u00e9nement apparaissant
+05:58:11.402  21.11.2012
+(Codage : 16# 4302 FF68 C700 0000 0000 0000)
+
+\u00c9v\u00e9nement 2 sur 2 :  ID d'\u00e9v\u00e9nement 16# B046
+Pas de texte
+OB : 16# 01
+PK : 16# 01
+DatID 1/ 2 : 16# 59 C9
+Info suppl. 1 / 2 / 3 : 16# 0200 0000 0020
+05:58:11.401  21.11.2012
+"""
+
+IN_LINES = """Details on event: 1 of 1
+Event ID: 16#4302
+Description: Mode transition from STARTUP to RUN
+(Coding: 16#4302 FF68 C700 0000 0000 0000)
+05:58:11.402  21.11.2012
+"""
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "utf-8", "utf-16"])
+@pytest.mark.parametrize(("content", "ids"), [(FRENCH, ["W#16#B046", "W#16#4302"]), (IN_LINES, ["W#16#4302"])])
+def test_other_words_for_the_same_facts(run: Run, tmp_path: Path, content: str, ids: list[str], encoding: str) -> None:
+    """French; and the ID in a line of its own, as TIA Portal shows it. The texts are made by hand."""
+    (tmp_path / "a").write_bytes(content.encode(encoding))
+    _, events, _ = run(tmp_path / "a", *CPU, "--mode", "RUN")
+    entries = [one for one in events if one["event"] == "diag"]
+    assert [one["id"] for one in entries] == ids
+    assert all(one["x_coding"] for one in entries)
+    assert entries[-1]["x_coding"].startswith("43 02 FF 68") or entries[-1]["x_coding"].startswith("4302 FF68")
+
+
+def test_entry_without_an_id(refused: Callable[..., str], tmp_path: Path) -> None:
+    """Neither in its first line nor in another."""
+    (tmp_path / "a").write_text("Event 1 of 1:\n05:58:11.402  21.11.2012\n")
+    assert 'entry 1 (line 1): expected an event ID such as "Event ID 16# 4302"; found none' in refused(
+        tmp_path / "a", *CPU
+    )
 
 
 def test_mode_is_not_guessed(run: Run, refused: Callable[..., str], tmp_path: Path) -> None:
@@ -422,12 +486,24 @@ COLUMNS = {"columns": {"at": "t", "event": "e", "ob": "o"}}
         ("t,e,o\n2026-11-21T06:00:00,start\n", COLUMNS, "line 2: expected 3 cells; found another number of them"),
         ("t,e,o\n2026-11-21T06:00:00,start,ten\n", COLUMNS, 'line 2: field "ob": expected an integer 1..122; found'),
         ("t,e,o\nsoon,start,10\n", COLUMNS, 'header: field "clock": expected a date and time such as'),
-        ("t,e,o\nsoon,start,10\n", COLUMNS | {"times": "%H"}, 'line 2: field "at": expected a time like %H; found'),
+        (
+            "t,e,o\nsoon,start,10\n",
+            COLUMNS | {"times": "%H"},
+            'line 2: field "at": expected a time like "06" ("times": "%H"); found "soon"',
+        ),
         ("t,e,o\n2026-11-21T06:00:00,begin,10\n", COLUMNS, 'line 2: field "event": expected the name of an event'),
         ("t,e,o\n", COLUMNS, "expected an entry to import; found no entry"),
         ('t,e,o\n"a"b,1,2\n', COLUMNS, "line 2: expected CSV; found"),
-        ("t,e,o\n\xff", COLUMNS | {"encoding": "ascii"}, "expected text in ascii; found"),
-        ("t,e,o\n", COLUMNS | {"encoding": "klingon"}, "expected text in klingon; found"),
+        (
+            "t,e,o\n\xff",
+            COLUMNS | {"encoding": "ascii"},
+            'line 2: expected text in ascii; the "encoding" of the column',
+        ),
+        (
+            "t,e,o\n",
+            COLUMNS | {"encoding": "klingon"},
+            'column map: expected in "encoding" the name of one, such as "utf-8", "cp1252" or "utf-16"; found',
+        ),
         ("t,e,o\n", {"columns": {"at": "t"}}, 'column map: expected "event" among the columns; found none'),
         (
             "t,e,o\n",

@@ -16,6 +16,8 @@ from s7check.importing.recording import Placed, Recording, select
 _TIMES = frozenset({"at", "to", "sdt", "info.time"})
 """Fields that hold a date and time."""
 
+_EXAMPLE = datetime(2026, 11, 21, 6, 0, 30, 500_000)
+
 _INTEGER = re.compile(r"-?[0-9]{1,20}")
 
 
@@ -82,10 +84,7 @@ def convert(content: bytes, columns: ColumnMap, chosen: range | None = None) -> 
 
 
 def _rows(content: bytes, columns: ColumnMap, recording: Recording) -> Iterator[_Row]:
-    try:
-        text = content.decode(columns.encoding)
-    except (ValueError, LookupError) as error:
-        raise SourceError("", f"text in {columns.encoding}", str(error)) from error
+    text = _text(content, columns.encoding)
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=columns.delimiter, strict=True)
     try:
         headings = list(reader.fieldnames or [])
@@ -101,6 +100,25 @@ def _rows(content: bytes, columns: ColumnMap, recording: Recording) -> Iterator[
             yield _Row(reader.line_num, {field: row[heading].strip() for field, heading in columns.columns.items()})
     except csv.Error as error:
         raise SourceError(f"line {reader.reader.line_num}", "CSV", str(error)) from error
+
+
+def _text(content: bytes, encoding: str) -> str:
+    try:
+        return content.decode(encoding)
+    except LookupError as error:
+        raise SourceError(
+            "column map", 'in "encoding" the name of one, such as "utf-8", "cp1252" or "utf-16"', shown(encoding)
+        ) from error
+    except UnicodeError as error:
+        line = content[: error.start].count(b"\n") + 1 if isinstance(error, UnicodeDecodeError) else 1
+        raise SourceError(
+            f"line {line}",
+            f'text in {encoding.removesuffix("-sig")}; the "encoding" of the column map names another one, such as '
+            '"cp1252" for a file of Windows',
+            f"{error.reason} (byte 16#{content[error.start]:02X})"
+            if isinstance(error, UnicodeDecodeError)
+            else str(error),
+        ) from error
 
 
 def _event(row: _Row, columns: ColumnMap) -> dict[str, Any]:
@@ -130,5 +148,6 @@ def _value(row: _Row, field: str, cell: str, columns: ColumnMap) -> str | int | 
         try:
             return datetime.strptime(cell, columns.times).isoformat(timespec="milliseconds")
         except ValueError as error:
-            raise SourceError(in_field(row.place, field), f"a time like {columns.times}", shown(cell)) from error
+            example = f'a time like {shown(_EXAMPLE.strftime(columns.times))} ("times": {shown(columns.times)})'
+            raise SourceError(in_field(row.place, field), example, shown(cell)) from error
     return int(cell) if _INTEGER.fullmatch(cell) else cell

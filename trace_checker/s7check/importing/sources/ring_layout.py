@@ -62,6 +62,11 @@ class RingEntry(NamedTuple):
         return f"entry {self.number}"
 
 
+def begins(raw: bytes) -> bool:
+    """Whether ``raw`` begins as a ring does."""
+    return raw[:4] == bytes((*_MAGIC.to_bytes(2), *_LAYOUT.to_bytes(2)))
+
+
 def read_header(raw: bytes) -> RingHeader:
     """The header of the ring in ``raw``, which may be longer."""
     if len(raw) < HEADER_LENGTH:

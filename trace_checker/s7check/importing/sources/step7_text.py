@@ -1,7 +1,8 @@
 """The diagnostic buffer as STEP 7 V5 saves it as text (Module Information, Diagnostic Buffer, Save As).
 
-English and German. What counts is the same in both: the line that begins an entry, the coding in
-parentheses, the line that ends with time and date. The descriptions between them are not read.
+What counts is the same in every language: the line that begins an entry, the event ID in it or in a line of its own,
+as TIA Portal shows it, the coding in parentheses, the line that ends with time and date. The descriptions between
+them are not read.
 """
 
 import codecs
@@ -13,16 +14,25 @@ from datetime import datetime
 from s7check.importing.errors import SourceError, shown
 from s7check.importing.sources.entry import Buffer, Entry
 
-_BEGIN = re.compile(r"\s*(?:Event|Ereignis)(?: ?details)?:?\s+(\d{1,9})\s+(?:of|von)\s+\d+\b(.*)", re.IGNORECASE)
-_EVENT_ID = re.compile(r"\s*:?\s*(?:Event|Ereignis)[ -]ID:?\s*16#\s*([0-9A-F]{4})\s*", re.IGNORECASE)
-_CODING_BEGINS = re.compile(r"\s*\([CK]odi(?:ng|erung):", re.IGNORECASE)
+_EVENT = r"(?:Event|Ereignis|.v.nement|Evento)"
+_BEGIN = re.compile(
+    rf"\s*(?:Details (?:on|zum) |D.tails de l')?{_EVENT}(?: ?details)?\s?:?"
+    r"\s+(\d{1,9})\s+(?:of|von|sur|de|di)\s+\d+\b(.*)",
+    re.IGNORECASE,
+)
+_EVENT_ID = re.compile(
+    rf"\s*:?\s*(?:{_EVENT}[ -]ID|ID (?:d'|de |di )?{_EVENT})\s?:?\s*16#\s*([0-9A-F]{{4}})\s*", re.IGNORECASE
+)
+_CODING_BEGINS = re.compile(r"\s*\([CK]od\w+\s?:", re.IGNORECASE)
 _CODING = re.compile(_CODING_BEGINS.pattern + r"\s*16#\s*((?:[0-9A-F]{4}\s*){6})\)\s*", re.IGNORECASE)
 _BYTE = {
-    "OB": re.compile(r"\s*OB:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
-    "PK": re.compile(r"\s*P[KC]:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
-    "DatID": re.compile(r"\s*DatID\s*1\s*/\s*2:\s*16#\s*((?:[0-9A-F]{2}\s*){2})", re.IGNORECASE),
+    "OB": re.compile(r"\s*OB\s?:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
+    "PK": re.compile(r"\s*P[KC]\s?:\s*16#\s*([0-9A-F]{2})\s*", re.IGNORECASE),
+    "DatID": re.compile(r"\s*DatID\s*1\s*/\s*2\s?:\s*16#\s*((?:[0-9A-F]{2}\s*){2})", re.IGNORECASE),
     "info": re.compile(
-        r"\s*(?:Supplementary info|Zusatzinfo)\s*1\s*/\s*2\s*/\s*3:\s*16#\s*((?:[0-9A-F]{4}\s*){3})", re.IGNORECASE
+        r"\s*(?:Supplementary info|Zusatzinfo|Info\.? suppl\w*\.?)\s*1\s*/\s*2\s*/\s*3\s?:"
+        r"\s*16#\s*((?:[0-9A-F]{4}\s*){3})",
+        re.IGNORECASE,
     ),
 }
 """What stands in place of the coding in an entry that STEP 7 has no text for."""
@@ -30,6 +40,8 @@ _BYTE = {
 _TIME = re.compile(
     r".*?\b(\d{1,2}):(\d{2}):(\d{2})[.:,](\d{3})\s*([AP]M)?\s+(\d{1,4})([./-])(\d{1,2})\7(\d{1,4})\s*", re.IGNORECASE
 )
+
+_AN_ID = 'an event ID such as "Event ID 16# 4302"'
 
 DATE_ORDERS = ("DMY", "MDY", "YMD")
 
@@ -40,7 +52,7 @@ class _Block:
 
     number: int
     place: str
-    id: int
+    id: int | None
     coding: bytes | None = None
     parts: dict[str, bytes] = field(default_factory=dict)
     time: re.Match[str] | None = None
@@ -61,7 +73,7 @@ def read(content: bytes, date_order: str | None = None) -> Buffer:
         expected = 'entries such as "Event 1 of 100: Event ID 16# 4302" or "Ereignis 1 von 100: Ereignis-ID 16# 4302"'
         raise SourceError("", expected, "none")
     order = date_order or _date_order(blocks)
-    return Buffer([Entry(block.number, block.place, block.id, _at(block, order), _coding(block)) for block in blocks])
+    return Buffer([Entry(block.number, block.place, _id(block), _at(block, order), _coding(block)) for block in blocks])
 
 
 def _decode(content: bytes) -> str:
@@ -94,13 +106,21 @@ def _begin(begin: re.Match[str], line_number: int) -> _Block:
     number = int(begin[1])
     place = f"entry {number} (line {line_number})"
     event_id = _EVENT_ID.fullmatch(begin[2])
-    if not event_id:
-        raise SourceError(place, 'an event ID such as "Event ID 16# 4302"', shown(begin[0].strip()))
-    return _Block(number, place, int(event_id[1], 16))
+    if not event_id and begin[2].strip(" :"):
+        raise SourceError(place, _AN_ID, shown(begin[0].strip()))
+    return _Block(number, place, int(event_id[1], 16) if event_id else None)
+
+
+def _id(block: _Block) -> int:
+    if block.id is None:
+        raise SourceError(block.place, _AN_ID, "none")
+    return block.id
 
 
 def _add(block: _Block, line: str) -> None:
-    if _CODING_BEGINS.match(line):
+    if block.id is None and (event_id := _EVENT_ID.fullmatch(line)):
+        block.id = int(event_id[1], 16)
+    elif _CODING_BEGINS.match(line):
         match = _CODING.fullmatch(line)
         if not match:
             raise SourceError(block.place, "a coding of six words", shown(line.strip()))
@@ -117,11 +137,11 @@ def _coding(block: _Block) -> bytes | None:
     coding = block.coding
     if coding is None and block.parts.keys() == _BYTE.keys():
         parts = block.parts
-        coding = block.id.to_bytes(2) + parts["PK"] + parts["OB"] + parts["DatID"] + parts["info"]
+        coding = _id(block).to_bytes(2) + parts["PK"] + parts["OB"] + parts["DatID"] + parts["info"]
     if coding is None:
         return None
     if int.from_bytes(coding[:2]) != block.id:
-        expected = f"a coding that begins with the event ID 16# {block.id:04X}"
+        expected = f"a coding that begins with the event ID 16# {_id(block):04X}"
         raise SourceError(block.place, expected, f"16# {coding[:2].hex().upper()}")
     return coding
 
