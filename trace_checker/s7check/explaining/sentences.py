@@ -25,7 +25,6 @@ _LINES = {
     "clock": "the clock is set to {to}",
     "done": "the log ends; nothing is missing up to here",
     "state": "the state of OB {ob} is read",
-    "done": "nothing is missing in the log up to here",
 }
 
 
