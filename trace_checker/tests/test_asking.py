@@ -207,7 +207,7 @@ def test_why_on_the_command_line(log: Path, capsys: pytest.CaptureFixture[str]) 
     assert cli.main(["next", "log:3", "--why", '{"event": "start", "ob": 10}']) == 1
     text = capsys.readouterr().out
     assert text.startswith("log:4: rejected: ")
-    assert "  why not: start of OB 10 cannot come here. " in text
+    assert "  why not: OB 10 cannot start here. " in text
     assert "would pass with" in text
     assert cli.main(["next", "log:3", "--why", '{"event": "DIS_AIRT", "ret": 1}']) == 0
     assert capsys.readouterr().out == "log:3: this may come next\n"

@@ -105,7 +105,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
             "why": WHY,
             "late": [],
             "clauses": [msgspec.to_builtins(clause("AIRT-07")) | {"place": PLACE}],
-            "candidates": [{**CANDIDATE, "values": "delay - 1 = 16#0000"}],
+            "candidates": [{**CANDIDATE, "action": "EnAirt(16#0001)", "values": "delay - 1 = 16#0000"}],
             "states": 2,
             "situations": [
                 [
@@ -165,7 +165,7 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "    loaded: OB 1, 40, 80-81",
         f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
         (
-            "  formulas: EnAirt(1) does not explain the line, since a condition is false: ret = delay - 1; "
+            "  formulas: EnAirt(16#0001) does not explain the line, since a condition is false: ret = delay - 1; "
             "here delay - 1 = 16#0000 [AIRT-07, Airt:30]"
         ),
         f"unusable:3: unusable: {WRONG_RET}",
@@ -386,9 +386,9 @@ def test_allowed(allowed: Allowed, text: str) -> None:
     ],
 )
 def test_candidate(action: str, conjunct: str, values: str, text: str) -> None:
-    """A sentence comes first; each RET_VAL is hexadecimal, other numbers stay."""
+    """A sentence comes first; RET_VAL and PERIOD are hexadecimal, other numbers stay."""
     said = words.candidate(words.in_hexadecimal(Candidate(action, conjunct, values)))
-    action = action.replace("3)", "16#0003)")
+    action = action.replace("3)", "16#0003)").replace("4610", "16#1202")
     assert said == f"{action} does not explain the line, since a condition is false: {conjunct}; here {text}"
 
 

@@ -74,3 +74,18 @@ def test_starts_that_the_log_leaves_out(real_engine: Engine) -> None:
     header = RUN | {"records": ["call", "clock", "mode", "interrupt", "load"]}
     last = told(real_engine, header, event("interrupt", ob=40), event("end", 32, ob=40))[-1]
     assert last.sentences == ["OB 40 has started unseen", "OB 40 ends"]
+
+
+def test_entries_and_causes_in_words(real_engine: Engine) -> None:
+    """An event ID has its text; a line that is not possible has the sentence that says why."""
+    *_, stop, entry, wrong = told(
+        real_engine,
+        RUN | {"obs": [1, 10, 85, 100]},
+        event("interrupt", ob=80, flt_id=1),
+        event("stop", cause="W#16#4568"),
+        event("diag", id="W#16#4568"),
+        event("diag", 32, id="W#16#4562"),
+    )
+    assert stop.sentences[0] == "the CPU stops for 16#4568 (STOP: OB 80 missing)"
+    assert entry.sentences == ["the diagnostic buffer has the entry 16#4568 (STOP: OB 80 missing)"]
+    assert wrong.sentences[1].startswith("The entry 16#4562 (STOP: OB 121 missing) cannot come here. ")

@@ -16,8 +16,9 @@ from s7check.ending import ending
 from s7check.engine import pool
 from s7check.explaining.sentences import by_itself, of_line
 from s7check.output import echo
-from s7check.report.expected import format_allowed
+from s7check.report.expected import format_allowed, format_late
 from s7check.report.report import clause_text
+from s7check.report.why import why_not
 
 _HELP = """Tell a log in sentences, with the requirements behind them.
 
@@ -85,7 +86,9 @@ def _refused(session: Session, number: int, line: dict[str, Any]) -> Told:
     assert refusal is not None
     expected = ", ".join(format_allowed(one) for one in refusal.expected) or "nothing"
     how = "something had to come before" if refusal.late else "not possible"
-    return Told(number, line["at"], [f"{how}: expected {expected}"], refusal.requirements, 0)
+    late = [format_late(one, refusal.situations) for one in refusal.expected] if refusal.late else []
+    why = why_not(msgspec.json.encode(line), late, refusal.expected, refusal.requirements).removesuffix(".")
+    return Told(number, line["at"], [f"{how}: expected {expected}", *filter(None, [why])], refusal.requirements, 0)
 
 
 def _text(told: Told) -> str:

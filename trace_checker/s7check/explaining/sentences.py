@@ -9,6 +9,7 @@ from s7check.asking.line_text import spelled
 from s7check.engine.answer import Pending, Situation
 from s7check.log.errors import ranges
 from s7check.report import words
+from s7check.report.clauses import event_text
 
 _NO_CAUSE = -1
 _CYCLE_CLASS = 1
@@ -95,7 +96,11 @@ def _said(line: dict[str, Any], before: Situation) -> str:
         why += f" because of OB {request.cause}" if request is not None and request.cause else ""
         return f"OB {line['ob']} starts{why}" + (f", interrupting OB {over[-1]}" if over else "")
     if name == "stop":
-        return "the CPU stops" + (f" for 16#{before.stop:04X}" if before.stop > 0 else "")
+        return "the CPU stops" + (f" for {_event(before.stop)}" if before.stop > 0 else "")
+    if name == "diag":
+        number = int(str(line["id"]).rpartition("#")[2], 16) if isinstance(line["id"], str) else line["id"]
+        of = f" of OB {line['ob']}" if line.get("ob") else ""
+        return f"the diagnostic buffer has the entry {_event(number)}{of}"
     form = _LINES.get(name)
     return spelled(line) if form is None else form.format_map(line)
 
@@ -168,7 +173,13 @@ def _are(numbers: Collection[int]) -> str:
 
 
 def _stop(cause: int) -> str:
-    return "the CPU has to stop" + (f" for 16#{cause:04X}" if cause > 0 else "")
+    return "the CPU has to stop" + (f" for {_event(cause)}" if cause > 0 else "")
+
+
+def _event(number: int) -> str:
+    """Such as ``16#4568 (STOP: OB 80 missing)``."""
+    text = event_text(number)
+    return f"16#{number & 0xFFFF:04X}" + (f" ({text})" if text else "")
 
 
 def _of(request: Pending) -> tuple[object, ...]:

@@ -18,6 +18,8 @@ _ANCHOR = re.compile(r'<a id="([A-Z]+-\d+)">')
 _REQUIREMENT = re.compile(r'^- <a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
 _QUESTION = re.compile(r'^<a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
 _LETTER = re.compile(r"^- \(([a-d])\) (.*)$", re.MULTILINE)
+_EVENT_IDS = re.compile(r"^### [\d.]+ Event IDs$(.*?)^### ", re.MULTILINE | re.DOTALL)
+_EVENT = re.compile(r"^\| ([0-9A-F]{4}) \| ([^|]+?) +\|", re.MULTILINE)
 _BREAK = re.compile(r"(?<=.)\n *(?=[^\n -])")
 """Where a sentence goes on in the next line."""
 
@@ -79,6 +81,18 @@ def all_clauses() -> list[Clause]:
 def clause(name: str) -> Clause:
     """The clause with this ID; without a text if there is none."""
     return _clauses().get(name, Clause(name, ""))
+
+
+@cache
+def _events() -> dict[str, str]:
+    page = (RULES / "requirements.md").read_text(encoding="utf-8")
+    found = _EVENT_IDS.search(page)
+    return {} if found is None else dict(_EVENT.findall(found[1]))
+
+
+def event_text(number: int) -> str:
+    """What an event ID of the diagnostic buffer means, such as ``STOP: OB 80 missing``; empty if no source tells."""
+    return _events().get(f"{number & 0xFFFF:04X}", "")
 
 
 def named(text: str) -> list[str]:

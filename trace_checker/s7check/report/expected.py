@@ -43,8 +43,11 @@ def format_value(allowed: Allowed) -> str:
     field, value = allowed.field, allowed.value
     if field == "time":
         return iso(allowed.time.min * MS_PER_MINUTE + allowed.time.ms)
-    if not field or value == NOT_LOGGED:
-        return ""
+    return "" if not field or value == NOT_LOGGED else spelled_value(field, value)
+
+
+def spelled_value(field: str, value: int) -> str:
+    """Words and bytes in hexadecimal."""
     if field in _WORDS:
         return f"16#{value & 0xFFFF:04X}"
     if field in _BYTES:

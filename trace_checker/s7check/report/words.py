@@ -23,7 +23,9 @@ _PERIODS = {
 _NO_CAUSE = -1
 
 _ABOUT_WORDS = re.compile(r"\b(?:ret|status|period|sign)\b")
-_RET = re.compile(r"\bret = (\d+)(?=,|$)")
+_CALL = re.compile(r"(Set|Can|Act|Qry|Srt|Dis|En)(Tint|Dint|Irt|Airt)\((.*)\)")
+_TWO_WORDS = frozenset({"SetTint", "SrtDint", "QryTint", "QryDint"})
+"""Actions of calls whose last two arguments are words: PERIOD or SIGN and RET_VAL, RET_VAL and STATUS."""
 _VALUES = re.compile(r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})")
 """In the values of a condition those of its operands; numbers within an operand stay as the formula has them."""
 _NUMBER = re.compile(r"\d+")
@@ -63,15 +65,18 @@ def situation(state: Situation) -> list[tuple[str, str]]:
 
 
 def in_hexadecimal(one: Candidate) -> Candidate:
-    """The candidate with its words as the manual spells them, where its condition is about RET_VAL, STATUS, PERIOD or
-    SIGN: ``EnAirt(16#0001)``, ``ret = 16#0001, delay - 1 = 16#0000``.
+    """The candidate with RET_VAL, STATUS, PERIOD and SIGN as the manual spells them: ``EnAirt(16#0001)``, ``ret =
+    16#0001, delay - 1 = 16#0000``.
     """
-    if not _ABOUT_WORDS.search(one.conjunct):
-        return one
-    action = one.action
-    if ret := _RET.search(one.values):
-        action = re.sub(rf"\b{ret[1]}\)$", lambda _: f"{_as_word(ret)})", action)
-    return replace(one, action=action, values=_VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), one.values))
+    action, values = one.action, one.values
+    if call := _CALL.fullmatch(action):
+        name, operands = call[1] + call[2], call[3].split(", ")
+        words = 2 if name in _TWO_WORDS else 1
+        operands[-words:] = [_NUMBER.sub(_as_word, each) if each.isdigit() else each for each in operands[-words:]]
+        action = f"{name}({', '.join(operands)})"
+    if _ABOUT_WORDS.search(one.conjunct):
+        values = _VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), values)
+    return replace(one, action=action, values=values)
 
 
 def candidate(one: Candidate) -> str:
@@ -85,7 +90,7 @@ def candidate(one: Candidate) -> str:
 
 
 def _as_word(number: re.Match[str]) -> str:
-    return f"16#{int(number[number.lastindex or 0]) & 0xFFFF:04X}"
+    return f"16#{int(number[0]) & 0xFFFF:04X}"
 
 
 def _running(state: Situation) -> str:
