@@ -88,7 +88,7 @@ def test_calls() -> None:
     """A call has its operands, and its RET_VAL behind them."""
     required = {name.removeprefix("event_"): one.get("required", ()) for name, one in SCHEMA_OF_LINES.items()}
     calls = {name: (*fields,) for name, fields in required.items() if "ret" in fields}
-    assert calls == {name: ("event", "at", *operands, "ret") for name, operands in OPERANDS.items()}
+    assert calls == {name: (*operands, "ret") for name, operands in OPERANDS.items()}
 
 
 SPELLINGS: list[tuple[str, dict[str, Any], list[object], list[object]]] = [
