@@ -17,8 +17,6 @@ void test_check(bool ok, const char *file, int line, const char *text);
 char *test_run(const char *scenario, enum fault fault);
 /* One text after the other, within `size`. */
 void test_join(char *to, size_t size, const char *first, const char *second);
-/* Message of a scenario that must be wrong, to be freed; "" where it was accepted. */
-char *test_error(const char *scenario);
 /* Log of the random program, to be freed. */
 char *test_random(uint64_t seed, uint64_t events, enum fault fault);
 
@@ -36,7 +34,6 @@ void test_scheduling(void);
 void test_choices(void);
 void test_clock(void);
 void test_modes(void);
-void test_shorthand(void);
 void test_program(void);
 void test_random_program(void);
 

@@ -51,9 +51,7 @@ static bool read_text(struct scenario *s, const char *text)
     if (whole == NULL)
         abort();
     snprintf(whole, size, "%s%s", strncmp(text, "cpu", 3) == 0 ? "" : base, text);
-    FILE *in = fmemopen(whole, strlen(whole), "r");
-    bool ok = shorthand_read(s, "t.scn", in);
-    fclose(in);
+    bool ok = shorthand_read(s, whole);
     free(whole);
     return ok;
 }
@@ -76,14 +74,6 @@ char *test_run(const char *text, enum fault fault)
 void test_join(char *to, size_t size, const char *first, const char *second)
 {
     snprintf(to, size, "%s%s", first, second);
-}
-
-char *test_error(const char *text)
-{
-    struct scenario s;
-    char *error = strdup(read_text(&s, text) ? "" : s.error);
-    scenario_free(&s);
-    return error;
 }
 
 char *test_random(uint64_t seed, uint64_t events, enum fault fault)
@@ -143,7 +133,6 @@ int main(void)
     test_choices();
     test_clock();
     test_modes();
-    test_shorthand();
     test_program();
     test_random_program();
     printf("%d checks, %d failed\n", tally.checks, tally.failed);
