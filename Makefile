@@ -6,12 +6,14 @@ BIN    := $(VENV)/bin
 ENGINE := trace_checker/engine/target/s7-trace-engine.jar
 NATIVE := trace_checker/engine/target/s7-trace-engine
 WINDOWS := $(NATIVE).exe
+WASM   := trace_checker/engine/target/wasm/engine.wasm
+PAGE   := build/page/s7check.html
 PLC    := examples/soft_plc/build/soft_plc
 AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine native native-windows equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows lint bench results views kept clean site pictures
+.PHONY: help setup engine native native-windows page equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows lint bench results views kept clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -23,6 +25,8 @@ engine: $(ENGINE)  ## build the trace checker's engine
 native: $(NATIVE)  ## build the engine as an executable, which s7check takes from then on: a minute of CPU, a C compiler
 
 native-windows: $(WINDOWS)  ## the executable for Windows, by mingw-w64; wine runs it, nobody has tried it on Windows
+
+page: $(PAGE)  ## build/page/s7check.html: the checker as one file for a browser, without network: a minute of CPU
 
 verify: setup  ## the main job: models of the CI lane, the soft PLC run live, all shipped logs, random logs, a few mutants
 	$(BIN)/s7spec verify
@@ -165,6 +169,15 @@ $(NATIVE): $(ENGINE) $(wildcard trace_checker/engine/src/main/c/*)
 	@echo "building the engine as an executable"
 	cd trace_checker/engine && mvn -q -B -Pnative process-classes
 	cd trace_checker/engine && $(CC) $(NATIVE_FLAGS) -I src/main/c -o target/s7-trace-engine target/c/all.c src/main/c/streams.c -lm
+
+$(WASM): $(ENGINE)
+	@echo "building the engine as WebAssembly"
+	cd trace_checker/engine && mvn -q -B -Ppage process-classes
+	@touch $@
+
+$(PAGE): $(WASM) $(wildcard trace_checker/s7check/page/* trace_checker/s7check/report/report.css gallery/*) docs/rules/requirements.md docs/rules/readings.md evidence/views/checker_page.py $(shell find spec -name '*.tla')
+	@echo "building the page"
+	$(BIN)/python -m evidence.views.checker_page
 
 # TeaVM takes gcc for a sign of Unix, and expects a compiler of Microsoft on Windows.
 ON_WINDOWS := \#ifdef _WIN32\n\#undef TEAVM_WINDOWS\n\#define TEAVM_WINDOWS 1\n\#include <stdalign.h>\n\#elif defined(__GNUC__)

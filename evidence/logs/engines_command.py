@@ -1,13 +1,13 @@
-"""``s7spec logs engines``: do the executable and the engine in Java give the same answers?"""
+"""``s7spec logs engines``: do the executable, the page and the engine in Java give the same answers?"""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import count, islice
 from pathlib import Path
 from random import Random
-from typing import Any
+from typing import Any, Self
 
 import click
 import msgspec
@@ -15,11 +15,13 @@ import msgspec
 from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM
+from evidence.common.chromium import PageEngine
 from evidence.common.console import plain
 from evidence.common.options import json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs.random_logs import Generator, SoftPlcError
+from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, jvm_command, native_command
 
@@ -38,10 +40,31 @@ STRANGE = (
 )
 
 
-@click.command(name="engines", short_help="Do the executable and Java give the same answers?")
+class Executable:
+    """An engine that is a process."""
+
+    def __init__(self, command: Callable[[], list[str]]) -> None:
+        self.engine = Engine(command)
+
+    def __enter__(self) -> Self:
+        self.engine.__enter__()
+        return self
+
+    def __exit__(self, *raised: Any) -> None:
+        self.engine.__exit__(*raised)
+
+    def judge(self, log: bytes) -> Answer:
+        """The answer to a log, with the situation after its last line."""
+        self.engine.begin(follow=1)
+        self.engine.send(log)
+        return self.engine.finish()
+
+
+@click.command(name="engines", short_help="Do the executable, the page and Java give the same answers?")
 @click.option("--logs", type=click.IntRange(0), default=10_000, show_default=True, help="How many random logs.")
 @click.option("--damaged", type=click.IntRange(0), default=1_000, show_default=True, help="How many damaged ones.")
 @click.option("--seed", type=int, default=1, show_default=True, help="Other logs.")
+@click.option("--page", is_flag=True, help="The engine in the checker's page, in Chromium, instead of the executable.")
 @click.option("--wine", is_flag=True, help="The executable for Windows, under wine.")
 @click.option(
     "--keep",
@@ -51,19 +74,22 @@ STRANGE = (
     help="Where the logs go about which the two differ.",
 )
 @json_option
-def engines_command(logs: int, damaged: int, seed: int, wine: bool, keep: Path, json_path: Path | None) -> None:
-    """Have both engines judge all cases, the edge cases, random logs and logs with damaged bytes.
+def engines_command(
+    logs: int, damaged: int, seed: int, page: bool, wine: bool, keep: Path, json_path: Path | None
+) -> None:
+    """Have two engines judge all cases, the edge cases, random logs and logs with damaged bytes.
 
     The whole answers are compared: verdict, line, expected events, requirements, situations, candidates, outcomes. Exit
     codes: 0 all are the same, 1 some differ, 2 wrong arguments or files, 3 an engine is missing or failed.
     """
     rows: dict[str, dict[str, str | int]] = {}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
-        with Engine(_under_wine if wine else native_command) as executable, Engine(jvm_command) as java:
-            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
+        other = PageEngine() if page else Executable(_under_wine if wine else native_command)
+        with other as compiled, Executable(jvm_command) as java:
+            generator = Generator(seed, SOFT_PLC_PROGRAM, java.engine.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 row = rows.setdefault(kind, {"kind": kind} | dict.fromkeys(("logs", *VERDICTS, "different"), 0))
-                native, jvm = _answer(executable, log), _answer(java, log)
+                native, jvm = _answer(compiled, log), _answer(java, log)
                 for column in ("logs", jvm["verdict"], *(["different"] if native != jvm else [])):
                     row[column] = int(row[column]) + 1
                 if native != jvm:
@@ -95,10 +121,8 @@ def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str
         yield "damaged", f"damaged-{number}", bytes(log)
 
 
-def _answer(engine: Engine, log: bytes) -> dict[str, Any]:
-    engine.begin(follow=1)
-    engine.send(log)
-    answer: dict[str, Any] = msgspec.to_builtins(engine.finish())
+def _answer(engine: Executable | PageEngine, log: bytes) -> dict[str, Any]:
+    answer: dict[str, Any] = msgspec.to_builtins(engine.judge(log))
     if answer["verdict"] == "error":
         del answer["message"]
     return answer
@@ -107,4 +131,4 @@ def _answer(engine: Engine, log: bytes) -> dict[str, Any]:
 def _first(native: dict[str, Any], java: dict[str, Any]) -> str:
     """The first field in which two answers differ."""
     name = next(name for name in native | java if native.get(name) != java.get(name))
-    return f"{name}: {native.get(name)} by the executable, {java.get(name)} by Java"
+    return f"{name}: {native.get(name)} compiled, {java.get(name)} by Java"

@@ -1,7 +1,7 @@
 package s7.log;
 
 /** The calendar, as far as the reading of a log needs it. */
-final class Days {
+public final class Days {
   static final int FIRST_YEAR = 1990;
   static final int LAST_YEAR = 2089;
 
@@ -33,7 +33,7 @@ final class Days {
   }
 
   /** Milliseconds since 1990-01-01T00:00 as a log spells them, such as {@code 2026-11-21T06:00:00.000}. */
-  static String iso(long milliseconds) {
+  public static String iso(long milliseconds) {
     int days = (int) (milliseconds / MS_PER_DAY);
     int rest = (int) (milliseconds % MS_PER_DAY);
     int year = FIRST_YEAR;
@@ -49,7 +49,7 @@ final class Days {
   }
 
   /** Year to milliseconds, which need not exist, as a log spells them. */
-  static String spelled(int... parts) {
+  public static String spelled(int... parts) {
     var text = new StringBuilder();
     for (int i = 0; i < parts.length; i++) {
       String number = String.valueOf(parts[i]);

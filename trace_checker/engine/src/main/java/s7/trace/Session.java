@@ -50,15 +50,23 @@ final class Session {
     clocks.add(Format.clocksOf(header));
   }
 
-  private Session(Session other) {
-    spec = other.spec;
-    after.addAll(other.after);
-    clocks.addAll(other.clocks);
-  }
-
   /** A session with the same lines that goes on by itself. */
   Session branch() {
-    return new Session(this);
+    return new Session(this, lines());
+  }
+
+  /** A session as this one was after so many lines, that goes on by itself. */
+  Session until(int lines) {
+    if (lines == lines()) {
+      return this;
+    }
+    return new Session(this, lines);
+  }
+
+  private Session(Session other, int lines) {
+    spec = other.spec;
+    after.addAll(other.after.subList(0, lines + 1));
+    clocks.addAll(other.clocks.subList(0, lines + 1));
   }
 
   private Explanation last() {
@@ -140,6 +148,11 @@ final class Session {
       }
     }
     return all.values();
+  }
+
+  /** A situation after each number of lines from one to another. */
+  List<Fields> states(int from, int to) {
+    return after.subList(from, Math.min(to, lines()) + 1).stream().map(Explanation::situation).toList();
   }
 
   private static void add(Map<String, Fields> all, Fields situation) {

@@ -20,6 +20,11 @@ import s7.log.Unusable;
  *   <li>{@code branch} with {@code to}, the name of a session that begins with the same lines.
  *   <li>{@code feed} with {@code line} adds a line: the answer has {@code refusal} if it is not possible. {@code judge}
  *       tells the same and adds nothing.
+ *   <li>{@code add} with {@code lines} adds them up to the first that is not possible, whose {@code refusal} is in words;
+ *       the answer has the number of {@code lines} that the session has then.
+ *   <li>{@code look} with {@code after}, so many lines, and {@code at}: what is shown after them ({@link Look}); {@code
+ *       lines} what may come then, of the events {@code only} or of these {@code lines}; {@code why} the {@code
+ *       refusal} of the {@code line}; {@code states} the situations after the lines from {@code after} to {@code to}.
  *   <li>{@code back} with {@code lines}: so many lines are left.
  *   <li>{@code situations} with {@code most}; {@code before} with {@code line} and {@code most}: just before that line.
  *   <li>{@code parting} with {@code from}, the name of another session, {@code lines}, {@code only}, {@code obs}, {@code
@@ -36,6 +41,7 @@ final class Sessions {
   private static final String LINE = "line";
   private static final String CLOCK = "clock";
   private static final String MOST = "most";
+  private static final String AFTER = "after";
 
   private final Contract spec;
   private final Map<String, Session> open = new HashMap<>();
@@ -62,7 +68,9 @@ final class Sessions {
   private void fill(Fields answer, String message, Fields json) {
     String name = json.text("session");
     if ("open".equals(message)) {
-      var session = new Session(spec, spec.format().header(text(json, "header"), Engine.file(json)));
+      Fields header = spec.format().header(text(json, "header"), Engine.file(json));
+      Fields chosen = json.has("chosen") ? spec.format().chosen(header, json.object("chosen")) : header;
+      var session = new Session(spec, chosen);
       open.put(name, session);
       answer.put(CLOCK, session.clock());
       return;
@@ -80,11 +88,47 @@ final class Sessions {
         session.back(json.number("lines"));
         answer.put(CLOCK, session.clock());
       }
+      case "add" -> add(answer, session, json);
+      case "look" -> answer.put("look", new Look(until(session, json), json.text("at")).answer());
+      case "lines" -> answer.put("lines", lines(until(session, json), json));
+      case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)));
+      case "states" -> answer.put("states", session.states(json.number(AFTER), json.number("to")));
       case "situations" -> answer.put("situations", session.situations(json.number(MOST)));
       case "before" -> answer.put("situations", session.before(text(json, LINE), json.number(MOST)));
       case "parting" -> answer.put("parting", parting(session, json));
       case "possible" -> answer.put("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
+    }
+  }
+
+  /** The session as it was after so many lines. */
+  private static Session until(Session session, Fields json) {
+    return session.until(json.number(AFTER));
+  }
+
+  private static void add(Fields answer, Session session, Fields json) {
+    try {
+      Explanation.Refusal refusal = null;
+      for (byte[] line : texts(json, "lines")) {
+        refusal = session.feed(line);
+        if (refusal != null) {
+          break;
+        }
+      }
+      inWords(answer, refusal);
+    } finally {
+      answer.put("lines", session.lines()).put(CLOCK, session.clock());
+    }
+  }
+
+  private static List<Fields> lines(Session session, Fields json) {
+    List<byte[]> lines = json.has("lines") ? texts(json, "lines") : null;
+    return Look.lines(session, json.text("at"), lines, names(json, "only"));
+  }
+
+  private static void inWords(Fields answer, Explanation.Refusal refusal) {
+    if (refusal != null) {
+      answer.put("refusal", InWords.refusal(refusal));
     }
   }
 

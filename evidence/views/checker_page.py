@@ -1,0 +1,84 @@
+"""build/page/s7check.html: engine, parsed specification, rules and edge cases in one page that needs no network."""
+
+import base64
+import gzip
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from s7check.engine.command import jvm_command
+from s7check.report.clauses import all_clauses
+from s7check.resources import CHECKOUT, ENGINE, GALLERY
+
+PAGE = CHECKOUT / "build" / "page" / "s7check.html"
+SOURCES = CHECKOUT / "trace_checker" / "s7check"
+WASM = ENGINE / "wasm"
+_SCRIPTS = ("elements", "engine", "model", "timeline", "desk", "main")
+_OF_MODULES = re.compile(r"^import .*\n|^export \{.*\n|^export ", re.MULTILINE)
+_EXPORTS = re.compile(r"export\s*\{([^}]*)\};?\s*$")
+
+
+def main() -> None:
+    """Write the page."""
+    page = _source("page/page.html")
+    style = _source("report/report.css") + _source("page/page.css")
+    script = "".join(_OF_MODULES.sub("", _source(f"page/{name}.js")) for name in _SCRIPTS)
+    for place, text in (("STYLE", style), ("CONTENTS", _contents()), ("SCRIPT", script)):
+        page = page.replace(f"/*{place}*/", text)
+    PAGE.parent.mkdir(parents=True, exist_ok=True)
+    PAGE.write_text(page, encoding="utf-8")
+
+
+def _source(name: str) -> str:
+    return (SOURCES / name).read_text(encoding="utf-8")
+
+
+def _contents() -> str:
+    """What the page unpacks, as JSON that may stand in a page."""
+    runtime = (WASM / "org/teavm/backend/wasm/wasm-gc-module-runtime.min.js").read_text(encoding="utf-8")
+    worker = _as_classic(runtime) + _source("page/worker.js")
+    contents: dict[str, Any] = {
+        "script": _packed(worker.encode()),
+        "wasm": _packed((WASM / "engine.wasm").read_bytes()),
+        "tree": _packed(_parsed().read_bytes()),
+        "clauses": _packed(msgspec.json.encode(all_clauses())),
+        "gallery": _gallery(),
+    }
+    return msgspec.json.encode(contents).decode().replace("<", "\\u003c")
+
+
+def _as_classic(module: str) -> str:
+    """A module's text for a Worker that is none, since one from a Blob may not be a module in a page from a file."""
+    found = _EXPORTS.search(module)
+    if found is None:
+        raise ValueError("the runtime of TeaVM exports nothing at its end")
+    pairs = [part.split(" as ") for part in found[1].split(",")]
+    names = "".join(f"const {new.strip()}={old.strip()};" for old, new in (pair for pair in pairs if len(pair) > 1))
+    return f"{module[: found.start()]}\n{names}\n"
+
+
+def _packed(data: bytes) -> str:
+    return base64.b64encode(gzip.compress(data, mtime=0)).decode()
+
+
+def _parsed() -> Path:
+    """The parsed specification, which the engine in Java keeps in a file."""
+    command = jvm_command()
+    subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True)
+    return Path(command[-1])
+
+
+def _gallery() -> list[dict[str, Any]]:
+    cases: list[dict[str, Any]] = msgspec.json.decode((GALLERY / "cases.json").read_bytes())
+    shown = ("name", "title", "told", "requirements")
+    return [
+        {name: case[name] for name in shown} | {"log": (GALLERY / f"{case['name']}.ndjson").read_text(encoding="utf-8")}
+        for case in cases
+    ]
+
+
+if __name__ == "__main__":
+    main()

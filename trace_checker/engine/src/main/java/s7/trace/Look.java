@@ -1,0 +1,146 @@
+package s7.trace;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+import s7.log.Fields;
+
+/**
+ * All that is shown of a log after a line: the situations of the CPU, what may come next, and what somebody might wait
+ * for and does not come, with its reason.
+ */
+final class Look {
+  /** Explanations of a log of which the situations are shown. */
+  private static final int MOST_SITUATIONS = 8;
+
+  /** Explanations that are looked at for each line that may come; a log that leaves much open has thousands. */
+  private static final int SHARE = 16;
+
+  private final Session session;
+
+  /** A line with the time of the next line. */
+  private byte[] when;
+
+  private final Fields answer = new Fields();
+
+  /**
+   * @param at the CPU clock at the next line, as a log spells it; null for the first time at which something may come
+   */
+  Look(Session session, String at) {
+    this.session = session;
+    Collection<Fields> situations = session.situations(MOST_SITUATIONS);
+    Fields ahead = session.possible(question(null, Set.of(), Set.of()));
+    var times = objects(ahead.list("times"));
+    String chosen = at == null ? Spelled.moment(times.get(0).get("at")) : at;
+    when = text(new Fields().put("event", "hold").put("at", chosen));
+    Fields possible = session.possible(question(when, Set.of(), withOperands(ahead)));
+    boolean whole = Boolean.TRUE.equals(possible.get("whole"));
+    answer
+        .put("clock", session.clock())
+        .put("at", chosen)
+        .put("situations", situations.stream().map(InWords::situation).toList())
+        .put("states", possible.get("states"))
+        .put("whole", whole)
+        .put("endless", ahead.get("endless"))
+        .put("times", times.stream().map(Look::time).toList())
+        .put("possible", lines(possible))
+        .put("impossible", whole ? impossible(chosen, situations, possible) : null);
+  }
+
+  Fields answer() {
+    return answer;
+  }
+
+  /** The lines that may come at a time: those of the events {@code only}, or these with their answers. */
+  static List<Fields> lines(Session session, String at, List<byte[]> lines, Set<String> only) {
+    byte[] when = text(new Fields().put("event", "hold").put("at", at));
+    return lines(
+        session.possible(
+            new Session.Question(lines == null ? null : session.timeless(lines), when, SHARE, only, Set.of())));
+  }
+
+  private static Session.Question question(byte[] when, Set<String> only, Set<String> few) {
+    return new Session.Question(null, when, SHARE, only, few);
+  }
+
+  private static byte[] text(Fields line) {
+    return line.toString().getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static List<Fields> objects(Collection<?> list) {
+    return list.stream().map(Fields.class::cast).toList();
+  }
+
+  /** Calls with operands: one line of each is enough, the others are asked for. */
+  private static Set<String> withOperands(Fields possible) {
+    var names = new HashSet<String>();
+    for (Fields line : objects(possible.list("lines"))) {
+      String name = line.object("event").text("event");
+      if (Spelled.isCall(name) && !name.endsWith("_AIRT")) {
+        names.add(name);
+      }
+    }
+    return names;
+  }
+
+  private static Fields time(Fields time) {
+    return new Fields()
+        .put("at", Spelled.moment(time.get("at")))
+        .put("due", objects((Collection<?>) time.get("due")).stream().map(Spelled::allowed).toList())
+        .put("requirements", time.get("requirements"));
+  }
+
+  private static List<Fields> lines(Fields possible) {
+    var lines = new ArrayList<Fields>();
+    for (Fields line : objects(possible.list("lines"))) {
+      Fields event = Spelled.line(line.object("event"));
+      lines.add(
+          new Fields()
+              .put("event", event)
+              .put("text", Spelled.text(event))
+              .put("requirements", line.get("requirements")));
+    }
+    return lines;
+  }
+
+  /** The steps of the CPU that somebody might wait for and that may not come at the time, each with its reason. */
+  private List<Fields> impossible(String at, Collection<Fields> situations, Fields possible) {
+    var offered = new HashSet<String>();
+    for (Fields line : objects(possible.list("lines"))) {
+      offered.add(Spelled.text(Spelled.line(line.object("event")).without("info")));
+    }
+    var reasons = new ArrayList<Fields>();
+    for (Fields event : lookedFor(situations)) {
+      String text = Spelled.text(event);
+      if (offered.contains(text) || offered.stream().anyMatch(one -> one.startsWith(text + " "))) {
+        continue;
+      }
+      Explanation.Refusal refusal = session.judge(text(new Fields().put("at", at).with(event)));
+      if (refusal != null) {
+        reasons.add(InWords.refusal(refusal).put("event", event).put("text", text));
+      }
+    }
+    return reasons;
+  }
+
+  /** The starts of all loaded OBs, the ends of running OBs, RUN and STOP. */
+  private static List<Fields> lookedFor(Collection<Fields> situations) {
+    var starts = new TreeSet<Integer>(Set.of(1));
+    var ends = new TreeSet<Integer>();
+    for (Fields state : situations) {
+      state.list("loaded").forEach(ob -> starts.add(Spelled.number(ob)));
+      objects(state.list("running")).forEach(frame -> ends.add(frame.number("ob")));
+    }
+    var events = new ArrayList<Fields>();
+    starts.forEach(ob -> events.add(new Fields().put("event", "start").put("ob", ob)));
+    ends.forEach(ob -> events.add(new Fields().put("event", "end").put("ob", ob)));
+    events.add(new Fields().put("event", "run"));
+    events.add(new Fields().put("event", "stop"));
+    return events;
+  }
+}

@@ -1,0 +1,187 @@
+package s7.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+import s7.log.Days;
+import s7.log.Fields;
+
+/** Normalised values as a log spells them, and lines in short. */
+final class Spelled {
+  private static final int MS_PER_MINUTE = 60_000;
+  private static final int NOT_LOGGED = -1;
+
+  private static final Set<String> WORDS =
+      Set.of("period", "sign", "ret", "status", "cause", "id", "error_info", "ev");
+  private static final Set<String> BYTES = Set.of("mode", "flt_id", "strt_info");
+  private static final Set<String> TRUTHS = Set.of("active", "blocked", "loaded", "entries_off");
+  private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "counter");
+  private static final List<String> DATE = List.of("year", "month", "day", "hour", "minute", "second", "ms");
+
+  private Spelled() {}
+
+  static int number(Object value) {
+    return ((Number) value).intValue();
+  }
+
+  /** Such as {@code 16#0201}. */
+  static String hex(int value, int digits) {
+    String text = Integer.toHexString(value & (digits == 2 ? 0xFF : 0xFFFF)).toUpperCase();
+    return "16#" + "0000".substring(0, digits - text.length()) + text;
+  }
+
+  /** A moment, minutes and milliseconds, with seconds and milliseconds. */
+  static String moment(Object at) {
+    return Days.iso(milliseconds(at));
+  }
+
+  static long milliseconds(Object at) {
+    var moment = (Fields) at;
+    return (long) moment.number("min") * MS_PER_MINUTE + moment.number("ms");
+  }
+
+  /** The object of a log's line for a normalised event, which may lack fields; a call without {@code ret} gets null. */
+  static Fields line(Fields event) {
+    var line = new Fields();
+    for (int i = 0; i < event.size(); i++) {
+      if (!OF_THE_ENGINE.contains(event.name(i))) {
+        line.put(event.name(i), value(event.name(i), event.value(i)));
+      }
+    }
+    String name = event.text("event");
+    if (isCall(name)) {
+      // Operands that the engine does not tell, since a line without them has the same number.
+      if (name.endsWith("DINT") && !line.has("ob") || name.endsWith("_TINT") && !line.has("ob")) {
+        line.put("ob", 0);
+      }
+      if (name.equals("SRT_DINT") && !line.has("dtime")) {
+        line.put("dtime", -1);
+      }
+      if (name.endsWith("_IRT") && !line.has("ob")) {
+        line.put("ob", 0);
+      }
+      if (!line.has("ret")) {
+        line.put("ret", null);
+      }
+    }
+    return line;
+  }
+
+  static boolean isCall(String name) {
+    return name.equals(name.toUpperCase());
+  }
+
+  private static Object value(String name, Object value) {
+    if (name.equals("info")) {
+      return info((Fields) value);
+    }
+    if (name.equals("up")) {
+      return milliseconds(value);
+    }
+    if (name.equals("sdt")) {
+      var parts = DATE.stream().mapToInt(part -> ((Fields) value).number(part)).toArray();
+      return Days.spelled(parts).replaceAll("(:00)?\\.000$", "");
+    }
+    if (value instanceof Fields) {
+      return moment(value);
+    }
+    if (!(value instanceof Number)) {
+      return value;
+    }
+    int number = number(value);
+    if (TRUTHS.contains(name)) {
+      return number != 0;
+    }
+    if (name.equals("ret") && number == NOT_LOGGED) {
+      return null;
+    }
+    return WORDS.contains(name) ? "W#" + hex(number, 4) : BYTES.contains(name) ? "B#" + hex(number, 2) : value;
+  }
+
+  private static Fields info(Fields given) {
+    var info = new Fields();
+    for (int i = 0; i < given.size(); i++) {
+      Object value = given.value(i);
+      boolean logged = value instanceof Fields time ? time.number("min") != NOT_LOGGED : number(value) != NOT_LOGGED;
+      if (logged) {
+        info.put(given.name(i), value(given.name(i), value));
+      }
+    }
+    return info;
+  }
+
+  /** A line's object without its time in one short text, such as {@code SET_TINT ob=10 period=W#16#0201}. */
+  static String text(Fields line) {
+    var parts = new ArrayList<String>();
+    parts.add(line.text("event"));
+    for (int i = 0; i < line.size(); i++) {
+      if (!Set.of("event", "at", "up").contains(line.name(i))) {
+        parts.add(line.name(i) + "=" + text(line.value(i)));
+      }
+    }
+    return String.join(" ", parts);
+  }
+
+  private static String text(Object value) {
+    if (!(value instanceof Fields object)) {
+      return String.valueOf(value);
+    }
+    var parts = new ArrayList<String>();
+    for (int i = 0; i < object.size(); i++) {
+      parts.add(object.name(i) + "=" + text(object.value(i)));
+    }
+    return "{" + String.join(", ", parts) + "}";
+  }
+
+  /**
+   * What the specification allows in the place of a line, such as {@code start ob=80 flt_id=16#05}; a value that it
+   * leaves open is left out.
+   */
+  static String allowed(Fields allowed) {
+    var text = new StringBuilder(allowed.text("event"));
+    if (given(allowed, "ob") > 0) {
+      text.append(" ob=").append(allowed.number("ob"));
+    }
+    String field = allowed.has("field") ? allowed.text("field") : "";
+    String value = field.isEmpty() ? "" : allowedValue(field, allowed);
+    return value.isEmpty() ? text.toString() : text.append(' ').append(field).append('=').append(value).toString();
+  }
+
+  private static String allowedValue(String field, Fields allowed) {
+    if (field.equals("time")) {
+      return moment(allowed.get("time"));
+    }
+    int value = given(allowed, "value");
+    if (value == NOT_LOGGED) {
+      return "";
+    }
+    if (TRUTHS.contains(field)) {
+      return String.valueOf(value != 0);
+    }
+    boolean word = WORDS.contains(field);
+    return word ? hex(value, 4) : Set.of("flt_id", "strt_info").contains(field) ? hex(value, 2) : String.valueOf(value);
+  }
+
+  static int given(Fields object, String name) {
+    return object.has(name) ? object.number(name) : 0;
+  }
+
+  /** What the specification allows, as values of a line's fields. */
+  static Fields instead(Fields allowed) {
+    var line = new Fields().put("event", allowed.text("event"));
+    if (given(allowed, "ob") > 0) {
+      line.put("ob", allowed.number("ob"));
+    }
+    String field = allowed.has("field") ? allowed.text("field") : "";
+    if (!field.isEmpty()) {
+      Object value = value(field, field.equals("time") ? allowed.get("time") : (Object) given(allowed, "value"));
+      if ("start".equals(allowed.text("event"))) {
+        line.put("info", new Fields().put(field, value));
+      } else {
+        line.put(field, value);
+      }
+    }
+    return line;
+  }
+}

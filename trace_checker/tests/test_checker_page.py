@@ -1,0 +1,219 @@
+"""The checker as one page, opened from its file in Chromium, and its engine beside the one in Java."""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+
+from evidence.common.chromium import PAGE, judged_in, missing
+from s7check.engine.client import Engine
+from s7check.engine.command import jvm_command
+from tests.shipped import CASES
+from tests.test_explorer_page import CHROMIUM, LONGEST_MS, QUIET
+
+pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
+
+MOST = 4 * 1024 * 1024
+EACH = 12
+HEADER = {
+    "format": "s7-interrupt-log/1",
+    "cpu": "S7-400",
+    "obs": [1, 40, 80],
+    "clock": "2026-03-02T08:00:30.000",
+    "mode": "RUN",
+}
+AT = "2026-03-02T08:00:31.000"
+REJECTED = "\n".join(
+    json.dumps(line)
+    for line in (
+        HEADER,
+        {"event": "interrupt", "ob": 40, "at": AT},
+        {"event": "start", "ob": 40, "at": AT},
+        {"event": "EN_AIRT", "ret": "W#16#0000", "at": AT},
+        {"event": "end", "ob": 40, "at": AT},
+    )
+)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """One Chromium for all tests."""
+    expect.set_options(timeout=LONGEST_MS)
+    with sync_playwright() as playwright:
+        yield playwright.chromium.launch(executable_path=CHROMIUM, args=QUIET)
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """The page, ready; no script may fail, and nothing but its file may be asked for."""
+    context = browser.new_context(offline=True, accept_downloads=True)
+    page = context.new_page()
+    page.set_default_timeout(LONGEST_MS)
+    failed: list[str] = []
+    page.on("pageerror", lambda error: failed.append(str(error)))
+    page.on("request", lambda one: failed.append(one.url) if one.url.startswith(("http", "ws")) else None)
+    page.goto(PAGE.as_uri())
+    page.wait_for_selector("body[data-ready]")
+    yield page
+    context.close()
+    assert failed == []
+
+
+def paste(page: Page, text: str) -> None:
+    """Check a text."""
+    page.fill("#text", text)
+    page.click("#check")
+
+
+def test_the_page_is_one_file_of_at_most_4_mb() -> None:
+    """The size, and that it refers to no other file."""
+    text = PAGE.read_text(encoding="utf-8")
+    assert len(text.encode()) <= MOST
+    assert re.findall(r'(?:src|href)="(?!data:)[^"]*"', text) == []
+
+
+def test_it_says_that_nothing_leaves_the_machine(page: Page) -> None:
+    """On the first view."""
+    expect(page.locator("#start")).to_contain_text("Nothing leaves this machine")
+
+
+def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
+    """With the requirement, what is possible, and the report as text."""
+    paste(page, REJECTED)
+    expect(page.locator("#verdict")).to_contain_text("rejected no behaviour of the specification explains line 4")
+    expect(page.locator("#explained")).to_contain_text("AIRT-")
+    expect(page.locator("#timeline .wrong")).to_contain_text("EN_AIRT")
+    assert "EN_AIRT" in page.locator("#edit textarea").input_value()
+    page.click("text=Report as text")
+    expect(page.locator("#as-text")).to_contain_text("pasted.ndjson:4: rejected")
+
+
+def test_a_fitting_value_mends_it_and_back_takes_that_back(page: Page) -> None:
+    """The button puts the value into the line."""
+    paste(page, REJECTED)
+    page.click("#explained button.choice >> nth=0")
+    expect(page.locator("#verdict")).to_contain_text("accepted")
+    page.go_back()
+    expect(page.locator("#verdict")).to_contain_text("rejected")
+
+
+def test_an_unusable_log_has_its_line_and_field(page: Page) -> None:
+    """As s7check trace says it."""
+    paste(page, REJECTED.replace('"S7-400"', '"S7-500"'))
+    expect(page.locator("#problem")).to_contain_text("unusable: line 1: field cpu: expected")
+    expect(page.locator("#start")).to_be_visible()
+
+
+def test_an_empty_text_and_a_damaged_link_are_told(page: Page) -> None:
+    """In a sentence each."""
+    paste(page, " ")
+    expect(page.locator("#problem")).to_contain_text("expected a log")
+    page.goto("about:blank")
+    page.goto(f"{PAGE.as_uri()}#nonsense")
+    expect(page.locator("#problem")).to_contain_text("The link is damaged")
+
+
+def test_a_failed_begin_changes_nothing(page: Page) -> None:
+    """The message stands on the start page, and the next one works."""
+    page.fill("#new [name=clock]", "2026-13-21T05:59:30")
+    page.click("#new >> text=Begin")
+    expect(page.locator("#problem")).to_contain_text("field clock: expected")
+    expect(page.locator("#desk")).to_be_hidden()
+    page.fill("#new [name=clock]", "2026-11-21T05:59:30")
+    page.click("#new >> text=Begin")
+    expect(page.locator("#undo")).to_be_disabled()
+
+
+def test_the_clock_over_a_point_under_a_delay_without_ob_80(page: Page) -> None:
+    """What happens? Answered by one entry and three clicks."""
+    page.fill("#new [name=obs]", "1 10 20 40 85")
+    page.click("#new >> text=Begin")
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    page.click("#possible >> text=/clock to=2026-11-21T06:00:00.001/")
+    expect(page.locator("#possible")).to_contain_text("stop cause=W#16#4568")
+    expect(page.locator("#situation")).to_contain_text("STOP")
+    expect(page.locator("#impossible")).to_contain_text("start ob=10")
+    assert page.evaluate("document.activeElement.closest('#possible') !== null")
+
+
+def test_a_call_is_answered_by_its_operands(page: Page) -> None:
+    """Other operands, other answers."""
+    page.click("#new >> text=Begin")
+    call = page.locator("details.call", has_text="SRT_DINT")
+    call.locator("summary").click()
+    call.locator("[name=ob]").fill("20")
+    call.locator("[name=dtime]").fill("0")
+    expect(call.locator(".answers")).to_contain_text("ret=W#16#8091")
+
+
+def test_another_cpu_and_why_not(page: Page) -> None:
+    """The comparison with another CPU, and the reason why a line of one's own may not come."""
+    paste(page, REJECTED)
+    page.select_option("#compare [name=cpu]", "S7-300")
+    page.click("#compare >> text=Compare")
+    expect(page.locator("#sides h3")).to_have_count(1)
+    page.click("#why >> text=Why not?")
+    expect(page.locator("#because")).to_contain_text("No. Possible:")
+
+
+def test_a_link_holds_all_branches(page: Page) -> None:
+    """Also in a browser that knows nothing."""
+    page.click("#new >> text=Begin")
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    page.click("#branch")
+    expect(page.locator("#branches .tab")).to_have_count(2)
+    page.wait_for_function("history.state.position === 2")
+    address = page.url
+    page.goto("about:blank")
+    page.goto(address)
+    expect(page.locator("#branches .tab")).to_have_count(2)
+    expect(page.locator("#situation")).to_contain_text("1 DIS_AIRT not taken back")
+
+
+def test_a_saved_log_is_the_log(page: Page) -> None:
+    """Byte for byte its lines, under a name with one ending."""
+    paste(page, REJECTED)
+    with page.expect_download() as download:
+        page.click("#save")
+    assert download.value.suggested_filename == "pasted.ndjson"
+    assert Path(download.value.path()).read_text() == f"{REJECTED}\n"
+
+
+def test_the_keys_go_from_line_to_line(page: Page) -> None:
+    """In the timeline the focus goes with them."""
+    paste(page, REJECTED)
+    page.locator("#timeline [aria-current=true]").focus()
+    page.keyboard.press("ArrowLeft")
+    expect(page.locator("#timeline [aria-current=true]")).to_contain_text("start OB 40")
+    expect(page.locator("#timeline [aria-current=true]")).to_be_focused()
+
+
+def test_the_engine_starts_anew_when_it_was_stopped(page: Page) -> None:
+    """It says so, and answers again."""
+    paste(page, REJECTED)
+    expect(page.locator("#verdict")).to_contain_text("rejected")
+    page.evaluate("document.getElementById('stop').onclick()")
+    page.click("#home")
+    paste(page, REJECTED)
+    expect(page.locator("#verdict")).to_contain_text("rejected")
+    expect(page.locator("#problem")).to_be_hidden()
+
+
+def test_only_what_is_in_view_is_drawn(page: Page) -> None:
+    """A long log has as many elements as a short one."""
+    paste(page, "\n".join([json.dumps(HEADER), *[json.dumps({"event": "DIS_AIRT", "ret": None, "at": AT})] * 3000]))
+    expect(page.locator("#verdict")).to_contain_text("accepted")
+    assert page.locator("#lines button, #timeline button").count() < 100
+
+
+def test_the_page_answers_as_the_engine_in_java(page: Page) -> None:
+    """Each twelfth case, the whole answers. `s7spec logs engines --page` compares all."""
+    with Engine(jvm_command) as java:
+        for case in CASES[::EACH]:
+            log = b"\n".join(case.lines)
+            java.begin(follow=1)
+            java.send(log)
+            assert judged_in(page, log) == java.finish(), case.id
