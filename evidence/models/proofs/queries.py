@@ -8,7 +8,7 @@ so that none is forgotten; models/proofs.json lists the exceptions from the clai
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -67,19 +67,15 @@ def _short(letters: str) -> str:
     return letters.replace("AMB-", "").replace(" ", "").replace(",", "-")
 
 
-class Mutant(msgspec.Struct, forbid_unknown_fields=True):
-    """A negative control of models/controls.txt: with its change the formula no longer holds of the action."""
+@dataclass(frozen=True)
+class Mutant:
+    """A negative control of models/controls.txt: with its change the formula no longer holds.
+
+    `of` is the action, or the query about an abstract specification, of which it held.
+    """
 
     control: str
-    action: str
-    formula: str
-
-
-class ClaimMutant(msgspec.Struct, forbid_unknown_fields=True):
-    """A negative control of models/controls.txt: with its change the formula no longer holds in the query `claim`."""
-
-    control: str
-    claim: str
+    of: str
     formula: str
 
 
@@ -200,9 +196,11 @@ class ProofsFile(msgspec.Struct, forbid_unknown_fields=True):
     """By the first word of the names of their queries."""
     letters: Letters
     not_proved: list[NotProved]
-    mutants: list[Mutant]
+    mutants: dict[str, list[str]]
+    """By action the controls, each with the formula behind it where that is not the property of the control."""
     claims: list[Claim]
-    claim_mutants: list[ClaimMutant]
+    claim_mutants: dict[str, list[str]]
+    """The same by the name of a claim."""
 
 
 @dataclass(frozen=True)
@@ -290,7 +288,8 @@ def load(root: Path) -> Proofs:
     formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
     refined = {formula for refinement in file.refinements.values() for formula in refinement.steps}
     models = _models(root / MODELS)
-    changes = {m.name: tuple(m.mutate) if isinstance(m.mutate, list) else (m.mutate,) for m in models.values()}
+    changes = {model.name: tuple(model.mutate) for model in models.values()}
+    mutants, claim_mutants = (tuple(_mutants(listed, models)) for listed in (file.mutants, file.claim_mutants))
     joined = [action for some in file.induction.together.values() for action in some]
     if len(joined) != len(set(joined)) or not set(joined) <= set(actions):
         raise ManifestError(f"{path}: induction.together: expected actions of System, each once")
@@ -302,18 +301,20 @@ def load(root: Path) -> Proofs:
             raise ManifestError(f"{path}: {action} is no action of System")
         if formula not in formulas | refined:
             raise ManifestError(f"{path}: {formula} is neither a property of steps nor an invariant")
-    for mutant in file.mutants:
-        if mutant.action not in actions or mutant.formula not in formulas | stated | refined:
+    for mutant in mutants:
+        if mutant.of not in actions or mutant.formula not in formulas | stated | refined:
             raise ManifestError(f"{path}: mutants: expected an action and a property, not {mutant}")
         if not changes.get(mutant.control):
             raise ManifestError(f"{path}: mutants: {mutant.control} is no control of {MODELS} that changes a module")
     named_claims = {claim.name for claim in file.claims}
-    for changed in file.claim_mutants:
-        if changed.claim not in named_claims:
+    for changed in claim_mutants:
+        if changed.of not in named_claims:
             raise ManifestError(f"{path}: claim_mutants: expected the name of a claim, not {changed}")
         if not changes.get(changed.control):
             raise ManifestError(f"{path}: claim_mutants: {changed.control} is no control of {MODELS}")
-    proofs = Proofs(file, tuple(_queries(file, actions, steps, states, changes)), actions, steps, states)
+    proofs = Proofs(
+        file, tuple(_queries(file, actions, steps, states, changes, (mutants, claim_mutants))), actions, steps, states
+    )
     for glob, places in file.induction.divided.items():
         matched = any(query.divided and fnmatchcase(query.name, glob) for query in proofs.queries)
         if not matched or places != sorted(set(places)) or places[0] < 1:
@@ -333,6 +334,14 @@ def _models(path: Path) -> dict[str, Entry]:
         return {entry.name: entry for entry in read(path).entries}
     except ModelsError as error:
         raise ManifestError(str(error)) from error
+
+
+def _mutants(listed: dict[str, list[str]], models: dict[str, Entry]) -> Iterator[Mutant]:
+    for of, controls in listed.items():
+        for text in controls:
+            control, _, formula = text.partition(" ")
+            own = models[control].expect.property if control in models else ""
+            yield Mutant(control, of, formula or own or "")
 
 
 def _shows(model: Entry | None, cell: NotProved) -> bool:
@@ -373,7 +382,9 @@ def _queries(
     steps: dict[str, tuple[str, ...]],
     states: dict[str, tuple[str, ...]],
     changes: dict[str, tuple[Mutation, ...]],
+    changed_rules: tuple[tuple[Mutant, ...], ...],
 ) -> list[Query]:
+    mutants, claim_mutants = changed_rules
     base = file.induction
     left = {(cell.action, cell.formula) for cell in file.not_proved if not cell.letter}
     anywhere = Query(
@@ -477,25 +488,25 @@ def _queries(
     of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
         replace(
-            one(mutant.action, in_its_world(of.get(mutant.formula, anywhere), mutant.action, mutant.formula)),
+            one(mutant.of, in_its_world(of.get(mutant.formula, anywhere), mutant.of, mutant.formula)),
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),
             mutations=changes[mutant.control],
         )
-        for mutant in file.mutants
+        for mutant in mutants
     ]
     claims = {claim.name: _claim(claim, base.timeout) for claim in file.claims}
     changed = [
         replace(
-            claims[mutant.claim],
+            claims[mutant.of],
             name=f"mutant-{mutant.control.removeprefix('neg-')}",
             kind="mutant",
             formulas=(mutant.formula,),
             expect="violated",
             mutations=changes[mutant.control],
         )
-        for mutant in file.claim_mutants
+        for mutant in claim_mutants
     ]
     return [*queries, *changed, *claims.values()]
 

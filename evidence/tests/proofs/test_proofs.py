@@ -170,9 +170,11 @@ def test_mutants_of_the_abstract_specifications(proofs: Proofs) -> None:
     claims = {query.name: query for query in proofs.queries if query.kind == "claim"}
     mutants = {q.name: q for q in proofs.queries if q.kind == "mutant" and not q.actions}
     assert {query.module for query in mutants.values()} == {"APLock", "APLife", "APFates"}
-    for mutant in proofs.file.claim_mutants:
-        query, claim = mutants[f"mutant-{mutant.control.removeprefix('neg-')}"], claims[mutant.claim]
-        assert (query.init, query.length, query.formulas) == (claim.init, claim.length, (mutant.formula,))
+    listed = [(of, text.split()) for of, controls in proofs.file.claim_mutants.items() for text in controls]
+    for of, (control, *formula) in listed:
+        query, claim = mutants[f"mutant-{control.removeprefix('neg-')}"], claims[of]
+        assert (query.init, query.length, len(query.formulas)) == (claim.init, claim.length, 1)
+        assert not formula or query.formulas == (*formula,)
         text, unchanged = texts(ROOT, query)[0], texts(ROOT, dataclasses.replace(query, mutations=()))[0]
         assert query.expect == "violated"
         assert text != unchanged
@@ -407,7 +409,7 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"not_proved": [{"action": "Nothing", "formula": "EndProp", "tried": "ten characters"}]}, "no action"),
         ({"not_proved": [{"action": "EndsOb", "formula": "NoProp", "tried": "ten characters"}]}, "neither a property"),
         ({"not_proved": [{"action": "EndsOb", "formula": "EndProp", "tried": "no"}]}, "tried"),
-        ({"mutants": [{"control": "neg-airt-en-ends-all", "action": "EndsOb", "formula": "No"}]}, "a property"),
+        ({"mutants": {"EndsOb": ["neg-airt-en-ends-all No"]}}, "a property"),
         (
             {
                 "not_proved": [
@@ -424,14 +426,14 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
             },
             "no model letter-49b-EndProp",
         ),
-        ({"mutants": [{"control": "airt", "action": "EndsOb", "formula": "EndProp"}]}, "airt is no control"),
+        ({"mutants": {"EndsOb": ["airt EndProp"]}}, "airt is no control"),
         ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected a glob"),
         ({"induction": {"divided": {"StartsOb": [3, 2]}}}, "induction.divided: StartsOb: .* numbers above 0 in order"),
         (
-            {"claim_mutants": [{"control": "neg-lock-alone-ends-in-hold", "claim": "no", "formula": "EndStep"}]},
+            {"claim_mutants": {"no": ["neg-lock-alone-ends-in-hold EndStep"]}},
             "a claim",
         ),
-        ({"claim_mutants": [{"control": "lock-alone", "claim": "lock-steps", "formula": "EndStep"}]}, "no control"),
+        ({"claim_mutants": {"lock-steps": ["lock-alone EndStep"]}}, "no control"),
     ],
 )
 def test_a_wrong_manifest(tmp_path: Path, change: dict[str, Any], said: str) -> None:
