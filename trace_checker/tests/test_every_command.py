@@ -9,6 +9,9 @@ import click
 import pytest
 
 from s7check import cli
+from s7check.engine import pool
+from s7check.engine.client import Engine
+from s7check.judging import workers
 from s7check.kit.program import read_program
 from s7check.resources import FailedError
 from tests.logs import HEADER, event, log_text
@@ -65,6 +68,15 @@ def run(arguments: Sequence[str]) -> int:
     return code if isinstance(code, int) else 0
 
 
+@pytest.fixture(autouse=True)
+def _one_engine(real_engine: Engine, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All commands have the same warm engine: most of the time would go into starting others."""
+    monkeypatch.setattr(workers, "_processors", lambda: 1)
+    monkeypatch.setattr(pool, "take", lambda: real_engine)
+    monkeypatch.setattr(pool, "give_back", lambda _: None)
+    monkeypatch.setattr(real_engine, "__exit__", lambda *_: None, raising=False)
+
+
 @pytest.fixture(scope="module")
 def logs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Shipped logs of all areas and verdicts, one of each imported kind, one with fields of its own."""
@@ -73,6 +85,7 @@ def logs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
         arguments = [str(IMPORTED / part) if (IMPORTED / part).is_file() else part for part in shlex.split(source)]
         assert run(["import", *arguments, "-o", str(folder / f"imported-{number}.ndjson")]) == 0
     (folder / "own-fields.ndjson").write_bytes(OWN_FIELDS)
+    (folder / "none.ndjson").write_bytes(b"")
     return [TRACES / case.file for case in CASES[::SPREAD]] + sorted(folder.iterdir())
 
 

@@ -11,6 +11,9 @@ from s7check.asking.variants import Variant
 from s7check.engine.answer import Situation
 from s7check.engine.client import Engine
 
+SHARE = 16
+"""Explanations of a log that are asked for each line: one that leaves kinds of event out may have hundreds."""
+
 
 @dataclass(frozen=True)
 class NextAnswer:
@@ -50,13 +53,13 @@ def what_is_next(engine: Engine, prefix: Prefix, others: Iterable[Variant]) -> N
     message = "after this line"
     if refusal is not None:
         message = "after this line; the next line of the log is not possible (--why says why)"
-    possible = session.possible()
+    possible = session.possible(most=SHARE)
     columns: dict[str, Possible] = {}
     broken: dict[str, str] = {}
     for variant in others:
         other, stopped = session.under(variant.of(session.header))
         if stopped is None:
-            columns[variant.name] = other.possible()
+            columns[variant.name] = other.possible(most=SHARE)
         else:
             number = prefix.events[len(other.lines)][0]
             broken[variant.name] = f"line {number} is not possible: {', '.join(stopped.requirements)}"

@@ -29,6 +29,7 @@ def to_json(answer: NextAnswer) -> str:
                 if time.due
             ],
             "endless": answer.possible.endless,
+            "whole": answer.possible.whole,
             "possible": [_line(line, times) for line in answer.possible.lines],
             "columns": answer.columns,
             "differences": [

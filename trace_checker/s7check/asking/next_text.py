@@ -13,6 +13,9 @@ from s7check.report.expected import format_allowed
 from s7check.report.report import clause_text
 
 _SHOWN = 3
+_ONLY_SOME = (
+    "the log has very many explanations, of which some were asked: more lines may be possible than these"
+)
 
 
 def to_text(answer: NextAnswer) -> str:
@@ -27,6 +30,8 @@ def _lines(answer: NextAnswer) -> Iterator[str]:
         yield _heading("now" if several == 1 else f"now, explanation {number} of {several}")
         yield from (f"    {topic}: {text}" for topic, text in words.situation(state))
     yield from _due(answer)
+    if not answer.possible.whole:
+        yield f"  {_ONLY_SOME}"
     found = rows(answer.possible)
     yield from _table("may come", [row for row in found if not row.event.isupper()])
     yield from _table("may be called", [row for row in found if row.event.isupper()])
