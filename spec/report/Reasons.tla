@@ -349,6 +349,7 @@ LateRequirement(r, past) ==
       [] r.ob \in TodObs             -> LateTod(r, past)
       [] r.ob = TimeErrorOb          ->
            {"OBS-30"} \cup OfFault(r.fault, r.cause) \cup HeldBack(r, past)
+             \cup When(r.fault = StillRunning, ComesAgain(past, r.cause))
              \cup When(LastOf(past, {"hold"}) > LastStart(past, r.ob),
                        {"OBS-45"})
       [] r.ob = ProgramErrorOb       ->

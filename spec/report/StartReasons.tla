@@ -319,6 +319,13 @@ OfFault(fault, cause) ==
                                      \cup When(cause \in DintObs, {"DINT-10"})
       [] OTHER                  -> {}
 
+(* The OB runs, and the clock was set back since: whether its point comes  *)
+(* again decides whether it is still in process.                           *)
+\* @type: (Seq($event), Int) => Set(Str);
+ComesAgain(past, o) ==
+    When(o \in TodObs /\ ClockWasSet(past, LastStart(past, o)) < 0,
+         SinceClock(past, LastStart(past, o)))
+
 (* The fault in the line decides; without a fault, the lines before it. *)
 \* @type: ($event, Seq($event)) => Set(Str);
 NoTimeError(e, past) ==
@@ -330,6 +337,9 @@ NoTimeError(e, past) ==
         ELSE {"OBS-30"}
           \cup UNION { OfFault(fault, stack[i].ob) : i \in DOMAIN stack }
           \cup OfFault(fault, 0)
+          \cup When(fault = StillRunning,
+                    UNION { ComesAgain(past, stack[i].ob)
+                            : i \in DOMAIN stack })
           \cup When(LostMeanwhile(past, TimeErrorOb), {"OBS-33", "IRT-04"})
           \cup When(fault = -1 /\ set > last, {"CLK-02", "OBS-32"})
           \cup When(fault \in {-1} \cup Skips /\ release > last, {"OBS-46"})

@@ -1,0 +1,119 @@
+"""The requirement that a rejection cites first: the one that somebody who knows the manual would name."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from s7check import cli
+from s7check.report.report import Report
+from tests.logs import log_text
+
+HEADER: dict[str, Any] = {
+    "format": "s7-interrupt-log/1",
+    "cpu": "S7-400",
+    "obs": [1, 10, 20, 35, 40, 80, 82, 85, 100],
+    "clock": "2026-11-21T08:00",
+    "mode": "RUN",
+    "cycle": True,
+}
+ALL_KINDS = {"records": ["call", "ob", "clock", "mode", "interrupt", "load", "diag"]}
+S7_300 = {"cpu": "S7-300"}
+WITHOUT_OB_80 = {"obs": [1, 10, 85, 100]}
+
+
+def on(time: str, name: str, **fields: object) -> dict[str, Any]:
+    """An event at a minute and a second after eight."""
+    return {"event": name, "at": f"2026-11-21T08:{time}", **fields}
+
+
+EVERY_MINUTE = [
+    on("00:01", "SET_TINT", ob=10, sdt="2026-11-21T08:01", period="W#16#0201", ret=0),
+    on("00:01", "ACT_TINT", ob=10, ret=0),
+]
+RUN_OF_POINT = [*EVERY_MINUTE, on("01:00", "start", ob=10), on("01:00", "end", ob=10)]
+SET_BACK = on("01:01", "clock", to="2026-11-21T08:00:30")
+SET_FORWARD = on("00:03", "clock", to="2026-11-21T08:05:03")
+DELAYED = on("00:02", "DIS_AIRT", ret=1)
+
+
+def blocked(mode: str, ob: int) -> dict[str, Any]:
+    """A DIS_IRT that works."""
+    return on("00:01", "DIS_IRT", mode=mode, ob=ob, ret=0)
+
+
+@pytest.mark.parametrize(
+    ("header", "lines", "first"),
+    [
+        # Delayed like any other: OB 80 of a time error, an OB 82.
+        ({}, [*EVERY_MINUTE, DELAYED, SET_FORWARD, on("05:03", "start", ob=80)], "AIRT-09"),
+        ({}, [DELAYED, on("00:03", "interrupt", ob=82), on("00:03", "start", ob=82)], "AIRT-09"),
+        # The clock was set back in RUN: no mode has changed, and the point was served.
+        ({}, [*RUN_OF_POINT, SET_BACK, on("01:00", "start", ob=10)], "CLK-09"),
+        (S7_300, [*RUN_OF_POINT, SET_BACK, on("01:01", "EN_AIRT", ret="W#16#8080")], "CLK-10"),
+        # Entries: of a missing OB for synchronous errors, of a time error with a wrong field, of a blocked OB.
+        ({}, [on("00:01", "diag", id="W#16#4562")], "OBS-27"),
+        (
+            ALL_KINDS,
+            [*EVERY_MINUTE, SET_FORWARD, on("05:03", "diag", id="W#16#3505", info={"error_info": "W#16#0002"})],
+            "CLK-06",
+        ),
+        (
+            ALL_KINDS,
+            [blocked("B#16#82", 80), on("00:01", "diag", id="W#16#5380"), on("00:01", "diag", id="W#16#3502")],
+            "IRT-09",
+        ),
+        # A STOP by rule.
+        (WITHOUT_OB_80, [*EVERY_MINUTE, SET_FORWARD, on("05:03", "start", ob=10)], "OBS-22"),
+        # What blocks the OB: everything, with what MODE adds; what enables one alone.
+        (
+            {},
+            [
+                blocked("B#16#00", 0),
+                on("00:01", "EN_IRT", mode="B#16#02", ob=40, ret=0),
+                on("00:02", "interrupt", ob=35),
+                on("00:02", "start", ob=35),
+            ],
+            "IRT-06",
+        ),
+        ({}, [blocked("B#16#82", 40), on("00:02", "interrupt", ob=40), on("00:02", "start", ob=40)], "IRT-09"),
+        # Start information.
+        (
+            {},
+            [
+                on("00:01", "SRT_DINT", ob=20, dtime=100, sign=7, ret=0),
+                on("00:01.100", "start", ob=20, info={"sign": 8}),
+            ],
+            "DINT-03",
+        ),
+    ],
+)
+def test_first(
+    header: dict[str, Any], lines: list[dict[str, Any]], first: str, tmp_path: Path, judge: Callable[[Path], Report]
+) -> None:
+    """The last line is rejected, and the requirement stands first."""
+    log = tmp_path / "log.ndjson"
+    log.write_bytes(log_text(*lines, header=HEADER | header))
+    report = judge(log)
+    assert (report.verdict, report.line) == ("rejected", len(lines) + 1), report
+    assert report.requirements[0] == first
+    assert f"({first})" in report.why
+
+
+def test_wrong_fields_are_named(tmp_path: Path, judge: Callable[[Path], Report]) -> None:
+    """The field of an entry and of a start, and what it has to be."""
+    log = tmp_path / "log.ndjson"
+    wrong = on("05:03", "diag", id="W#16#3505", info={"error_info": "W#16#0002"})
+    log.write_bytes(log_text(*EVERY_MINUTE, SET_FORWARD, wrong, header=HEADER | ALL_KINDS))
+    report = judge(log)
+    assert "diag ob=80 error_info=16#0001" in report.expected
+    assert "cannot have error_info 16#0002" in report.why
+
+
+def test_two_families(capsys: pytest.CaptureFixture[str]) -> None:
+    """What tells an S7-300 from an S7-400 is whether a point comes again once the clock is set back."""
+    assert cli.main(["distinguish", "--cpu", "S7-300", "--cpu", "S7-400", "--budget", "0", "--pairs", "1"]) == 0
+    said = capsys.readouterr().out
+    assert "cpu S7-300 allows it: CLK-10" in said
+    assert "CLK-09" in said.partition("cpu S7-400 does not")[2]
