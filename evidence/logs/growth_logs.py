@@ -105,6 +105,28 @@ def blocked_for_years(years: int) -> Log:
     return book.log
 
 
+def delayed_for_years(years: int) -> Log:
+    """A minute interrupt of an S7-400, which remembers served points, waits for years."""
+    book = Book(10, 80, 85, cpu="S7-400")
+    book.each_minute(10)
+    book.call("DIS_AIRT", ret="16#0001")
+    book.now = years * 365 * 1440 * MINUTE
+    book.call("EN_AIRT")
+    book.add("start", ob=10)
+    return book.log
+
+
+def passed_in_startup(days: int) -> Log:
+    """Eight minute interrupts that STEP 7 sets, on an S7-400 that stays in STARTUP for days."""
+    each_minute = {"execution": "minute", "start": "2026-11-21T05:00", "active": True}
+    tods = {str(ob): each_minute for ob in TIME_OF_DAY}
+    book = Book(*TIME_OF_DAY, 80, 85, cpu="S7-400", mode="STARTUP", step7={"tod": tods})
+    book.now = days * 1440 * MINUTE
+    book.add("run")
+    book.run(10)
+    return book.log
+
+
 def passed_for_years(years: int) -> Log:
     """A minute interrupt whose points all pass in STARTUP, for years."""
     book = Book(10, 80, 85, mode="STARTUP")
@@ -245,6 +267,36 @@ def synchronised(events: int) -> Log:
     return book.log
 
 
+def overruns(count: int) -> Log:
+    """Nine cyclic OBs are requested over and over, and may start up to a minute later."""
+    book = Book(80, 85, *CYCLIC, latency_ms=MINUTE)
+    for _ in range(count):
+        book.now += 100
+        for ob in CYCLIC:
+            book.add("interrupt", ob=ob)
+    return book.log
+
+
+def missing_time_error_ob(count: int) -> Log:
+    """Two OBs are requested over and over, may start up to a minute later, and OB 80 is missing."""
+    book = Book(35, 40, 85, latency_ms=MINUTE)
+    for number in range(count):
+        book.now += 5
+        book.add("interrupt", ob=(40, 35)[number % 2])
+    return book.log
+
+
+def set_in_startup(count: int) -> Log:
+    """The clock of an S7-400 is set a day to and fro in STARTUP."""
+    book = Book(10, 80, 85, mode="STARTUP", cpu="S7-400")
+    book.each_minute(10)
+    for number in range(count):
+        book.now += 1000
+        book.set_clock((-1) ** number * 1440 * MINUTE)
+    book.add("run")
+    return book.log
+
+
 def missing_again(count: int) -> Log:
     """OB 85 reports OB 20, which is missing, and starts its delay again."""
     book = Book(80, 85)
@@ -363,6 +415,8 @@ def kinds() -> Iterator[Kind]:
     """All of them."""
     yield Kind("ten lines", small, 1, 1, 2, 3)
     yield Kind("minute interrupt blocked, unblocked years later", blocked_for_years, 1, 16, 2, 3)
+    yield Kind("S7-400, minute interrupt delayed by SFC 41 for years", delayed_for_years, 1, 5, 8, 20)
+    yield Kind("S7-400, 8 minute interrupts in STARTUP for days", passed_in_startup, 1, 30, 8, 20)
     yield Kind("minute interrupt in STARTUP for years", passed_for_years, 1, 16, 8, 9)
     yield Kind("asynchronous errors in one millisecond", errors_at_once, 8, 16, 260, 40)
     yield Kind("OBs of one class in one millisecond", one_class_at_once, 8, 17, 260, 40)
@@ -379,6 +433,9 @@ def kinds() -> Iterator[Kind]:
     yield Kind("recorded: interrupt", recorded("interrupt"), 1000, LONG, 8, 9, long=True)
     yield Kind("recorded: nothing", recorded(), 1000, LONG, 8, 9, long=True)
     yield Kind("S7-400, clock synchronised once a minute", synchronised, 1000, LONG, 8, 9, long=True)
+    yield Kind("latency of a minute, 9 cyclic OBs again and again", overruns, 4, 33, 8, 3)
+    yield Kind("latency of a minute, OB 80 missing", missing_time_error_ob, 30, 120, 400, 100)
+    yield Kind("S7-400, clock set a day to and fro in STARTUP", set_in_startup, 20, 60, 60, 80)
     yield Kind("missing OB 20, started again by OB 85", missing_again, 50, 100, 8, 9)
     yield Kind("a missing OB in one millisecond", missing_at_once(0, 40), 4, 16, 1100, 180)
     yield Kind("a missing OB each millisecond", missing_at_once(1, 40), 4, 9, 1100, 220)

@@ -181,6 +181,30 @@ MissedInOrder(r) ==
     MissingNoticedWhenDue \/ StopsTheCpu(r) \/ HighestFirst(r)
 
 -----------------------------------------------------------------------------
+(* Open requests of one OB *)
+
+(* A start event from outside on which only its own start depends. *)
+\* @type: $request => Bool;
+Outside(r) == r.ob \in ExternalObs /\ r.late = {} /\ r.follows = 0
+
+\* @type: $request => $request;
+Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
+
+(* Of open requests that differ only in their moment and place the first   *)
+(* and the last are enough: behind the first all others still wait, and    *)
+(* may do nothing; behind the last none of them does.                      *)
+\* @type: Set($request) => Set($request);
+FirstAndLast(q) ==
+    LET many == { r \in q : r.open /\ Outside(r) }
+    IN  IF Cardinality(many) < 3 THEN q
+        ELSE (q \ many)
+               \cup UNION { LET alike == { r \in many : Kind(r) = kind }
+                            IN  { r \in alike :
+                                    \/ \A s \in alike : r.rank <= s.rank
+                                    \/ \A s \in alike : s.rank <= r.rank }
+                            : kind \in { Kind(r) : r \in many } }
+
+-----------------------------------------------------------------------------
 (* Missing OBs, where nobody knows which start events wait (Merging)  *)
 
 (* [OBS-20] Missing OBs that may have a request. OB 85 may come for each   *)
@@ -250,7 +274,7 @@ MissingOpenly(r) ==
                        runVars>>
 
 FindMissing ==
-    \/ \E r \in MissingNow \ PerhapsMissing :
+    \/ \E r \in FirstAndLast(MissingNow \ PerhapsMissing) :
          /\ MissedInOrder(r)
          /\ IF OwnOb85IsOpen(r) THEN MissingOpenly(r)
             ELSE Missing(r) \/ ReportedByTheSame(r)
@@ -280,6 +304,19 @@ Repeats(o) ==
              /\ has(TimeErrorOb, o, StillRunning)
              /\ has(TimeErrorOb, o, BufferOverflow)
 
+(* The minutes from point to point; 0 where they are not always as many.   *)
+\* @type: $tod => Int;
+MinutesBetween(t) ==
+    CASE SeriesOf(t.period) = Minutely  -> 1
+      [] SeriesOf(t.period) = Hourly    -> 60
+      [] SeriesOf(t.period) = Daily     -> MinutesADay
+      [] SeriesOf(t.period) \in Weekly -> 7 * MinutesADay
+      [] OTHER                          -> 0
+
+(* All points up to a moment can be served in one step [CLK-09].           *)
+\* @type: Int => Bool;
+MayServeAll(o) == ~Remembers \/ MinutesBetween(tod[o]) > 0
+
 (* [IRT-04] [AMB-35] The OBs whose next points have no effect: the start   *)
 (* event is lost without an entry, deferred in STARTUP to a run that waits *)
 (* already, or added to endless requests. There may be millions of them    *)
@@ -290,15 +327,26 @@ PassedOver ==
              /\ tod[o].active /\ ~HasOnePoint(tod[o].period)
              /\ clock.min > tod[o].repeatTo /\ ~tod[o].held
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
-                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ ~Remembers
-                \/ Repeats(o) /\ ~Remembers }
+                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ MayServeAll(o)
+                \/ Repeats(o) /\ MayServeAll(o) }
 
-(* The setting when all its points before moment m are over.               *)
-\* @type: ($tod, $moment) => $tod;
-PassedUntil(t, m) ==
-    IF ~Before(NextMoment(t), m) THEN t
-    ELSE [t EXCEPT !.next =
-            PointFrom(t, IF m.ms > t.offset THEN m.min + 1 ELSE m.min)]
+(* The points from the next one up to point p are served.                  *)
+\* @type: ($tod, Int) => $tod;
+ServedTo(t, p) ==
+    [ Served(t, t.next) EXCEPT
+        !.served = { IF i.to = t.next THEN [i EXCEPT !.to = p] ELSE i
+                     : i \in @ } ]
+
+(* The setting of OB o when all its points before moment m are over.       *)
+\* @type: (Int, $moment) => $tod;
+PassedUntil(o, m) ==
+    LET t    == tod[o]
+        from == IF m.ms > t.offset THEN m.min + 1 ELSE m.min
+        step == MinutesBetween(t)
+        last == t.next + ((from - 1 - t.next) \div step) * step
+        over == IF Blocked(o) \/ ~Remembers THEN t ELSE ServedTo(t, last)
+    IN  IF ~Before(NextMoment(t), m) THEN t
+        ELSE [over EXCEPT !.next = PointFrom(t, from)]
 
 \* @type: $moment => Bool;
 PassesNoOther(t) ==
@@ -313,7 +361,7 @@ PassesOver(t, d) ==
     /\ Before(clock, t) /\ PassesNoOther(t) /\ PassesNoDelay(d)
     /\ clock' = t
     /\ tod' = [ o \in DOMAIN tod |->
-                  IF o \in PassedOver THEN PassedUntil(tod[o], t) ELSE tod[o] ]
+                  IF o \in PassedOver THEN PassedUntil(o, t) ELSE tod[o] ]
     /\ dint' = JobsAfter(d)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, irt, outcomeVars, runVars>>

@@ -115,7 +115,8 @@ IsStart(e) ==
            /\ StartupStarts(e.ob)
       [] e.ob \in SyncErrorObs -> ErrorObStarts(e.ob) /\ FitsFailed(e)
       [] OTHER ->
-           \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e) } :
+           \E r \in FirstAndLast({ q \in requests :
+                                  q.ob = e.ob /\ FitsRequest(q, e) }) :
              HighestFirst(r) /\ IF Endless(r) THEN StartsAgain(r) ELSE Start(r)
 
 (* [OBS-61] An error OB starts, and its error is unseen.                   *)

@@ -21,11 +21,8 @@ EXTENDS Modes, Elapsing
 -----------------------------------------------------------------------------
 (* Many open requests of one OB *)
 
-(* Up to so many equal requests are kept apart. *)
-Few == 8
-
-\* @type: $request => $request;
-Kind(r) == [AsItCame(r) EXCEPT !.since = At(0)]
+(* Up to so many equal requests are kept apart: fewer where many wait.     *)
+Few == IF Cardinality(requests) > 40 THEN 1 ELSE 8
 
 \* @type: $request => Bool;
 MayRepeat(r) == /\ r.open /\ r.ob \in loaded
@@ -46,7 +43,7 @@ FirstOf(crowd) == CHOOSE r \in crowd : \A s \in crowd : r.rank <= s.rank
 \* @type: Set($request) => $request;
 OneFor(crowd) == [FirstOf(crowd) EXCEPT !.since = NoMoment]
 
-Crowded == Cardinality(requests) > Few
+Crowded == Cardinality(requests) > 8
 
 Crowd ==
     LET crowds == { CrowdOf(k) : k \in { Kind(r) : r \in requests } } \ {{}}
@@ -65,10 +62,6 @@ Crowd ==
 
 -----------------------------------------------------------------------------
 (* Explanations that differ in their waiting start events *)
-
-(* A start event from outside on which only its own start depends. *)
-\* @type: $request => Bool;
-Outside(r) == r.ob \in ExternalObs /\ r.late = {} /\ r.follows = 0
 
 Others == { r \in requests : ~Outside(r) }
 
@@ -172,7 +165,8 @@ Meet(all) ==
         latest(r) ==
           LET know == { w \in all : r \in DOMAIN w.arrivals }
               came == { w.arrivals[r] : w \in know }
-          IN  CHOOSE m \in came : \A n \in came : ~Before(m, n)
+          IN  IF came = {} THEN up
+              ELSE CHOOSE m \in came : \A n \in came : ~Before(m, n)
         \* Waits that have begun in all explanations go on under a delay.
         goOn == { c \in { WaitsAs(r) : r \in { q \in requests' :
                                             MayGoOnWaiting(q)' } } :
