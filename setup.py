@@ -15,7 +15,12 @@ from setuptools.errors import ExecError
 from setuptools.modified import newer_group
 
 SPECIFICATION = Path("spec")
-RULES = ("docs/rules/requirements.md", "docs/rules/readings.md")
+RULES = (
+    "docs/rules/requirements.md",
+    "docs/rules/requirements-s7-1500.md",
+    "docs/rules/readings.md",
+    "docs/rules/differences-s7-1500.txt",
+)
 KNOWN = ("kit/differences.ndjson", "kit/experiments.ndjson")
 ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"

@@ -30,28 +30,58 @@ MCReadingSets ==
 -----------------------------------------------------------------------------
 
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
-Numbers == { "AMB-" \o d \o e : d, e \in Digits }
+Numbers == { p \o d \o e : p \in {"AMB-", "A15-"}, d, e \in Digits }
 
-(* 87 questions, a row each, of which no formula asks five. A default is  *)
+(* 87 questions and 24 about the S7-1500, a row each, of which no formula  *)
+(* asks four and ten. A default is                                         *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
-    /\ Cardinality(Questions) = 87
-    /\ Cardinality({ q[1] : q \in Questions }) = 87
+    /\ Cardinality(Questions) = 87 + 24
+    /\ Cardinality({ q[1] : q \in Questions }) = 87 + 24
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 87 - 5
+    /\ Cardinality(Ambiguities) = 87 - 4 + 24 - 10
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
          /\ p[2] \in Letters(p[1]) \/ p = <<"AMB-06", "delay">>
     /\ Profile("") = {}
 
-(* [OBS-04] [OBS-05] [AMB-65] [AMB-73] [CLK-09] [CLK-10] An S7-300, and    *)
-(* the two other families, which differ in nothing here.                   *)
-FamiliesAgree ==
-    /\ FamilyNames = {"S7-300", "S7-400", "CPU 318"}
-    /\ Cardinality(KnownFamilies) = 3
+(* An S7-1500, and that the others have none of its facts.                 *)
+ModernAgrees ==
     /\ \A f \in KnownFamilies :
+         LET isS71500 == f.name = "S7-1500"
+         IN  /\ f.byKind <=> isS71500
+             /\ f.raises <=> ~isS71500
+             /\ f.inherits <=> ~isS71500
+             /\ f.stops <=> ~isS71500
+             /\ f.heldBack = IF isS71500 THEN {80} ELSE {}
+             /\ f.keeps <=> isS71500
+             /\ f.jump = IF isS71500 THEN 20000 ELSE 0
+             /\ f.queues <=> isS71500
+             /\ f.openCodes <=> isS71500
+             /\ f.timeAlone <=> isS71500
+             /\ isS71500 <=> f.unknown # {}
+             /\ isS71500 <=> f.letters # {}
+    /\ LET f == FamilyOf("S7-1500")
+       IN  /\ f.settable /\ ~f.repeats /\ f.restarts = {"warm"}
+           /\ f.lacks = {60, 70, 72, 81, 84, 85, 87}
+           /\ {85, 101, 102} \subseteq f.unknown
+           /\ f.unknown \cap {1, 10, 20, 35, 40, 80, 82, 100, 121} = {}
+           /\ \A p \in f.letters :
+                p[1] \in Ambiguities /\ p[2] \in RowOf(p[1])[3]
+           /\ ClassesToSet(f, 10) = 2..24 /\ ClassesToSet(f, 20) = 2..24
+           /\ ClassesToSet(f, 40) = 2..26 /\ ClassesToSet(f, 82) = 2..26
+           /\ ClassesToSet(f, 121) = 2..26 /\ ClassesToSet(f, 80) = {}
+           /\ ClassesToSet(FamilyOf("S7-400"), 10) = {0} \cup (2..23)
+
+(* [OBS-04] [OBS-05] [AMB-65] [AMB-73] [CLK-09] [CLK-10] An S7-300, and    *)
+(* two other families, which differ in nothing here.                       *)
+FamiliesAgree ==
+    /\ FamilyNames = {"S7-300", "S7-400", "CPU 318", "S7-1500"}
+    /\ Cardinality(KnownFamilies) = 4
+    /\ ModernAgrees
+    /\ \A f \in { g \in KnownFamilies : g.name # "S7-1500" } :
          LET isS7300 == f.name = "S7-300"
          IN  /\ f.errorClass = IF isS7300 THEN 26 ELSE 25
              /\ f.settable <=> ~isS7300
@@ -278,5 +308,31 @@ BlocksInv ==
     /\ Holds("AMB-73", "a", {"b"}, LackingObsAreRefused)
     /\ Holds("AMB-76", "a", {"b"}, EnIrtTakesMode8x)
 
-ReadingsInv == SettingsInv /\ ClockInv /\ DispatchInv /\ BlocksInv
+ModernInv ==
+    /\ Holds("A15-02", "c", {"a"}, LeapDayIsTaken)
+    /\ Holds("A15-02", "c", {"b"}, LeapDayIsRefused)
+    /\ Holds("A15-03", "b", {"b"}, OverflowMayCallOb80)
+    /\ Holds("A15-05", "c", {"b"}, WithItsHardware(cpu) # cpu)
+    /\ Holds("A15-08", "d", {"a"}, EachSkippedObIsCaughtUp)
+    /\ Holds("A15-08", "d", {"b"}, OnlyFirstSkippedIsCaughtUp)
+    /\ Holds("A15-08", "d", {"c"}, FirstOfEachClassIsCaughtUp)
+    /\ Holds("A15-11", "c", {"a"}, CatchUpNeedsNoOb80)
+    /\ Holds("A15-11", "c", {"b"}, CatchUpNeedsOb80)
+    /\ Holds("A15-13", "c", {"a"}, MissingIsRefused)
+    /\ Holds("A15-13", "c", {"b"}, MissingIsNotRefused)
+    /\ Holds("A15-14", "a", {"b"}, QueueIsUnknown)
+    /\ Holds("A15-15", "c", {"a"}, OverloadIsReportedOnce)
+    /\ Holds("A15-15", "c", {"b"}, OverloadIsReportedAgain)
+    /\ Holds("A15-19", "d", {"a"}, CallTakesTimeAlone)
+    /\ Holds("A15-19", "d", {"b"}, CallTakesTheDate)
+    /\ Holds("A15-19", "d", {"c"}, CallRefusesOtherDays)
+    /\ Holds("A15-21", "b", {"a"}, Mode8xIsKnown)
+    /\ Holds("A15-22", "c", {"a"}, Period1202IsRefused)
+    /\ Holds("A15-22", "c", {"b"}, Period1202IsWeekly)
+    /\ Holds("A15-23", "c", {"a"}, LowErrorObRunsAtOnce)
+    /\ Holds("A15-23", "c", {"b"}, LowErrorObAwaitsItsTurn)
+    /\ Holds("A15-24", "b", {"b"}, CodesAreOpen)
+
+ReadingsInv == /\ SettingsInv /\ ClockInv /\ DispatchInv /\ BlocksInv
+               /\ ModernInv
 =============================================================================

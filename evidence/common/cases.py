@@ -66,7 +66,7 @@ _BYTES_OF_FILE: dict[str, Callable[[bytes], bytes]] = {
 }
 """What ``as=`` does to the whole file, in the order in which it stands there."""
 
-_REQUIREMENT = re.compile(r"[A-Z]+-\d+")
+_REQUIREMENT = re.compile(r"[A-Z]+\d*-\d+")
 _TIME = re.compile(r"(\d+:)?\d+:\d+(\.\d+)?")
 _VERDICT = re.compile(r"A|[RU]\d*")
 _NOTE = re.compile(r"(\w+): (.+)")

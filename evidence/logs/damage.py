@@ -204,7 +204,7 @@ def _loaded(random: Random, log: Log, _: Alternatives) -> None:
 
 
 def _family(random: Random, log: Log, words: Alternatives) -> None:
-    log.header["cpu"] = random.choice(words.families)
+    log.header["cpu"] = random.choice(words.classic)
     if log.header["cpu"] not in words.settable:
         log.header.pop("priority", None)
 
@@ -223,9 +223,9 @@ def _mode(random: Random, log: Log, _: Alternatives) -> None:
 
 def _classes(random: Random, log: Log, words: Alternatives) -> None:
     if log.header["cpu"] in words.settable:
-        ob, classes = random.choice(words.classes)
+        ob, classes = random.choice(dict(words.classes)[log.header["cpu"]])
         given = log.header.setdefault("priority", {})
-        given[str(ob)] = random.choice((0, *classes))
+        given[str(ob)] = random.choice(classes)
 
 
 def _step7(random: Random, log: Log, words: Alternatives) -> None:

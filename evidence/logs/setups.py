@@ -41,7 +41,7 @@ def scenario(random: Random, words: Alternatives, events: int | None = None) -> 
 
     By default 9 to 59.
     """
-    family = random.choice(words.families)
+    family = random.choice(words.classic)
     loaded = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
     clock = _clock(random)
     header: dict[str, Any] = {
@@ -58,7 +58,7 @@ def scenario(random: Random, words: Alternatives, events: int | None = None) -> 
     header["cycle"] = random.random() < 0.2
     own["diag"] = random.random() < 0.35
     if family in words.settable and random.random() < 0.7:
-        header["priority"] = _classes(random, words)
+        header["priority"] = _classes(random, words, family)
     header["step7"] = {"tod": _step7(random, words, clock, loaded)}
     own["random"] = {"seed": random.randrange(1 << 31), "events": events or random.randint(_FEWEST, _MOST)}
     program = {
@@ -91,12 +91,12 @@ def _spelled(time: datetime) -> str:
     return time.isoformat(timespec="milliseconds")
 
 
-def _classes(random: Random, words: Alternatives) -> dict[str, int]:
+def _classes(random: Random, words: Alternatives, family: str) -> dict[str, int]:
     """Some of them shared."""
     shared = random.randint(2, 23)
-    classes, all_settable = {}, dict(words.classes)
+    classes, all_settable = {}, dict(dict(words.classes)[family])
     for ob in random.sample((10, 11, 12, 13, 20, 21, 22, 30, 35, 40, 41, 81, 82, 85), 5):
-        settable = all_settable[ob]
+        settable = [level for level in all_settable[ob] if level]  # 0 deselects
         classes[str(ob)] = shared if random.random() < 0.5 and shared in settable else random.choice(settable)
     return classes
 

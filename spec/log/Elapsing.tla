@@ -210,7 +210,7 @@ FirstAndLast(q) ==
 (* [OBS-20] Missing OBs that may have a request. OB 85 may come for each   *)
 (* of them. The request stays: perhaps the CPU has not noticed it.         *)
 PerhapsMissing ==
-    IF terms.unsure = {} \/ Blocked(ProgramErrorOb) THEN {}
+    IF terms.unsure = {} \/ Blocked(ProgramErrorOb) \/ ~Family.stops THEN {}
     ELSE { r \in MissingNow : /\ r.open /\ r.ob \in terms.unsure
                              /\ r.ob \in ExternalObs \ AsyncErrorObs }
 

@@ -88,7 +88,7 @@ StartsAgain(r) ==
 (* [OBS-61] The error came before the line, perhaps before the clock was   *)
 (* set.                                                                    *)
 \* @type: $event => Bool;
-FitsFailed(e) == /\ Fits(e.info.priority, Running.class)
+FitsFailed(e) == /\ Fits(e.info.priority, ClassOfErrorOb(e.ob))
                  /\ changes # {} \/ ~Before(Latest(e), e.info.time)
 
 \* @type: $event => Bool;
@@ -107,13 +107,16 @@ IsStart(e) ==
                  /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars,
                                 outcomeVars, stack>>
       [] e.ob \in StartupObs ->
-           /\ Fits(e.info.priority, 27)
+           /\ Fits(e.info.priority, StartupClass)
            /\ e.info.strt_info \in {-1} \cup (CASE e.ob = 100 -> \h81..\h82
                                                 [] e.ob = 101 -> \h83..\h84
                                                 [] OTHER      -> \h85..\h86)
            /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ StartupStarts(e.ob)
-      [] e.ob \in SyncErrorObs -> ErrorObStarts(e.ob) /\ FitsFailed(e)
+      [] e.ob \in SyncErrorObs ->
+           \/ ErrorObStarts(e.ob) /\ FitsFailed(e)
+           \/ \E r \in { q \in requests : q.ob = e.ob /\ FitsRequest(q, e) } :
+                HighestFirst(r) /\ Start(r)  \* [T15-63]
       [] OTHER ->
            \E r \in FirstAndLast({ q \in requests :
                                   q.ob = e.ob /\ FitsRequest(q, e) }) :
@@ -127,7 +130,7 @@ ErrorObStartsUnseen(e) ==
     /\ \/ Unseen("ob") \/ Unseen("mode")
        \/ FitsFailed(e) /\ Running.ob # e.ob
     /\ stack' = IF Unseen("ob") THEN stack
-                ELSE Append(stack, Frame(e.ob, Running.class))
+                ELSE Append(stack, Frame(e.ob, ClassOfErrorOb(e.ob)))
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                    delay>>

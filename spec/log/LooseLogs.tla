@@ -247,7 +247,8 @@ LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
     /\ e.ob = CycleOb => MayRun
     /\ StackKnown => Len(stack) = 1
-    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1 ELSE 27)
+    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1
+                                ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
     /\ stack' = <<stack[1]>>
     /\ delay' = 0
@@ -301,7 +302,7 @@ LooseRestart(e) ==
     /\ IF e.type = "hot" THEN LooseResumes
        ELSE Resets(e.type) /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
-    /\ stack' = <<Frame(StartupOb(e.type), 27)>>
+    /\ stack' = <<Frame(StartupOb(e.type), StartupClass)>>
     /\ NothingEntered
     /\ UNCHANGED cpu
 

@@ -209,7 +209,7 @@ OnlyFacts(records) ==
     /\ arrivals' = [r \in {} |-> up]
     /\ stack' = IF mode = "STOP" THEN <<>>
                 ELSE IF Unseen("ob") \/ stack = <<>>
-                THEN << IF mode = "STARTUP" THEN Frame(100, 27)
+                THEN << IF mode = "STARTUP" THEN Frame(100, StartupClass)
                         ELSE Frame(CycleOb, 1) >>
                 ELSE [stack EXCEPT ![Len(stack)].error = 0]
     /\ resume' = [ resume EXCEPT !.dint = NoJobs, !.requests = {},

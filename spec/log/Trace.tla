@@ -34,8 +34,10 @@ Init ==
 (* A letter of the header overrides the letter of its profile. *)
 \* @type: $header => Set(<<Str, Str>>);
 ReadingsOf(h) ==
-    h.readings \cup { p \in Profile(h.profile) :
-                        ~\E r \in h.readings : r[1] = p[1] }
+    LET told == h.readings \cup { p \in Profile(h.profile) :
+                                    ~\E r \in h.readings : r[1] = p[1] }
+    IN  told \cup { p \in FamilyOf(h.cpu).letters :
+                      ~\E r \in told : r[1] = p[1] }
 
 (* [DINT-02] [OBS-06] The time-delay interrupts that STEP 7 deselects: they  *)
 (* have class 0, also on a CPU whose classes are fixed.                      *)
@@ -84,7 +86,8 @@ LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
 (* STEP 7's parameters are read.                                           *)
 \* @type: $header => Bool;
 Begin(h) ==
-    /\ cpu'    \in UNION { CpusByReference(c) : c \in CpusByLeapDay(CpuOf(h)) }
+    /\ cpu' \in UNION { UNION { CpusByHardware(d) : d \in CpusByReference(c) }
+                        : c \in CpusByLeapDay(CpuOf(h)) }
     /\ loaded' = h.obs
     /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
@@ -100,7 +103,7 @@ Begin(h) ==
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
     /\ stack'  = IF mode' = "RUN" THEN <<Frame(CycleOb, 1)>>
                  ELSE IF h.mode = "STARTUP" /\ LooseBy(h)
-                 THEN <<Frame(StartupOb(startup'), 27)>> ELSE <<>>
+                 THEN <<Frame(StartupOb(startup'), StartupClass')>> ELSE <<>>
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
     /\ NothingEntered

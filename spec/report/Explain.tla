@@ -48,16 +48,21 @@ AnswersOfCalls ==
 ObNumbersOfLogs == 1..122
 
 (* The words of a log, by which the reader takes lines or refuses them. Of *)
-(* a header: families, those whose priority classes can be set, and these  *)
-(* classes; profiles; the letters of each question. Of lines: OBs by their *)
-(* kind.                                                                   *)
+(* a header: families, those whose priority classes can be set, these      *)
+(* classes, the OBs that it lacks and its default classes; profiles; the   *)
+(* letters of each question. Of lines: OBs by their kind.                  *)
 Words ==
     [ families |-> FamilyNames,
       restarts |-> { <<f.name, f.restarts>> : f \in KnownFamilies },
       settable |-> { f.name : f \in { g \in KnownFamilies : g.settable } },
-      classes  |-> { <<o, SettableClasses(o)>>
-                     : o \in { p \in ObNumbersOfLogs :
-                                 SettableClasses(p) # {} } },
+      classes  |-> { <<f.name, { <<o, ClassesToSet(f, o)>>
+                                 : o \in { p \in ObNumbersOfLogs :
+                                             ClassesToSet(f, p) # {} } }>>
+                     : f \in KnownFamilies },
+      unknown  |-> { <<f.name, f.unknown>> : f \in KnownFamilies },
+      usual    |-> { <<f.name, { <<o, DefaultClassOf(f, o)>>
+                                 : o \in Blockable \cup SyncErrorObs }>>
+                     : f \in KnownFamilies },
       obs      |-> ObNumbersOfLogs,
       tod_obs  |-> TodObs,
       dint_obs |-> DintObs,

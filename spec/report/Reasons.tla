@@ -1,8 +1,8 @@
 ------------------------------ MODULE Reasons -------------------------------
 (***************************************************************************)
 (* The requirements that someone who knows the log would cite for a line:  *)
-(* why it is rejected (Deciding), why it comes too late                    *)
-(* (LateRequirements), why it is possible (WhyPossible). They follow from  *)
+(* why it is rejected (DecidingRules), why it comes too late (LateRules),  *)
+(* why it is possible (PossibleRules). They follow from                    *)
 (* the state just before the line, from the line e, and from the lines     *)
 (* before it, `past'.                                                      *)
 (*                                                                         *)
@@ -10,7 +10,7 @@
 (* Source: the requirement IDs.                                            *)
 (* Left out: the lines that are allowed instead (Explain).                 *)
 (***************************************************************************)
-EXTENDS StartReasons, NextLines
+EXTENDS StartReasons, NextLines, FamilyReasons
 
 -----------------------------------------------------------------------------
 (* RET_VAL *)
@@ -415,7 +415,7 @@ EntryRequirements(entry, past) ==
 -----------------------------------------------------------------------------
 
 \* @type: ($event, Seq($event)) => Set(Str);
-LateRequirements(e, past) ==
+LateRules(e, past) ==
     UNION { LateRequirement(r, past) : r \in Late(e) }
       \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
       \cup When(StopDuty \in DOMAIN waiting, StopRequirements(past))
@@ -503,7 +503,7 @@ OfStop(e, past) ==
            \cup When(stopCause # NoCause, StopRequirements(past))
 
 \* @type: ($event, Seq($event)) => Set(Str);
-Deciding(e, past) ==
+DecidingRules(e, past) ==
     CASE ~KeepsPace(e)           -> {"CLK-01"}
       [] e.event \in CallEvents -> OfCall(e, past)
       [] e.event = "state"       -> OfState(e, past)
@@ -561,6 +561,13 @@ Special ==
       "TINT-33", "TINT-36", "TINT-51", "TINT-62", "TINT-63", "TINT-64",
       "TINT-77", "TINT-79" }
 
+(* What differs between families of CPUs: as special.                      *)
+OfFamilies ==
+    { "T15-23", "T15-26", "T15-30", "T15-35", "T15-36", "T15-61", "T15-62",
+      "T15-63", "T15-64", "T15-65", "T15-66", "T15-90", "T15-91", "T15-93",
+      "T15-94", "T15-95", "T15-100", "T15-110", "T15-111", "T15-112",
+      "T15-113", "T15-114", "T15-115", "T15-117", "T15-118", "T15-119" }
+
 (* Requirements of every start, every call, every STOP: true, and little   *)
 (* news.                                                                   *)
 General ==
@@ -574,7 +581,7 @@ General ==
 (* The least general requirement is cited first.                           *)
 \* @type: Str => Int;
 Generality(id) ==
-    CASE id \in Special                      -> 0
+    CASE id \in Special \cup OfFamilies      -> 0
       [] id \in General                      -> 2
       [] id \in { q[1] : q \in Questions } -> 3
       [] OTHER                               -> 1
@@ -641,7 +648,7 @@ DelayEndedUnseen(past) ==
         /\ LastOf(past, {"start", "end", "run", "stop", "restart"}) < last
 
 \* @type: ($event, Seq($event)) => Set(Str);
-WhyPossible(e, past) ==
+PossibleRules(e, past) ==
     When(/\ e.event \in {"start", "DIS_AIRT", "EN_AIRT"}
          /\ DelayEndedUnseen(past), {"AIRT-04"}) \cup
     CASE e.event \in CallEvents -> AnswerRequirements(e, e.ret, past)
@@ -666,4 +673,14 @@ WhyPossible(e, past) ==
       [] e.event = "diag"       -> OfEntry(e, past)
       [] e.event = "done"       -> {}
       [] OTHER                  -> {"OBS-60"}
+
+-----------------------------------------------------------------------------
+(* By the words of the family                                              *)
+
+\* @type: ($event, Seq($event)) => Set(Str);
+Deciding(e, past) == Cited(e, past, DecidingRules(e, past))
+\* @type: ($event, Seq($event)) => Set(Str);
+LateRequirements(e, past) == Cited(e, past, LateRules(e, past))
+\* @type: ($event, Seq($event)) => Set(Str);
+WhyPossible(e, past) == Cited(e, past, PossibleRules(e, past))
 =============================================================================

@@ -30,6 +30,22 @@ Answers(o, errors) ==
            [] DeselectedIsOrdinary -> Usual(errors)
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
+(* [T15-41] [T15-140] [A15-13] A call that sets or starts an interrupt     *)
+(* whose OB is missing.                                                    *)
+\* @type: (Int, Set(Int)) => Set(Int);
+SettingAnswers(o, errors) ==
+    IF o \in loaded \/ Family.stops THEN Answers(o, errors)
+    ELSE IF MissingIsRefused THEN {BadOb}
+    ELSE IF MissingIsNotRefused THEN Answers(o, errors)
+    ELSE Answers(o, errors) \cup {BadOb}
+
+(* [T15-143] [T15-144] [T15-145] [T15-148] [A15-24] Where no text of a     *)
+(* call was found, an error may have any code.                             *)
+\* @type: Set(Int) => Set(Int);
+OpenCodes(answers) ==
+    IF Family.openCodes /\ CodesAreOpen /\ answers # {OK}
+    THEN answers \cup (\h8080..\h80FF) ELSE answers
+
 (* [TINT-22] The second digit is the number of the wrong parameter.        *)
 \* @type: Int => Bool;
 IsGeneralError(ret) == /\ ret \in \h8100..\h8FFF
@@ -57,7 +73,10 @@ StartupBit(o) ==
 
 (* [TINT-73] *)
 \* @type: Int => Set(Int);
-BlockedBit(o) == {IF Blocked(o) THEN 2 ELSE 0}
+BlockedBit(o) ==
+    IF ~Family.openCodes THEN {IF Blocked(o) THEN 2 ELSE 0}
+    ELSE IF CodesAreOpen THEN {0, 2}
+    ELSE {IF delay > 0 THEN 2 ELSE 0}  \* [T15-53]
 
 (* [TINT-76] *)
 \* @type: Int => Set(Int);
@@ -71,7 +90,10 @@ Bit5 == IF Bit5MeansNoTest THEN 32 ELSE 0
 
 (* [TINT-78] [AMB-80] SFC 34 has no such bit [DINT-16]. *)
 \* @type: Int => Set(Int);
-ReferenceBit(o) == IF o \notin TodObs \/ ReferenceIsBaseTime THEN {0}
+ReferenceBit(o) == IF o \notin TodObs THEN {0}
+                   ELSE IF Family.openCodes /\ CodesAreOpen
+                   THEN {0, 64}  \* [T15-144]
+                   ELSE IF ReferenceIsBaseTime THEN {0}
                    ELSE IF ReferenceIsLocalTime THEN {64} ELSE {0, 64}
 
 (* [TINT-72] .. [TINT-79] [DINT-16] STATUS of an OB with these values of   *)

@@ -65,6 +65,7 @@ SomeSkipped(to, skipped) ==
     \/ /\ mode # "STARTUP" \/ SkipMayBeReported
        /\ Skip(SkippedByClock, to, skipped)
     \/ /\ mode = "STARTUP" /\ SkipMayBeDeferred
+       /\ TimeErrorOb \notin Family.heldBack  \* [T15-117]
        /\ Defer(skipped)
 
 (* [AMB-83] When the clock is set back in HOLD, the interrupts whose next  *)
@@ -83,6 +84,20 @@ HeldAfter(to) ==
 \* @type: $tod => $tod;
 CalledOnce(t) == IF OnceUsedUpAtItsPoint THEN UsedUp(t)
                                          ELSE [t EXCEPT !.next = Never]
+
+(* [T15-93] [T15-94] [T15-95] Set back by so much, points are served       *)
+(* again.                                                                  *)
+\* @type: $moment => Set(Bool);
+ServesAgain(to) ==
+    IF Family.jump = 0 \/ ~IsBack(to) THEN {FALSE}
+    ELSE { ~small : small \in SmallJumps(Span(to, clock)) }
+
+\* @type: (Int, $moment, $cpu) => $tod;
+Forgetful(o, to, c) ==
+    LET t == [ tod[o] EXCEPT !.served = {}, !.earlier = {}, !.repeatTo = -1,
+                             !.overTo = -1 ]
+    IN  IF ~t.active \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
+        ELSE Armed(t, to, c)
 
 (* The settings after the clock was set. If a skip is `deferred', the      *)
 (* setting of its OB stays until the release; so does one that is `held'.  *)
@@ -104,11 +119,12 @@ ClockSet(to) ==
     IN  /\ to # clock
         /\ clock' = to
         /\ \E c \in CpusThatShow(active, to), deferred \in Deferring,
-              held \in HeldAfter(to) :
+              held \in HeldAfter(to), again \in ServesAgain(to) :
              /\ cpu' = c
              /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
                                             ELSE SomeSkipped(to, skipped)
-             /\ tod' = TodAfterClock(to, c, IF deferred THEN skipped ELSE {},
-                                     held)
+             /\ tod' = IF again THEN [o \in DOMAIN tod |-> Forgetful(o, to, c)]
+                       ELSE TodAfterClock(to, c, IF deferred THEN skipped
+                                                 ELSE {}, held)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

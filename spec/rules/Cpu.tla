@@ -42,9 +42,27 @@ RestartTypes == {"warm", "cold", "hot"}
 (* [OBS-57] *)
 HotRestartExists == "hot" \in Family.restarts \cap RestartTypes
 
-(* [OBS-04] Table 7.1. *)
+(* [T15-30] [T15-35] [T15-61] .. [T15-66] Cyclic interrupts have the       *)
+(* intervals of STEP 7: 5 s for OB 30 to 10 ms for OB 38.                  *)
 \* @type: Int => Int;
-DefaultClass(o) ==
+ClassByKind(o) ==
+    CASE o \in {CycleOb, 100} -> 1
+      [] o \in 10..17 -> 2
+      [] o \in 20..23 -> 3
+      [] o \in 30..35 -> o - 22
+      [] o \in {36, 37} -> 13
+      [] o = 38       -> 14
+      [] o \in 40..47 -> 16  \* or 18 [A15-05]
+      [] o \in 55..57 -> 4
+      [] o = TimeErrorOb -> 22
+      [] o = 82       -> 5
+      [] o \in SyncErrorObs -> 7
+      [] OTHER        -> 6
+
+(* [OBS-04] Table 7.1. *)
+\* @type: ($family, Int) => Int;
+DefaultClassOf(f, o) ==
+    IF f.byKind THEN ClassByKind(o) ELSE
     CASE o = CycleOb       -> 1
       [] o \in 10..17      -> 2
       [] o \in 20..23      -> o - 17
@@ -54,13 +72,19 @@ DefaultClass(o) ==
       [] o \in {60, 70}    -> 25
       [] o = 72            -> 28
       [] o = TimeErrorOb   -> 26
-      [] o \in 81..87      -> Family.errorClass
+      [] o \in 81..87      -> f.errorClass
       [] OTHER             -> 27
+
+\* @type: Int => Int;
+DefaultClass(o) == DefaultClassOf(Family, o)
 
 (* [OBS-05] *)
 \* @type: Int => Int;
 ClassOf(o) == IF o \in DOMAIN cpu.priority THEN cpu.priority[o]
                                            ELSE DefaultClass(o)
+
+(* [OBS-04] The class of the startup OB [T15-64].                          *)
+StartupClass == IF Family.byKind THEN 1 ELSE 27
 
 (* [OBS-06] [TINT-02] (c) [DINT-02] *)
 \* @type: Int => Bool;

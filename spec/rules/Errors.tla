@@ -53,7 +53,8 @@ ErrorShows(error, stops, cause) ==
 
 (* [OBS-21] [OBS-22] [OBS-23] The errors that stop the CPU without their    *)
 (* OB, and why.                                                            *)
-ObsThatStop == ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
+ObsThatStop == IF ~Family.stops THEN {}  \* [T15-110] [T15-111]
+               ELSE ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
 \* @type: Int => Int;
 CauseWithout(o) == CASE o = ProgramErrorOb -> NoProgramErrorOb
                      [] o = TimeErrorOb    -> NoTimeErrorOb
@@ -75,10 +76,23 @@ ErrorsNeverStop(o) == DelaysNeverStopTheCpu /\ o \in DintObs
 \* @type: $request => Bool;
 TimeErrorStops(error) ==
     /\ TimeErrorOb \notin loaded
+    \* [T15-110] [T15-114]
+    /\ Family.stops \/ error.fault = CycleTimeExceeded
     /\ IF Blocked(TimeErrorOb) THEN BlockedErrorStopsTheCpu
                                ELSE ~ErrorsNeverStop(error.cause)
 
-(* The requests after a time error: `resume' with the runs that follow it,   *)
+(* [T15-100] The catch-ups of a large jump where OB 80 is missing [A15-11]. *)
+\* @type: $request => Bool;
+CatchUpsAreOpen(error) ==
+    Family.jump > 0 /\ error.fault \in Skips /\ TimeErrorOb \notin loaded
+
+\* @type: (Set($request), Set($request)) => Set(Set($request));
+WithoutTimeErrorOb(kept, lost) ==
+    CASE CatchUpNeedsNoOb80 -> {kept}
+      [] CatchUpNeedsOb80   -> {lost}
+      [] OTHER              -> {kept, lost}
+
+(* The requests after a time error: `kept' with the runs that follow it,   *)
 (* `lost' without these runs. If OB 80 is blocked, the runs may be lost,   *)
 (* too [AMB-48].                                                           *)
 \* @type: (Set($request), Set($request), $request) => Set(Set($request));
@@ -87,6 +101,7 @@ RequestsAfterTimeError(kept, lost, error) ==
     THEN CASE LateRunOutlivesBlock  -> {kept}
            [] LateRunIsLostWithOb80 -> {lost}
            [] OTHER                 -> {kept, lost}
+    ELSE IF CatchUpsAreOpen(error) THEN WithoutTimeErrorOb(kept, lost)
     ELSE IF TimeErrorStops(error) THEN {lost}
     ELSE IF TimeErrorOb \notin loaded THEN {kept} ELSE {Enter(kept, error)}
 

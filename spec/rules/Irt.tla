@@ -36,6 +36,9 @@ NumberFits(m, o) ==
       [] Level(m) = 1 -> o \in ClassNumbersOfIrt
       [] OTHER        -> o \in ObNumbersOfIrt
 
+(* [T15-58] [A15-21] MODE 80 to 82 may be unknown.                         *)
+Mode8xAnswers == IF Mode8xIsKnown THEN {} ELSE {BadMode}
+
 (* [IRT-12] [AMB-63] With a bad MODE, 8090 is answered only for a number   *)
 (* that no OB has.                                                         *)
 \* @type: (Int, Int, Set(Int)) => Set(Int);
@@ -45,7 +48,10 @@ IrtErrors(m, o, modes) ==
     ELSE IF NumberFits(m, o) THEN {} ELSE {BadOb}
 
 \* @type: (Int, Int) => Set(Int);
-DisIrtAnswers(m, o) == Usual(IrtErrors(m, o, DisModes))
+DisIrtAnswers(m, o) ==
+    OpenCodes(Usual(IrtErrors(m, o, DisModes))
+                \cup (IF Family.openCodes /\ WithoutEntries(m)
+                      THEN Mode8xAnswers ELSE {}))
 
 \* @type: (Int, Int) => Set(Int);
 EnIrtAnswers(m, o) == Usual(IrtErrors(m, o, EnModes))

@@ -33,6 +33,12 @@ PeriodOf(s, monthly) ==
       [] s.execution = "end_of_month" -> EndOfMonth
       [] OTHER                   -> Once
 
+(* [T15-22] The minute from which the points count.                        *)
+\* @type: $step7 => Int;
+StartByStep7(s) ==
+    IF Family.timeAlone /\ s.execution = "end_of_month"
+    THEN s.start % MinutesADay ELSE s.start
+
 (* [TINT-06] [TINT-07] The setting by STEP 7. Execution "none" is no       *)
 (* setting, or a date without points [AMB-62]. The next point comes later. *)
 \* @type: ($step7, Int) => $tod;
@@ -43,7 +49,7 @@ Configured(s, monthly) ==
          ELSE NoSetting
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
-                            !.start  = s.start,
+                            !.start  = StartByStep7(s),
                             !.period = PeriodOf(s, monthly) ]
 
 (* [OBS-56] STEP 7 has set and activated a one-shot interrupt with its     *)

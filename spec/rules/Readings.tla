@@ -11,7 +11,7 @@
 (* none holds, the answer is the remaining one, often "either".            *)
 (* Left out: questions that no formula tells apart have no names.          *)
 (***************************************************************************)
-EXTENDS State, Profiles
+EXTENDS State, Profiles, Families
 
 -----------------------------------------------------------------------------
 (* The questions *)
@@ -111,11 +111,37 @@ Questions ==
     <<"AMB-84", "d", ABCD>>,
     <<"AMB-85", "c", ABC>>,
     <<"AMB-86", "a", ABCD>>,
-    <<"AMB-87", "c", ABC>> }
+    <<"AMB-87", "c", ABC>>,
+    <<"A15-01", "a", ABC>>,
+    <<"A15-02", "c", ABC>>,
+    <<"A15-03", "b", AB>>,
+    <<"A15-04", "a", ABC>>,
+    <<"A15-05", "c", ABC>>,
+    <<"A15-06", "c", ABC>>,
+    <<"A15-07", "a", ABC>>,
+    <<"A15-08", "d", ABCD>>,
+    <<"A15-09", "c", ABC>>,
+    <<"A15-10", "c", ABC>>,
+    <<"A15-11", "c", ABC>>,
+    <<"A15-12", "a", ABC>>,
+    <<"A15-13", "c", ABC>>,
+    <<"A15-14", "a", AB>>,
+    <<"A15-15", "c", ABC>>,
+    <<"A15-16", "a", ABC>>,
+    <<"A15-17", "b", ABC>>,
+    <<"A15-18", "c", ABC>>,
+    <<"A15-19", "d", ABCD>>,
+    <<"A15-20", "c", ABC>>,
+    <<"A15-21", "b", AB>>,
+    <<"A15-22", "c", ABC>>,
+    <<"A15-23", "c", ABC>>,
+    <<"A15-24", "b", AB>> }
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
-NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78" }
+NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78",
+              "A15-01", "A15-04", "A15-06", "A15-07", "A15-10", "A15-12",
+              "A15-16", "A15-17", "A15-18", "A15-20" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -441,4 +467,64 @@ Step7MayNeverRun       == Reading("AMB-86") \in {"c", "d"}
 (* would be called; else either.                                           *)
 MissingOb85StopsAtOnce == Reading("AMB-87") = "a"
 MissingOb85StopsInTurn == Reading("AMB-87") = "b"
+-----------------------------------------------------------------------------
+(* The answers about an S7-1500                                            *)
+
+(* [A15-02] Yearly on February 29: taken; or refused.                      *)
+LeapDayIsTaken   == Reading("A15-02") = "a"
+LeapDayIsRefused == Reading("A15-02") = "b"
+(* [A15-03] An overflow of the queue may call OB 80, too.                  *)
+OverflowMayCallOb80 == Reading("A15-03") # "a"
+(* [A15-05] Hardware interrupts have class 16; or 18. A CPU keeps to it.   *)
+\* @type: $cpu => $cpu;
+WithItsHardware(c) ==
+    IF ReadingOf(c, "A15-05") # "b" THEN c
+    ELSE [ c EXCEPT !.priority =
+             [ o \in DOMAIN c.priority \cup (40..47) |->
+                 IF o \in DOMAIN c.priority THEN c.priority[o] ELSE 18 ] ]
+\* @type: $cpu => Set($cpu);
+CpusByHardware(c) ==
+    IF ~FamilyOf(c.family).byKind THEN {c}
+    ELSE { WithItsHardware(d) : d \in Turned(c, "A15-05", "c", {"a", "b"}) }
+(* [A15-08] After OB 80 with 05 or 06 each skipped OB is caught up; or the *)
+(* first alone; or the first of each class; else some of them.             *)
+EachSkippedObIsCaughtUp    == Reading("A15-08") = "a"
+OnlyFirstSkippedIsCaughtUp == Reading("A15-08") = "b"
+FirstOfEachClassIsCaughtUp == Reading("A15-08") = "c"
+(* [A15-09] Whether a jump of the clock by so many ms is a small one.      *)
+\* @type: Int => Set(Bool);
+SmallJumps(ms) ==
+    LET limit == FamilyOf(cpu.family).jump
+    IN  IF ms # limit THEN {ms < limit}
+        ELSE CASE Reading("A15-09") = "a" -> {FALSE}
+               [] Reading("A15-09") = "b" -> {TRUE}
+               [] OTHER                   -> {FALSE, TRUE}
+(* [A15-11] After a large jump without OB 80 the catch-ups come; or not.   *)
+CatchUpNeedsNoOb80 == Reading("A15-11") = "a"
+CatchUpNeedsOb80   == Reading("A15-11") = "b"
+(* [A15-13] A call for an OB that is missing answers 8090; or it does not. *)
+MissingIsRefused    == Reading("A15-13") = "a"
+MissingIsNotRefused == Reading("A15-13") = "b"
+(* [A15-14] The parameters of the queue are not those of a migrated        *)
+(* program, and not known.                                                 *)
+QueueIsUnknown == Reading("A15-14") = "b"
+(* [A15-15] OB 80 reports an overload once; or each event of it.           *)
+OverloadIsReportedOnce  == Reading("A15-15") = "a"
+OverloadIsReportedAgain == Reading("A15-15") = "b"
+(* [A15-19] An end-of-month interrupt that a call sets: the date does not  *)
+(* count; or the first end of a month from SDT on; or 8091.                *)
+CallTakesTimeAlone == Reading("A15-19") = "a"
+CallTakesTheDate   == Reading("A15-19") = "b"
+CallRefusesOtherDays == Reading("A15-19") = "c"
+(* [A15-21] DIS_IRT takes the MODEs 80 to 82.                              *)
+Mode8xIsKnown == Reading("A15-21") = "a"
+(* [A15-22] PERIOD 1202 is refused; or it is weekly.                       *)
+Period1202IsRefused == Reading("A15-22") = "a"
+Period1202IsWeekly  == Reading("A15-22") = "b"
+(* [A15-23] An OB 121 or 122 that is not above the OB at fault runs at     *)
+(* once; or waits for its turn.                                            *)
+LowErrorObRunsAtOnce    == Reading("A15-23") = "a"
+LowErrorObAwaitsItsTurn == Reading("A15-23") = "b"
+(* [A15-24] The codes and STATUS bits of calls without a text are open.    *)
+CodesAreOpen == Reading("A15-24") # "a"
 =============================================================================

@@ -35,6 +35,8 @@ EXTENDS FiniteSets, Codes, Cpu, Readings
 ModeAllows(r) == \/ mode = "RUN"
                  \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
                       /\ (startup \in {"hot", "resuming"} => r.class > 27)
+                      /\ r.ob \notin Family.heldBack  \* [T15-117]
+                 \/ mode = "STARTUP" /\ r.ob \in SyncErrorObs
 
 -----------------------------------------------------------------------------
 (* Queues *)
@@ -137,7 +139,8 @@ IsCatchUp(r) == r.follows \in Skips
 (* asynchronous error.                                                     *)
 \* @type: (Int, Int) => Int;
 ErrorClass(o, fault) ==
-    IF o = TimeErrorOb
+    IF ~Family.raises THEN ClassOf(o)  \* [T15-61] [T15-62]
+    ELSE IF o = TimeErrorOb
     THEN IF \/ mode = "STARTUP" /\ Class28InStartup
             \/ fault = BufferOverflow /\ Class28OnOverflow
          THEN 28 ELSE 26
@@ -179,7 +182,7 @@ Undelayed == delay = 0
 (* [OBS-21] [OBS-22] [OBS-23] An error whose missing OB stops the CPU.     *)
 \* @type: $request => Bool;
 StopsTheCpu(r) ==
-    /\ r.ob \notin loaded
+    /\ r.ob \notin loaded /\ Family.stops
     /\ r.ob \in ErrorObsThatStop \cup {TimeErrorOb, ProgramErrorOb}
 
 (* [AMB-49] (a) A delay does not hold it back.                             *)

@@ -110,7 +110,7 @@ StartupStarts(o) ==
     /\ o = StartupOb(startup)
     /\ o \in loaded
     /\ stack = <<>>
-    /\ stack'   = <<Frame(o, 27)>>
+    /\ stack'   = <<Frame(o, StartupClass)>>
     /\ startup' = IF startup = "hot" THEN "resuming" ELSE "begun"
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, mode, resume, clock, settingVars, outcomeVars,
@@ -156,8 +156,10 @@ ErrorObMissing(r) ==
 \* @type: $request => Bool;
 Missing(r) ==
     /\ MayBeMissed(r)
-    /\ IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
-                                               ELSE ObMissing(r)
+    /\ IF ~Family.stops  \* [T15-40] [T15-111] [T15-112] [T15-113]
+       THEN RequestsBecome(RequestsAfterCall(r))
+       ELSE IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
+                                                    ELSE ObMissing(r)
     /\ tod' = TodAfterMissing(r)
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, runVars>>
 

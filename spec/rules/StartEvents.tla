@@ -128,10 +128,20 @@ WithOneLateRun(new) ==
 OverlapWithOneLateRun(new) ==
     \E kept \in WithOneLateRun(new) : Overlap(new, StillRunning, kept)
 
+(* [T15-26] [T15-27] [T15-73] As many runs wait as the queue holds: one,   *)
+(* with the parameters of a migrated program [A15-14].                     *)
+\* @type: $request => Bool;
+PointWhileFull(new) ==
+    \/ ~OverloadIsReportedAgain /\ Nothing
+    \/ ~OverloadIsReportedOnce /\ Overlap(new, StillRunning, requests)
+    \/ OverflowMayCallOb80 /\ Overlap(new, BufferOverflow, requests)
+
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs. *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
-    CASE EveryPointRunsLater ->
+    CASE Family.queues /\ QueueIsUnknown -> AnyEffect(new)
+      [] Family.queues /\ PendingIn(requests, new.ob) -> PointWhileFull(new)
+      [] EveryPointRunsLater ->
            Overlap(new, StillRunning, Enter(requests, LateRun(new)))
       [] OnlyFirstPointIsReported /\ PendingIn(requests, new.ob) -> Nothing
       [] OTHER -> OverlapWithOneLateRun(new)
@@ -201,16 +211,20 @@ Occurs(new) ==
 -----------------------------------------------------------------------------
 (* Start events from outside *)
 
+(* [T15-118] A start event of STARTUP waits for RUN.                       *)
+KeptInStartup == mode = "STARTUP" /\ Family.keeps
+
 (* [AMB-67] In HOLD, and in STARTUP unless it is an error, an event waits  *)
 (* for RUN, is lost, or either. What waits may fill a buffer [AMB-18].     *)
 \* @type: $request => Bool;
 OutsideRun(new) ==
-    IF OutsideRunEventsAreLost THEN Nothing
+    IF OutsideRunEventsAreLost /\ ~KeptInStartup THEN Nothing
     ELSE LET again  == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
              errors == { e \in ErrorsOf(new) :
                            \/ again
                            \/ MayOverflow(new) /\ e.fault = BufferOverflow }
-             run    == [new EXCEPT !.open = again \/ OutsideRunEventsAreOpen]
+             run    == [new EXCEPT !.open =
+                         again \/ (OutsideRunEventsAreOpen /\ ~KeptInStartup)]
              shown  == (IF new.fault = 0 THEN {} ELSE {new}) \cup errors
          IN  \/ /\ requests' =
                        EnterAll(requests, {run} \cup WithObToRun(errors))

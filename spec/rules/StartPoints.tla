@@ -195,6 +195,30 @@ TimeOfSkip(skipped, now) ==
     ELSE LET points == { NextSkipped(tod[o]) : o \in skipped }
          IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
 
+(* [T15-90] [T15-91] [T15-95] Whether the clock is set forward by so       *)
+(* little that no OB 80 reports the skip.                                  *)
+\* @type: (Int, $moment) => Set(Bool);
+Quietly(fault, now) ==
+    IF Family.jump = 0 \/ fault # SkippedByClock THEN {FALSE}
+    ELSE SmallJumps(Span(clock, now))
+
+(* [T15-91] [T15-119] [A15-08] The OBs that get a catch-up, of those       *)
+(* reported.                                                               *)
+\* @type: Set(Int) => Set(Set(Int));
+CaughtUpOf(obs) ==
+    LET \* @type: Int => $moment;
+        point(o) == NextSkipped(tod[o])
+        first == { o \in obs : \A p \in obs : ~Before(point(p), point(o)) }
+        heads == { o \in obs : \A p \in obs :
+                     ClassOf(p) = ClassOf(o) => ~Before(point(p), point(o)) }
+    IN  IF Family.jump = 0 \/ obs = {} \/ EachSkippedObIsCaughtUp THEN {obs}
+        ELSE IF OnlyFirstSkippedIsCaughtUp THEN { {o} : o \in first }
+        ELSE IF FirstOfEachClassIsCaughtUp
+        THEN { s \in SUBSET heads :
+                 \A h \in heads :
+                   Cardinality({ o \in s : ClassOf(o) = ClassOf(h) }) = 1 }
+        ELSE (SUBSET obs) \ {{}}
+
 (* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are *)
 (* late, then one catch-up each.  An OB already waiting or running may get *)
 (* its own catch-up or not [AMB-52].  A blocked one may be reported or not *)
@@ -203,10 +227,15 @@ TimeOfSkip(skipped, now) ==
 Skip(fault, now, skipped) ==
     LET blocked == { o \in skipped : Blocked(o) }
         busy    == { o \in skipped \ blocked : WaitsOrRuns(o) }
-        absent  == IF SkipOfMissingObIsSilent THEN skipped \ loaded ELSE {}
-    IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked) :
-          LET late == (skipped \ unsaid) \ absent
-              runs == CatchUps(fault, skipped \ (blocked \cup merged), absent)
+    IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked),
+           quiet \in Quietly(fault, now) :
+        \E caught \in IF quiet THEN {skipped \ (blocked \cup merged)}
+                      ELSE CaughtUpOf(skipped \ (blocked \cup merged)) :
+          LET absent == IF quiet THEN skipped
+                        ELSE IF SkipOfMissingObIsSilent THEN skipped \ loaded
+                        ELSE {}
+              late == (skipped \ unsaid) \ absent
+              runs == CatchUps(fault, caught, absent)
               kept == WithCatchUps(RequestsMerged(merged), runs)
           IN  IF late = {} THEN RequestsBecome(kept)
               ELSE TimeErrorOccurs(kept, requests,

@@ -10,9 +10,28 @@
 (***************************************************************************)
 EXTENDS StartEvents, Calls
 
+(* [T15-63] The class in which an error OB runs.                           *)
+\* @type: Int => Int;
+ClassOfErrorOb(o) == IF Family.inherits THEN Running.class ELSE ClassOf(o)
+
+(* [T15-63] [A15-23] An error OB of its own class, which is not above that *)
+(* of the OB at fault: it runs at once, or waits for its turn.             *)
+\* @type: Int => Bool;
+IsNotAbove(o) == ~Family.inherits /\ ClassOf(o) <= Running.class
+\* @type: Int => Bool;
+AwaitsItsTurn(o) == IsNotAbove(o) /\ LowErrorObAwaitsItsTurn
+\* @type: Int => Bool;
+MayAwaitItsTurn(o) ==
+    o \in loaded /\ IsNotAbove(o) /\ ~LowErrorObRunsAtOnce
+
+(* [T15-111] Without OB 122 an access error is ignored.                    *)
+\* @type: Int => Bool;
+IsIgnored(o) == ~Family.stops /\ o = 122 /\ o \notin loaded
+
 (* [AMB-85] An error OB fails itself.                                      *)
 \* @type: Int => Bool;
 MayCall(o) == /\ o \in loaded
+              /\ ~AwaitsItsTurn(o)
               /\ Running.ob \in SyncErrorObs =>
                    o # Running.ob /\ OtherErrorObIsCalled
 \* @type: Int => Bool;
@@ -46,6 +65,10 @@ InstructionFails(o) ==
           /\ stack' = [stack EXCEPT ![Len(stack)].error = o]
           /\ Nothing
        \/ MayStopFor(o) /\ StopsForError(CauseOf(o))
+            /\ ~IsIgnored(o)
+       \/ IsIgnored(o) /\ Nothing /\ UNCHANGED stack
+       \/ /\ MayAwaitItsTurn(o)
+          /\ Ordinary(ExternalRequest(o, 0)) /\ UNCHANGED stack
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, delay>>
 
 (* The error OB is still to start. *)
@@ -56,7 +79,7 @@ ErrorObIsDue == Failed /\ Watching
 ErrorObStarts(o) ==
     /\ ErrorObIsDue /\ Running.error = o
     /\ stack' = Append([stack EXCEPT ![Len(stack)].error = 0],
-                       Frame(o, Running.class))
+                       Frame(o, ClassOfErrorOb(o)))
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                    delay>>

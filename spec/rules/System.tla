@@ -173,7 +173,7 @@ CycleBegins == Settled /\ CycleStarts /\ Seen("start", CycleOb, 1)
 
 StartupBegins ==
     /\ Settled
-    /\ \E o \in StartupObs : StartupStarts(o) /\ Seen("start", o, 27)
+    /\ \E o \in StartupObs : StartupStarts(o) /\ Seen("start", o, StartupClass)
 
 EndsOb ==
     /\ Settled

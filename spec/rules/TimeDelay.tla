@@ -90,7 +90,7 @@ SrtErrors(o, dtime) ==
     DintErrors(o) \cup (IF dtime \in DelayTimes THEN {} ELSE {BadDtime})
 
 \* @type: (Int, Int) => Set(Int);
-SrtAnswers(o, dtime) == Answers(o, SrtErrors(o, dtime))
+SrtAnswers(o, dtime) == OpenCodes(SettingAnswers(o, SrtErrors(o, dtime)))
 
 (* [DINT-07] [DINT-22] [AMB-74] Started anew, it begins from the start. *)
 \* @type: ($job, Int, Int) => $job;
@@ -139,8 +139,8 @@ FoundStarted(o, c) ==
 (* [DINT-14] [DINT-15] *)
 \* @type: (Int, $cpu) => Set(Int);
 CanDintAnswersOf(o, c) ==
-    IF o \notin DintObs THEN Answers(o, {BadOb})
-    ELSE UNION { Answers(o, CanDintErrorsIf(started))
+    IF o \notin DintObs THEN OpenCodes(Answers(o, {BadOb}))
+    ELSE UNION { OpenCodes(Answers(o, CanDintErrorsIf(started)))
                  : started \in FoundStarted(o, c) }
 
 \* @type: Int => Set(Int);
@@ -169,7 +169,7 @@ DintStatuses(o) ==
                       ELSE IF Elapsed(o) THEN {0, 4} ELSE {0})
 
 \* @type: Int => Set(Int);
-QryDintAnswers(o) == Answers(o, DintErrors(o))
+QryDintAnswers(o) == OpenCodes(Answers(o, DintErrors(o)))
 
 (* [DINT-16] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;

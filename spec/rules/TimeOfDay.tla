@@ -16,10 +16,20 @@ ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
                                         ELSE requests
 
+(* [T15-22] [A15-19] The minute from which the points count: at the end of *)
+(* a month perhaps the time of day alone.                                  *)
+\* @type: $tod => Set(Int);
+StartsOf(t) ==
+    IF ~(Family.timeAlone /\ t.period = EndOfMonth) THEN {t.start}
+    ELSE (IF CallTakesTheDate THEN {} ELSE {t.start % MinutesADay})
+           \cup (IF CallTakesTimeAlone THEN {} ELSE {t.start})
+
 (* [TINT-30] [TINT-50] A call sets the interrupt anew or unsets it. *)
 \* @type: (Int, $tod) => Bool;
-SettingBecomes(o, t) == /\ tod'      = [tod EXCEPT ![o] = t]
-                        /\ requests' = Withdrawn(o)
+SettingBecomes(o, t) ==
+    /\ tod' \in { [tod EXCEPT ![o] = [t EXCEPT !.start = start]]
+                 : start \in StartsOf(t) }
+    /\ requests' = Withdrawn(o)
 
 (* [AMB-20] A refused call changes nothing. *)
 SettingStays == UNCHANGED <<tod, requests>>
@@ -41,15 +51,24 @@ Spent(o) ==
 ValidPeriods ==
     CASE OnlyPeriod1201IsWeekly -> PeriodCodes \ {\h1202}
       [] OnlyPeriod1202IsWeekly -> PeriodCodes \ {\h1201}
-      [] OTHER                  -> PeriodCodes
+      [] OTHER ->
+           IF Family.openCodes /\ Period1202IsRefused
+           THEN PeriodCodes \ {\h1202} ELSE PeriodCodes
+
+(* [T15-23] [A15-02] *)
+OpenLeapDay == Family.openCodes /\ LeapDayIsRefused
 
 (* [TINT-18] [TINT-39] [AMB-05] [AMB-38] [AMB-39] *)
 \* @type: ($date, Int) => Bool;
 ValidSdt(sdt, period) ==
     /\ ValidMinute(sdt)
     /\ period = Monthly /\ MonthlyEndsWithDay28 => sdt.day <= 28
-    /\ period = Yearly /\ YearlyNotOnLeapDay => sdt.month # 2 \/ sdt.day # 29
-    /\ period = EndOfMonth /\ EndOfMonthTakesNoOtherDay =>
+    /\ period = Yearly /\ (YearlyNotOnLeapDay \/ OpenLeapDay) =>
+         sdt.month # 2 \/ sdt.day # 29
+    /\ period = EndOfMonth
+         /\ \/ EndOfMonthTakesNoOtherDay
+            \/ Family.timeAlone /\ CallRefusesOtherDays  \* [A15-19]
+       =>
          sdt.day = DaysInMonth(sdt.year, sdt.month)
 
 (* SDT with its seconds [AMB-14]. *)
@@ -80,15 +99,27 @@ SetErrors(o, sdt, period) ==
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
       \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
 
+(* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, and yearly on        *)
+(* February 29, may be refused.                                            *)
+\* @type: (Int, $date, Int, Set(Int)) => Set(Int);
+OpenErrors(o, sdt, period, errors) ==
+    IF ~Family.openCodes THEN {}
+    ELSE IF period = \h1202 /\ ~Period1202IsWeekly
+    THEN SettingAnswers(o, errors \cup {BadPeriod})
+    ELSE IF /\ period = Yearly /\ sdt.month = 2 /\ sdt.day = 29
+            /\ ~LeapDayIsTaken
+    THEN SettingAnswers(o, errors \cup {BadSdt}) ELSE {}
+
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)
 \* @type: (Int, $date, Int) => Set(Int);
 SetAnswers(o, sdt, period) ==
     LET errors == SetErrors(o, sdt, period)
-    IN  IF ~OddSeconds(sdt) THEN Answers(o, errors)
-        ELSE (IF OddSecondsMayPass THEN Answers(o, errors) ELSE {})
-               \cup (IF OddSecondsMayBeWrong
-                     THEN Answers(o, errors \cup {BadSdt}) ELSE {})
+    IN  (IF ~OddSeconds(sdt) THEN SettingAnswers(o, errors)
+         ELSE (IF OddSecondsMayPass THEN SettingAnswers(o, errors) ELSE {})
+                \cup (IF OddSecondsMayBeWrong
+                      THEN SettingAnswers(o, errors \cup {BadSdt}) ELSE {}))
+          \cup OpenErrors(o, sdt, period, errors)
 
 (* [TINT-31] Set anew, it is not active. *)
 \* @type: ($tod, $date, Int) => $tod;
@@ -176,7 +207,7 @@ ActAnswersWhenCalled(o) ==
 ActAnswers(o) ==
     IF Spent(o) THEN ActAnswersWhenSpent(o)
     ELSE IF o \in TodObs /\ CallUsesUp(o) THEN ActAnswersWhenCalled(o)
-    ELSE Answers(o, ActErrors(o))
+    ELSE OpenCodes(SettingAnswers(o, ActErrors(o)))
 
 (* [AMB-10] (b) In repeated time an active one is activated anew [AMB-57]. *)
 \* @type: Int => Bool;
@@ -249,7 +280,7 @@ ActiveBit(o) ==
 Statuses(o) == StatusWithBit2(o, ActiveBit(o))
 
 \* @type: Int => Set(Int);
-QryAnswers(o) == Answers(o, ObErrors(o))
+QryAnswers(o) == OpenCodes(Answers(o, ObErrors(o)))
 
 (* [TINT-70] [TINT-71] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;

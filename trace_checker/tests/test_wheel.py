@@ -211,7 +211,12 @@ def test_programs_gallery_and_rules(unpacked: Path) -> None:
         }
     for page in (package / "rules").iterdir():
         assert page.read_bytes() == (resources.RULES / page.name).read_bytes()
-    assert {page.name for page in (package / "rules").iterdir()} == {"readings.md", "requirements.md"}
+    assert {page.name for page in (package / "rules").iterdir()} == {
+        "differences-s7-1500.txt",
+        "readings.md",
+        "requirements-s7-1500.md",
+        "requirements.md",
+    }
     for name in ("differences.ndjson", "experiments.ndjson"):
         assert (package / name).read_bytes() == (resources.FOUND / name).read_bytes()
 

@@ -24,7 +24,7 @@ from evidence.tla.syntax import SyntaxTreeError, operand, read_text, references,
 _BOX = re.compile(r"\[\]\[(.*?)\]_\w+", re.DOTALL)
 _READING = re.compile(r'\bReading\("(AMB-\d+)"\)')
 _COMMENT = re.compile(r"(@type(?s:.*?);)|\(\*(?! *@type)(?s:.*?)\*\)|\\\*(?! *@type).*")
-_ROW = re.compile(r'<<"(AMB-\d+)", "(\w)", (\w+)>>')
+_ROW = re.compile(r'<<"((?:AMB|A15)-\d+)", "(\w)", (\w+)>>')
 _LETTER = re.compile(r"\bLetterOf(\d+)\b")
 
 ANY_LETTERS = "AnyLetters"

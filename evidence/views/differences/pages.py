@@ -12,7 +12,7 @@ from s7check.engine.client import Engine
 from s7check.kit.layout import to_text
 from s7check.kit.program import Program
 from s7check.kit.scl import NotForCpuError, to_scl
-from s7check.report.clauses import all_clauses, clause
+from s7check.report.clauses import all_clauses, clause, page_of
 from s7check.simulating.kept import Gap, Kept, read_gaps
 from s7check.simulating.shortest import searched
 from s7check.simulating.two_sides import log_of_refused, side_by_side
@@ -125,7 +125,7 @@ def _ids(names: list[str]) -> str:
 
 
 def _page(name: str) -> str:
-    return "readings.md" if name.startswith("AMB-") else "requirements.md"
+    return page_of(name)
 
 
 def _letters() -> dict[str, list[str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from evidence.common.gallery import Case, cases
+from s7check.report.clauses import page_of
 
 _INTRODUCTION = """# Gallery of edge cases
 
@@ -24,4 +25,4 @@ def page() -> str:
 
 
 def _clauses(case: Case) -> str:
-    return ", ".join(f"[{name}](requirements.md#{name})" for name in case.requirements)
+    return ", ".join(f"[{name}]({page_of(name)}#{name})" for name in case.requirements)

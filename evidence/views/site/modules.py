@@ -7,9 +7,9 @@ import re
 from collections.abc import Mapping
 
 from evidence.views.site.documents import relative
-from s7check.report.clauses import Clause
+from s7check.report.clauses import Clause, page_of
 
-_TAG = re.compile(r"\b(?:AMB|[A-Z]{3,4})-\d{2,}\b")
+_TAG = re.compile(r"\b(?:[A-Z]{3,4}|[AT]15)-\d{2,}\b")
 _EXTENDS = re.compile(r"\b[A-Z]\w+\b")
 
 
@@ -33,7 +33,7 @@ def _clause(clause: Clause, place: str) -> str:
 
 
 def _place(name: str) -> str:
-    page = "rules/readings.html" if name.startswith("AMB-") else "rules/requirements.html"
+    page = f"rules/{page_of(name).removesuffix('.md')}.html"
     return f"{page}#{name}"
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-PREFIXES = ("TINT", "DINT", "IRT", "AIRT", "OBS", "CLK")
-AMBIGUITY = "AMB"
+PREFIXES = ("TINT", "DINT", "IRT", "AIRT", "OBS", "CLK", "T15")
+AMBIGUITIES = ("AMB", "A15")
 
-_ANY = rf"(?:{'|'.join((*PREFIXES, AMBIGUITY))})-\d+"
+_ANY = rf"(?:{'|'.join((*PREFIXES, *AMBIGUITIES))})-\d+"
 _MENTION = re.compile(rf"(?<![\w-]){_ANY}(?!\w)")
 _TAG = re.compile(rf"\[({_ANY})\](?:\s*\.\.\s*\[({_ANY})\])?")
 

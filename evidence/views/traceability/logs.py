@@ -8,7 +8,7 @@ from pathlib import Path
 from evidence.common.cases import Case, CasesError, all_cases
 from evidence.views.traceability.entries import Entries, entries
 from evidence.views.traceability.errors import UnreadableError
-from evidence.views.traceability.ids import AMBIGUITY
+from evidence.views.traceability.ids import AMBIGUITIES
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ def _by_requirement(cases: list[Case]) -> dict[str, Entries]:
 
 def _deciding(case: Case) -> list[str]:
     first, *others = case.requirements or [""]
-    return [first, *others[:1]] if first.startswith(AMBIGUITY) else [first]
+    return [first, *others[:1]] if first.startswith(AMBIGUITIES) else [first]
 
 
 def _rank(case: str, name: str) -> tuple[bool, str]:

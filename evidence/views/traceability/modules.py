@@ -21,7 +21,7 @@ from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.ids import RangeError, tagged
 from s7check.resources import modules
 
-_AMBIGUITY = re.compile(r'"(AMB-\d+)"')
+_AMBIGUITY = re.compile(r'"((?:AMB|A15)-\d+)"')
 _LEFT_OUT = re.compile(r"Left out:(.*)", re.DOTALL)
 _FRAME = re.compile(r"^\s*(?:\(\*|\\\*)?\s*|\s*(?:\*\))?\s*$")
 _BOX_LINE = 2

@@ -10,6 +10,7 @@ from evidence.views.traceability.matrix import COLUMNS, MODULE, NOTHING, Cell, M
 from evidence.views.traceability.project import Project
 from evidence.views.traceability.proofs import Proof
 from evidence.views.traceability.reasons import KINDS
+from s7check.report.clauses import page_of
 
 _INTRODUCTION = """\
 # Traceability
@@ -88,7 +89,7 @@ def _row(row: Row, proofs: Mapping[str, Proof]) -> str:
         "rejected": _cell(row.cells["rejected"], _logs),
         "proof": _proof([proofs[d.name] for d in row.properties if d.name in proofs]) if row.properties else "",
     }
-    return f"| [{row.id}](requirements.md#{row.id}) | {' | '.join(cells.values())} |\n"
+    return f"| [{row.id}]({page_of(row.id)}#{row.id}) | {' | '.join(cells.values())} |\n"
 
 
 def _proof(found: list[Proof]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import groupby, pairwise
 
+from evidence.views.traceability.ids import AMBIGUITIES
 from evidence.views.traceability.matrix import COLUMNS, READING, Matrix
 from evidence.views.traceability.project import READINGS, REASONS, Project
 from evidence.views.traceability.reasons import named
@@ -46,8 +47,12 @@ def _unknown(project: Project) -> list[str]:
 
 def _gaps_in_numbers(ambiguities: Sequence[str]) -> list[str]:
     """Ambiguities are numbered through, so that a row that is lost can be seen."""
-    numbers = [0, *sorted(int(name.split("-")[1]) for name in ambiguities)]
-    return [f"{READINGS}: no AMB-{n:02}" for low, high in pairwise(numbers) for n in range(low + 1, high)]
+    return [
+        f"{READINGS}: no {prefix}-{n:02}"
+        for prefix in AMBIGUITIES
+        for low, high in pairwise([0, *sorted(int(n.split("-")[1]) for n in ambiguities if n.startswith(prefix))])
+        for n in range(low + 1, high)
+    ]
 
 
 def _void_reasons(project: Project, matrix: Matrix) -> list[str]:

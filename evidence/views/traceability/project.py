@@ -17,6 +17,7 @@ from evidence.views.traceability.roles import rules, statements
 from s7check.report.clauses import Clause
 
 REQUIREMENTS = Path("docs/rules/requirements.md")
+REQUIREMENTS_S7_1500 = Path("docs/rules/requirements-s7-1500.md")
 READINGS = Path("docs/rules/readings.md")
 REASONS = Path("docs/rules/left_out.json")
 MODELS = Path("models")
@@ -54,7 +55,12 @@ def read_project(root: Path) -> Project:
             raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
     paths = sorted({path for pattern in CITING for path in root.glob(pattern)})
     return Project(
-        documents.requirements(root / REQUIREMENTS),
+        {
+            name: clause
+            for page in (REQUIREMENTS, REQUIREMENTS_S7_1500)
+            if page == REQUIREMENTS or (root / page).exists()
+            for name, clause in documents.requirements(root / page).items()
+        },
         documents.ambiguities(root / READINGS),
         tuple(spec),
         read_controls(root / MODELS, spec, models),

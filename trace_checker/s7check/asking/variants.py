@@ -23,14 +23,29 @@ class Variant:
         """The header, an object as in a log, with this change."""
         changed = dict(header)
         if self.cpu is not None:
-            changed["cpu"] = self.cpu
-            if "priority" in changed and self.cpu not in pool.alternatives().settable:
-                del changed["priority"]
+            changed = fitted(changed, self.cpu)
         if self.profile is not None:
             changed["profile"] = self.profile
         if self.letters:
             changed["readings"] = {**changed.get("readings", {}), **dict(self.letters)}
         return changed
+
+
+def fitted(header: Mapping[str, Any], cpu: str) -> dict[str, Any]:
+    """The header on a CPU of another family, without OBs and priorities that this one does not have."""
+    words = pool.alternatives()
+    changed = {**header, "cpu": cpu}
+    lacking = dict(words.unknown).get(cpu, [])
+    if isinstance(changed.get("obs"), list):
+        changed["obs"] = [ob for ob in changed["obs"] if ob not in lacking]
+    if "priority" in changed:
+        classes = dict(next((some for name, some in words.classes if name == cpu), []))
+        changed["priority"] = {
+            ob: level for ob, level in changed["priority"].items() if level in classes.get(int(ob), [])
+        }
+        if cpu not in words.settable or not changed["priority"]:
+            del changed["priority"]
+    return changed
 
 
 AS_IT_IS = Variant("as it is")

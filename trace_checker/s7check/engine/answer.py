@@ -204,14 +204,18 @@ class Decision(msgspec.Struct, frozen=True):
 class Alternatives(msgspec.Struct, frozen=True):
     """The words of a log: what a header and a call may say, ``Words`` and ``Alternatives`` of the specification.
 
-    ``settable`` are families whose priority ``classes`` can be set. ``choices`` are the letters that a header may name,
-    ``letters`` those that formulas tell apart. The OBs of ``faulty`` come with a fault id. ``answers`` are calls with
-    the RET_VALs that they may have, but for SFC 41, which answers a count.
+    ``settable`` are families whose priority ``classes`` can be set; ``unknown`` are the OBs that a family lacks,
+    ``usual`` the default classes.
+    ``choices`` are the letters that a header may name, ``letters`` those that formulas tell apart. The OBs of
+    ``faulty`` come with a fault id. ``answers`` are calls with the RET_VALs that they may have, but for SFC 41, which
+    answers a count.
     """
 
     families: list[str] = []
     settable: list[str] = []
-    classes: list[tuple[int, list[int]]] = []
+    classes: list[tuple[str, list[tuple[int, list[int]]]]] = []
+    unknown: list[tuple[str, list[int]]] = []
+    usual: list[tuple[str, list[tuple[int, int]]]] = []
     obs: list[int] = []
     tod_obs: list[int] = []
     dint_obs: list[int] = []
@@ -223,6 +227,12 @@ class Alternatives(msgspec.Struct, frozen=True):
     defaults: list[tuple[str, str]] = []
     periods: list[int] = []
     answers: list[tuple[str, list[int]]] = []
+
+    @property
+    def classic(self) -> list[str]:
+        """The families that share the OBs of S7-300/400: none is unknown to them."""
+        lacking = {name for name, some in self.unknown if some}
+        return [name for name in self.families if name not in lacking]
 
     @property
     def readings(self) -> dict[str, list[str]]:

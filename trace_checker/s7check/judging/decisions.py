@@ -27,7 +27,7 @@ from s7check.judging import usual
 from s7check.output import write_whole
 from s7check.resources import ENGINE, SPECIFICATION
 
-_AMBIGUITY = "AMB-"
+_QUESTIONS = ("AMB-", "A15-")
 
 
 class _Kept(msgspec.Struct, frozen=True):
@@ -59,7 +59,7 @@ class Decisions:
                 conditions = inside[one.module, one.definition]
                 telling = {2 * number + 1, *(2 * n + side for n in conditions for side in (0, 1))} - usual_ones
             for name in one.requirements:
-                if not name.startswith(_AMBIGUITY):
+                if not name.startswith(_QUESTIONS):
                     shown[name] |= telling
         self._shown = {name: frozenset(outcomes) for name, outcomes in sorted(shown.items()) if outcomes}
         self.requirements = tuple(self._shown)

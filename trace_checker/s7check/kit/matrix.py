@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from s7check.kit.results import Outcome
-from s7check.report.clauses import clause
+from s7check.report.clauses import clause, page_of
 
 _MARKS = {"passed": "passed", "failed": "**failed**", "skipped": "skipped", "not reached": ""}
 SHOWN = 3
@@ -36,7 +36,7 @@ def to_matrix(runs: Mapping[str, Sequence[Outcome]]) -> str:
 
 
 def _page(requirement: str) -> str:
-    return f"{'readings' if requirement.startswith('AMB') else 'requirements'}.md#{requirement}"
+    return f"{page_of(requirement)}#{requirement}"
 
 
 def _cell(outcome: Outcome | None) -> str:

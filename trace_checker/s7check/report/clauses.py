@@ -1,4 +1,5 @@
-"""The requirements behind the IDs in a report: the entries of docs/rules/requirements.md and docs/rules/readings.md.
+"""The requirements behind the IDs in a report: the entries of requirements.md, requirements-s7-1500.md and readings.md
+in docs/rules.
 
 A requirement is ``- **ID** text *(sources; confidence)*``, a question ``**ID** text`` and a list of its letters, each
 behind an anchor with its ID.
@@ -13,10 +14,10 @@ import msgspec
 from s7check.log.errors import ranges
 from s7check.resources import RULES
 
-_NAMED = re.compile(r"\b[A-Z]+-[0-9]{2,}\b")
-_ANCHOR = re.compile(r'<a id="([A-Z]+-\d+)">')
-_REQUIREMENT = re.compile(r'^- <a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
-_QUESTION = re.compile(r'^<a id="([A-Z]+-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
+_NAMED = re.compile(r"\b[A-Z]+[0-9]*-[0-9]{2,}\b")
+_ANCHOR = re.compile(r'<a id="([A-Z]+\d*-\d+)">')
+_REQUIREMENT = re.compile(r'^- <a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
+_QUESTION = re.compile(r'^<a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
 _LETTER = re.compile(r"^- \(([a-d])\) (.*)$", re.MULTILINE)
 _EVENT_IDS = re.compile(r"^### [\d.]+ Event IDs$(.*?)^### ", re.MULTILINE | re.DOTALL)
 _EVENT = re.compile(r"^\| ([0-9A-F]{4}) \| ([^|]+?) +\|", re.MULTILINE)
@@ -25,7 +26,7 @@ _BREAK = re.compile(r"(?<=.)\n *(?=[^\n -])")
 
 
 class Clause(msgspec.Struct, frozen=True):
-    """A requirement or, with an ID ``AMB-nn``, a question that the sources leave open, and its readings."""
+    """A requirement or, with an ID ``AMB-nn`` or ``A15-nn``, an open question and its readings."""
 
     id: str
     text: str
@@ -36,8 +37,19 @@ class Clause(msgspec.Struct, frozen=True):
     @property
     def place(self) -> str:
         """Where the project's documents have it."""
-        page = "readings" if self.id.startswith("AMB-") else "requirements"
-        return f"docs/rules/{page}.md#{self.id}"
+        return f"docs/rules/{page_of(self.id)}#{self.id}"
+
+
+def is_question(name: str) -> bool:
+    """Whether an ID is that of a question that the sources leave open."""
+    return name.startswith(("AMB-", "A15-"))
+
+
+def page_of(name: str) -> str:
+    """The page of docs/rules that has the clause with an ID."""
+    if is_question(name):
+        return "readings.md"
+    return "requirements-s7-1500.md" if name.startswith("T15-") else "requirements.md"
 
 
 def requirements_of(page: str) -> list[Clause]:
@@ -68,7 +80,11 @@ def _entries(text: str, clauses: list[Clause]) -> list[Clause]:
 
 @cache
 def _clauses() -> dict[str, Clause]:
-    pages = [(requirements_of, "requirements.md"), (questions_of, "readings.md")]
+    pages = [
+        (requirements_of, "requirements.md"),
+        (requirements_of, "requirements-s7-1500.md"),
+        (questions_of, "readings.md"),
+    ]
     found = [clause for read, page in pages for clause in read((RULES / page).read_text(encoding="utf-8"))]
     return {clause.id: clause for clause in found}
 
@@ -102,7 +118,7 @@ def named(text: str) -> list[str]:
 
 def requirements() -> list[str]:
     """The IDs of all requirements, in the order of the documents; questions that the sources leave open are none."""
-    return [name for name in _clauses() if not name.startswith("AMB-")]
+    return [name for name in _clauses() if not is_question(name)]
 
 
 def by_area(names: Iterable[str]) -> str:

@@ -66,7 +66,7 @@ def test_required(field: str) -> None:
 
 REFUSED: list[tuple[str, object, str]] = [
     ("format", "s7-interrupt-log/2", "format"),
-    ("cpu", "S7-1500", "cpu"),
+    ("cpu", "S7-1200", "cpu"),
     ("obs", 1, "obs"),
     ("obs", [1, True], "obs"),
     ("obs", [0], "obs"),
@@ -134,7 +134,7 @@ def test_priority_classes(ob: int, classes: tuple[int, int]) -> None:
 
 def test_priority_on_s7_300() -> None:
     """The S7-300's classes are fixed."""
-    with pytest.raises(UnusableLogError, match='field "priority": expected on S7-400 and CPU 318 only'):
+    with pytest.raises(UnusableLogError, match=r'field "priority": expected on .*S7-400.* only'):
         read_header(HEADER | {"cpu": "S7-300", "priority": {"10": 3}})
 
 

@@ -71,13 +71,20 @@ def test_words(real_engine: Engine) -> None:
     """OBs have the classes of the specification and 0, ambiguities its letters, families and editions its names."""
     words = real_engine.alternatives()
 
-    def taken(field: str, values: Iterable[Any], name: str | None = None) -> list[Any]:
+    def taken(field: str, values: Iterable[Any], name: str | None = None, **header: object) -> list[Any]:
         made = ((value, value if name is None else {name: value}) for value in values)
-        return [value for value, said in made if not refuses(HEADER | {field: said})]
+        return [value for value, said in made if not refuses(HEADER | header | {field: said})]
 
-    classes = {ob: taken("priority", range(-1, 31), str(ob)) for ob in range(256)}
-    assert {ob: levels for ob, levels in classes.items() if levels} == {ob: [0, *some] for ob, some in words.classes}
-    letters = {name: taken("readings", "abcde", name) for name in (f"AMB-{number:02}" for number in range(100))}
+    for family, some in words.classes:
+        if family in words.settable:
+            classes = {ob: taken("priority", range(-1, 31), str(ob), cpu=family, obs=[1]) for ob in range(256)}
+            assert {ob: levels for ob, levels in classes.items() if levels} == dict(some)
+    for family, lacking in words.unknown:
+        others = [ob for ob in range(1, 123) if not refuses(HEADER | {"cpu": family, "obs": [ob]})]
+        assert others == [ob for ob in words.obs if ob not in lacking]
+    letters = {
+        name: taken("readings", "abcde", name) for name in (f"{a}-{n:02}" for a in ("AMB", "A15") for n in range(100))
+    }
     assert {name: some for name, some in letters.items() if some} == words.readings
     properties = SCHEMA_OF_LINES["header"]["properties"]
     assert properties["cpu"]["enum"] == words.families

@@ -1,6 +1,7 @@
 package s7.log;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,7 +28,7 @@ final class Header {
   private static final int NO_START = -1;
 
   /** As a priority class: the OB is deselected [OBS-06]. */
-  private static final int CLASS_OF_DESELECTED = 0;
+  private static final long CLASS_OF_DESELECTED = 0;
 
   private static final String DESELECTED = "deselected";
 
@@ -55,12 +56,21 @@ final class Header {
       new Table("a time-delay interrupt", Map.of(), Table.of(DESELECTED, Spellings.TRUTH));
 
   private final List<String> settable;
-  private final Table header;
+  private final Map<String, TreeSet<Long>> unknown;
+  private final Map<String, Table> headers = new HashMap<>();
+  private final Map<String, TreeMap<Long, TreeSet<Long>>> classes;
 
   Header(Words words) {
     settable = words.settable;
-    header =
-        new Table(
+    unknown = words.unknown;
+    classes = words.classes;
+    for (String family : words.families) {
+      headers.put(family, header(words, classes.get(family)));
+    }
+  }
+
+  private static Table header(Words words, TreeMap<Long, TreeSet<Long>> classes) {
+    return new Table(
             "header",
             Table.of(
                 "format",
@@ -81,7 +91,7 @@ final class Header {
                 "cycle",
                 Spellings.TRUTH,
                 PRIORITY,
-                priorities(words.classes),
+                priorities(classes),
                 "step7",
                 Table.mapping(
                     "the fields tod and dint",
@@ -103,9 +113,11 @@ final class Header {
   }
 
   private static Reader priority(TreeSet<Long> classes) {
-    String expected = "a class " + classes.first() + ".." + classes.last() + " or " + CLASS_OF_DESELECTED + " (deselected)";
+    long lowest = classes.higher(CLASS_OF_DESELECTED);
+    String deselected = classes.contains(CLASS_OF_DESELECTED) ? " or " + CLASS_OF_DESELECTED + " (deselected)" : "";
+    String expected = "a class " + lowest + ".." + classes.last() + deselected;
     return value -> {
-      if (value instanceof Long level && (level == CLASS_OF_DESELECTED || classes.contains(level))) {
+      if (value instanceof Long level && classes.contains(level)) {
         return value;
       }
       throw new Unusable(expected, Quoting.quote(value));
@@ -152,9 +164,15 @@ final class Header {
     if (!raw.has("format") && raw.has(Events.EVENT)) {
       throw new Unusable("the header in the first line", "the event " + Quoting.quote(raw.get(Events.EVENT)));
     }
-    Fields given = header.read(raw);
+    Object family = raw.get(CPU);
+    Fields given = headers.getOrDefault(family instanceof String name ? name : "", headers.get(settable.get(0))).read(raw);
     if (given.has(PRIORITY) && !settable.contains(given.get(CPU))) {
       throw new Unusable("on " + String.join(" and ", settable) + " only", "on " + given.get(CPU), PRIORITY);
+    }
+    for (Object ob : (List<?>) given.get("obs")) {
+      if (unknown.get(given.get(CPU)).contains(ob)) {
+        throw new Unusable("an OB that an " + given.get(CPU) + " has", "OB " + ob, "obs");
+      }
     }
     var normalised = new Fields();
     normalised.put(CPU, given.get(CPU));
@@ -233,6 +251,25 @@ final class Header {
     }
   }
 
+  /** Take away what the family of the header does not have: OBs, and priority classes that cannot be set. */
+  private void fit(Fields normalised) {
+    Object family = normalised.get(CPU);
+    TreeMap<Long, TreeSet<Long>> classes = this.classes.getOrDefault(family, new TreeMap<>());
+    normalised.put(
+        PRIORITY,
+        ((List<?>) normalised.get(PRIORITY))
+            .stream()
+                .filter(pair -> settable.contains(family) && isClass((List<?>) pair, classes))
+                .toList());
+    TreeSet<Long> gone = unknown.getOrDefault(family, new TreeSet<>());
+    normalised.put("obs", ((List<?>) normalised.get("obs")).stream().filter(ob -> !gone.contains(ob)).toList());
+  }
+
+  private static boolean isClass(List<?> pair, TreeMap<Long, TreeSet<Long>> classes) {
+    TreeSet<Long> those = classes.get(((Number) pair.get(0)).longValue());
+    return those != null && those.contains(((Number) pair.get(1)).longValue());
+  }
+
   /**
    * A normalised header with other choices.
    *
@@ -245,8 +282,8 @@ final class Header {
         normalised.put(name, chosen.get(name));
       }
     }
-    if (!settable.contains(normalised.get(CPU))) {
-      normalised.put(PRIORITY, List.of());
+    if (chosen.has(CPU)) {
+      fit(normalised);
     }
     var letters = new Fields();
     for (Object pair : (List<?>) normalised.get(READINGS)) {

@@ -24,7 +24,7 @@ final class Programs {
   private static final Reader ELAPSED = Spellings.integer(0, LONGEST);
   private static final Reader SPAN = Spellings.integer(1, LONGEST);
   private static final Reader REQUIREMENTS =
-      Table.list(matching("[A-Z]{2,5}-[0-9]{2}", "a requirement such as \"AIRT-03\""));
+      Table.list(matching("[A-Z]{1,5}[0-9]{0,2}-[0-9]{2,3}", "a requirement such as \"AIRT-03\""));
   private static final Reader TEXT =
       value -> {
         if (value instanceof String text && !text.isBlank() && text.indexOf('\n') < 0) {

@@ -1,6 +1,7 @@
 package s7.log;
 
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
@@ -29,8 +30,11 @@ final class Words {
   /** The OBs of these whose interrupt line carries a fault id. */
   final TreeSet<Long> faultyObs;
 
-  /** OB -> the priority classes it can be given. */
-  final TreeMap<Long, TreeSet<Long>> classes;
+  /** Family -> OB -> the priority classes it can be given, where they can be set. */
+  final Map<String, TreeMap<Long, TreeSet<Long>>> classes = new TreeMap<>();
+
+  /** Family -> the OBs that none of its CPUs has. */
+  final TreeMap<String, TreeSet<Long>> unknown;
 
   Words(Fields words) {
     families = list(words.get("families"));
@@ -43,7 +47,10 @@ final class Words {
     timeDelayObs = new TreeSet<>(Words.<Long>list(words.get("dint_obs")));
     externalObs = new TreeSet<>(Words.<Long>list(words.get("external")));
     faultyObs = new TreeSet<>(Words.<Long>list(words.get("faulty")));
-    classes = map(words.get("classes"));
+    for (List<Object> pair : Words.<List<Object>>list(words.get("classes"))) {
+      classes.put((String) pair.get(0), map(pair.get(1)));
+    }
+    unknown = map(words.get("unknown"));
   }
 
   @SuppressWarnings("unchecked")

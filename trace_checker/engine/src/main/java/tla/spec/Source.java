@@ -17,7 +17,7 @@ import tla.tree.SemanticNode;
 final class Source {
   /** Such as {@code [AIRT-03]}, and ranges such as {@code [TINT-72] .. [TINT-79]}. */
   private static final Pattern REQUIREMENT =
-      Pattern.compile("\\[([A-Z]+-)([0-9]+)\\](?:\\s*\\.\\.\\s*\\[\\1([0-9]+)\\])?");
+      Pattern.compile("\\[([A-Z]+[0-9]*-)([0-9]+)\\](?:\\s*\\.\\.\\s*\\[\\1([0-9]+)\\])?");
 
   private final Map<String, Supplier<String>> texts;
   private final Map<String, List<String>> modules = new HashMap<>();

@@ -1,0 +1,39 @@
+------------------------------ MODULE MCS71500 ------------------------------
+(***************************************************************************)
+(* An S7-1500: a minute interrupt whose clock is set by 10 s, 20 s and     *)
+(* more, forward and back; a hardware interrupt above OB 80; OB 80 loaded  *)
+(* or missing; STARTUP, HOLD.                                              *)
+(***************************************************************************)
+EXTENDS MCBase, PropertiesS71500
+
+MCTodObs == {10}
+(* In its place where two interrupts are skipped. *)
+TwoTodObs == {10, 11}
+MCFamilies == {"S7-1500"}
+MCLoads == {{10, 11, 40, 80, 82, 100}}
+(* In its place: OB 80 and others may be missing. *)
+FewLoads == MCLoads \cup {{10, 11, 40}}
+MCStep7Settings ==
+    { [ o \in TodObs |-> IF o = 10 THEN Activated("minute", 0)
+                         ELSE Activated("once", 1) ] }
+MCPriorities == { [o \in {40} |-> 23] }
+MCReadingSets == { [ a \in { p[1] : p \in FamilyOf("S7-1500").letters } |->
+                       (CHOOSE p \in FamilyOf("S7-1500").letters :
+                          p[1] = a)[2] ] }
+MCMoments == { Moment(0, 30000), Moment(0, 55000), Moment(1, 0),
+               Moment(1, 5000), Moment(1, 15000) }
+MCPowerOnMoments == {Moment(0, 55000)}
+MCClockTargets == { Moment(0, 30000), Moment(0, 55000), Moment(1, 5000),
+                    Moment(1, 15000) }
+MCInterrupts == {<<40, 0>>, <<82, 0>>, <<80, 1>>, <<121, 0>>, <<122, 0>>}
+MCRestartTypes == {"warm", "cold"}
+FarMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 15000)}
+FarTargets == {Moment(0, 30000), Moment(1, 15000)}
+JustWarm == {"warm"}
+MayBeHeld == TRUE
+NothingSet == {[o \in TodObs |-> NotConfigured]}
+
+Bounded == /\ delay = 0
+           /\ Waiting(2)
+           /\ mode = "STOP" => clock \in PowerOnMoments
+=============================================================================

@@ -1,0 +1,111 @@
+-------------------------- MODULE PropertiesS71500 --------------------------
+(***************************************************************************)
+(* What holds of an S7-1500 where it differs from S7-300/400, in other     *)
+(* words than the actions. MCS71500 checks it.                             *)
+(*                                                                         *)
+(* Left out: what holds of every family (Properties).                      *)
+(***************************************************************************)
+EXTENDS Properties
+
+(* By how much this step sets the clock. *)
+Forward == Did("clock") /\ Before(clock, clock')
+Distance20 == IF Before(clock, clock') THEN Span(clock, clock')
+                                       ELSE Span(clock', clock)
+
+(* New requests for OB 80 with this fault. *)
+\* @type: Int => Bool;
+Reports(fault) == \E r \in Fresh : r.ob = TimeErrorOb /\ r.fault = fault
+
+(* [T15-30] [T15-35] [T15-60] .. [T15-66] The class of a running OB is the *)
+(* one that is set for it, or that of its kind, in every mode.             *)
+KindInv ==
+    \A i \in DOMAIN stack :
+      LET o == stack[i].ob
+          c == stack[i].class
+      IN  IF o \in DOMAIN cpu.priority THEN c = cpu.priority[o]
+          ELSE /\ o \in {1, 100} => c = 1
+               /\ o \in 10..17 => c = 2
+               /\ o \in 20..23 => c = 3
+               /\ o = 35 => c = 13
+               /\ o \in 40..47 => c \in {16, 18}
+               /\ o = 80 => c = 22
+               /\ o = 82 => c = 5
+               /\ o = 83 => c = 6
+               /\ o \in {121, 122} => c = 7
+
+(* [T15-61] OB 80 interrupts no OB of class 22 or above. *)
+TimeErrorTurnProp ==
+    [][ Started(TimeErrorOb) => Running.class < 22 ]_vars
+
+(* [T15-40] [T15-110] .. [T15-114] The CPU stops by rule for a missing OB  *)
+(* 121 or for the cycle time alone, and never calls OB 85.                 *)
+OnlyTwoStopsProp ==
+    [][ /\ ~Started(ProgramErrorOb)
+        /\ Did("stop") =>
+             \/ step'.value = NoProgrammingErrorOb /\ 121 \notin loaded
+             \/ step'.value = NoTimeErrorOb /\ TimeErrorOb \notin loaded ]_vars
+
+(* [T15-114] The cycle time stops it. *)
+CycleTimeProp ==
+    [][ Did("interrupt") /\ step'.ob = TimeErrorOb /\ mode \in {"RUN"}
+          /\ step'.value = CycleTimeExceeded /\ TimeErrorOb \notin loaded
+          => stopCause' # NoCause ]_vars
+
+(* [T15-90] [T15-91] [T15-95] A clock set forward by less than 20 s calls  *)
+(* no OB 80; by more it does, if a point was skipped and OB 80 is there.   *)
+JumpProp ==
+    [][ /\ Forward /\ Distance20 < 20000 => ~Reports(SkippedByClock)
+        /\ Forward /\ Distance20 > 20000 /\ mode = "RUN"
+             /\ SkippedNow # {} /\ TimeErrorOb \in loaded
+             => \E r \in requests' : /\ r.ob = TimeErrorOb
+                                     /\ r.fault = SkippedByClock ]_vars
+
+(* [T15-90] Every skipped interrupt is caught up, where its OB does not    *)
+(* wait or run already.                                                    *)
+SmallJumpProp ==
+    [][ Forward /\ Distance20 < 20000 /\ mode = "RUN" =>
+          \A o \in SkippedNow :
+            ~OnStack(o) /\ ~PendingIn(requests, o) =>
+              \E r \in requests' : r.ob = o /\ ~r.open ]_vars
+
+(* [T15-91] [T15-119] After OB 80 with 05 or 06 at least one comes.        *)
+SomeCatchUpProp ==
+    [][ \/ ~(Reports(SkippedByClock) \/ Reports(SkippedInHold))
+        \/ \E o \in TodObs : OnStack(o) \/ \E r \in requests' : r.ob = o
+      ]_vars
+
+(* [T15-93] [T15-94] Set back by less than 20 s, the clock arms no point   *)
+(* that was served; by more, the first point from the new time on.         *)
+SetBackProp ==
+    [][ Did("clock") /\ mode = "RUN" /\ Before(clock', clock) =>
+          \A o \in TodObs : tod[o].active /\ ~HasOnePoint(tod[o].period) =>
+            /\ Distance20 < 20000 =>
+                 ~\E i \in tod[o].served :
+                    i.from <= tod'[o].next /\ tod'[o].next <= i.to
+            /\ Distance20 > 20000 =>
+                 tod'[o].next = PointFrom(tod[o], FirstMinute(tod[o], clock'))
+      ]_vars
+
+(* [T15-117] In STARTUP OB 80 does not run. *)
+HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars
+
+(* [T15-118] A start event of STARTUP waits. *)
+KeptProp ==
+    [][ Did("interrupt") /\ mode = "STARTUP" /\ step'.ob = 40 =>
+          \E r \in requests' : r.ob = 40 ]_vars
+
+(* [T15-26] [T15-27] A point that comes while the OB runs leaves a run.    *)
+LateRunProp ==
+    [][ Did("reached") /\ OnStack(step'.ob) =>
+          PendingIn(requests', step'.ob) ]_vars
+
+(* [T15-115] *)
+WarmProp == [][ Did("restart") => startup' = "warm" ]_vars
+
+(* [T15-63] A missing OB 122 changes nothing; [T15-111] a missing OB 121   *)
+(* stops the CPU.                                                          *)
+AccessErrorProp ==
+    [][ Did("interrupt") /\ step'.ob \in SyncErrorObs \ loaded =>
+          IF step'.ob = 122 THEN UNCHANGED <<stack, stopCause>>
+          ELSE stopCause' # NoCause ]_vars
+=============================================================================

@@ -1,0 +1,76 @@
+--------------------------- MODULE FamilyReasons ----------------------------
+(***************************************************************************)
+(* The requirements of a line, by the words of the CPU's family:           *)
+(* where a text about the family says otherwise, its requirement is cited  *)
+(* in the place of that of S7-300/400.                                     *)
+(*                                                                         *)
+(* No action uses this module.                                             *)
+(* Source: the requirement IDs.                                            *)
+(***************************************************************************)
+EXTENDS Calendar, Cpu
+
+(* A requirement of S7-300/400, and that of the S7-1500 in its place. *)
+\* @type: Set(<<Str, Str>>);
+InPlace ==
+  { <<"AIRT-13", "T15-53">>, <<"CLK-05", "T15-100">>, <<"DINT-01", "T15-35">>,
+    <<"DINT-09", "T15-40">>, <<"DINT-10", "T15-36">>, <<"OBS-05", "T15-60">>,
+    <<"OBS-11", "T15-62">>, <<"OBS-20", "T15-112">>, <<"OBS-21", "T15-113">>,
+    <<"OBS-23", "T15-111">>, <<"OBS-26", "T15-114">>, <<"OBS-27", "T15-111">>,
+    <<"OBS-31", "T15-61">>, <<"OBS-32", "T15-92">>, <<"OBS-43", "T15-117">>,
+    <<"OBS-46", "T15-119">>, <<"OBS-57", "T15-115">>, <<"OBS-61", "T15-63">>,
+    <<"OBS-62", "T15-63">>, <<"OBS-63", "T15-111">>, <<"TINT-14", "T15-26">>,
+    <<"TINT-16", "T15-112">>, <<"TINT-18", "T15-23">>,
+    <<"TINT-33", "T15-32">> }
+
+(* Of its priority. *)
+\* @type: Int => Str;
+OfItsClass(o) ==
+    CASE o \in TodObs       -> "T15-30"
+      [] o \in DintObs      -> "T15-35"
+      [] o \in 30..38       -> "T15-66"
+      [] o \in 40..47       -> "T15-65"
+      [] o = TimeErrorOb    -> "T15-61"
+      [] o \in AsyncErrorObs -> "T15-62"
+      [] o \in SyncErrorObs -> "T15-63"
+      [] o \in StartupObs   -> "T15-64"
+      [] OTHER              -> "T15-60"
+
+(* Of the last setting of the clock: how far, and in which direction. *)
+\* @type: Seq($event) => Set(Str);
+OfTheJump(past) ==
+    LET set == { i \in DOMAIN past : past[i].event = "clock" }
+        c   == past[CHOOSE i \in set : \A j \in set : j <= i]
+        ms  == IF Before(c.at, c.to) THEN Span(c.at, c.to)
+                                     ELSE Span(c.to, c.at)
+    IN  IF set = {} THEN {"T15-91"}
+        ELSE IF ms = Family.jump THEN {"T15-95"}
+        ELSE IF Before(c.at, c.to)
+        THEN {IF ms < Family.jump THEN "T15-90" ELSE "T15-91"}
+        ELSE {IF ms < Family.jump THEN "T15-93" ELSE "T15-94"}
+
+\* @type: ($event, Seq($event), Str) => Set(Str);
+Instead(e, past, id) ==
+    CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} -> OfTheJump(past)
+      [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
+           {id, OfItsClass(e.ob)}
+             \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})
+      [] id = "OBS-01" -> {id} \cup { OfItsClass(r.ob) : r \in requests }
+      [] id = "OBS-22" ->
+           IF stopCause # NoCause THEN {"T15-114"}
+           ELSE {"T15-110"}
+                  \cup (IF past # <<>> /\ past[Len(past)].event = "clock"
+                        THEN OfTheJump(past) ELSE {})
+      [] id = "TINT-06" -> {id} \cup (IF \E o \in DOMAIN tod :
+                                         tod[o].period = EndOfMonth
+                                      THEN {"T15-22"} ELSE {})
+      [] id = "OBS-42" -> {CASE e.event # "start"    -> "T15-118"
+                             [] e.ob \in StartupObs -> "T15-116"
+                             [] OTHER               -> "T15-117"}
+      [] \E p \in InPlace : p[1] = id ->
+           { p[2] : p \in { q \in InPlace : q[1] = id } }
+      [] OTHER -> {id}
+
+\* @type: ($event, Seq($event), Set(Str)) => Set(Str);
+Cited(e, past, ids) ==
+    IF ~Family.byKind THEN ids ELSE UNION { Instead(e, past, id) : id \in ids }
+=============================================================================
