@@ -10,6 +10,7 @@ from s7check import cli
 from s7check.asking.line_text import as_line, iso_of
 from s7check.asking.log_prefix import read_prefix
 from s7check.asking.next_answer import opened
+from s7check.asking.open_questions import open_questions
 from s7check.asking.session import Session
 from s7check.engine.client import Engine
 from s7check.log.errors import UnusableLogError
@@ -242,3 +243,38 @@ def test_a_line_is_of_the_format(real_engine: Engine) -> None:
     with pytest.raises(UnusableLogError):
         session.feed({"event": "go"})
     assert session.feed({"event": "DIS_AIRT", "at": at(31)}) is None
+
+
+WAITING = [
+    {"event": "SRT_DINT", "at": "2026-11-21T05:59:31", "ob": 20, "dtime": 100, "sign": 0, "ret": 0},
+    {"event": "DIS_AIRT", "at": "2026-11-21T05:59:31", "ret": 1},
+    {"event": "SRT_DINT", "at": "2026-11-21T05:59:31.200", "ob": 20, "dtime": 500, "sign": 0, "ret": 0},
+]
+
+
+@pytest.mark.parametrize(
+    ("readings", "lines", "named"),
+    [
+        # SRT_DINT on an OB that waits: whether its run is withdrawn is open.
+        ({}, WAITING, ["AMB-11"]),
+        # An end of OB 1 may be hidden between the lines; no question is open.
+        ({"AMB-11": "b"}, WAITING, []),
+        ({}, WAITING[:2], []),
+    ],
+)
+def test_questions_by_which_explanations_differ(
+    readings: dict[str, str], lines: list[dict[str, Any]], named: list[str], real_engine: Engine
+) -> None:
+    """Each letter leaves other explanations, and together they leave all."""
+    header = HEADER | {"obs": [1, 20, 80, 85, 100], "mode": "RUN", "readings": readings}
+    session = Session(real_engine, header)
+    for line in lines:
+        assert session.feed(line) is None
+    questions = open_questions(real_engine, session)
+    assert [one.name for one in questions] == named
+    for one in questions:
+        numbers = {number for some in one.explanations.values() for number in some}
+        assert numbers == set(range(1, len(session.situations()) + 1))
+        assert one.explanations["b"] != one.explanations["a"]
+        assert f"(b) it is withdrawn: explanations {', '.join(map(str, one.explanations['b']))}" in one.text
+    session.close()

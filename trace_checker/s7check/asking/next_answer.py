@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from s7check.asking.answers import Possible, Refusal
 from s7check.asking.differences import Difference, differences
 from s7check.asking.log_prefix import Prefix
+from s7check.asking.open_questions import OpenQuestion, open_questions
 from s7check.asking.session import Session
 from s7check.asking.variants import Variant
 from s7check.engine.answer import Situation
@@ -20,7 +21,8 @@ class NextAnswer:
     """The situation after a log, and the events that may come.
 
     ``columns`` are the other headers under which the log can be explained, ``differences`` have a cell for the log's
-    own header and one for each of these; ``broken`` says of the others at which line they reject the log.
+    own header and one for each of these; the explanations of the log differ by ``questions``; ``broken`` says of the
+    others at which line they reject the log.
     """
 
     place: str
@@ -30,6 +32,7 @@ class NextAnswer:
     columns: list[str]
     differences: list[Difference]
     broken: dict[str, str]
+    questions: list[OpenQuestion]
 
 
 def opened(engine: Engine, prefix: Prefix) -> tuple[Session, int, Refusal | None]:
@@ -72,4 +75,5 @@ def what_is_next(engine: Engine, prefix: Prefix, others: Iterable[Variant]) -> N
         list(columns),
         differences({"this log": possible, **columns}) if columns else [],
         broken,
+        open_questions(engine, session),
     )

@@ -28,6 +28,7 @@ def to_json(answer: NextAnswer) -> str:
                 for time in answer.possible.times
                 if time.due
             ],
+            "questions": [{"name": one.name, "explanations": one.explanations} for one in answer.questions],
             "endless": answer.possible.endless,
             "whole": answer.possible.whole,
             "possible": [_line(line, times) for line in answer.possible.lines],

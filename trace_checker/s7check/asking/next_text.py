@@ -13,9 +13,7 @@ from s7check.report.expected import format_allowed
 from s7check.report.report import clause_text
 
 _SHOWN = 3
-_ONLY_SOME = (
-    "the log has very many explanations, of which some were asked: more lines may be possible than these"
-)
+_ONLY_SOME = "the log has very many explanations, of which some were asked: more lines may be possible than these"
 
 
 def to_text(answer: NextAnswer) -> str:
@@ -29,6 +27,9 @@ def _lines(answer: NextAnswer) -> Iterator[str]:
     for number, state in enumerate(answer.situations[:_SHOWN], 1):
         yield _heading("now" if several == 1 else f"now, explanation {number} of {several}")
         yield from (f"    {topic}: {text}" for topic, text in words.situation(state))
+    if answer.questions:
+        yield _heading("the explanations differ by what the sources leave open")
+        yield from (f"    {one.text}" for one in answer.questions)
     yield from _due(answer)
     if not answer.possible.whole:
         yield f"  {_ONLY_SOME}"
