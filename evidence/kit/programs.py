@@ -11,7 +11,7 @@ from pathlib import Path
 
 from evidence.common.cases import all_cases
 from evidence.common.checkout import MANIFEST, ROOT
-from evidence.kit import calendar, calls, meetings, nesting, shipped, waiting
+from evidence.kit import calendar, calls, meetings, nesting, shipped, steps, waiting
 from evidence.kit.files import PATHS, REACHED, Json, as_line, read_lines
 from evidence.models.manifest import load
 from s7check.kit.program import FORMAT
@@ -31,6 +31,7 @@ def programs() -> list[Json]:
         *calls.programs(),
         *calendar.programs(),
         *waiting.programs(),
+        *steps.programs(),
         *nesting.programs(),
         *meetings.programs(SEED),
         *_paths(),
