@@ -13,7 +13,7 @@ def asks(program: Json) -> bool:
     header = program["header"]
     events = [event for event in program.get("outside", ()) if event["event"] != "state"]
     active = any(one.get("active") for one in header.get("step7", {}).get("tod", {}).values())
-    first = {"RUN": (1,), "STARTUP": (1, 100, 102)}.get(header.get("mode", "STOP"), ())
+    first = {"RUN": (1,), "STARTUP": (1, 100, 101, 102)}.get(header.get("mode", "STOP"), ())
     own = any("call" in step for body in program["bodies"] if body["ob"] in first for step in body["steps"])
     return bool(events) or active or own or header.get("mode") == "STARTUP"
 

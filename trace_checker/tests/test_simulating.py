@@ -12,9 +12,11 @@ import pytest
 from s7check import cli
 from s7check.api import check
 from s7check.engine.client import Engine
+from s7check.kit.adapter import Ran
 from s7check.kit.collection import programs_of
 from s7check.kit.followed import departure
 from s7check.kit.program import Program, read_program
+from s7check.kit.whole import whole
 from s7check.resources import KIT
 from s7check.simulating.outcomes import count, outcomes
 from s7check.simulating.simulation import Simulation
@@ -71,7 +73,7 @@ def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine
     lines = [json.dumps(line).encode() for line in run(real_engine, one, seed)]
     report = check(lines)
     assert report.verdict == "accepted", str(report)
-    assert departure(real_engine, one, lines) == ""
+    assert departure(real_engine, one, whole(real_engine, one, Ran(tuple(lines)))) == ""
 
 
 @pytest.mark.parametrize(("name", "seed"), [("OBS-path-hold-0109", 3), ("AIRT-path-airt-0007", None)])

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 from s7check.kit.program import Program
 from s7check.log.errors import UnusableLogError, printable
@@ -34,11 +34,13 @@ class AdapterError(Exception):
 
 @dataclass(frozen=True)
 class Ran:
-    """The log of a run, or why there is none: ``failed`` for a crash, a hang or an endless log, ``skipped`` for a
-    program that the implementation says it cannot run.
+    """The log of a run, or why there is none: ``failed`` for a crash, a hang, an endless log or a line that is no
+    JSON object, ``skipped`` for a program that the implementation says it cannot run. ``done`` is the line that ends
+    the log, empty if it has no time.
     """
 
     log: tuple[bytes, ...]
+    done: bytes = b""
     failed: str = ""
     skipped: str = ""
 
@@ -88,13 +90,18 @@ class Adapter:
             size += len(chunk)
             *complete, rest = (rest + chunk).split(b"\n")
             for place, line in enumerate(complete):
+                if line.strip() and not line.lstrip().startswith(b"{"):
+                    found = printable(line.decode(errors="replace"), _LAST_WORDS)
+                    return self._failed(lines, f"line {len(lines) + 1}: expected a JSON object; found {found}")
                 said = _protocol(line)
                 if said is None:
                     lines.append(line)
                     continue
                 if rest or place + 1 < len(complete):
                     return self._failed(lines, 'lines behind {"event": "done"}')
-                return Ran(tuple(lines), skipped=said)
+                if said.get("event") == "skip":
+                    return Ran((), skipped=str(said.get("reason") or "the adapter gives no reason"))
+                return Ran(tuple(lines), done=line if said.keys() - {"event"} else b"")
             if size > _LONGEST_LOG:
                 return self._failed(lines, f"a log of more than {_LONGEST_LOG >> 20} MB")
 
@@ -148,14 +155,12 @@ class Adapter:
             process.wait()
 
 
-def _protocol(line: bytes) -> str | None:
-    """The reason of a ``skip``, empty for ``done``; None for a line of the log."""
+def _protocol(line: bytes) -> dict[str, Any] | None:
+    """The object of ``done`` or ``skip``, with which a program is over; None for a line of the log."""
     if b'"done"' not in line and b'"skip"' not in line:
         return None
     try:
         raw = decoded(line.strip())
     except UnusableLogError:
         return None
-    if raw.get("event") == "skip":
-        return str(raw.get("reason") or "the adapter gives no reason")
-    return "" if raw.get("event") == "done" else None
+    return raw if raw.get("event") in ("done", "skip") else None

@@ -6,42 +6,63 @@ or leaves parts of it out.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import islice
 from typing import Any
 
 import msgspec
 
-from s7check.asking.line_text import passed_date
+from s7check.asking.session import Session
 from s7check.engine.client import Engine
-from s7check.kit.program import Program, bodies_of
-from s7check.log.calls import LOG_FORMAT, OPERANDS
+from s7check.kit.program import Program, outside_events
+from s7check.kit.turns import calls_departure
+from s7check.kit.whole import Whole, elapsed
+from s7check.log.calls import LOG_FORMAT
+from s7check.log.objects import decoded
+from s7check.log.values import instant, iso
 
 _OF_PROGRAM = ("cpu", "obs", "clock", "mode", "priority", "step7")
 
 _SURE = ("load", "delete", "restart")
 """Events from outside that reach a CPU in every mode."""
 
+_NEVER = ("state",)
+"""No line of these is ever owed."""
 
-def departure(engine: Engine, program: Program, log: Sequence[bytes]) -> str:
+_SLACK = 1_000
+"""Milliseconds, and 1 % of the time, by which an implementation may miss the moment of an event."""
+
+_ASKED = 20
+"""Events without a line about which the specification is asked, at most, for each program."""
+
+
+def departure(engine: Engine, program: Program, log: Whole) -> str:
     """The first place where the log is not that of the program; empty if there is none.
 
-    ``log`` has been judged, so its lines can be read up to the first that cannot.
+    The log was accepted. Raises EngineError.
     """
-    lines = [line for line in log if line.strip()]
-    if not lines:
-        return "the log is empty"
-    content = engine.read(b"\n".join(lines))
-    header = content.header
-    if header is None:
-        return ""  # the verdict says it
+    header = log.content.header
+    assert header is not None
     own = engine.read(msgspec.json.encode({"format": LOG_FORMAT, **program.header})).header
     assert own is not None
     for field in _OF_PROGRAM:
         if _ordered(header[field]) != _ordered(own[field]):
             return f'line 1: field "{field}": expected that of the program'
-    events = [(event["line"], event) for event in content.events]
-    return _outside(program, events) or _calls(program, events)
+    calls, over = calls_departure(program, header["latency"], log.content.events, log.until)
+    if calls:
+        return calls
+    missing = list(_without_line(program, log))
+    if not missing and not over:
+        return ""
+    reached = _Reached(engine, log, header["latency"])
+    try:
+        return _outside(reached, missing, log.until) or (
+            "the log has no run, and STARTUP is over" if over and reached.may_run(log.until) else ""
+        )
+    finally:
+        reached.close()
 
 
 def _ordered(value: Any) -> Any:
@@ -49,98 +70,104 @@ def _ordered(value: Any) -> Any:
     return sorted(value, key=str) if isinstance(value, list) else value
 
 
-def _outside(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:
-    logged = Counter((event["event"], event.get("ob")) for _, event in events)
-    for event in program.outside:
-        name = (event["event"], event.get("ob"))
-        if event["event"] not in _SURE or event["after"] >= program.duration or "every" in event:
-            continue
-        if logged[name] == 0:
-            what = event["event"] + (f" of OB {event['ob']}" if "ob" in event else "")
-            return f"the log has no {what}, which comes after {event['after']} ms"
-        logged[name] -= 1
+def _outside(reached: _Reached, missing: list[tuple[int, dict[str, Any]]], until: int) -> str:
+    """The first event from outside that has to be in the log and is not."""
+    for after, event in missing:
+        if event["event"] in _SURE:
+            return _lacks(after, event)
+    others = (one for one in missing if one[0] < until and one[1]["event"] not in _NEVER)
+    for after, event in islice(others, _ASKED):
+        if reached.by(after, event):
+            return _lacks(after, event)
     return ""
 
 
-class _Runs:
-    """The calls that are still to come in each run of an OB."""
-
-    def __init__(self, program: Program) -> None:
-        self._bodies = {
-            (body.ob, body.run): [_call(step) for step in body.steps if "call" in step]
-            for body in bodies_of(program.plain)
-        }
-        self._last = max((body.run for body in program.bodies), default=0) + 1
-        self._started: Counter[int] = Counter()
-
-    def start(self, ob: int) -> list[dict[str, Any]]:
-        """The calls of the next run."""
-        self._started[ob] += 1
-        return self.of(ob, self._started[ob])
-
-    def of(self, ob: int, run: int) -> list[dict[str, Any]]:
-        return list(self._bodies.get((ob, run), self._bodies.get((ob, 0), [])))
-
-    def cycle_with_calls(self) -> list[dict[str, Any]]:
-        """The calls of the next cycle of OB 1 that has some."""
-        while self._started[1] <= self._last:
-            calls = self.start(1)
-            if calls:
-                return calls
-        return self.of(1, self._last)
+def _lacks(after: int, event: dict[str, Any]) -> str:
+    what = event["event"] + (f" of OB {event['ob']}" if "ob" in event else "")
+    return f"the log has no {what}, which comes after {after} ms"
 
 
-def _call(step: dict[str, Any]) -> dict[str, Any]:
-    return {name: step[name] for name in ("call", *OPERANDS[step["call"]])}
+def _kind(event: dict[str, Any]) -> tuple[object, ...]:
+    fault = event.get("flt_id", -1)
+    return (event["event"], event.get("ob"), fault if event["event"] == "interrupt" else -1)
 
 
-def _called(event: dict[str, Any]) -> dict[str, Any]:
-    """The call of a line, as a program in one spelling has it."""
-    operands = {name: event[name] for name in OPERANDS[event["event"]]}
-    return {"call": event["event"], **operands, **({"sdt": passed_date(event["sdt"])} if "sdt" in operands else {})}
+def _without_line(program: Program, log: Whole) -> Iterator[tuple[int, dict[str, Any]]]:
+    """The events from outside that no line of their time shows."""
+    logged: dict[tuple[object, ...], list[int]] = defaultdict(list)
+    for event in reversed(log.content.events):
+        logged[_kind(event)].append(elapsed(event))
+    for after, event in outside_events(replace(program, outside=tuple(program.plain["outside"]))):
+        slack = _SLACK + after // 100
+        times = logged[_kind(event)]
+        if event["event"] in _SURE:
+            slack = program.duration  # a restart may wait for its STOP
+        while times and times[-1] < after - slack:
+            times.pop()
+        if times and times[-1] <= after + slack:
+            times.pop()
+        else:
+            yield after, event
 
 
-_STARTUP = {"warm": 100, "hot": 101, "cold": 102}
+class _Reached:
+    """Asks the specification whether the CPU of a log notices an event from outside: whether it then is another CPU."""
 
+    def __init__(self, engine: Engine, log: Whole, latency: int) -> None:
+        header, *lines = [line for line in log.lines if line.strip()]
+        self._latency = latency
+        raws = zip(map(decoded, lines), log.content.events, strict=False)
+        self._lines = [(elapsed(event), raw) for raw, event in raws if raw["event"] != "done"]
+        self._session = Session(engine, decoded(header))
+        self._fed = 0
+        self._up = 0
 
-def _calls(program: Program, events: Sequence[tuple[int, dict[str, Any]]]) -> str:
-    runs = _Runs(program)
-    cycles_logged = bool(program.header.get("cycle"))
-    # Starts and ends of the OB below all others, OB 1 or a startup OB, need not be there.
-    lowest = _STARTUP["warm"] if program.header.get("mode") == "STARTUP" else 1
-    below: list[dict[str, Any]] | None = None
-    stack: list[tuple[int, list[dict[str, Any]]]] = []
-    # What STOP has interrupted and a hot restart brings back.
-    stopped, stopped_below = stack, below
-    if cycles_logged and program.header.get("mode") == "RUN":
-        stack.append((1, runs.start(1)))  # it runs when the log begins
-    for number, event in events:
-        name = event["event"]
-        if name == "start" and (event["ob"] != 1 or cycles_logged):
-            stack.append((event["ob"], runs.start(event["ob"])))
-        elif name == "end" and stack and stack[-1][0] == event["ob"]:
-            _, left = stack.pop()
-            if left:
-                return f"line {number}: expected {left[0]['call']} before the end of OB {event['ob']}"
-        elif name == "stop":
-            if lowest == 1:
-                stopped, stopped_below = stack, below
-            stack, below = [], None
-        elif name == "restart":
-            lowest = _STARTUP[event["type"]]
-            if event["type"] != "hot":
-                stopped, stopped_below = [], None
-        elif name == "run":
-            lowest, stack, below = 1, [*stopped, *stack], stopped_below
-        elif name in OPERANDS:
-            if stack:
-                left = stack[-1][1]
-            else:
-                if not below:
-                    below = runs.cycle_with_calls() if lowest == 1 else runs.start(lowest)
-                left = below
-            if not left:
-                return f"line {number}: no call of the program is left here"
-            if left.pop(0) != _called(event):
-                return f"line {number}: expected the next call of the program"
-    return ""
+    def by(self, after: int, event: dict[str, Any]) -> bool:
+        """Whether it is noticed at its time, in whatever order with the lines of that time."""
+        self._feed_until(after)
+        branch = self._session.branch()
+        try:
+            noticed = self._notices(branch, after - self._up, after, event)
+            for up, raw in self._lines[self._fed :]:
+                if not noticed or up > after + self._latency:
+                    break
+                noticed = branch.feed(raw) is None and self._notices(branch, 0, up, event)
+            return noticed
+        finally:
+            branch.close()
+
+    def _feed_until(self, after: int) -> None:
+        while self._fed < len(self._lines) and self._lines[self._fed][0] < after:
+            self._up, raw = self._lines[self._fed]
+            self._session.feed(raw)
+            self._fed += 1
+
+    def may_run(self, until: int) -> bool:
+        """Whether the mode RUN may come behind the last line."""
+        self._feed_until(until + 1)
+        return self._session.why(self._now(self._session, until - self._up, until) | {"event": "run"}) is None
+
+    def _now(self, session: Session, later: int, up: int) -> dict[str, Any]:
+        clock = instant(session.clock) + later
+        return {"at": iso(clock), **({"up": up} if session.lines and "up" in session.lines[-1] else {})}
+
+    def _notices(self, session: Session, later: int, up: int, event: dict[str, Any]) -> bool:
+        now = self._now(session, later, up)
+        line = {name: value for name, value in event.items() if name not in ("after", "every", "by")}
+        if "by" in event:
+            line["to"] = iso(instant(now["at"]) + event["by"])
+        with_event, without = session.branch(), session.branch()
+        try:
+            if with_event.feed(now | line) is not None or without.feed(now | {"event": "done"}) is not None:
+                return False
+            if line["event"] == "interrupt":
+                # It may be lost by a rule, and the log shows that. In STOP it reaches nobody.
+                return all(one.mode != "STOP" for one in without.situations())
+            return with_event.possible([]).key != without.possible([]).key
+        finally:
+            with_event.close()
+            without.close()
+
+    def close(self) -> None:
+        """Ends the sessions in the engine."""
+        self._session.close()

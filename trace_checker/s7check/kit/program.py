@@ -8,6 +8,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from heapq import merge
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +77,19 @@ def bodies_of(raw: dict[str, Any]) -> tuple[Body, ...]:
 
 def _outside(raw: dict[str, Any]) -> list[dict[str, Any]]:
     return sorted(raw.get("outside", []), key=lambda event: int(event["after"]))
+
+
+def outside_events(program: Program) -> list[tuple[int, dict[str, Any]]]:
+    """The events from outside with their times, in ms since the program began, up to its end, in order."""
+
+    def times(event: dict[str, Any], place: int) -> Iterator[tuple[int, int, dict[str, Any]]]:
+        for after in count(event["after"], event["every"]) if "every" in event else [event["after"]]:
+            if after >= program.duration:
+                return
+            yield after, place, event
+
+    every = (times(event, place) for place, event in enumerate(program.outside))
+    return [(after, event) for after, _, event in merge(*every, key=lambda one: one[:2])]
 
 
 def read_program(text: bytes) -> Program:

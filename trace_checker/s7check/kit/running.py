@@ -17,11 +17,12 @@ import msgspec
 from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
-from s7check.kit.adapter import Adapter, Ran
+from s7check.kit.adapter import Adapter
 from s7check.kit.followed import departure
 from s7check.kit.offer import Offer
 from s7check.kit.program import Program
 from s7check.kit.results import Result, result_of
+from s7check.kit.whole import Whole, whole
 from s7check.log.objects import decoded
 from s7check.reducing.candidate import as_text
 from s7check.reducing.reduction import reduce_log
@@ -118,22 +119,25 @@ class Runner:
         seconds = round(time.monotonic() - begun, 3)
         if ran.skipped:
             return Result(program.name, digest, "skipped", program.requirements, ran.skipped)
-        if self._logs is not None:
-            (self._logs / f"{program.name}.ndjson").write_bytes(b"".join(line + b"\n" for line in ran.log))
         if ran.failed:
+            self._keep_log(program, ran.log)
             return Result(program.name, digest, "failed", program.requirements, ran.failed, seconds=seconds)
-        report = self._judged(program, ran)
+        with pool.engine() as engine:
+            log = whole(engine, program, ran)
+        self._keep_log(program, log.lines)
+        report = check(log.lines, profile=self._profile, letters=self._letters, name=program.name)
         if report.verdict == "unusable":
             adapter.end()  # unread output may still be under way
         result = result_of(report, program.name, digest, program.requirements, seconds)
         if report.verdict == "rejected" and self._first_few(report):
             return msgspec.structs.replace(result, reduced=self._reduced(report))
-        if result.status == "passed" and (reason := _departure(program, ran)):
+        if result.status == "passed" and (reason := _departure(program, log)):
             return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
         return result
 
-    def _judged(self, program: Program, ran: Ran) -> Report:
-        return check(ran.log, profile=self._profile, letters=self._letters, name=program.name)
+    def _keep_log(self, program: Program, lines: Iterable[bytes]) -> None:
+        if self._logs is not None:
+            (self._logs / f"{program.name}.ndjson").write_bytes(b"".join(line + b"\n" for line in lines))
 
     def _first_few(self, report: Report) -> bool:
         """Whether few logs that were rejected for the same requirement have been reduced; reducing takes seconds."""
@@ -177,6 +181,6 @@ class Runner:
                 file.write(msgspec.json.encode(result) + b"\n")
 
 
-def _departure(program: Program, ran: Ran) -> str:
+def _departure(program: Program, log: Whole) -> str:
     with pool.engine() as engine:
-        return departure(engine, program, ran.log)
+        return departure(engine, program, log)

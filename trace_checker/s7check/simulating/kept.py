@@ -14,7 +14,7 @@ from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.kit.followed import departure
 from s7check.kit.program import Program, read_program
-from s7check.log.values import MS_PER_MINUTE
+from s7check.kit.whole import as_it_is
 from s7check.resources import FOUND
 from s7check.simulating.separation import Separation, separation_behind
 from s7check.simulating.shortest import Bound
@@ -70,18 +70,13 @@ class Kept(msgspec.Struct, frozen=True):
         sides = self.allowed.variant, self.refused.variant
         found = separation_behind(engine, self.read(), self.header, self.lines, *sides)
         texts = [msgspec.json.encode(line) for line in (self.header, *self.lines)]
-        begun = replace(self.read(), duration=_elapsed(engine, texts) + 1)
-        return found if found is not None and found.line == self.line and not departure(engine, begun, texts) else None
+        log = as_it_is(engine, texts)
+        begun = replace(self.read(), duration=log.until + 1)
+        return found if found is not None and found.line == self.line and not departure(engine, begun, log) else None
 
     def read(self) -> Program:
         """The program."""
         return read_program(json.dumps(self.program).encode())
-
-
-def _elapsed(engine: Engine, texts: list[bytes]) -> int:
-    """Milliseconds from the beginning of a log to its last line."""
-    events = engine.read(b"\n".join(texts)).events
-    return int(events[-1]["up"]["min"] * MS_PER_MINUTE + events[-1]["up"]["ms"]) if events else 0
 
 
 class Gap(msgspec.Struct, frozen=True):

@@ -13,10 +13,10 @@ from s7check.asking.session import Session
 from s7check.asking.variants import AS_IT_IS, Variant
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.kit.program import Program
+from s7check.kit.program import Program, outside_events
 from s7check.log.calls import LOG_FORMAT
 from s7check.log.values import MS_PER_MINUTE, instant, iso
-from s7check.simulating.work import CYCLE_OB, Work, outside_events
+from s7check.simulating.work import CYCLE_OB, Work
 
 LATENCY = 10
 """``latency_ms`` of a log, by default."""

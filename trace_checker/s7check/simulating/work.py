@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
-from heapq import merge
-from itertools import count
 from typing import Any
 
 from s7check.kit.program import Program
@@ -109,16 +106,3 @@ class Work:
         both = (*self._stopped, None, *self.frames)
         frames = tuple(frame and (frame.ob, id(frame.steps), frame.place, frame.busy) for frame in both)
         return (frames, tuple(sorted(self._runs.items())))
-
-
-def outside_events(program: Program) -> list[tuple[int, dict[str, Any]]]:
-    """The events from outside with their times, in ms since the program began, up to its end, in order."""
-
-    def times(event: dict[str, Any], place: int) -> Iterator[tuple[int, int, dict[str, Any]]]:
-        for after in count(event["after"], event["every"]) if "every" in event else [event["after"]]:
-            if after >= program.duration:
-                return
-            yield after, place, event
-
-    every = (times(event, place) for place, event in enumerate(program.outside))
-    return [(after, event) for after, _, event in merge(*every, key=lambda one: one[:2])]

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from s7check.cli import main
+from s7check.engine import pool
 from s7check.kit.collection import programs_of
+from s7check.simulating.simulation import Simulation
 from tests.test_soft_plc import program as soft_plc
 
 __all__ = ["soft_plc"]
@@ -65,3 +67,71 @@ def test_fault(soft_plc: str, fault: str, tmp_path: Path) -> None:
     only = {"airt-flag": "AIRT-0*", "dint-no-limit": "DINT-04-*", "month-end-30": "TINT-19-*"}[fault]
     found = results(tmp_path, "--only", only, "--", soft_plc, "--kit", "--fault", fault)
     assert any(result["status"] == "failed" and result["deciding"] for result in found)
+
+
+HEADER_ONLY = """
+import json, sys
+for line in sys.stdin:
+    header = json.loads(line)["header"]
+    names = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7")
+    own = {name: header[name] for name in names if name in header}
+    print(json.dumps({"format": "s7-interrupt-log/1", "latency_ms": 0} | own))
+    print(json.dumps({"event": "done"}), flush=True)
+"""
+
+HALF = """
+import json, subprocess, sys
+cpu = subprocess.Popen([sys.argv[1], "--kit", "--up"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+for line in sys.stdin.buffer:
+    cpu.stdin.write(line)
+    cpu.stdin.flush()
+    half, lines = json.loads(line)["duration"] // 2, []
+    while not lines or lines[-1].get("event") not in ("done", "skip"):
+        lines.append(json.loads(cpu.stdout.readline()))
+    end = lines.pop()
+    kept = [one for one in lines if one.get("up", 0) <= half]
+    last = end if end["event"] == "skip" else {"event": "done"}
+    print("".join(json.dumps(one) + "\\n" for one in [*kept, last]), end="", flush=True)
+"""
+
+
+def test_silence_does_not_pass(tmp_path: Path) -> None:
+    """An adapter that prints the header alone passes no program on which a CPU has anything to do."""
+    names = [program.name for program in programs_of()][::12]
+    found = results(tmp_path, *(f"--only={name}" for name in names), "--", sys.executable, "-c", HEADER_ONLY)
+    passed = {result["name"] for result in found if result["status"] == "passed"}
+    assert len(found) == len(names)
+    assert len(passed) < len(names) / 50
+    with pool.engine() as engine:
+        for program in programs_of():
+            if program.name in passed:
+                assert Simulation(engine, program).run()[1:] == [], program.name
+
+
+def test_half_of_the_time_does_not_pass(soft_plc: str, tmp_path: Path) -> None:
+    """A CPU that falls silent after half of a program passes where nothing comes in the other half."""
+    names = [program.name for program in programs_of()][::40]
+    only = [f"--only={name}" for name in names]
+    passed = {
+        result["name"]
+        for result in results(tmp_path, *only, "--", sys.executable, "-c", HALF, soft_plc)
+        if result["status"] == "passed"
+    }
+    logs = tmp_path / "logs"
+    results(tmp_path, *only, "--logs", str(logs), "--", soft_plc, "--kit", "--up")
+    assert 0 < len(passed) < len(names) / 2
+    for program in programs_of():
+        if program.name in passed:
+            lines = map(json.loads, (logs / f"{program.name}.ndjson").read_text(encoding="utf-8").splitlines())
+            # Beside what may lag behind its wait by 100 ms and the latency of 10 ms.
+            other_half = range(program.duration // 2 + 1, program.duration - 110)
+            late = [line for line in lines if line.get("up", 0) in other_half]
+            # A cycle of OB 1 lasts as long as the implementation likes.
+            assert [line for line in late if line.get("ob") != 1] == [], program.name
+
+
+def test_silence_about_what_may_be_silent(soft_plc: str, tmp_path: Path) -> None:
+    """The soft PLC passes every program whose end is new: small steps of the clock, PERIODs, months in a row."""
+    only = ("--only=CLK-step-*", "--only=TINT-period-*", "--only=TINT-months-*", "--only=OBS-4*")
+    found = results(tmp_path, *only, "--", soft_plc, "--kit")
+    assert {result["status"] for result in found} <= {"passed", "skipped"}

@@ -63,7 +63,7 @@ def test_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A right log passes; a wrong one fails with the requirement that decides."""
     code, results = run(folder, ["right", "wrong"])
     assert code == 1
-    assert (results["right"]["status"], results["right"]["events"]) == ("passed", 1)
+    assert (results["right"]["status"], results["right"]["events"]) == ("passed", 2), "the call and the end"
     assert (results["wrong"]["status"], results["wrong"]["deciding"]) == ("failed", ["AIRT-06", "AIRT-03"])
     said = capsys.readouterr().out
     assert "AIRT-wrong: failed: rejected" in said
@@ -76,7 +76,7 @@ def test_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     [
         ("crash", "the adapter ended with exit code 7: out of cheese"),
         ("hang", "no end within 2 s"),
-        ("garbage", "unusable: "),
+        ("garbage", "line 1: expected a JSON object; found hello"),
         ("empty", "unusable: expected a header; found an empty log"),
         ("other", 'not the log of this program: line 1: field "cpu": expected that of the program'),
         ("extra", "not the log of this program: line 3: no call of the program is left here"),
@@ -159,7 +159,7 @@ def test_formats(folder: Path) -> None:
 def test_logs(folder: Path) -> None:
     """The log of each program is kept."""
     run(folder, ["right"], "--logs", str(folder / "logs"))
-    assert len((folder / "logs" / "AIRT-right.ndjson").read_text(encoding="utf-8").splitlines()) == 2
+    assert len((folder / "logs" / "AIRT-right.ndjson").read_text(encoding="utf-8").splitlines()) == 3
 
 
 def test_wrong_arguments(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
