@@ -175,7 +175,7 @@ $(WASM): $(ENGINE)
 	cd trace_checker/engine && mvn -q -B -Ppage process-classes
 	@touch $@
 
-$(PAGE): $(WASM) $(wildcard trace_checker/s7check/page/* trace_checker/s7check/report/report.css gallery/*) docs/rules/requirements.md docs/rules/readings.md evidence/views/checker_page.py $(shell find spec -name '*.tla')
+$(PAGE): $(WASM) $(KIT) $(wildcard trace_checker/s7check/page/* trace_checker/s7check/report/report.css) $(wildcard docs/rules/*.md) evidence/views/checker_page.py $(shell find spec -name '*.tla')
 	@echo "building the page"
 	$(BIN)/python -m evidence.views.checker_page
 

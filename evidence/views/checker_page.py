@@ -16,7 +16,8 @@ from s7check.resources import CHECKOUT, ENGINE, GALLERY
 PAGE = CHECKOUT / "build" / "page" / "s7check.html"
 SOURCES = CHECKOUT / "trace_checker" / "s7check"
 WASM = ENGINE / "wasm"
-_SCRIPTS = ("elements", "engine", "model", "timeline", "desk", "main")
+_SCRIPTS = ("elements", "engine", "model", "timeline", "desk", "report", "offers", "sides", "main")
+"""In this order; what a later one has is used when all are there."""
 _OF_MODULES = re.compile(r"^import .*\n|^export \{.*\n|^export ", re.MULTILINE)
 _EXPORTS = re.compile(r"export\s*\{([^}]*)\};?\s*$")
 

@@ -1,0 +1,141 @@
+// What may come, when, and what may not: each line with a button that adds it.
+import { $, h } from "./elements.js";
+import { button, desk, fields, model, refresh, requirements, safely, step, view } from "./main.js";
+import { because } from "./report.js";
+
+const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
+const MANY = 6;
+const CALLS = {
+  DIS_AIRT: [],
+  EN_AIRT: [],
+  SET_TINT: ["ob", "sdt", "period"],
+  ACT_TINT: ["ob"],
+  CAN_TINT: ["ob"],
+  QRY_TINT: ["ob"],
+  SRT_DINT: ["ob", "dtime", "sign"],
+  CAN_DINT: ["ob"],
+  QRY_DINT: ["ob"],
+  DIS_IRT: ["mode", "ob"],
+  EN_IRT: ["mode", "ob"],
+};
+
+export function showPossible() {
+  showTime();
+  const here = view.look.possible;
+  const names = [...new Set(here.map((line) => line.event.event))];
+  const calls = Object.keys(CALLS).filter((name) => names.includes(name));
+  const world = names.filter((name) => !OF_THE_CPU.includes(name) && !calls.includes(name));
+  const groups = [
+    ["The CPU", OF_THE_CPU.flatMap((name) => acts(name, here))],
+    ["The program", calls.map((name) => call(name, here))],
+    ["The world", world.flatMap((name) => acts(name, here))],
+  ];
+  keepFocus(
+    $("possible"),
+    groups.flatMap(([title, found]) => (found.length ? [h("h3", {}, title), ...found] : [])),
+  );
+  if (!here.length) $("possible").append(h("p", {}, "Nothing may come at this time: something had to come before."));
+  if (!view.look.whole)
+    $("possible").prepend(h("p", {}, "The log can be explained in very many ways; more than this may come."));
+}
+
+/** Puts other elements in a part of the page; the button with the same text has the focus again, else the part's first. */
+function keepFocus(box, made) {
+  const focused = box.contains(document.activeElement) ? document.activeElement.textContent : null;
+  box.replaceChildren(...made);
+  if (focused === null) return;
+  const buttons = [...box.querySelectorAll("button, summary")];
+  (buttons.find((one) => one.textContent === focused) ?? buttons[0])?.focus({ preventScroll: true });
+}
+
+/** The lines of one kind: a button each, or a list of OBs where there are many. */
+function acts(name, here) {
+  const lines = here.filter((line) => line.event.event === name);
+  if (lines.length <= MANY) return lines.map(offer);
+  const choice = h(
+    "select",
+    { "aria-label": `${name}: which` },
+    ...lines.map((line, i) => h("option", { value: i }, fields(line.event))),
+  );
+  const add = button(name, () => take(lines[choice.value].event), { className: "choice" });
+  return [h("p", { className: "offer" }, add, " ", choice, requirements(lines[0].requirements))];
+}
+
+/** A possible line: a button that adds it. */
+const offer = (line) =>
+  h(
+    "p",
+    { className: "offer" },
+    button(line.text, () => take(line.event), { className: "choice" }),
+    requirements(line.requirements),
+  );
+
+const take = (event) => step(() => model.add(JSON.stringify({ event: event.event, at: view.look.at, ...event })));
+
+/** The form of a call: its operands with some values, and a button for each answer that the CPU may give. */
+function call(name, here) {
+  if (!CALLS[name].length) return h("div", {}, ...here.filter((line) => line.event.event === name).map(offer));
+  const box = h("details", { className: "call" }, h("summary", {}, name));
+  const answers = h("div", { className: "answers" });
+  const {
+    after,
+    look: { at },
+  } = view;
+  const inputs = CALLS[name].map((operand) => h("input", { name: operand, size: operand === "sdt" ? 17 : 10 }));
+  const show = safely(async () => {
+    const event = { event: name, at };
+    for (const input of inputs) event[input.name] = /^-?\d+$/.test(input.value) ? Number(input.value) : input.value;
+    const lines = await desk.answers(after, event);
+    answers.replaceChildren(...(lines.length ? lines.map(offer) : ["not possible now"]));
+  });
+  box.addEventListener(
+    "toggle",
+    safely(async () => {
+      if (!box.open || inputs[0].list) return;
+      const lines = await desk.call(after, at, name);
+      for (const input of inputs) {
+        const list = h("datalist", { id: `${name}-${input.name}` });
+        const values = [...new Set(lines.map((line) => String(line.event[input.name])))];
+        list.append(...values.map((value) => h("option", { value })));
+        box.append(list);
+        input.setAttribute("list", list.id);
+        input.value = values[0] ?? "";
+        input.addEventListener("input", show);
+      }
+      await show();
+    }),
+  );
+  box.append(...inputs.map((input) => h("label", {}, `${input.name} `, input)), answers);
+  return box;
+}
+
+/** Time passes with the next line: the moments at which something changes, and any other. */
+function showTime() {
+  const { look } = view;
+  const moments = look.times.map((time) => {
+    const due = time.due.length
+      ? ` (${time.due.join(" or ")}${look.endless ? " may be due" : " must come by then"})`
+      : "";
+    const choose = button(time.at + due, () => refresh(time.at), { "aria-pressed": String(time.at === look.at) });
+    return h("li", {}, choose, requirements(time.requirements));
+  });
+  const input = h("input", { name: "at", value: look.at, size: 23, "aria-label": "time of the next line" });
+  const go = button("Let time pass", () => refresh(input.value.trim()));
+  keepFocus($("time"), [
+    h(
+      "details",
+      { className: "time", open: look.times.some((time) => time.due.length) },
+      h("summary", {}, `The next line at ${look.at}`),
+      h("ul", {}, ...moments),
+      h("p", {}, input, " ", go),
+    ),
+  ]);
+}
+
+export function showImpossible() {
+  const made = (view.look.impossible ?? []).map((one) =>
+    h("details", {}, h("summary", {}, one.text), h("p", {}, "By", requirements(one.requirements)), because(one)),
+  );
+  $("impossible").replaceChildren(...made);
+  $("because").replaceChildren();
+}
