@@ -28,7 +28,8 @@ ORDER = {
 FLOORS = (
     *("readable", "resources", "completion", "output", "program"),
     *("log", "names", "engine", "letters", "report", "importing", "judging", "ending", "api"),
-    *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "coverage", "exploring", "trace_command"),
+    *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "migrating"),
+    *("coverage", "exploring", "trace_command"),
     *("assisting", "live", "cli", "pytest_plugin", "__main__"),
 )
 """The packages and modules of s7check from the ground up: each imports those before it."""

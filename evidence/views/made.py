@@ -6,6 +6,7 @@ from pathlib import Path
 
 from evidence.common.checkout import ROOT
 from evidence.kit.implementations import kit_results
+from evidence.views.differences.migration import migration_page
 from evidence.views.differences.pages import SOURCES, differences_page, experiments_page, sources
 from evidence.views.gallery import page as gallery
 from evidence.views.results import page as results
@@ -28,6 +29,7 @@ def views() -> dict[Path, str]:
     with Engine() as engine:
         pages = {
             RULES / "differences.md": differences_page(engine, read_kept(DIFFERENCES)),
+            RULES / "migration-s7-1500.md": migration_page(engine),
             RULES / "experiments.md": experiments_page(engine, experiments),
         }
     return {

@@ -14,6 +14,7 @@ COMMANDS = {
     "explain": "s7check.explaining.command:explain_command",
     "compare": "s7check.simulating.compare_command:compare_command",
     "distinguish": "s7check.simulating.distinguish_command:distinguish_command",
+    "migrate": "s7check.migrating.command:migrate_command",
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
     "explore": "s7check.exploring.command:explore_command",
