@@ -18,7 +18,8 @@ def ending(name: str) -> Iterator[None]:
     try:
         yield
     except UnusableLogError as error:
-        click.echo(f"{click.format_filename(name)}: unusable: {error}", err=True)
+        at = f":{error.line}" if error.line else ""
+        click.echo(f"{click.format_filename(name)}{at}: unusable: {error.reason}", err=True)
         raise click.exceptions.Exit(EXIT_CODES["unusable"]) from error
     except EngineError as error:
         click.echo(f"{click.format_filename(name)}: {error}", err=True)

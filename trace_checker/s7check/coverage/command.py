@@ -50,10 +50,14 @@ def coverage_command(
     """Measure and report."""
     if "" in logs:
         raise click.UsageError("LOG: expected the name of a file or folder, a pattern or -; found an empty text")
+    names = logs_of(logs)
     try:
-        total = _total(logs_of(logs), programs_of(programs))
+        total = _total(names, programs_of(programs))
     except UnreadableProgramError as error:
         raise click.ClickException(str(error)) from error
+    for name, verdict in zip(names, total.coverage.verdicts, strict=True):
+        if verdict != "accepted":
+            click.echo(f"{click.format_filename(name)}: {verdict} (`s7check trace` says why)", err=True)
     if output == "text":
         written = report.to_text(total, guards).encode() + b"\n"
     else:

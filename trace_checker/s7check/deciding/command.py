@@ -40,6 +40,8 @@ def decide_command(file: Path | None, logs: tuple[str, ...]) -> int:
     """Decide and print."""
     replays: dict[str, Replay] = {}
     for name in logs_of(logs):
+        if not Path(name).is_file():
+            raise click.ClickException(f"{click.format_filename(name)}: expected a file of logs; found none")
         try:
             replays[name] = Replay(name, [])
         except TooLongError as error:

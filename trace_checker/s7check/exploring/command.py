@@ -54,7 +54,7 @@ def explore_command(port: int, browser: bool, log: str | None) -> int:
         click.echo(f"{click.format_filename(log or '')}: unusable: {error}", err=True)
         return EXIT_CODES["unusable"]
     except OSError as error:
-        subject = log if log is not None and error.filename else f"port {port}"
+        subject = click.format_filename(error.filename) if error.filename else f"port {port}"
         click.echo(f"{subject}: {error.strerror}", err=True)
         return EXIT_CODES["unusable"] if error.filename else EXIT_CODES["no verdict"]
     except EngineError as error:

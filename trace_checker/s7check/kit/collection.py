@@ -35,7 +35,7 @@ def programs_of(files: Sequence[Path] = ()) -> list[Program]:
         except UnusableLogError as error:
             raise UnreadableProgramError(f"{file}: {error}") from error
         except OSError as error:
-            raise UnreadableProgramError(f"{file}: expected a file that can be read; {error.strerror}") from error
+            raise UnreadableProgramError(f"{file}: expected a file that can be read; found {error.strerror}") from error
     return list(programs.values())
 
 

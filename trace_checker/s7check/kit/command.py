@@ -219,11 +219,14 @@ def matrix_command(output: Path | None, runs: tuple[str, ...]) -> int:
     """
     read = {}
     for run in runs:
-        name, _, file = run.partition("=")
+        name, given, file = run.partition("=")
+        if not given:
+            raise click.ClickException(f"expected NAME=FILE, such as plc=results.json; found {run}")
         try:
             read[name] = msgspec.json.decode(Path(file).read_bytes(), type=Kept).requirements
         except (OSError, msgspec.MsgspecError) as error:
-            raise click.ClickException(f"{run}: expected NAME=FILE, a result of `s7check kit run`; {error}") from error
+            said = error.strerror if isinstance(error, OSError) else str(error)
+            raise click.ClickException(f"{file}: expected a result of `s7check kit run`; found {said}") from error
     page = to_matrix(read)
     if output is None:
         echo(page.rstrip("\n"))
