@@ -126,6 +126,20 @@ def test_a_log_that_leaves_much_open_is_answered_in_part(desk: Desk) -> None:
     assert answer["timeline"]
 
 
+def test_the_question_by_which_explanations_differ(desk: Desk) -> None:
+    """SRT_DINT on an OB that waits: AMB-11; a log with one explanation has none."""
+    call = {"event": "SRT_DINT", "ob": 20, "sign": 0, "ret": 0}
+    lines = [
+        {**call, "at": "2026-11-21T05:59:31", "dtime": 100},
+        {"event": "DIS_AIRT", "at": "2026-11-21T05:59:31", "ret": 1},
+        {**call, "at": "2026-11-21T05:59:31.200", "dtime": 500},
+    ]
+    header = HEADER | {"obs": [*HEADER["obs"], 20]}
+    (said,) = desk.questions(Question(header, lines))["questions"]
+    assert said.startswith("AMB-11 ")
+    assert desk.questions(Question(header, lines[:1]))["questions"] == []
+
+
 def test_the_answers_to_a_call_and_why_a_line_may_not_come(desk: Desk) -> None:
     """The answers to a call and why a line may not come."""
     call = {"event": "EN_AIRT", "at": HEADER["clock"]}

@@ -13,6 +13,7 @@ import msgspec
 
 from s7check.asking.answers import Line, Possible, Refusal, Time
 from s7check.asking.line_text import as_line, iso_of, spelled
+from s7check.asking.open_questions import open_questions
 from s7check.asking.session import Session, as_answer
 from s7check.asking.variants import Variant
 from s7check.engine.answer import Allowed, Situation, Step
@@ -133,6 +134,11 @@ class Desk:
         """The timeline of the lines."""
         kept, refusal = self._brought_to(question.header, question.lines)
         return {"timeline": _timeline(kept, refusal, question)}
+
+    def questions(self, question: Question) -> Object:
+        """The open questions by which the explanations of the lines differ, each as a text with its answers."""
+        kept, _ = self._brought_to(question.header, question.lines)
+        return {"questions": [one.text for one in open_questions(self._engine, kept.session)]}
 
     def program(self, question: Question) -> Object:
         """The lines as a program of the kit: its text, laid out."""

@@ -68,6 +68,7 @@ def application(engine: Engine, library: Library, token: str) -> Starlette:
         *(Route(f"/{name}", _static(_PAGE / name)) for name in ("explorer.css", "explorer.js", "model.js")),
         Route("/report.css", _static(files("s7check.report") / "report.css")),
         Route("/look", question(Question, desk.look), methods=["POST"]),
+        Route("/questions", question(Question, desk.questions), methods=["POST"]),
         Route("/timeline", question(Question, desk.timeline), methods=["POST"]),
         Route("/call", question(Call, desk.call), methods=["POST"]),
         Route("/answers", question(Why, desk.answers), methods=["POST"]),

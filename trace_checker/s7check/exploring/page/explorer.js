@@ -206,7 +206,17 @@ function showSituation() {
     h("table", {}, ...rows.map(([topic, text]) => h("tr", {}, h("td", { className: "key" }, topic), h("td", {}, text)))),
   ]);
   $("situation").replaceChildren(...tables.flat().filter(Boolean));
+  if (view.situations.length > 1) showQuestions();
 }
+
+/** Says by which open questions the explanations differ, above them. */
+const showQuestions = safely(async () => {
+  const last = newest($("situation"));
+  const { questions } = await ask("questions", behaviour());
+  if (!last() || !questions.length) return;
+  const said = questions.map((text) => h("li", {}, ...linked(text)));
+  $("situation").prepend(h("p", {}, "The explanations differ by what the sources leave open:"), h("ul", {}, ...said));
+});
 
 const fields = (line) => Object.entries(line).filter(([name]) => !["event", "at", "up"].includes(name))
   .map(([name, value]) => `${name}=${typeof value === "object" ? JSON.stringify(value) : value}`).join(" ");
