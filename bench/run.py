@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 import click
 
+from evidence.common.chromium import PageEngine, missing
 from evidence.tla import log_as_tla
 from evidence.tla.modules import module_folders
 from evidence.tla.tlc import Toolchain, find_toolchain
@@ -39,6 +40,8 @@ SMALL = 100
 """Lines of a small log, its header among them."""
 TLC_SAMPLE = 5
 POLL = 0.02
+MOST_IN_PAGE = 20_000_000
+"""Bytes of logs that go into the page, as text in a message to the browser."""
 
 MODULE = """---- MODULE Bench ----
 EXTENDS PartialLogs, TraceLog
@@ -276,8 +279,20 @@ def engines(logs: dict[str, Path]) -> Table:
             say(f"{engine}, {name}")
             ran = min((check(log, highest=1, engine=engine) for _ in range(2)), key=lambda each: each.cpu)
             row += [round(ran.seconds, 2), round(ran.cpu, 2), round(ran.engine)]
-        rows.append(row)
-    return table("The executable beside Java", " | native, s | CPU | MB | Java, s | CPU | MB", rows)
+        rows.append([*row, in_page(log)])
+    return table("The executable beside Java", " | native, s | CPU | MB | Java, s | CPU | MB | page, s", rows)
+
+
+def in_page(logs: Path) -> float | None:
+    """Seconds for which the page judges a log or a folder of logs, the way to it included; None where it cannot."""
+    files = sorted(logs.iterdir()) if logs.is_dir() else [logs]
+    if missing() or sum(file.stat().st_size for file in files) > MOST_IN_PAGE:
+        return None
+    with PageEngine() as engine:
+        began = time.monotonic()
+        for file in files:
+            engine.judge(file.read_bytes())
+        return round(time.monotonic() - began, 2)
 
 
 def small_logs(folder: Path, count: int, limit: float) -> Table:
