@@ -78,7 +78,7 @@ struct s7log_dt {
 
 enum s7log_cpu { S7LOG_S7_300, S7LOG_S7_400, S7LOG_CPU_318 };
 enum s7log_mode { S7LOG_STOP, S7LOG_STARTUP, S7LOG_RUN };
-enum s7log_restart_type { S7LOG_WARM, S7LOG_COLD };
+enum s7log_restart_type { S7LOG_WARM, S7LOG_COLD, S7LOG_HOT };
 
 /* Kinds of event that are logged completely, one bit each. */
 enum {
@@ -812,7 +812,9 @@ static inline enum s7log_result s7log_restart(struct s7log *l, struct s7log_now 
                                               enum s7log_restart_type type)
 {
     s7log__begin_event(l, now, "restart");
-    s7log__text(l, type == S7LOG_COLD ? ",\"type\":\"cold\"" : ",\"type\":\"warm\"");
+    s7log__text(l, type == S7LOG_HOT    ? ",\"type\":\"hot\""
+                   : type == S7LOG_COLD ? ",\"type\":\"cold\""
+                                        : ",\"type\":\"warm\"");
     return s7log__end_event(l);
 }
 
@@ -856,7 +858,8 @@ static inline enum s7log_result s7log_interrupt(struct s7log *l, struct s7log_no
 {
     s7log__begin_event(l, now, "interrupt");
     s7log__require(l, (ob >= 30 && ob <= 38) || (ob >= 40 && ob <= 47) || (ob >= 55 && ob <= 57) ||
-                          ob == 60 || ob == 70 || ob == 72 || (ob >= 80 && ob <= 87));
+                          ob == 60 || ob == 70 || ob == 72 || (ob >= 80 && ob <= 87) ||
+                          ob == 121 || ob == 122);
     s7log__require(l, (ob == 80 || ob == 85) == (flt_id != S7LOG_NONE));
     s7log__ob(l, ob);
     if (flt_id != S7LOG_NONE)

@@ -200,6 +200,20 @@ EventsAgree ==
         /\ Holds("AMB-13", "d", {"b", "d"},
                  ErrorClass(80, BufferOverflow) = 28)
         /\ ErrorClass(82, 0) = ClassOf(82)
+        /\ LET inStartup ==
+                 { [NoRequest EXCEPT !.ob = o, !.class = 28, !.rank = o]
+                   : o \in {80, 82} }
+               \* @type: Set(Set(<<Int, Int>>));
+               classes == { { <<r.ob, r.class>> : r \in q }
+                            : q \in RequestsInRun(inStartup) }
+               kept  == {<<80, 28>>, <<82, 28>>}
+               taken == {<<80, 26>>, <<82, ClassOf(82)>>}
+           IN  /\ Holds("AMB-88", "c", {"a"}, classes = {kept})
+               /\ Holds("AMB-88", "c", {"b"}, classes = {taken})
+               /\ Holds("AMB-88", "c", {"c"},
+                        /\ kept \in classes /\ taken \in classes
+                        /\ Cardinality(classes) = 4)
+               /\ RequestsInRun({}) = {{}}
 
 (* [OBS-22] [OBS-23] [IRT-01] Errors that stop the CPU. *)
 StopsAgree ==

@@ -157,6 +157,7 @@ static void events(void)
     LINE(s7log_clock(&l, now, 60000), "\"clock\"," AT ",\"to\":\"1990-01-01T00:01:00.000\"");
     LINE(s7log_restart(&l, now, S7LOG_WARM), "\"restart\"," AT ",\"type\":\"warm\"");
     LINE(s7log_restart(&l, now, S7LOG_COLD), "\"restart\"," AT ",\"type\":\"cold\"");
+    LINE(s7log_restart(&l, now, S7LOG_HOT), "\"restart\"," AT ",\"type\":\"hot\"");
     LINE(s7log_run(&l, now), "\"run\"," AT);
     LINE(s7log_stop(&l, now, 0x4568), "\"stop\"," AT ",\"cause\":\"16#4568\"");
     LINE(s7log_stop(&l, now, S7LOG_NONE), "\"stop\"," AT);
@@ -180,7 +181,7 @@ static void events(void)
     LINE(s7log_done(&l, now), "\"done\"," AT);
 #undef LINE
     CHECK(s7log_run(&l, now) == S7LOG_ORDER && s7log_done(&l, now) == S7LOG_ORDER);
-    CHECK(l.events == 33 && s.lines == 34);
+    CHECK(l.events == 34 && s.lines == 35);
 }
 
 static void event_ranges(void)

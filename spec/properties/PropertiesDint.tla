@@ -156,6 +156,6 @@ DintRunProp ==
 
 (* [DINT-13] [OBS-52] *)
 DintRestartProp ==
-    [][ Did("restart") => \A o \in DintObs :
+    [][ Did("restart") /\ startup' # "hot" => \A o \in DintObs :
           ~dint'[o].started /\ ~\E r \in requests' : r.ob = o ]_vars
 =============================================================================

@@ -59,11 +59,12 @@ SilentProp ==
           \A o \in NamedBy(step'.operand, step'.ob) :
             o \in irt'.silent <=> Did("DIS_IRT") /\ step'.operand >= 128 ]_vars
 
-(* [IRT-02] [IRT-03] [OBS-53] An OB stays blocked until EN_IRT or a        *)
-(* restart.                                                                *)
+(* [IRT-02] [IRT-03] [OBS-53] An OB stays blocked until EN_IRT or a warm   *)
+(* or cold restart; after a hot one HotRestartProp says it.                *)
 IrtStaysProp ==
     [][ /\ irt' # irt => step'.event \in IrtCalls \cup {"restart"}
-        /\ Did("restart") => irt'.blocked = {} /\ irt'.silent = {} ]_vars
+        /\ Did("restart") /\ startup' # "hot" =>
+             irt'.blocked = {} /\ irt'.silent = {} ]_vars
 
 (* A call moves no request [AMB-72]; an error changes nothing. *)
 IrtCallProp ==

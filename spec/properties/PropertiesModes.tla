@@ -146,21 +146,22 @@ RestartProp ==
 (* diagnostic interrupt waits.                                             *)
 HotRestartProp ==
     [][ Did("restart") /\ startup' = "hot" =>
-          /\ cpu.family = "S7-400"
+          /\ HotRestartExists
           /\ stack' = <<>> /\ delay' = 0
           /\ ~OpenIn(requests', 82) /\ ~PendingIn(requests', 82)
           /\ \A r \in requests' : r.ob # 82 =>
                \E q \in resume.requests : Content(q) = Content(r)
-          /\ \A q \in resume.requests : q.ob \notin TodObs \cup DintObs \cup {82}
+          /\ \A q \in resume.requests :
+               q.ob \notin TodObs \cup DintObs \cup {82}
                => \E r \in requests' : Content(q) = Content(r)
-          /\ Reading("AMB-26") = "a" =>
+          /\ HotRestartKeepsSettings =>
                /\ UNCHANGED irt /\ dint' = resume.dint
                /\ \A q \in resume.requests : q.ob # 82 =>
                     \E r \in requests' : Content(q) = Content(r)
                /\ \A o \in TodObs :
                     [tod'[o] EXCEPT !.next = 0, !.held = FALSE]
                       = [tod[o] EXCEPT !.next = 0, !.held = FALSE]
-          /\ Reading("AMB-26") = "b" =>
+          /\ ~HotRestartKeepsSettings =>
                /\ irt'.blocked = {} /\ \A o \in DintObs : ~dint'[o].started
                /\ \A r \in requests' : r.ob \notin TodObs \cup DintObs ]_vars
 
@@ -189,7 +190,7 @@ PassedInStopProp ==
                   \/ stopCause' # NoCause
                   \/ \E r \in requests' : /\ r.ob = 80 /\ r.fault = 5
                                          /\ o \in r.late
-        /\ Did("restart") /\ startup' = "hot" /\ Reading("AMB-26") = "a" =>
+        /\ Did("restart") /\ startup' = "hot" /\ HotRestartKeepsSettings =>
              \A o \in TodObs : /\ tod[o].active /\ ~Deselected(o)
                                /\ tod[o].next < clock.min
                => tod'[o].held \/ tod'[o].next >= clock.min ]_vars

@@ -18,10 +18,12 @@ Dispatched == /\ Did("start")
 Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
 (* [OBS-10] A request stays as it was when its start event occurred; only  *)
-(* its place changes, and an open one may be confirmed.                    *)
+(* its place changes, and an open one may be confirmed. A hot restart      *)
+(* brings some back.                                                       *)
 \* @type: $request => $request;
 Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
-Fresh == { r \in requests' : ~\E q \in requests : Content(q) = Content(r) }
+Fresh == { r \in requests' : ~\E q \in requests \cup resume.requests :
+                               Content(q) = Content(r) }
 
 (* The entries of the diagnostic buffer that are sure. *)
 EnteredNow == { n.id : n \in { e \in entered' : ~e.open } }

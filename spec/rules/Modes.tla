@@ -101,7 +101,7 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 Resets(type) ==
     /\ RestartExists(type)
     /\ startup' = type
-    /\ resume'    = NothingKept
+    /\ resume'  = NothingKept
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
@@ -124,9 +124,10 @@ Run ==
     /\ startup' = "none"
     /\ stack'   = resume.stack
     /\ delay'   = resume.delay
-    /\ resume'    = [NothingKept EXCEPT !.due = resume.due]
+    /\ resume'  = [NothingKept EXCEPT !.due = resume.due]
+    /\ requests' \in RequestsInRun(requests)
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars>>
+    /\ UNCHANGED <<deviceVars, clock, settingVars, stopCause>>
 
 (* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the     *)
 (* clock goes on.                                                          *)
@@ -192,7 +193,7 @@ Stop ==
     /\ mode'      = "STOP"
     /\ startup'   = "none"
     /\ stack'     = <<>>
-    /\ resume'      = KeptByStop
+    /\ resume'    = KeptByStop
     /\ Clears
 
 (* [OBS-52] Diagnostic interrupts are discarded; [AMB-26] (b) and so are   *)

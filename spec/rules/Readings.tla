@@ -112,6 +112,7 @@ Questions ==
     <<"AMB-85", "c", ABC>>,
     <<"AMB-86", "a", ABCD>>,
     <<"AMB-87", "c", ABC>>,
+    <<"AMB-88", "c", ABC>>,
     <<"A15-01", "a", ABC>>,
     <<"A15-02", "c", ABC>>,
     <<"A15-03", "b", AB>>,
@@ -467,6 +468,10 @@ Step7MayNeverRun       == Reading("AMB-86") \in {"c", "d"}
 (* would be called; else either.                                           *)
 MissingOb85StopsAtOnce == Reading("AMB-87") = "a"
 MissingOb85StopsInTurn == Reading("AMB-87") = "b"
+(* [AMB-88] An error from STARTUP that runs in RUN has the class of        *)
+(* STARTUP; or that of RUN; else either.                                   *)
+ErrorKeepsItsClass  == Reading("AMB-88") = "a"
+ErrorTakesClassOfRun == Reading("AMB-88") = "b"
 -----------------------------------------------------------------------------
 (* The answers about an S7-1500                                            *)
 

@@ -146,6 +146,29 @@ ErrorClass(o, fault) ==
          THEN 28 ELSE 26
     ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
 
+(* [AMB-88] The class in RUN of an error that came in STARTUP. *)
+\* @type: $request => Int;
+ClassInRun(r) ==
+    IF r.ob # TimeErrorOb THEN ClassOf(r.ob)
+    ELSE IF r.fault = BufferOverflow /\ Class28OnOverflow THEN 28 ELSE 26
+
+(* These errors join the queues of their classes in RUN, at the end. *)
+\* @type: (Set($request), Set($request)) => Set($request);
+WithClassInRun(q, errors) ==
+    Close((q \ errors)
+            \cup { [ r EXCEPT !.class = ClassInRun(r),
+                              !.rank = @ + Cardinality(q) ] : r \in errors })
+
+(* [AMB-88] [OBS-31] What waits when STARTUP leads to RUN. *)
+\* @type: Set($request) => Set(Set($request));
+RequestsInRun(q) ==
+    LET errors == { r \in q : /\ r.ob \in AsyncErrorObs
+                              /\ r.class # ClassInRun(r) }
+    IN  IF errors = {} \/ ErrorKeepsItsClass THEN {q}
+        ELSE { WithClassInRun(q, some)
+               : some \in IF ErrorTakesClassOfRun THEN {errors}
+                          ELSE SUBSET errors }
+
 (* A start event from outside. *)
 \* @type: (Int, Int) => $request;
 ExternalRequest(o, fault) ==

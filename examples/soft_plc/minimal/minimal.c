@@ -39,7 +39,7 @@ int main(void)
         .buffer = 16};
 
     s7cpu_init(&cpu, &config, print, NULL);
-    s7cpu_restart(&cpu, false);
+    s7cpu_restart(&cpu, S7CPU_WARM);
     for (int64_t up = 0; up < 3 * S7CPU_MINUTE; up += 10) {
         s7cpu_tick(&cpu, up);
         for (;;) {

@@ -69,10 +69,13 @@ void actions_act(struct s7cpu *cpu, const struct action *a)
         s7cpu_stop(cpu);
         break;
     case ACTION_RESTART_WARM:
-        s7cpu_restart(cpu, false);
+        s7cpu_restart(cpu, S7CPU_WARM);
         break;
     case ACTION_RESTART_COLD:
-        s7cpu_restart(cpu, true);
+        s7cpu_restart(cpu, S7CPU_COLD);
+        break;
+    case ACTION_RESTART_HOT:
+        s7cpu_restart(cpu, S7CPU_HOT);
         break;
     case ACTION_HOLD:
         s7cpu_hold(cpu);

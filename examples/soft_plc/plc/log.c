@@ -126,6 +126,8 @@ void log_event(void *context, const struct s7cpu_event *e)
     struct log *log = context;
     struct s7log *l = &log->s7;
     const struct s7log_now t = {.at = e->at, .up = log->config.up ? e->up : S7LOG_NONE};
+    static const enum s7log_restart_type types[] = {
+        [S7CPU_WARM] = S7LOG_WARM, [S7CPU_COLD] = S7LOG_COLD, [S7CPU_HOT] = S7LOG_HOT};
     switch (e->kind) {
     case S7CPU_OB_START:
         log_start(log, t, e);
@@ -137,7 +139,7 @@ void log_event(void *context, const struct s7cpu_event *e)
         s7log_clock(l, t, e->to);
         break;
     case S7CPU_RESTART:
-        s7log_restart(l, t, e->cold ? S7LOG_COLD : S7LOG_WARM);
+        s7log_restart(l, t, types[e->restart]);
         break;
     case S7CPU_TO_RUN:
         s7log_run(l, t);

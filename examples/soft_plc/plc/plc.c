@@ -2,6 +2,8 @@
  * runs. */
 #include "plc.h"
 
+#include <string.h>
+
 #include "actions.h"
 
 static int64_t min64(int64_t a, int64_t b)
@@ -62,17 +64,31 @@ static void run_instruction(struct plc *plc)
     }
 }
 
-/* Follows the stack of the CPU, in which at most one OB has been started since the last call. */
+static bool is_of(const struct activation *a, const struct s7cpu_frame *frame)
+{
+    return a->ob == frame->ob && a->run == frame->run;
+}
+
+/* Follows the stack of the CPU, in which at most one OB has been started since the last call; or
+ * STOP has ended all, or a hot restart has brought them back. */
 static void follow(struct plc *plc)
 {
     const struct s7cpu *cpu = &plc->faulty.cpu;
     const struct s7cpu_frame *top = s7cpu_top(cpu);
+    const bool runs = s7cpu_mode(cpu) == S7CPU_RUN || s7cpu_mode(cpu) == S7CPU_HOLD;
+    if (plc->ran && !runs)
+        memcpy(plc->stopped, plc->stack, sizeof plc->stopped);
+    plc->ran = runs;
     plc->depth = s7cpu_depth(cpu);
     if (top == NULL)
         return;
     struct activation *a = &plc->stack[plc->depth - 1];
-    if (a->ob == top->ob && a->run == top->run)
+    if (is_of(a, top))
         return;
+    if (is_of(&plc->stopped[plc->depth - 1], top)) {
+        memcpy(plc->stack, plc->stopped, sizeof plc->stack);
+        return;
+    }
     *a = (struct activation){.ob = top->ob, .run = top->run, .began = plc->clock.up};
     plc->program->begin(plc->program, cpu, a);
 }

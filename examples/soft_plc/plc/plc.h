@@ -24,6 +24,8 @@ struct plc {
     struct log *log;
     struct activation stack[S7CPU_DEPTH]; /* of the OBs in the CPU's stack */
     int depth;
+    struct activation stopped[S7CPU_DEPTH]; /* those that the last STOP has interrupted */
+    bool ran; /* at the last step the mode was RUN or HOLD */
 };
 
 /* Runs until the end of the program, and writes the log. */

@@ -95,3 +95,20 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
         break;
     }
 }
+
+/* At once, on top of the OB that failed and in its class, whatever SFC 39 and 41 say. AMB-85,
+ * either: inside an error OB the other one is called, the same one stops the CPU (reading a). */
+void s7_error_synchronous(struct s7cpu *cpu, int ob)
+{
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    if (top == NULL || !s7_time_runs(cpu))
+        return; /* no instruction that fails */
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_INTERRUPT, .ob = ob, .flt_id = S7CPU_NONE});
+    if (!cpu->loaded[ob] || top->ob == ob || cpu->depth == S7CPU_DEPTH) {
+        s7_stop(cpu, ob == 121 ? CAUSE_OB121_MISSING : CAUSE_OB122_MISSING);
+        return;
+    }
+    struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
+    r.rank = r.info.priority = top->rank;
+    s7_start(cpu, &r);
+}

@@ -50,6 +50,8 @@ enum {
     CAUSE_SWITCH = 0x4303,
     CAUSE_CLASS_SYSTEM = 0x4541,
     CAUSE_DESELECTED_LOADED = 0x454A,
+    CAUSE_OB121_MISSING = 0x4562,
+    CAUSE_OB122_MISSING = 0x4563,
     CAUSE_OB80_MISSING = 0x4568,
     CAUSE_OB85_MISSING = 0x456D
 };
@@ -69,6 +71,7 @@ enum ob_kind {
     OB_MULTICOMPUTING,
     OB_REDUNDANCY,
     OB_ASYNC_ERROR, /* OB 80 to 87 */
+    OB_SYNC_ERROR,  /* OB 121 and 122 [IRT-23] */
     OB_STARTUP,
     OB_OTHER /* may be loaded, is never started here */
 };
@@ -150,6 +153,8 @@ int64_t s7_tod_next_up(const struct s7cpu *cpu);
 void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before);
 /* Points that passed in HOLD [OBS-46]. */
 void s7_tod_released(struct s7cpu *cpu);
+/* Points that passed in STOP before a hot restart (AMB-26). */
+void s7_tod_resumed(struct s7cpu *cpu);
 
 /* dint.c: SFC 32 to 34, and delays in elapsed time, which a clock change does not move [DINT-18] */
 int s7_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign);
@@ -222,6 +227,9 @@ bool s7_missing_is_noticed(const struct s7cpu *cpu);
 void s7_error_missing_async(struct s7cpu *cpu, int ob);
 /* The OB of a request is to be called and is missing [TINT-16, OBS-20]. */
 void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r);
+
+/* An instruction of the running OB fails: OB 121 or OB 122 [OBS-61 to OBS-63]. */
+void s7_error_synchronous(struct s7cpu *cpu, int ob);
 
 /* time_error.c: OB 80 is requested */
 void s7_time_error(struct s7cpu *cpu, const struct s7cpu_request *r);

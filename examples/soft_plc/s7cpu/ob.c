@@ -26,11 +26,12 @@ enum ob_kind s7_ob_kind(int ob)
         return OB_REDUNDANCY;
     if (within(ob, 80, 87))
         return OB_ASYNC_ERROR;
-    if (ob == 100 || ob == 102)
+    if (within(ob, 100, 102))
         return OB_STARTUP;
-    if (within(ob, 61, 65) || ob == 73 || ob == 88 || ob == 90 || ob == 101 || ob == 121 ||
-        ob == 122)
+    if (within(ob, 61, 65) || ob == 73 || ob == 88 || ob == 90)
         return OB_OTHER;
+    if (ob == 121 || ob == 122)
+        return OB_SYNC_ERROR;
     return OB_NONE;
 }
 
@@ -48,6 +49,7 @@ bool s7cpu_ob_from_outside(int ob)
     case OB_MULTICOMPUTING:
     case OB_REDUNDANCY:
     case OB_ASYNC_ERROR:
+    case OB_SYNC_ERROR:
         return true;
     default:
         return false;

@@ -20,6 +20,10 @@ void s7cpu_set_clock(struct s7cpu *cpu, int64_t to)
  * (reading a); only OB 80 to 87 run in STARTUP [OBS-43]. */
 void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id)
 {
+    if (s7_ob_kind(ob) == OB_SYNC_ERROR) {
+        s7_error_synchronous(cpu, ob);
+        return;
+    }
     if (cpu->mode == S7CPU_STOP)
         return; /* outputs and modules are disabled: nothing reaches the CPU [OBS-41] */
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_INTERRUPT, .ob = ob, .flt_id = flt_id});

@@ -112,6 +112,9 @@ struct s7cpu_choices {
     bool cycle_is_retriggered;
     /* OBS-10: start information shows the time of the call; else that of the event. */
     bool info_has_time_of_call;
+    /* AMB-26: after a hot restart OB 80 reports the start points that passed in STOP; else they are
+     * lost. */
+    bool points_of_stop_are_reported;
 };
 
 struct s7cpu_config {
@@ -151,7 +154,7 @@ enum s7cpu_event_kind {
     S7CPU_OB_START, /* ob, info */
     S7CPU_OB_END,   /* ob */
     S7CPU_CLOCK,    /* to; at is the reading before */
-    S7CPU_RESTART,  /* cold */
+    S7CPU_RESTART,  /* restart */
     S7CPU_TO_RUN,
     S7CPU_TO_STOP, /* id: the cause, or S7CPU_NONE */
     S7CPU_TO_HOLD,
@@ -186,6 +189,8 @@ struct s7cpu_state {
     int left; /* ms, while a delay runs */
 };
 
+enum s7cpu_restart { S7CPU_WARM, S7CPU_COLD, S7CPU_HOT };
+
 /* Only the fields that its kind names are set. */
 struct s7cpu_event {
     enum s7cpu_event_kind kind;
@@ -198,7 +203,7 @@ struct s7cpu_event {
     int ret, status;
     int flt_id, id;
     int64_t to;
-    bool cold;
+    enum s7cpu_restart restart;
     const struct s7cpu_info *info; /* this and the next: valid until the sink returns */
     const struct s7cpu_state *state;
 };
@@ -247,6 +252,16 @@ struct s7cpu_frame {
     uint32_t run; /* how often this OB has been started, this time included */
 };
 
+/* What STOP leaves to a hot restart [OBS-52, OBS-54]. */
+struct s7cpu_stopped {
+    struct s7cpu_frame stack[S7CPU_DEPTH];
+    int depth;
+    int delay_count;
+    struct s7cpu_request queue[S7CPU_WAITING];
+    int queue_length;
+    int64_t up; /* elapsed time since which the delays stand still */
+};
+
 struct s7cpu {
     struct s7cpu_config config;
     s7cpu_sink *sink;
@@ -265,6 +280,8 @@ struct s7cpu {
     struct s7cpu_frame stack[S7CPU_DEPTH];
     int depth;
     uint32_t runs[S7CPU_OBS];
+    struct s7cpu_stopped stopped;
+    bool resuming; /* the STARTUP of a hot restart */
     bool cycle_exceeded; /* in the cycle of OB 1 that runs, with OB 80 called for it [OBS-26] */
 };
 
@@ -329,9 +346,10 @@ void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state);
 /* A block is loaded into the CPU or deleted. */
 void s7cpu_load(struct s7cpu *cpu, int ob);
 void s7cpu_delete(struct s7cpu *cpu, int ob);
-/* The switch; each does nothing where the mode does not allow it. A restart leads through STOP. */
+/* The switch; each does nothing where the mode does not allow it. A restart leads through STOP. Only
+ * an S7-400 has a hot one [OBS-57]; it does nothing on other CPUs. */
 void s7cpu_stop(struct s7cpu *cpu);
-void s7cpu_restart(struct s7cpu *cpu, bool cold);
+void s7cpu_restart(struct s7cpu *cpu, enum s7cpu_restart type);
 void s7cpu_hold(struct s7cpu *cpu);
 void s7cpu_release(struct s7cpu *cpu);
 

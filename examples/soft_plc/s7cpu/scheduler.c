@@ -1,18 +1,20 @@
 /* Which OB runs: dispatch by priority class, start and end of OBs. */
 #include "internal.h"
 
-/* In STARTUP only OB 80 to 87 may run beside the startup OB [OBS-42 to OBS-44, TINT-13]. */
-static bool mode_allows(const struct s7cpu *cpu, int ob)
+/* In STARTUP only OB 80 to 87 may run beside the startup OB [OBS-42 to OBS-44, TINT-13]; in that of
+ * a hot restart not those that waited before the STOP. */
+static bool mode_allows(const struct s7cpu *cpu, const struct s7cpu_request *r)
 {
-    return cpu->mode == S7CPU_RUN ||
-           (cpu->mode == S7CPU_STARTUP && s7_ob_kind(ob) == OB_ASYNC_ERROR);
+    if (cpu->mode != S7CPU_STARTUP)
+        return cpu->mode == S7CPU_RUN;
+    return s7_ob_kind(r->ob) == OB_ASYNC_ERROR && (!cpu->resuming || r->rank > 27);
 }
 
 /* Only a strictly higher class interrupts [OBS-01, OBS-02], and nothing a delayed OB. */
 bool s7_may_start(const struct s7cpu *cpu, const struct s7cpu_request *r)
 {
     const struct s7cpu_frame *top = s7cpu_top(cpu);
-    if (!mode_allows(cpu, r->ob))
+    if (!mode_allows(cpu, r))
         return false;
     if (top == NULL)
         return true;
@@ -99,6 +101,8 @@ void s7cpu_end_ob(struct s7cpu *cpu)
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_OB_END, .ob = top->ob});
     if (s7_ob_kind(top->ob) == OB_TOD)
         s7_tod_ended(cpu, top->ob);
+    const bool ends_delay = s7_ob_kind(top->ob) != OB_SYNC_ERROR; /* [OBS-62], AMB-24 */
     cpu->depth--;
-    s7_airt_ob_ended(cpu);
+    if (ends_delay)
+        s7_airt_ob_ended(cpu);
 }

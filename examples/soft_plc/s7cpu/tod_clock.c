@@ -17,8 +17,9 @@ static void skipped(struct s7cpu *cpu, int flt_id)
         else
             late |= 1u << k;
     }
-    /* AMB-53, either: in STARTUP there is no OB 80, the run is deferred to RUN (reading a). */
-    if (late != 0 && cpu->mode == S7CPU_RUN)
+    /* AMB-53, either: in STARTUP there is no OB 80, the run is deferred to RUN (reading a); but
+     * for points that passed in STOP (AMB-26). */
+    if (late != 0 && (cpu->mode == S7CPU_RUN || cpu->resuming))
         s7_error_skipped(cpu, flt_id, late); /* one for all of them [OBS-32] */
     for (int k = 0; k < S7CPU_TODS && cpu->mode != S7CPU_STOP; k++)
         if (late & 1u << k)
@@ -72,4 +73,17 @@ void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before)
 void s7_tod_released(struct s7cpu *cpu)
 {
     skipped(cpu, FLT_SKIPPED_IN_HOLD); /* AMB-55, either: caught up as after 05 (reading a) */
+}
+
+/* AMB-26, either: reported as skipped, or lost. */
+void s7_tod_resumed(struct s7cpu *cpu)
+{
+    const int64_t now = s7cpu_clock(cpu);
+    if (cpu->config.choices.points_of_stop_are_reported) {
+        skipped(cpu, FLT_SKIPPED);
+        return;
+    }
+    for (int k = 0; k < S7CPU_TODS; k++)
+        if (cpu->tod[k].active && cpu->tod[k].next < now)
+            cpu->tod[k].next = s7_tod_first_point(cpu, k, now);
 }

@@ -222,7 +222,7 @@ static bool read_action(struct reader *r, const struct json *o, struct action *a
 {
     static const char *const events[] = {"clock", "interrupt", "stop",   "restart", "hold",
                                          "release", "load",    "delete", "state",   NULL};
-    static const char *const types[] = {"warm", "cold", NULL};
+    static const char *const types[] = {"warm", "cold", "hot", NULL};
     int event, type;
     bool moves;
     if (!reader_choice(r, o, "event", true, events, "an event from outside", &event))
@@ -236,9 +236,9 @@ static bool read_action(struct reader *r, const struct json *o, struct action *a
     case 1:
         return read_interrupt(r, o, a);
     case 3:
-        if (!reader_choice(r, o, "type", true, types, "warm or cold", &type))
+        if (!reader_choice(r, o, "type", true, types, "warm, cold or hot", &type))
             return false;
-        a->kind = type == 0 ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+        a->kind = (enum action_kind)(ACTION_RESTART_WARM + type);
         return true;
     case 6:
     case 7:

@@ -140,13 +140,15 @@ def test_modes(codings: list[str], mode: str | None, events: list[str], modes_co
         ("45", "1385", "cold"),
         ("45", "1386", "cold"),
         ("46", "1385", None),
-        ("47", None, None),
-        ("47", "1383", None),
+        ("47", None, "hot"),
+        ("47", "1383", "hot"),
+        ("47", "1384", "hot"),
+        ("47", "1381", None),
         ("45", "1384", None),
     ],
 )
 def test_kind_of_restart(startup: str, request_: str | None, kind: str | None) -> None:
-    """Editions disagree about the mode 5; the request that follows decides, hot restarts cannot be said."""
+    """Editions disagree about the mode 5; the request that follows decides."""
     codings = [f"4301 FF{startup} C700 0000 0000 0000"]
     codings += [f"{request_} 1B64 C700 0000 0000 0000"] if request_ else []
     recording = imported(*codings, RUN)

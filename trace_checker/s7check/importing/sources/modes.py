@@ -113,7 +113,7 @@ def _event(old: str | None, new: str | None, index: int, entries: Sequence[Entry
 
 
 def _restart(index: int, entries: Sequence[Entry]) -> str | None:
-    """The kind of restart that entry 4301 begins, None if not told or not expressible in a log."""
+    """The kind of restart that entry 4301 begins, None if not told."""
     coding = entries[index].coding
     kinds = _STARTUPS[coding[3] % 16] if coding else _ANY_RESTART
     for entry in entries[index + 1 :]:
@@ -121,4 +121,4 @@ def _restart(index: int, entries: Sequence[Entry]) -> str | None:
             break
         if entry.id in _REQUESTS:
             kinds = kinds & {_REQUESTS[entry.id]}
-    return next((kind for kind in ("warm", "cold") if kinds == {kind}), None)
+    return next(iter(kinds)) if len(kinds) == 1 else None

@@ -34,11 +34,10 @@ _DELAYS = range(20, 24)
 _WITH_SOURCE = frozenset({*range(10, 18), *_DELAYS})
 """OBs of which SZL 16#0222 shows whether the source of their start events is active."""
 
-_RESTARTS = {100: "warm", 102: "cold"}
-_HOT_RESTART = 101
+_RESTARTS = {100: "warm", 101: "hot", 102: "cold"}
 STARTUP_OBS = frozenset({100, 101, 102})
-_FIRST_CYCLES = frozenset({0x01, 0x04})
-"""Event numbers with which OB 1 begins after a warm and after a cold restart."""
+_FIRST_CYCLES = frozenset({0x01, 0x02, 0x04})
+"""Event numbers with which OB 1 begins after a warm, a hot and a cold restart."""
 
 
 def convert(raw: bytes, chosen: range | None = None) -> Recording:
@@ -152,9 +151,6 @@ def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
     """The change of the mode that an OB's begin proves."""
     if entry.ob_nr in _RESTARTS:
         yield restart_of(entry)
-    elif entry.ob_nr == _HOT_RESTART:
-        found = f"OB 101; import the entries after it apart, with --entries {entry.number + 1}-"
-        raise SourceError(entry.place, "a warm or cold restart: a log can express no other", found)
     elif _begins_run(entry):
         yield {"event": "run"}
 
