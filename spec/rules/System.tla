@@ -228,9 +228,10 @@ World == \/ EventFromOutside \/ ClockIsSet
 
 (* [AMB-26] The points of a STOP are noticed in STARTUP, or as RUN begins. *)
 PointIsReached ==
-    \/ /\ Settled
-       /\ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
-    \/ ~StopIsDue /\ NoticesPassed /\ Seen("noticed", 0, 0)
+    /\ ~StopIsDue
+    /\ \/ /\ Settled
+          /\ \E o \in TodObs : PointReached(o) /\ Seen("reached", o, clock.min)
+       \/ NoticesPassed /\ Seen("noticed", 0, 0)
 
 DelayIsOver ==
     /\ Settled
