@@ -27,6 +27,9 @@ _PATIENCE = 2.0
 
 _LAST_WORDS = 400
 
+NO_END = "no end within"
+"""How the reason of a time-out begins."""
+
 
 class AdapterError(Exception):
     """The command cannot be started; the text says why."""
@@ -83,7 +86,7 @@ class Adapter:
         while True:
             left = until - time.monotonic()
             if left <= 0 or not readable(process.stdout.fileno(), seconds=left):
-                return self._failed(lines, f"no end within {self._timeout:g} s")
+                return self._failed(lines, f"{NO_END} {self._timeout:g} s")
             chunk = os.read(process.stdout.fileno(), _READ)
             if not chunk:
                 return self._failed(lines, self._end_of(process))

@@ -10,12 +10,16 @@ import msgspec
 
 from s7check.kit import formats
 from s7check.kit.adapter import AdapterError
+from s7check.kit.choosing import Aim, budget_of, covering
+from s7check.kit.choosing import shard as part_of
+from s7check.kit.clusters import changes
 from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
+from s7check.kit.identity import this_run
 from s7check.kit.layout import to_text
 from s7check.kit.matrix import to_matrix
 from s7check.kit.offer import Offer, read_offer
 from s7check.kit.program import Program
-from s7check.kit.results import Kept, Result
+from s7check.kit.results import Kept, Result, outcomes
 from s7check.kit.running import Runner
 from s7check.kit.scl import NotForCpuError, to_scl
 from s7check.letters import EDITION, set_option
@@ -98,11 +102,11 @@ def show_command(name: str, form: str, files: tuple[Path, ...]) -> int:
     return 0
 
 
-def _offer(_: click.Context, __: click.Parameter, file: Path | None) -> Offer:
+def _offer(_: click.Context, __: click.Parameter, file: Path | None) -> tuple[Offer, Path | None]:
     if file is None:
-        return Offer()
+        return Offer(), None
     try:
-        return read_offer(file)
+        return read_offer(file), file
     except UnusableLogError as error:
         raise click.BadParameter(f"{file}: {error.reason}") from error
 
@@ -114,6 +118,30 @@ def _outputs(_: click.Context, __: click.Parameter, names: tuple[Path, ...]) -> 
     return names
 
 
+def _budget(_: click.Context, __: click.Parameter, text: str | None) -> int | None:
+    try:
+        return None if text is None else budget_of(text)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from error
+
+
+def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
+    part, _slash, parts = (text or "1/1").partition("/")
+    if not (part.isdecimal() and parts.isdecimal() and 1 <= int(part) <= int(parts)):
+        raise click.BadParameter(f"expected I/N such as 1/4; found {text}")
+    return int(part), int(parts)
+
+
+def _baseline(_: click.Context, __: click.Parameter, file: Path | None) -> dict[str, str]:
+    if file is None:
+        return {}
+    try:
+        kept = msgspec.json.decode(file.read_bytes(), type=Kept)
+    except msgspec.MsgspecError as error:
+        raise click.BadParameter(f"{file}: expected a .json result of `s7check kit run`; {error}") from error
+    return {result.name: result.status for result in kept.programs}
+
+
 @kit_command.command("run", short_help="Run programs on an implementation and judge its logs.")
 @_ONLY
 @_REQUIREMENT
@@ -123,6 +151,35 @@ def _outputs(_: click.Context, __: click.Parameter, names: tuple[Path, ...]) -> 
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     callback=_offer,
     help="What the CPU offers, a JSON object; programs that need more are skipped.",
+    metavar="FILE",
+)
+@click.option(
+    "--cover",
+    type=click.Choice(["requirements", "guards"]),
+    help="Few programs that reach all that the others reach.",
+)
+@click.option(
+    "--budget",
+    callback=_budget,
+    help="With --cover: the time for the programs on the CPU, such as 90s, 30min or 2h.",
+    metavar="TIME",
+)
+@click.option("--shard", callback=_shard, help="The I-th of N parts of the programs.", metavar="I/N")
+@click.option("--fail-fast", is_flag=True, help="End with the first failure.")
+@click.option(
+    "--timeouts",
+    type=click.IntRange(min=1),
+    default=10,
+    show_default=True,
+    help="End after so many programs without an end in time.",
+    metavar="N",
+)
+@click.option("--implementation", default="", help="Name and version of the implementation, for the result.")
+@click.option(
+    "--baseline",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    callback=_baseline,
+    help="An earlier .json result: say what changed; its failures are known and fail no run.",
     metavar="FILE",
 )
 @click.option("--jobs", type=click.IntRange(1, 64), help="Adapters at work at a time, by default one a core.")
@@ -162,7 +219,14 @@ def run_command(
     only: tuple[str, ...],
     requirements: tuple[str, ...],
     files: tuple[Path, ...],
-    offer: Offer,
+    offer: tuple[Offer, Path | None],
+    cover: Aim | None,
+    budget: int | None,
+    shard: tuple[int, int],
+    fail_fast: bool,
+    timeouts: int,
+    implementation: str,
+    baseline: dict[str, str],
     jobs: int | None,
     timeout: float,
     resume: Path | None,
@@ -181,15 +245,23 @@ def run_command(
     Exit codes: 0 no program failed, 1 one did, 2 wrong arguments, 3 a log could not be judged.
     """
     programs = _chosen(files, only, requirements)
+    if cover is not None:
+        programs = covering(programs, cover, budget)
+    elif budget is not None:
+        raise click.UsageError("--budget: expected --cover beside it")
+    programs = part_of(programs, *shard)
+    run = this_run(programs, implementation, command, offer[1], profile, letters)
     runner = Runner(
         command,
         jobs=jobs or os.cpu_count() or 1,
         timeout=timeout,
-        offer=offer,
+        offer=offer[0],
         logs=logs,
         resume=resume,
         profile=profile,
         letters=letters,
+        fail_fast=fail_fast,
+        timeouts=timeouts,
     )
     try:
         with ProgressBar(len(programs)) as progress:
@@ -199,14 +271,19 @@ def run_command(
                 progress.begin(result.name)
 
             results = runner.run(programs, told)
-        echo(formats.to_text(results))
+        kept = Kept(results, outcomes(results), run)
+        echo(formats.to_summary(results))
+        if baseline:
+            echo("\n".join(changes(baseline, results)))
+        if len(results) < len(programs):
+            echo(f"broken off: {len(programs) - len(results)} programs were not run")
         for output in outputs:
-            write_whole(output, formats.FORMATS[output.suffix](results))
+            write_whole(output, formats.FORMATS[output.suffix](kept))
     except AdapterError as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:
         raise click.FileError(str(error.filename), hint=error.strerror or str(error)) from error
-    return _exit_code(results)
+    return _exit_code([result for result in results if baseline.get(result.name) != "failed"])
 
 
 @kit_command.command("matrix", short_help="Put the results of several implementations side by side.")

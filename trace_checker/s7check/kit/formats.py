@@ -15,6 +15,7 @@ from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
 from s7check.judging.replay import Replay, with_steps
+from s7check.kit.clusters import to_lines
 from s7check.kit.results import STATES, Kept, Outcome, Result, outcomes
 from s7check.report.as_html import Sections, clauses
 from s7check.report.clauses import by_area, clause
@@ -29,14 +30,21 @@ _SHOWN = 6
 """Programs named for a requirement."""
 
 
-def to_text(results: Sequence[Result]) -> str:
-    """Failed programs with their reports, then the requirements."""
-    lines = []
+def to_summary(results: Sequence[Result]) -> str:
+    """The failures by their causes, ten lines at most, and how many programs and requirements passed."""
+    failed = [click.style(line, fg=_COLOURS["failed"]) for line in to_lines(results)]
+    return "\n".join([*failed, _programs(results), _requirements(outcomes(results))])
+
+
+def to_text(kept: Kept) -> str:
+    """What was run, failed programs with their reports, then the requirements."""
+    results = kept.programs
+    lines = [f"{name}: {value}" for name, value in kept.run.told()]
     for result in results:
         if result.status in ("failed", "no verdict"):
             lines.append(f"{result.name}: {_coloured(result.status)}: {result.reason}")
             lines += [f"    {line}" for line in result.report.splitlines()]
-    requirements = outcomes(results)
+    requirements = kept.requirements
     lines += [_programs(results), _requirements(requirements)]
     for state in ("failed", "skipped"):
         if named := [one for one in requirements if one.state == state]:
@@ -58,9 +66,11 @@ def _programs(results: Sequence[Result]) -> str:
 
 
 def _requirements(requirements: Sequence[Outcome]) -> str:
-    counts = Counter(one.state for one in requirements)
+    # Questions that failed are no requirements: they are listed, and the total is that of the documents.
+    own = [one for one in requirements if not one.requirement.startswith("AMB")]
+    counts = Counter(one.state for one in own)
     listed = ", ".join(f"{counts[state]} {_coloured(state)}" for state in STATES if counts[state])
-    return f"{len(requirements)} requirements: {listed}"
+    return f"{len(own)} requirements: {listed}"
 
 
 def _outcome(one: Outcome) -> str:
@@ -69,13 +79,14 @@ def _outcome(one: Outcome) -> str:
     return f"{one.requirement}: {said}" + (f" and {more} more" if more > 0 else "")
 
 
-def to_json(results: Sequence[Result]) -> bytes:
-    """One object: the programs and the requirements."""
-    return msgspec.json.format(msgspec.json.encode(Kept(list(results), outcomes(results))), indent=1) + b"\n"
+def to_json(kept: Kept) -> bytes:
+    """One object: the run, the programs and the requirements."""
+    return msgspec.json.format(msgspec.json.encode(kept), indent=1) + b"\n"
 
 
-def to_junit(results: Sequence[Result]) -> bytes:
-    """A test case a program."""
+def to_junit(kept: Kept) -> bytes:
+    """A test case a program; the run as properties."""
+    results = kept.programs
     counts = Counter(result.status for result in results)
     numbers = {
         "tests": str(len(results)),
@@ -85,6 +96,9 @@ def to_junit(results: Sequence[Result]) -> bytes:
     }
     root = Xml.Element("testsuites", numbers)
     suite = Xml.SubElement(root, "testsuite", {"name": "s7check kit run", **numbers})
+    properties = Xml.SubElement(suite, "properties")
+    for name, value in kept.run.told():
+        Xml.SubElement(properties, "property", {"name": name, "value": value})
     kinds = {"failed": "failure", "no verdict": "error", "skipped": "skipped"}
     for result in results:
         area = result.name.split("-")[0]
@@ -97,12 +111,12 @@ def to_junit(results: Sequence[Result]) -> bytes:
     return written + b"\n"
 
 
-def to_html(results: Sequence[Result]) -> bytes:
+def to_html(kept: Kept) -> bytes:
     """A page: the requirements with the programs about them, and the failed programs with their reports.
 
     Of a failed program that has a reduced log the page shows its timeline and explains its verdict.
     """
-    requirements = outcomes(results)
+    results, requirements = kept.programs, kept.requirements
     style = (files("s7check.report") / "report.css").read_text(encoding="utf-8")
     failed = [result for result in results if result.status in ("failed", "no verdict")]
     small = {result.name: report for result in failed if result.reduced and (report := _followed(result))}
@@ -117,6 +131,7 @@ def to_html(results: Sequence[Result]) -> bytes:
         style,
         "",
         node("h1", "Conformance to the S7-300/400 interrupt functions"),
+        node("table", *(node("tr", node("td", name), node("td", value)) for name, value in kept.run.told())),
         node("p", click.unstyle(_programs(results))),
         node("p", click.unstyle(_requirements(requirements))),
         *([legend()] if sections.pictures else []),
@@ -187,9 +202,9 @@ _BADGE_COLOURS = {"failed": "#c0392b", "passed": "#2e8b57", "none": "#777777"}
 _CHARACTER = 6.6
 
 
-def to_badge(results: Sequence[Result]) -> bytes:
+def to_badge(kept: Kept) -> bytes:
     """An SVG: how many of the requirements that were reached are kept."""
-    counts = Counter(one.state for one in outcomes(results))
+    counts = Counter(one.state for one in kept.requirements if not one.requirement.startswith("AMB"))
     reached = counts["passed"] + counts["failed"]
     state = "failed" if counts["failed"] else "passed" if reached else "none"
     left, right = "S7 interrupts", f"{counts['passed']} of {reached} requirements"
@@ -210,8 +225,8 @@ def to_badge(results: Sequence[Result]) -> bytes:
     return written + b"\n"
 
 
-FORMATS: dict[str, Callable[[Sequence[Result]], bytes]] = {
-    ".txt": lambda results: click.unstyle(to_text(results)).encode() + b"\n",
+FORMATS: dict[str, Callable[[Kept], bytes]] = {
+    ".txt": lambda kept: click.unstyle(to_text(kept)).encode() + b"\n",
     ".json": to_json,
     ".xml": to_junit,
     ".html": to_html,

@@ -92,12 +92,13 @@ def outside_events(program: Program) -> list[tuple[int, dict[str, Any]]]:
     return [(after, event) for after, _, event in merge(*every, key=lambda one: one[:2])]
 
 
-def read_program(text: bytes) -> Program:
+def read_program(text: bytes | str) -> Program:
     """The program in ``text``, one JSON object on any number of lines.
 
     Raises EngineError and UnusableLogError: ``field`` is the path of the wrong field, elements of lists by their place
     from 1 (``bodies.1.steps.2.sdt``); ``line`` is set only where the text is no JSON.
     """
+    text = text.encode() if isinstance(text, str) else text
     raw = _decoded(text)
     with pool.engine() as engine:
         plain = engine.checked("program", text)

@@ -8,6 +8,7 @@ from typing import Literal
 
 import msgspec
 
+from s7check.kit.identity import Run
 from s7check.report.clauses import requirements as all_requirements
 from s7check.report.report import Report, Verdict
 
@@ -23,7 +24,8 @@ class Result(msgspec.Struct, frozen=True):
 
     ``about`` are the requirements of the program, ``decided`` the requirements that decided something in its accepted
     log; ``digest`` says which program it was. ``reduced`` is the smallest log that is rejected alike; empty if there
-    are others for its requirement.
+    are others for its requirement. ``cause`` is what failures have in common: the rejected line, what was expected and
+    the rule; ``passes_under`` are the readings and editions under which the log would pass, where they were tried.
     """
 
     name: str
@@ -37,6 +39,8 @@ class Result(msgspec.Struct, frozen=True):
     seconds: float = 0.0
     events: int = 0
     reduced: str = ""
+    cause: str = ""
+    passes_under: tuple[str, ...] = ()
 
 
 class Outcome(msgspec.Struct, frozen=True):
@@ -55,6 +59,7 @@ class Kept(msgspec.Struct, frozen=True):
 
     programs: list[Result]
     requirements: list[Outcome]
+    run: Run = Run()
 
 
 def outcomes(results: Iterable[Result]) -> list[Outcome]:
@@ -126,4 +131,16 @@ def result_of(report: Report, name: str, digest: str, about: Sequence[str], seco
         "" if status == "passed" else str(report),
         seconds,
         report.events,
+        cause="" if status == "passed" else _cause(report),
     )
+
+
+def _cause(report: Report) -> str:
+    if report.verdict != "rejected" or report.event is None:
+        return ""
+    event = msgspec.json.decode(report.event).get("event")
+    ob = msgspec.json.decode(report.event).get("ob")
+    expected = ", ".join(sorted(report.expected)[:3])
+    line = f"{event}" + (f" of OB {ob}" if ob is not None else "")
+    place = "before" if report.late else "in place of"
+    return f"{report.requirements[0] if report.requirements else ''}: {expected} expected {place} {line}"

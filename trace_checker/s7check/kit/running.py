@@ -17,7 +17,7 @@ import msgspec
 from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
-from s7check.kit.adapter import Adapter
+from s7check.kit.adapter import NO_END, Adapter
 from s7check.kit.followed import departure
 from s7check.kit.offer import Offer
 from s7check.kit.program import Program
@@ -39,8 +39,9 @@ class Runner:
     """Runs programs on the implementation behind ``command``; ``jobs`` adapters work at a time.
 
     Programs are fitted to ``offer``; those that it lacks something for are skipped. With ``logs`` the log of each
-    program is kept in that folder. ``resume`` is a file of results, to which each new one is added; programs that it
-    has are not run again.
+    program is kept in that folder. With ``fail_fast`` the run ends with the first failure, else with so many
+    ``timeouts``; programs that have not run then have no result. ``resume`` is a file of results, to which each new one
+    is added; programs that it has are not run again.
     """
 
     def __init__(
@@ -54,6 +55,8 @@ class Runner:
         resume: Path | None = None,
         profile: str | None = None,
         letters: dict[str, str] | None = None,
+        fail_fast: bool = False,
+        timeouts: int = 1_000_000,
     ) -> None:
         self._command = tuple(command)
         self._jobs = jobs
@@ -63,6 +66,8 @@ class Runner:
         self._resume = resume
         self._profile = profile
         self._letters = letters or {}
+        self._fail_fast = fail_fast
+        self._timeouts = timeouts
         self._lock = threading.Lock()
         self._reduced_for: Counter[str] = Counter()
 
@@ -87,7 +92,7 @@ class Runner:
             results[result.name] = result
             self._keep(result)
             progress(result)
-        return [results[program.name] for program in programs]
+        return [results[program.name] for program in programs if program.name in results]
 
     def _new(self, programs: Iterable[Program]) -> Iterator[Result]:
         local = threading.local()
@@ -102,9 +107,15 @@ class Runner:
                 return self._result(local.adapter, program)
 
             futures: list[Future[Result]] = [pool.submit(work, program) for program in programs]
+            hung = 0
             try:
                 for future in as_completed(futures):
-                    yield future.result()
+                    result = future.result()
+                    hung += result.reason.startswith(NO_END)
+                    yield result
+                    if (self._fail_fast and result.status == "failed") or hung >= self._timeouts:
+                        pool.shutdown(cancel_futures=True)
+                        return
             except BaseException:
                 pool.shutdown(cancel_futures=True)
                 raise
@@ -130,7 +141,7 @@ class Runner:
             adapter.end()  # unread output may still be under way
         result = result_of(report, program.name, digest, program.requirements, seconds)
         if report.verdict == "rejected" and self._first_few(report):
-            return msgspec.structs.replace(result, reduced=self._reduced(report))
+            return msgspec.structs.replace(result, reduced=self._reduced(report), passes_under=self._under(report))
         if result.status == "passed" and (reason := _departure(program, log)):
             return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
         return result
@@ -145,6 +156,11 @@ class Runner:
             first = report.requirements[0]
             self._reduced_for[first] += 1
             return self._reduced_for[first] <= _REDUCED
+
+    def _under(self, report: Report) -> tuple[str, ...]:
+        """The readings and editions under which the log is accepted."""
+        tried = check(report.lines, profile=self._profile, letters=self._letters, other_readings=True, name=report.log)
+        return tuple(one.change for one in tried.readings or () if one.verdict == "accepted")
 
     def _reduced(self, report: Report) -> str:
         """The smallest log that is rejected alike."""

@@ -7,8 +7,10 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 
+from s7check import __version__
 from s7check.cli import main
-from s7check.kit import collection
+from s7check.kit import choosing, collection
+from s7check.kit.collection import programs_of
 from s7check.kit.offer import Offer
 from s7check.kit.program import read_program
 from s7check.kit.results import Result, outcomes
@@ -66,9 +68,8 @@ def test_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert (results["right"]["status"], results["right"]["events"]) == ("passed", 2), "the call and the end"
     assert (results["wrong"]["status"], results["wrong"]["deciding"]) == ("failed", ["AIRT-06", "AIRT-03"])
     said = capsys.readouterr().out
-    assert "AIRT-wrong: failed: rejected" in said
+    assert "1 failed: AIRT-06: DIS_AIRT ret=16#0001 expected in place of DIS_AIRT: AIRT-wrong" in said
     assert "2 programs: 1 passed, 1 failed" in said
-    assert "AIRT-03: AIRT-wrong" in said
 
 
 @pytest.mark.parametrize(
@@ -149,11 +150,62 @@ def test_formats(folder: Path) -> None:
     suite = Xml.fromstring(outputs[".xml"].read_text(encoding="utf-8"))  # noqa: S314
     assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
     page = outputs[".html"].read_text(encoding="utf-8")
-    assert all(
-        part in page for part in ("AIRT-wrong", "the reduced log", "timeline, lines 2 to 2 of 2", "OB had to start")
-    )
+    assert all(part in page for part in ("AIRT-wrong", "the reduced log", "lines 2 to 2 of 2", "OB had to start"))
     assert "0 of 2 requirements" in outputs[".svg"].read_text(encoding="utf-8")
-    assert "184 requirements" in outputs[".txt"].read_text(encoding="utf-8")
+    text = outputs[".txt"].read_text(encoding="utf-8")
+    assert "AIRT-wrong: failed: rejected" in text
+    assert "AIRT-03: AIRT-wrong" in text
+    assert f"tool: {__version__}" in text
+    assert suite.find("testsuite/properties/property[@name='specification']") is not None
+
+
+def test_the_run_is_in_the_result(folder: Path) -> None:
+    """Which tool, specification and programs, on what, when and how; other programs have another hash."""
+    offer = folder / "offer.json"
+    offer.write_text('{"obs": [1, 10, 35, 80, 85, 100]}', encoding="utf-8")
+    found = []
+    for ways in (["right"], ["right", "extra"]):
+        run(folder, ways, "--implementation", "toy 3", "--offer", str(offer), "--set", "AMB-08=b")
+        found.append(json.loads((folder / "out.json").read_text(encoding="utf-8"))["run"])
+    assert found[0]["implementation"] == "toy 3"
+    assert (found[0]["tool"], found[0]["readings"]) == (__version__, {"AMB-08": "b"})
+    assert found[0]["offer"] == {"obs": [1, 10, 35, 80, 85, 100]}
+    assert "adapter.py" in found[0]["command"]
+    assert found[0]["specification"] == found[1]["specification"] != ""
+    assert found[0]["programs"] != found[1]["programs"]
+
+
+def test_baseline(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Known failures fail no run; what changed is said."""
+    assert run(folder, ["right", "wrong"])[0] == 1
+    old = (folder / "out.json").rename(folder / "old.json")
+    assert run(folder, ["right", "wrong"], "--baseline", str(old))[0] == 0
+    assert "known failures: 1: AIRT-wrong" in capsys.readouterr().out
+    (folder / "right.events").write_text(EVENTS["wrong"], encoding="utf-8")
+    assert run(folder, ["right", "wrong"], "--baseline", str(old))[0] == 1
+    assert "passed -> failed: 1: AIRT-right" in capsys.readouterr().out
+
+
+def test_a_run_that_is_broken_off(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the first failure, or by time-outs."""
+    for options in (["--fail-fast"], ["--timeouts", "1"]):
+        code, results = run(folder, ["hang", "right", "extra"], "--jobs", "1", "--timeout", "1", *options)
+        assert (code, list(results)) == (1, ["hang"])
+        assert "broken off: 2 programs were not run" in capsys.readouterr().out
+
+
+def test_few_programs() -> None:
+    """A cover reaches all that is reached, a budget bounds its time; shards are all programs, each once."""
+    programs = programs_of()
+    few = choosing.covering(programs, "requirements", None)
+    assert len(few) < 60
+    assert {name for one in few for name in one.reaches} == {name for one in programs for name in one.reaches}
+    short = choosing.covering(programs, "guards", choosing.budget_of("2min"))
+    assert 0 < sum(one.duration for one in short) <= 120_000
+    parts = [choosing.shard(programs, part, 3) for part in (1, 2, 3)]
+    assert sorted(one.name for part in parts for one in part) == sorted(one.name for one in programs)
+    with pytest.raises(ValueError, match="expected a time such as 90s"):
+        choosing.budget_of("soon")
 
 
 def test_logs(folder: Path) -> None:
@@ -169,6 +221,8 @@ def test_wrong_arguments(folder: Path, capsys: pytest.CaptureFixture[str]) -> No
     for arguments, message in [
         (["run", "--programs", str(file), "--", "cpu"], f'{file}: field "name": expected a name'),
         (["run", "--only", "nothing", "--", "cpu"], "no program fits it"),
+        (["run", "--shard", "3/2", "--", "cpu"], "expected I/N such as 1/4; found 3/2"),
+        (["run", "--budget", "30min", "--", "cpu"], "--budget: expected --cover beside it"),
         (["run", "--output", "x.pdf", "--", "cpu"], "expected a name that ends with one of"),
         (["list", "--requirement", "XYZ-01"], "no program fits it"),
     ]:
