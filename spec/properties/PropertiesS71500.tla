@@ -92,7 +92,7 @@ HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars
 (* [T15-118] A start event of STARTUP waits. *)
 KeptProp ==
     [][ Did("interrupt") /\ mode = "STARTUP" /\ step'.ob = 40 =>
-          \E r \in requests' : r.ob = 40 ]_vars
+          PendingIn(requests', 40) ]_vars
 
 (* [T15-26] [T15-27] A point that comes while the OB runs leaves a run.    *)
 LateRunProp ==

@@ -84,6 +84,17 @@ def test_priorities_are_kept_or_new(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert "MD-17" in capsys.readouterr().out
 
 
+def test_hot_restart(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """No log of an S7-1500 can have it; the rest goes on after a warm one."""
+    lines = (event("restart", type="hot"), event("run", 32))
+    path = tmp_path / "log.ndjson"
+    path.write_bytes(log_text(*lines, header=HEADER | {"obs": [1]}))
+    assert cli.main(["migrate", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert "MD-25 (modes, H)" in out
+    assert "\n3:" not in out
+
+
 def test_a_log_that_cannot_be_used(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The message names the line."""
     path = tmp_path / "log.ndjson"

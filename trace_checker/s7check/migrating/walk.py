@@ -20,6 +20,7 @@ from s7check.asking.session import Session
 from s7check.asking.variants import fitted
 from s7check.engine import pool
 from s7check.engine.client import Engine
+from s7check.log.errors import UnusableLogError
 from s7check.log.values import instant, iso
 from s7check.migrating.table import Difference, differences
 from s7check.report.expected import format_allowed
@@ -87,10 +88,11 @@ class Walk:
         if self._left_out(line):
             return
         for _ in range(_MOST_DUE):
-            refusal = self.new.feed(line)
+            refusal = self._feed(line)
             if refusal is None:
                 break
-            yield refusal
+            if line["event"] != "diag":  # entries follow from what the other lines say
+                yield refusal
             if not (refusal.late and self._put_in(line)):
                 self._leave_out(line)
                 return
@@ -98,6 +100,13 @@ class Walk:
             self.runs.append((line["ob"], True))
         elif line["event"] in ("stop", "restart"):
             self.runs.clear()
+
+    def _feed(self, line: Json) -> Refusal | None:
+        """Why the other CPU refuses the line; without a requirement where no log of it can have such a line."""
+        try:
+            return self.new.feed(line)
+        except UnusableLogError:
+            return Refusal()
 
     def _left_out(self, line: Json) -> bool:
         """Whether the line belongs to a run that the other CPU does not have; ends of runs are counted."""
