@@ -1,4 +1,4 @@
-"""kit/paths.ndjson: the programs of paths through the graphs of models, with the hash of what they were made from.
+"""kit/paths.ndjson.gz: the programs of paths through the graphs of models, with the hash of what they were made from.
 
 A line with a model and a header stands above the paths that begin so.
 """

@@ -17,7 +17,7 @@ STALE = 1
 @click.command("paths", short_help="Paths through the graphs of models, as programs of the kit.")
 @click.option("--write", is_flag=True, help="Have TLC find the paths anew, in minutes, and keep them.")
 def paths_command(*, write: bool) -> int:
-    """Say whether kit/paths.ndjson is as new as the specification and the models that the paths go through."""
+    """Say whether kit/paths.ndjson.gz is as new as the specification and the models that the paths go through."""
     processes = Processes()
     with session(processes, (OSError, ValueError), (ToolMissingError, NoGraphError)) as console:
         if write:

@@ -132,7 +132,7 @@ def test_data_that_are_older_than_a_rule(copy: Path) -> None:
     """The messages name the file, its origin and the command."""
     changed(copy, "Airt", "delay + 1", "delay + 2")
     assert kept_paths.problems(copy) == [
-        f"kit/paths.ndjson: older than the model {name}: s7spec kit paths --write" for name in sorted(paths.MODELS)
+        f"kit/paths.ndjson.gz: older than the model {name}: s7spec kit paths --write" for name in sorted(paths.MODELS)
     ]
     assert measured.problems(copy) == [
         "kit/reached.ndjson: older than spec/, the soft PLC or a program of the kit: s7spec kit reached --write"

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from evidence.common.checkout import ROOT
 from evidence.common.texts import digest
+from evidence.kit.files import read_text
 from evidence.tla.modules import read_modules
 
 _FILES = {
@@ -15,7 +16,7 @@ _FILES = {
     "cases": ("traces/*.txt", "traces/by_hand/*.txt"),
     "engine": ("trace_checker/engine/src/main/**/*.java",),
     "checker": ("trace_checker/s7check/**/*.py",),
-    "kit": ("kit/*.ndjson", "evidence/kit/*.py"),
+    "kit": ("kit/*.ndjson*", "evidence/kit/*.py"),
     "soft PLC": ("examples/soft_plc/**/*.[ch]",),
 }
 """The files of each part; of TLA+ modules, which "spec" and "models" have too, comments and layout do not count."""
@@ -31,7 +32,7 @@ def origin(parts: Iterable[str]) -> str:
 @lru_cache
 def _part(part: str) -> tuple[str, ...]:
     files = [file for pattern in _FILES.get(part, ()) for file in sorted(ROOT.glob(pattern))]
-    return (*_modules(part), *(file.read_text(encoding="utf-8") for file in files))
+    return (*_modules(part), *map(read_text, files))
 
 
 def _modules(part: str) -> Iterator[str]:
