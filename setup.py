@@ -22,6 +22,12 @@ RULES = (
     "docs/rules/differences-s7-1500.txt",
 )
 KNOWN = ("kit/differences.ndjson", "kit/experiments.ndjson")
+FOR_ADAPTERS = (
+    *("examples/adapters/template.py", "examples/adapters/toy_cpu.py", "examples/adapters/toy_offer.json"),
+    *("docs/checking/kit.md", "docs/checking/log-format.md"),
+    *("kit/s7-interrupt-program-1.schema.json", "traces/schema/s7-interrupt-log-1.schema.json"),
+)
+"""What the author of an adapter needs, in the wheel's folder ``adapters``."""
 ENGINE = Path("trace_checker/engine")
 CONTENTS = "trace_checker/s7check/engine/contents.py"
 TARGET = ENGINE / "target"
@@ -50,6 +56,9 @@ class BuildWithData(build_py):
             shutil.copy(page, package / "rules")
         for name in KNOWN:
             shutil.copy(name, package)
+        (package / "adapters").mkdir()
+        for name in FOR_ADAPTERS:
+            shutil.copy(name, package / "adapters")
         make_programs_and_gallery(package)
         for file in (JAR, *TARGET.glob("lib/*.jar"), *([EXECUTABLE] if has_executable() else [])):
             copy = package / "jars" / file.relative_to(TARGET)

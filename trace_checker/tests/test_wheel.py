@@ -217,6 +217,9 @@ def test_programs_gallery_and_rules(unpacked: Path) -> None:
         "requirements-s7-1500.md",
         "requirements.md",
     }
+    template = package / "adapters" / "template.py"
+    assert template.read_bytes() == (PROJECT / "examples" / "adapters" / "template.py").read_bytes()
+    assert {file.suffix for file in template.parent.iterdir()} == {".py", ".json", ".md"}
     for name in ("differences.ndjson", "experiments.ndjson"):
         assert (package / name).read_bytes() == (resources.FOUND / name).read_bytes()
 

@@ -126,3 +126,15 @@ def test_files(tmp_path: Path) -> None:
     with pytest.raises(UnusableLogError) as refusal:
         list(read_programs(lines))
     assert (refusal.value.line, refusal.value.field) == (3, "format")
+
+
+def test_one_spelling_for_an_adapter() -> None:
+    """A program may be a text; its dates have one spelling, the start points of STEP 7 among them."""
+    parameters = {"execution": "daily", "start": "DT#2026-11-21-06:00:00", "active": True}
+    header = PROGRAM["header"] | {"step7": {"tod": {"10": parameters, "11": {"deselected": True}}}}
+    plain = json.loads(read_program(json.dumps(PROGRAM | {"header": header})).plain_line())["header"]
+    assert plain["step7"]["tod"] == {
+        "10": parameters | {"start": "2026-11-21T06:00:00.000"},
+        "11": {"deselected": True},
+    }
+    assert plain["clock"] == "2026-11-21T05:59:30.000"

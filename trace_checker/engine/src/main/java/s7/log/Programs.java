@@ -145,7 +145,23 @@ final class Programs {
       }
     }
     header.read(raw.without().put("format", Header.FORMAT), null);
-    return raw.without().put("clock", DATE.read(raw.get("clock")));
+    Fields read = raw.without().put("clock", DATE.read(raw.get("clock")));
+    return raw.has("step7") ? read.put("step7", step7(raw.object("step7"))) : read;
+  }
+
+  /** The parameters, which the header's reader has taken, with their start points in one spelling. */
+  private static Fields step7(Fields raw) {
+    Fields read = raw.without();
+    if (raw.get("tod") instanceof Fields parameters) {
+      var all = new Fields();
+      for (int i = 0; i < parameters.size(); i++) {
+        var one = (Fields) parameters.value(i);
+        boolean starts = one.get("start") != null;
+        all.add(parameters.name(i), starts ? one.without().put("start", DATE.read(one.get("start"))) : one);
+      }
+      read.put("tod", all);
+    }
+    return read;
   }
 
   private Object event(Object value, Map<String, Reader> kinds) {
