@@ -79,7 +79,7 @@ def test_the_same_from_the_gallery(page: Page) -> None:
     """The same from the gallery."""
     page.fill("#find", "delay OB 80 missing")
     page.click("#gallery >> text=A skipped point under DIS_AIRT, OB 80 missing")
-    expect(page.locator("#lines")).to_contain_text("stop cause=16#4568")
+    expect(page.locator("#lines")).to_contain_text("stop cause=W#16#4568")
     expect(page.locator("#pictures svg").first).to_be_visible()
     expect(page.locator("details pattern")).to_have_count(0)  # a closed one would hide what fills the bars
 
