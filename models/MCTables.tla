@@ -32,15 +32,15 @@ MCReadingSets ==
 Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { p \o d \o e : p \in {"AMB-", "A15-"}, d, e \in Digits }
 
-(* 87 questions and 24 about the S7-1500, a row each, of which no formula  *)
+(* 88 questions and 24 about the S7-1500, a row each, of which no formula  *)
 (* asks four and ten. A default is                                         *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
-    /\ Cardinality(Questions) = 87 + 24
-    /\ Cardinality({ q[1] : q \in Questions }) = 87 + 24
+    /\ Cardinality(Questions) = 88 + 24
+    /\ Cardinality({ q[1] : q \in Questions }) = 88 + 24
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 87 - 4 + 24 - 10
+    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 10
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -285,6 +285,9 @@ DispatchInv ==
     /\ Holds("AMB-69", "c", {"b"}, NothingStandsBefore)
     /\ Holds("AMB-87", "c", {"a"}, MissingOb85StopsAtOnce)
     /\ Holds("AMB-87", "c", {"b"}, MissingOb85StopsInTurn)
+    /\ Holds("AMB-26", "a", {"a"}, HotRestartKeepsSettings)
+    /\ Holds("AMB-88", "c", {"a"}, ErrorKeepsItsClass)
+    /\ Holds("AMB-88", "c", {"b"}, ErrorTakesClassOfRun)
     /\ Holds("AMB-70", "c", {"a"}, CallsComeBeforeTheEnd)
     /\ Holds("AMB-70", "c", {"b"}, CallsComeAfterTheEnd)
     /\ Holds("AMB-74", "a", {"b"}, RestartedJobKeepsSign)
