@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import click
@@ -14,6 +15,7 @@ from s7check.kit.choosing import Aim, budget_of, covering
 from s7check.kit.choosing import shard as part_of
 from s7check.kit.clusters import changes
 from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
+from s7check.kit.hardware import fitted
 from s7check.kit.identity import this_run
 from s7check.kit.layout import to_text
 from s7check.kit.matrix import to_matrix
@@ -214,7 +216,15 @@ def _baseline(_: click.Context, __: click.Parameter, file: Path | None) -> dict[
 )
 @click.option("--profile", type=EDITION, metavar="EDITION", help="Judge every log by this edition of the manual.")
 @set_option("Judge every log by this reading of an open question. May be given several times.")
-@click.argument("command", nargs=-1, required=True, type=click.UNPROCESSED)
+@click.option(
+    "--cpu-address", metavar="ADDRESS", help="Run them on this CPU, snap7://HOST:RACK:SLOT, in place of COMMAND."
+)
+@click.option("--stop-cpu-and-set-clock", "consent", is_flag=True, help="Agree that --cpu-address does that.")
+@click.option("--port", type=click.IntRange(1, 65535), default=102, show_default=True, help="TCP port of that CPU.")
+@click.option(
+    "--latency", type=click.IntRange(0), default=100, show_default=True, metavar="MS", help="Latency of its logs."
+)
+@click.argument("command", nargs=-1, type=click.UNPROCESSED)
 def run_command(
     only: tuple[str, ...],
     requirements: tuple[str, ...],
@@ -234,12 +244,17 @@ def run_command(
     outputs: tuple[Path, ...],
     profile: str | None,
     letters: dict[str, str],
+    cpu_address: str | None,
+    consent: bool,
+    port: int,
+    latency: int,
     command: tuple[str, ...],
 ) -> int:
     r"""Run the programs through the adapter COMMAND, judge each log, and say which requirements are kept.
 
     Write -- before the command. The adapter reads a program a line from standard input and writes its log to standard
-    output, with the line {"event": "done"} behind it.
+    output, with the line {"event": "done"} behind it. Or --cpu-address: a CPU with the interpreter of
+    instrumentation/awl in it, which nobody has tried on a real one yet.
 
     \b
     Exit codes: 0 no program failed, 1 one did, 2 wrong arguments, 3 a log could not be judged.
@@ -250,6 +265,11 @@ def run_command(
     elif budget is not None:
         raise click.UsageError("--budget: expected --cover beside it")
     programs = part_of(programs, *shard)
+    if (cpu_address is None) != bool(command):
+        raise click.UsageError("expected either COMMAND, behind --, or --cpu-address")
+    if cpu_address is not None:
+        programs = _on_cpu(programs, offer[0], consent)
+        command, jobs = (sys.executable, "-m", "s7check.live.lane", cpu_address, str(port), str(latency)), 1
     run = this_run(programs, implementation, command, offer[1], profile, letters)
     runner = Runner(
         command,
@@ -284,6 +304,16 @@ def run_command(
     except OSError as error:
         raise click.FileError(str(error.filename), hint=error.strerror or str(error)) from error
     return _exit_code([result for result in results if baseline.get(result.name) != "failed"])
+
+
+def _on_cpu(programs: list[Program], offer: Offer, consent: bool) -> list[Program]:
+    """The programs with the OBs of a real CPU."""
+    if not consent:
+        raise click.UsageError("--cpu-address stops the CPU and sets its clock: expected --stop-cpu-and-set-clock, too")
+    families = list(offer.cpu or ())
+    if offer.obs is None or len(families) != 1:
+        raise click.UsageError("--cpu-address: expected --offer FILE with cpu, one family, and obs, the OBs in the CPU")
+    return [fitted(program, families[0], offer.obs) for program in programs]
 
 
 @kit_command.command("matrix", short_help="Put the results of several implementations side by side.")

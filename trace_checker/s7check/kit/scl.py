@@ -11,7 +11,7 @@ from typing import Any
 from s7check.kit.program import Body, Program, bodies_of
 from s7check.log.calls import OPERANDS
 
-_SFC = dict(zip(OPERANDS, (*range(28, 35), *range(39, 43)), strict=True))
+SFC = dict(zip(OPERANDS, (*range(28, 35), *range(39, 43)), strict=True))
 """The SFCs in the order of their numbers."""
 
 _PARAMETERS = {"ob": "OB_NR", "sdt": "SDT", "period": "PERIOD", "dtime": "DTIME", "sign": "SIGN", "mode": "MODE"}
@@ -141,7 +141,7 @@ def _call(step: dict[str, Any]) -> str:
     operands = [f"{_PARAMETERS[field]} := {_value(field, step[field])}" for field in OPERANDS[name]]
     if name in ("QRY_TINT", "QRY_DINT"):
         operands.append("STATUS := status")
-    return f"ret := FC{100 + _SFC[name]}({', '.join(operands)});"
+    return f"ret := FC{100 + SFC[name]}({', '.join(operands)});"
 
 
 def _value(field: str, value: Any) -> str:

@@ -29,7 +29,7 @@ _KNOWN = 3
 """Records by which the last one is found again: two may be alike."""
 
 _PATIENCE = 10
-"""Polls for which the RET_VAL of SFC 42 is waited for."""
+"""Polls for which a RET_VAL that is not there yet is waited for."""
 
 _DRIFT_S = 1.0
 """The CPU clock and that of this machine run apart by no more between two polls, and a hundredth."""
@@ -37,7 +37,9 @@ _DRIFT_S = 1.0
 _MODES = {"restart": ("STOP", "STARTUP"), "run": ("STARTUP", "RUN")}
 """Event that the ring proves -> mode before, mode after."""
 
-_EN_AIRT = 42
+_LATE = (0, 42)
+"""Codes of entries that may be completed after they are counted: SFC 0 and 42."""
+
 _TRIES = 5
 
 
@@ -66,9 +68,12 @@ class _Waiting:
 
 
 class Tail:
-    """Follows a CPU from now on. Methods raise SourceError, NoAnswerError where the CPU does not answer."""
+    """Follows a CPU from now on. Methods raise SourceError, NoAnswerError where the CPU does not answer.
 
-    def __init__(self, cpu: Connection, now: Callable[[], float] = monotonic) -> None:
+    ``now`` is a clock of this machine, in seconds, with which that of the CPU is compared; None: with the ring alone.
+    """
+
+    def __init__(self, cpu: Connection, now: Callable[[], float] | None = monotonic) -> None:
         self._cpu = cpu
         self._now = now
         self._known: list[bytes] = []
@@ -139,9 +144,9 @@ class Tail:
         self._waiting.settled = 0
 
     def _read_clock(self) -> None:
-        asked = self._now()
-        clock, answered = self._cpu.clock(), self._now()
-        if self._clocks:
+        asked = self._now() if self._now else 0
+        clock, answered = self._cpu.clock(), self._now() if self._now else 0
+        if self._clocks and self._now:
             last, then = self._clocks[-1]
             passed = answered - then
             apart = abs((clock - last).total_seconds() - passed)
@@ -171,8 +176,8 @@ class Tail:
         oldest = header.written + 2 - header.capacity
         wanted = max(self.written + 1, oldest)
         entries = self._cpu.slots(header, wanted, header.written) if wanted <= header.written else []
-        # An entry of SFC 42 is completed later: RET_VAL, then the mark that it is there.
-        late = [one for one in entries if one.code == _EN_AIRT and one.done]
+        # Of an entry that is completed later RET_VAL comes, then the mark that it is there.
+        late = [one for one in entries if one.code in _LATE and one.done]
         again = {one.number: self._cpu.slots(header, one.number, one.number)[0] for one in late}
         if entries:
             after = self._cpu.ring()
@@ -211,7 +216,7 @@ class Tail:
                 waiting.settled = max(0, waiting.settled - 1)
                 yield from self._of_diag(waiting.diag.popleft(), head)
             elif head is not None:
-                if not head.done and head.code == _EN_AIRT and waiting.polls < _PATIENCE:
+                if not head.done and head.code in _LATE and waiting.polls < _PATIENCE:
                     waiting.polls += 1
                     return
                 waiting.polls = 0

@@ -83,8 +83,11 @@ def sets_clock(entry: RingEntry) -> bool:
 
 
 def set_to(entry: RingEntry) -> str:
-    """The time to which a program has set the clock."""
-    return _date(entry)
+    """The time to which a program has set the clock. Raises SourceError for one that there is not."""
+    try:
+        return bcd.instant(entry.stamp)
+    except ValueError as error:
+        raise SourceError(entry.place, "a clock that is set to a DATE_AND_TIME", bcd.spaced(entry.stamp)) from error
 
 
 def _in_order(header: RingHeader, slots: Sequence[RingEntry], recording: Recording) -> list[RingEntry]:

@@ -1,0 +1,216 @@
+"""A CPU that is awlsim with the interpreter in it, behind the S7 protocol: python-snap7's server. Run as a program.
+
+awlsim executes the AWL; the interrupts and SFCs that it lacks come from examples/adapters. Time is simulated: a restart
+runs the program to its end. Prints its port.
+"""
+
+import logging
+import re
+import struct
+import sys
+from datetime import datetime, timedelta
+from pathlib import Path
+from threading import Event, Thread
+from typing import Any
+
+ROOT = Path(__file__).parents[3]
+sys.path[:0] = [str(ROOT / "build" / "awlsim"), str(ROOT / "examples" / "adapters")]
+
+import awlsim.core.main  # type: ignore  # noqa: E402
+import awlsim_adapter as shipped  # type: ignore  # noqa: E402
+from awlsim.awlcompiler import AwlParser  # type: ignore  # noqa: E402
+from awlsim.common.sources import AwlSource  # type: ignore  # noqa: E402
+from awlsim.core.blockinterface import BlockInterfaceField as Field  # type: ignore  # noqa: E402
+from awlsim.core.memory import make_AwlMemoryObject_fromBytes as octets_of  # type: ignore  # noqa: E402
+from awlsim.core.systemblocks.systemblocks import SFC  # type: ignore  # noqa: E402
+from awlsim.core.systemblocks.tables import SFC_table  # type: ignore  # noqa: E402
+from template import Adapter  # type: ignore  # noqa: E402
+
+from tests.importing.test_import_ring import bcd  # noqa: E402
+from tests.live.plc import RUN, STARTUP, STOP, Foreign, Plc  # noqa: E402
+
+INTERPRETER = ROOT / "instrumentation" / "awl" / "kit.awl"
+PROGRAM = 110
+CYCLE_MS = 5
+STARTS = {**{10 + n: 0x11 + n for n in range(8)}, **{20 + n: 0x21 + n for n in range(4)}}
+
+
+class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
+    """The adapter's CPU and time, and the interpreter in the place of bodies."""
+
+    def __init__(self, plc: "AwlPlc", source: str, obs: list[int], family: str) -> None:
+        shipped.AwlAdapter.current = self
+        self.plc = plc
+        self.begun: list[int] = []
+        self.outside: list[Any] = []
+        self.cycles: list[Any] = []
+        self.infos: dict[int, bytes] = {}
+        self.awl = _loaded(source)
+        header = {"cpu": family, "obs": obs, "clock": plc.at, "mode": "STOP"}
+        Adapter.__init__(self, {"header": header, "bodies": [], "outside": [], "duration": 0})
+        data = self.awl.getCPU().getDB
+        self.blocks = {number: data(number).structInstance.memory.getRawDataBytes() for number in (101, 110, 111)}
+
+    def log(self, event: str, **fields: Any) -> None:
+        """What the CPU says: changes of the mode, and the start information of an OB that is to begin."""
+        self.plc.now = self.clock + timedelta(milliseconds=self.now)
+        if event in ("stop", "restart", "run"):
+            known = {"stop": (0x4303, STOP), "restart": (0x4301, STARTUP), "run": (0x4302, RUN)}[event]
+            self.plc.change(int(fields.get("cause", hex(known[0])).replace("16#", "0x"), 16), known[1], event)
+        elif event == "start":
+            self.infos[fields["ob"]] = self._info(fields["ob"], fields.get("info", {}))
+
+    def _info(self, ob: int, info: dict[str, Any]) -> bytes:
+        number = int(info.get("flt_id", STARTS.get(ob, 0)))
+        words = [str(info.get(name, "16#0")) for name in ("period", "sign", "error_info")]
+        info_1 = sum(int(word.replace("16#", "0x"), 16) for word in words)
+        head = struct.pack(">BBBBBBHI", 0x11, number, self.cpu.level(ob), ob, 0, 0, info_1, info.get("dtime", 0))
+        return head + bcd(info.get("time", self.plc.at))
+
+    def execute(self, ob: int) -> None:
+        """An OB, with its start information; the cycle goes on."""
+        local = self.awl.getCPU().getOB(ob).lstack.memory.getRawDataBytes()
+        local[0:20] = self.infos.get(ob) or self._info(ob, {})
+        super().execute(ob)
+        if ob == 1:
+            self.cpu.cycle = self.now + CYCLE_MS
+
+    def set_clock_to(self, to: datetime) -> None:
+        """SFC 0."""
+        before = self.clock + timedelta(milliseconds=self.now)
+        self.clock += to - before
+        self.cpu.clock_set(before, to)
+
+    def restart(self) -> None:
+        """The program in DB 110 from a warm restart to its end."""
+        self.blocks[111][32:] = bytes(256)
+        self.program["duration"] = self.now + struct.unpack_from(">I", self.blocks[PROGRAM], 24)[0] + 1000
+        self.cpu.outside({"event": "restart", "type": "warm"})
+        self.run()
+
+
+class AwlPlc(Plc):
+    """Data blocks are those of awlsim."""
+
+    def __init__(self, source: str, obs: list[int], family: str) -> None:
+        super().__init__()
+        self.awl = Interpreted(self, source, obs, family)
+
+    def data(self, number: int) -> bytes:
+        """A data block."""
+        return bytes(self.awl.blocks.get(number, b""))
+
+
+class Server(Foreign):
+    """Writes, stops, starts, and has its clock set."""
+
+    _plc: AwlPlc
+    _running: Thread | None = None
+
+    def _write_to_memory_area(self, area: Any, db_number: int, start: int, write_data: bytearray) -> bool:
+        self._plc.awl.blocks[db_number][start : start + len(write_data)] = write_data
+        return True
+
+    def _handle_plc_stop(self, request: Any, client_address: Any) -> bytes:
+        if self._running is not None:
+            self._running.join()
+        self._plc.awl.cpu.to_stop()
+        return super()._handle_plc_stop(request, client_address)
+
+    def _handle_set_clock(self, request: Any, userdata_params: Any, client_address: Any) -> bytes:
+        raw = request["data"]["data"]
+        awl = self._plc.awl
+        awl.set_clock_to(datetime.fromisoformat(shipped.date_of(raw[-8:])))
+        self._plc.now = awl.clock + timedelta(milliseconds=awl.now)
+        return self._build_userdata_success_response(request, userdata_params, b"", null_ack=True)
+
+    def _handle_plc_control(self, request: Any, client_address: Any) -> bytes:
+        self._running = Thread(target=self._plc.awl.restart, daemon=True)
+        self._running.start()
+        return super()._handle_plc_control(request, client_address)
+
+
+def _loaded(source: str) -> Any:
+    parser = AwlParser()
+    parser.parseSource(AwlSource(name="kit", filepath=None, sourceBytes=source.encode("latin-1")))
+    awl = awlsim.core.main.AwlSim()
+    awl.load(parser.getParseTree())
+    awl.build()
+    awl.getCPU().setRunTimeLimit(-1.0)
+    awl.getCPU().setCycleTimeLimit(1e9)
+    return awl
+
+
+def _system_function(number: int, inputs: dict[str, str], outputs: dict[str, str], behaviour: Any) -> None:
+    """Puts a system function into awlsim's table; ``behaviour`` gets the operands, and returns bytes of the outputs."""
+
+    def run(self: Any) -> None:
+        given = {name: self.fetchInterfaceFieldByName(name) for name in inputs}
+        for name, octets in zip(outputs, behaviour(given), strict=True):
+            self.storeInterfaceFieldByName(name, octets_of(bytearray(octets), len(octets) * 8))
+        self.cpu.statusWord.BIE = 1
+
+    fields = {
+        kind: tuple(Field(name=name, dataType=type_) for name, type_ in of.items())
+        for kind, of in ((Field.FTYPE_IN, inputs), (Field.FTYPE_OUT, outputs))
+        if of
+    }
+    members = {"name": (number, f"SFC{number}", ""), "interfaceFields": fields, "run": run}
+    SFC_table[number] = type(f"SFC{number}", (SFC,), members)
+
+
+def _install() -> None:
+    shipped.install()
+
+    def current() -> Interpreted:
+        found = shipped.AwlAdapter.current
+        assert isinstance(found, Interpreted)
+        return found
+
+    def set_clock(given: dict[str, Any]) -> tuple[bytes]:
+        date = shipped.date_of(shipped.AwlMemoryObject_asBytes(given["PDT"]))
+        try:
+            to = datetime.fromisoformat(date)
+        except ValueError:
+            return (b"\x80\x80",)
+        current().set_clock_to(to)
+        return (bytes(2),)
+
+    def tick(_: dict[str, Any]) -> tuple[bytes]:
+        current().busy(1)
+        return (struct.pack(">i", current().now),)
+
+    def clock(_: dict[str, Any]) -> tuple[bytes, bytes]:
+        now = current().clock + timedelta(milliseconds=current().now)
+        return bytes(2), bcd(now.isoformat(timespec="milliseconds"))
+
+    _system_function(0, {"PDT": "DATE_AND_TIME"}, {"RET_VAL": "INT"}, set_clock)
+    _system_function(1, {}, {"RET_VAL": "INT", "CDT": "DATE_AND_TIME"}, clock)
+    _system_function(43, {}, {}, lambda _: current().busy(4))
+    _system_function(64, {}, {"RET_VAL": "TIME"}, tick)
+
+
+def main(port: int, family: str, obs: list[int], change: str) -> None:
+    """Serves until it is ended; ``change`` is OLD=NEW in the interpreter, or empty."""
+    logging.disable()
+    shipped.Logging.setLoglevel(shipped.Logging.LOG_NONE)
+    _install()
+    source = INTERPRETER.read_text(encoding="ascii")
+    if change:
+        old, new = change.split("->")
+        assert source.count(old) == 1, "the change fits one place"
+        source = source.replace(old, new)
+    call = re.search(r"^// (CALL FC 200 .*;)$", source, re.MULTILINE)
+    assert call is not None
+    for ob in obs:
+        body = call[1].replace("n,", f"{ob},")
+        source += f"\nORGANIZATION_BLOCK OB {ob}\nVAR_TEMP\nINFO : ARRAY [0..19] OF BYTE;\nEND_VAR\nBEGIN\n{body}\n"
+        source += "END_ORGANIZATION_BLOCK\n"
+    server = Server(AwlPlc(source, obs, family))
+    server.start(port)
+    print("serving", flush=True)
+    Event().wait()
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), sys.argv[2], [int(ob) for ob in sys.argv[3].split(",")], sys.argv[4])

@@ -1,0 +1,109 @@
+"""Programs of the kit on a CPU over the S7 protocol: awlsim executes the interpreter in AWL."""
+
+import json
+import socket
+import struct
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from s7check import cli
+from s7check.kit.collection import chosen, programs_of
+from s7check.kit.hardware import encoded, fitted, lacks
+from tests.test_shipped_logs import PROJECT
+
+OBS = [1, *range(10, 18), *range(20, 24), 80, 85]
+AWLSIM = PROJECT / "build" / "awlsim"
+SMOKE = ["TINT-22-calls-not-recorded-answers-not-logged", "AIRT-01-ob-20-delays-ob-23"]
+SMOKE += ["AMB-69-lower-delay-first-inside-the-latency", "TINT-39-every-field-at-its-limit"]
+"""Every call, OBs that interrupt each other, dates at their limits; all of them are over in seconds."""
+
+Serve = Callable[[str], int]
+
+awlsim = pytest.mark.skipif(not AWLSIM.is_dir(), reason="awlsim is not there; `make test-checker` installs it")
+
+
+@pytest.fixture
+def serve() -> Iterator[Serve]:
+    """A function that starts such a CPU, with a change of its interpreter, and has its port."""
+    servers = []
+
+    def one(change: str) -> int:
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            port: int = free.getsockname()[1]
+        command = [sys.executable, "-m", "tests.live.awl_cpu", str(port), "S7-300", ",".join(map(str, OBS)), change]
+        server = subprocess.Popen(command, cwd=PROJECT / "trace_checker", stdout=subprocess.PIPE)
+        servers.append(server)
+        assert server.stdout is not None
+        assert server.stdout.readline() == b"serving\n"
+        return port
+
+    yield one
+    for server in servers:
+        server.kill()
+        server.communicate()
+
+
+def run(folder: Path, port: int, *names: str) -> dict[str, str]:
+    """The statuses of these programs on the CPU."""
+    offer, output = folder / "offer.json", folder / "result.json"
+    offer.write_text(json.dumps({"cpu": ["S7-300"], "obs": OBS}))
+    only = [f"--only={name}" for name in names]
+    address = ["--cpu-address", "snap7://127.0.0.1:0:2", "--port", str(port), "--latency", "20"]
+    given = [*only, "--offer", str(offer), "--output", str(output), *address]
+    cli.main(["kit", "run", *given, "--stop-cpu-and-set-clock"])
+    return {one["name"]: one["status"] for one in json.loads(output.read_text())["programs"]}
+
+
+@awlsim
+def test_smoke(serve: Serve, tmp_path: Path) -> None:
+    """Calls, waits, dates and OBs take their way over the wire and back, and every log is accepted."""
+    assert run(tmp_path, serve(""), *SMOKE) == dict.fromkeys(SMOKE, "passed")
+
+
+@awlsim
+@pytest.mark.parametrize(
+    "change",
+    [
+        "C33:  CALL SFC 33->C33:  CALL SFC 34 ( OB_NR := #N, RET_VAL := #RET, STATUS := #STA ); JU NOTE; CALL SFC 33",
+        "CALL SFC 30 ( OB_NR := #N, RET_VAL := #RET );->L 0; T #RET;",
+    ],
+    ids=["another call", "no call"],
+)
+def test_wrong_interpreter(change: str, serve: Serve, tmp_path: Path) -> None:
+    """What the interpreter does wrong is found."""
+    assert "failed" in run(tmp_path, serve(change), *SMOKE).values()
+
+
+def test_encoded() -> None:
+    """Byte for byte as instrumentation/awl/README.md has it."""
+    (program,) = chosen(programs_of(), ["DINT-beside-20-21-cancel"], [])
+    content = encoded(fitted(program, "S7-300", OBS))
+    head = struct.unpack_from(">HhhhhhI8sII", content)
+    assert head[:7] == (0x5331, 1, 498, 0, 1, 0, 0)
+    assert head[7][:7].hex() == "".join(filter(str.isdigit, program.plain["header"]["clock"]))[2:16]
+    assert head[8:] == (program.duration, 0)
+    steps = [content[at : at + 16] for at in range(32, len(content), 16)]
+    assert steps[0] == bytes([254, 0]) + struct.pack(">hH", 1, 1) + bytes(10)
+    assert steps[-1] == bytes([255]) + bytes(15)
+    call = next(step for body in program.bodies for step in body.steps if step.get("call") == "SRT_DINT")
+    assert any(step[0] == 32 and int.from_bytes(step[2:4]) == call["ob"] for step in steps)
+
+
+def test_what_cannot_run() -> None:
+    """Each with its reason."""
+    reasons = {lacks(fitted(program, "S7-300", OBS)) for program in programs_of()}
+    assert {"", "no step7 in the header", "no interrupt from outside", "no beginning in STOP"} <= reasons
+
+
+def test_only_with_consent(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """A CPU is stopped only if that was agreed to."""
+    assert cli.main(["kit", "run", "--cpu-address", "snap7://127.0.0.1:0:2"]) == 2
+    assert "--stop-cpu-and-set-clock" in capsys.readouterr().err
+    assert cli.main(["kit", "run", "--cpu-address", "snap7://127.0.0.1:0:2", "--stop-cpu-and-set-clock"]) == 2
+    assert "--offer FILE with cpu" in capsys.readouterr().err
+    assert cli.main(["kit", "run"]) == 2
+    assert "either COMMAND" in capsys.readouterr().err
