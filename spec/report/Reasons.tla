@@ -80,8 +80,8 @@ CanDintRequirements(e, ret, past) ==
                  \cup When(\/ LastStart(past, e.ob) > srt
                            \/ PendingIn(requests, e.ob) \/ Unseen("ob"),
                            {"DINT-15"})
-                 \cup When(LastOf(past, {"restart"}) > srt,
-                           {"DINT-13", "OBS-52"})
+                 \cup When(LastReset(past) > srt, {"DINT-13", "OBS-52"})
+                 \cup When(LastHot(past) > srt, {"OBS-52"})
                  \cup When(SetInStartup(past, srt), {"OBS-55", "DINT-11"})
                  \cup When(dint[e.ob].started /\ dint[e.ob].left <= 2,
                            {"DINT-06"})
@@ -127,8 +127,9 @@ CountRequirements(e, past) ==
         ended == e.ret = IF e.event = "DIS_AIRT" THEN 1 ELSE NotDelayed
     IN  {"AIRT-03"}
           \cup When(last > 0 /\ LastOf(past, {"restart"}) > last, {"OBS-54"})
-          \cup When(\/ last > 0 /\ LastOf(past, {"end", "run"}) > last
-                    \/ delay > 0 /\ ended, {"AIRT-04"})
+          \cup When(/\ LastHot(past) <= last
+                    /\ \/ last > 0 /\ LastOf(past, {"end", "run"}) > last
+                       \/ delay > 0 /\ ended, {"AIRT-04"})
 
 \* @type: ($event, Int, Seq($event)) => Set(Str);
 AnswerRequirements(e, ret, past) ==
@@ -416,7 +417,8 @@ EntryRequirements(entry, past) ==
 
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRules(e, past) ==
-    UNION { LateRequirement(r, past) : r \in Late(e) }
+    UNION { LateRequirement(r, past) \cup SinceHotRestart(r.ob, past)
+            : r \in Late(e) }
       \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
       \cup When(StopDuty \in DOMAIN waiting, StopRequirements(past))
       \cup When(CallDuty \in DOMAIN waiting,
@@ -678,7 +680,11 @@ PossibleRules(e, past) ==
 (* By the words of the family                                              *)
 
 \* @type: ($event, Seq($event)) => Set(Str);
-Deciding(e, past) == Cited(e, past, DecidingRules(e, past))
+Deciding(e, past) ==
+    Cited(e, past,
+          DecidingRules(e, past)
+            \cup When(e.event \in CallEvents \cup {"start", "end"},
+                      SinceHotRestart(e.ob, past)))
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRequirements(e, past) == Cited(e, past, LateRules(e, past))
 \* @type: ($event, Seq($event)) => Set(Str);

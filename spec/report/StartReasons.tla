@@ -64,6 +64,16 @@ Worked(e) == e.ret \in {OK, -1}
 \* @type: (Bool, Set(Str)) => Set(Str);
 When(condition, ids) == IF condition THEN ids ELSE {}
 
+(* Since a hot restart, which keeps what was set and started, nothing was  *)
+(* set or started for the OB; 0 stands for the delay of SFC 41.            *)
+\* @type: (Int, Seq($event)) => Set(Str);
+SinceHotRestart(o, past) ==
+    LET last == LastWith(past, {"start", "interrupt", "SRT_DINT", "CAN_DINT",
+                                "SET_TINT", "ACT_TINT", "CAN_TINT",
+                                "DIS_AIRT", "EN_AIRT"}, o)
+    IN  When(LastHot(past) > last,
+             {"OBS-52"} \cup When(o = 0 \/ OnStack(o), {"OBS-54"}))
+
 (* The direction in which the clock was last set after position i: 1       *)
 (* forward, -1 back; 0 if it was not set.                                  *)
 \* @type: (Seq($event), Int) => Int;
