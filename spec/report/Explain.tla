@@ -47,6 +47,9 @@ AnswersOfCalls ==
 (* The numbers that a log can give to an OB. *)
 ObNumbersOfLogs == 1..122
 
+\* @type: (Int, Int) => <<Int, Int>>;
+WithClass(o, class) == <<o, class>>
+
 (* The words of a log, by which the reader takes lines or refuses them. Of *)
 (* a header: families, those whose priority classes can be set, these      *)
 (* classes, the OBs that it lacks and its default classes; profiles; the   *)
@@ -60,7 +63,7 @@ Words ==
                                              ClassesToSet(f, p) # {} } }>>
                      : f \in KnownFamilies },
       unknown  |-> { <<f.name, f.unknown>> : f \in KnownFamilies },
-      usual    |-> { <<f.name, { <<o, DefaultClassOf(f, o)>>
+      usual    |-> { <<f.name, { WithClass(o, DefaultClassOf(f, o))
                                  : o \in Blockable \cup SyncErrorObs }>>
                      : f \in KnownFamilies },
       obs      |-> ObNumbersOfLogs,

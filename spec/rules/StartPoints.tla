@@ -208,11 +208,11 @@ Quietly(fault, now) ==
 CaughtUpOf(obs) ==
     LET \* @type: Int => $moment;
         point(o) == NextSkipped(tod[o])
-        first == { o \in obs : \A p \in obs : ~Before(point(p), point(o)) }
+        earliest == { o \in obs : \A p \in obs : ~Before(point(p), point(o)) }
         heads == { o \in obs : \A p \in obs :
                      ClassOf(p) = ClassOf(o) => ~Before(point(p), point(o)) }
     IN  IF Family.jump = 0 \/ obs = {} \/ EachSkippedObIsCaughtUp THEN {obs}
-        ELSE IF OnlyFirstSkippedIsCaughtUp THEN { {o} : o \in first }
+        ELSE IF OnlyFirstSkippedIsCaughtUp THEN { {o} : o \in earliest }
         ELSE IF FirstOfEachClassIsCaughtUp
         THEN { s \in SUBSET heads :
                  \A h \in heads :
