@@ -1,6 +1,7 @@
 """The explorer's answers, without a page."""
 
 from collections.abc import Iterator
+from typing import Any
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
@@ -18,7 +19,7 @@ from s7check.log.errors import UnusableLogError
 from tests.explorer_server import TOKEN, served
 from tests.shipped import TRACES
 
-HEADER = {
+HEADER: dict[str, Any] = {
     "format": "s7-interrupt-log/1",
     "cpu": "S7-400",
     "obs": [1, 10, 85],
