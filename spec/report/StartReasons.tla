@@ -429,13 +429,38 @@ WithoutRequest(e, past) ==
                              > LastWith(past, {"interrupt"}, o), {"OBS-52"})
 
 -----------------------------------------------------------------------------
+(* The class of an error that came in STARTUP, in RUN [AMB-88] *)
+
+(* The request came in the STARTUP that has led to RUN. *)
+\* @type: ($request, Seq($event)) => Bool;
+CameInStartup(r, past) ==
+    LET run == LastOf(past, {"run"})
+    IN  /\ Family.raises /\ mode = "RUN" /\ r.ob \in AsyncErrorObs
+        /\ LastOf(past, {"restart"}) \in 1..run
+        /\ ~Before(past[run].at, r.since)
+
+(* Its class is that of STARTUP or that of RUN, or either. *)
+\* @type: Set(Str);
+OfKeptClass == {"AMB-88"} \cup When(~ErrorTakesClassOfRun, {"OBS-43"})
+                         \cup When(~ErrorKeepsItsClass, {"OBS-31"})
+
+(* The OB that runs has kept the class of STARTUP. *)
+\* @type: Seq($event) => Bool;
+KeepsItsClass(past) ==
+    /\ Family.raises /\ mode = "RUN"
+    /\ Running.ob \in AsyncErrorObs /\ Running.class = 28
+    /\ LastOf(past, {"restart"}) > 0
+    /\ LastWith(past, {"interrupt"}, Running.ob) < LastOf(past, {"run"})
+
+-----------------------------------------------------------------------------
 (* Start information that does not fit the request *)
 
-\* @type: ($request, $event) => Set(Str);
-InterruptInfo(r, e) ==
+\* @type: ($request, $event, Seq($event)) => Set(Str);
+InterruptInfo(r, e, past) ==
     LET i == e.info
     IN  When(~Fits(i.priority, r.class),
-             IF r.ob = TimeErrorOb THEN {"OBS-31"}
+             IF CameInStartup(r, past) THEN OfKeptClass
+             ELSE IF r.ob = TimeErrorOb THEN {"OBS-31"}
              ELSE {"OBS-04"} \cup When(r.ob \in DintObs, {"DINT-01"})
                     \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                     \cup When(r.ob \in AsyncErrorObs /\ mode = "STARTUP",
@@ -474,9 +499,9 @@ ErrorInfo(r, i) ==
                     {"CLK-06", "OBS-32"}
                       \cup When(r.fault = SkippedInHold, {"OBS-46"}))
 
-\* @type: ($request, $event) => Set(Str);
-InfoRequirements(r, e) ==
-    LET ids == InterruptInfo(r, e)
+\* @type: ($request, $event, Seq($event)) => Set(Str);
+InfoRequirements(r, e, past) ==
+    LET ids == InterruptInfo(r, e, past)
                  \cup When(r.ob \in AsyncErrorObs, ErrorInfo(r, e.info))
     IN  IF ids = {} THEN {"OBS-10"} ELSE ids
 
@@ -512,6 +537,7 @@ StartRequirements(r, e, past) ==
     THEN {"OBS-01"}
            \cup When({r.ob, Running.ob} \cap DOMAIN cpu.priority # {},
                      {"OBS-05"})
+           \cup When(KeepsItsClass(past), OfKeptClass)
            \cup When(/\ LastOf(past, {"DIS_IRT"}) > LastStart(past, Running.ob)
                      /\ Blocked(Running.ob), {"IRT-08", "OBS-03"})
     ELSE IF ~Reported(r)
@@ -520,10 +546,11 @@ StartRequirements(r, e, past) ==
     ELSE IF ~InTurn(r)
     THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})
                     \cup When(r.ob \in AsyncErrorObs, {"OBS-11"})
+                    \cup When(CameInStartup(r, past), OfKeptClass)
                     \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                     \cup When(r.follows \in Skips, {"CLK-03"})
     ELSE IF ~HighestFirst(r) THEN {"AIRT-08", "OBS-03"}
-    ELSE InfoRequirements(r, e)
+    ELSE InfoRequirements(r, e, past)
 
 (* How many of these conditions the request meets. *)
 \* @type: ($request, Int) => Int;
