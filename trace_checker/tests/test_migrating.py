@@ -100,7 +100,7 @@ def test_a_log_that_cannot_be_used(tmp_path: Path, capsys: pytest.CaptureFixture
     path = tmp_path / "log.ndjson"
     path.write_bytes(log_text("{}", header=RUN))
     assert cli.main(["migrate", str(path)]) == 2
-    assert f"{path}: unusable: line 2: " in capsys.readouterr().err
+    assert f"{path}:2: unusable: " in capsys.readouterr().err
 
 
 def test_a_table_that_is_not_of_the_format(tmp_path: Path) -> None:

@@ -274,5 +274,7 @@ def test_matrix(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = capsys.readouterr().out
     assert "| [AIRT-06](../rules/requirements.md#AIRT-06) | passed | **failed** |" in page
     assert "## Failed on B" in page
-    assert main(["kit", "matrix", "A=nowhere.json"]) == 2
+    assert main(["kit", "matrix", "nowhere.json"]) == 2
     assert "expected NAME=FILE" in capsys.readouterr().err
+    assert main(["kit", "matrix", "A=nowhere.json"]) == 2
+    assert "nowhere.json: expected a result of `s7check kit run`" in capsys.readouterr().err
