@@ -17,7 +17,7 @@ from tests.test_shipped_logs import PROJECT
 
 OBS = [1, *range(10, 18), *range(20, 24), 80, 85]
 AWLSIM = PROJECT / "build" / "awlsim"
-SMOKE = ["TINT-22-calls-not-recorded-answers-not-logged", "AIRT-01-ob-20-delays-ob-23"]
+SMOKE = ["TINT-22-SET_TINT-CAN_TINT-ACT_TINT-QRY_TINT-SRT_DINT-CAN_DINT", "AIRT-01-ob-20-delays-ob-23"]
 SMOKE += ["AMB-69-lower-delay-first-inside-the-latency", "TINT-39-every-field-at-its-limit"]
 """Every call, OBs that interrupt each other, dates at their limits; all of them are over in seconds."""
 
