@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from evidence.common import gallery
 from evidence.common.checkout import ROOT
 from evidence.kit import kept_paths, measured
 from evidence.tests.test_docs import CODE, LINK, anchors_of
@@ -54,9 +55,12 @@ def test_they_are_written(tmp_path: Path, made: dict[Path, str], monkeypatch: py
     assert re.search(
         r": [0-9]+ pages and sources, [0-9]+ programs of the kit, 7 vectors\nkit/reached.ndjson: older\n", result.output
     )
+    areas = ("AIRT", "AMB", "CLK", "DINT", "IRT", "OBS", "T15", "TINT")
     assert {file.relative_to(output) for file in output.rglob("*") if file.is_file()} == {
         *made,
-        *(Path("kit/programs") / f"{area}.ndjson" for area in ("AIRT", "AMB", "CLK", "DINT", "IRT", "OBS", "TINT")),
+        *(Path("kit/programs") / f"{area}.ndjson" for area in areas),
+        *(Path("gallery") / f"{case.name}.ndjson" for case in gallery.cases()),
+        Path("gallery/cases.json"),
     }
     monkeypatch.setattr(measured, "problems", list)
     result = CliRunner().invoke(views_command.make_command, ["--output", str(output)], standalone_mode=False)
