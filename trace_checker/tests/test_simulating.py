@@ -98,6 +98,13 @@ def test_as_early_as_may_be(real_engine: Engine) -> None:
     ]
 
 
+def test_a_burst_ends(real_engine: Engine) -> None:
+    """Start events that are not told apart may start their OB any number of times; the run ends."""
+    burst = [{"after": 1000 + ms, "event": "interrupt", "ob": 35} for ms in range(16)]
+    lines = told(run(real_engine, program(outside=burst, bodies=[{"ob": 35, "run": 1, "steps": [{"wait": 20}]}])))
+    assert 2 <= sum(line.endswith("start 35") for line in lines) <= len(burst)
+
+
 def test_at_random(real_engine: Engine) -> None:
     """OBs come up to the latency late; a seed chooses alike."""
     begins = {told(run(real_engine, program(), seed))[3] for seed in range(12)}

@@ -60,6 +60,8 @@ class Simulation:
         self._clock = instant(program.header["clock"])
         self._let_until = 0
         self._let_at = -1
+        self._begun: set[tuple[int, str]] = set()
+        """When, and in which state of the CPU, an OB has started."""
         self._mode: str = program.header.get("mode", "STOP")
         loads = {event["ob"] for event in program.outside if event["event"] == "load"}
         self._starts = [{"event": "start", "ob": ob} for ob in sorted({CYCLE_OB, *program.header["obs"], *loads})]
@@ -94,6 +96,7 @@ class Simulation:
         twin._session = self._session.branch()
         twin._work = self._work.copy()
         twin._outside = list(self._outside)
+        twin._begun = set(self._begun)
         twin._ends_that_count = list(self._ends_that_count)
         return twin
 
@@ -121,6 +124,8 @@ class Simulation:
             return
         if choice["event"] == "restart" and self._mode != "STOP":
             self._feed({"event": "stop"})
+        if choice["event"] == "start":
+            self._begun.add(self._moment())
         self._feed(choice)
 
     # What may happen
@@ -168,8 +173,12 @@ class Simulation:
             due = [one for time in ended for one in time.due if one.event == "stop"]
             found += [{"event": "stop"} | ({"cause": f"W#16#{one.value:04X}"} if one.field else {}) for one in due]
         if found and not ended:
-            return [] if self._let_at == self._up else [*found, None]
+            return [] if self._let_at == self._up or self._moment() in self._begun else [*found, None]
         return found
+
+    def _moment(self) -> tuple[int, str]:
+        """Equal after an OB of no length that may start any number of times, such as for many open start events."""
+        return self._up, self._possible().key
 
     def _of_idle_cpu(self) -> list[Choice]:
         """The next cycle, or the end of STARTUP."""
