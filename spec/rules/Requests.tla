@@ -136,21 +136,22 @@ DintRequest(o) ==
 IsCatchUp(r) == r.follows \in Skips
 
 (* [OBS-43] [OBS-31] [AMB-13] The class of the start event of an           *)
-(* asynchronous error.                                                     *)
-\* @type: (Int, Int) => Int;
-ErrorClass(o, fault) ==
+(* asynchronous error, in STARTUP or not.                                  *)
+\* @type: (Int, Int, Bool) => Int;
+ErrorClassIn(o, fault, inStartup) ==
     IF ~Family.raises THEN ClassOf(o)  \* [T15-61] [T15-62]
     ELSE IF o = TimeErrorOb
-    THEN IF \/ mode = "STARTUP" /\ Class28InStartup
+    THEN IF \/ inStartup /\ Class28InStartup
             \/ fault = BufferOverflow /\ Class28OnOverflow
          THEN 28 ELSE 26
-    ELSE IF mode = "STARTUP" THEN 28 ELSE ClassOf(o)
+    ELSE IF inStartup THEN 28 ELSE ClassOf(o)
+
+\* @type: (Int, Int) => Int;
+ErrorClass(o, fault) == ErrorClassIn(o, fault, mode = "STARTUP")
 
 (* [AMB-88] The class in RUN of an error that came in STARTUP. *)
 \* @type: $request => Int;
-ClassInRun(r) ==
-    IF r.ob # TimeErrorOb THEN ClassOf(r.ob)
-    ELSE IF r.fault = BufferOverflow /\ Class28OnOverflow THEN 28 ELSE 26
+ClassInRun(r) == ErrorClassIn(r.ob, r.fault, FALSE)
 
 (* These errors join the queues of their classes in RUN, at the end. *)
 \* @type: (Set($request), Set($request)) => Set($request);

@@ -31,7 +31,7 @@ def spread(project: Project) -> Project:
         pytest.skip("the distributed mode of this TLC does not work")
     document = project.document
     wrong = {**SAFE, "name": "wrong-pin", "expect": {**SAFE["expect"], "distinct": 6}}
-    fails = {**SAFE, "name": "fails", "overrides": {"Overshoots": True}}
+    fails = {**SAFE, "name": "fails", "constants": {"Overshoots": "= TRUE"}}
     project.write({**document, "models": [*document["models"], SAFE, wrong, fails]})
     return project
 
