@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -18,6 +16,7 @@ SAFE: dict[str, Any] = {
     "name": "safe",
     "base": "counter",
     "kind": "model",
+    "lane": "smoke",
     "what": "The counter steps by one.",
     "properties": ["StepByOne"],
     "expect": {"exit": 0, "states": 6, "distinct": 5, "depth": 5},
@@ -93,8 +92,8 @@ def test_wrong_arguments(project: Project, arguments: tuple[str, ...]) -> None:
 
 def test_stale_mutation_is_drift(spread: Project) -> None:
     """A replacement that no longer fits is told before anything starts."""
-    entry = {**SAFE, "name": "stale", "mutate": {"module": "Counter.tla", "replace": "no such text", "by": ""}}
-    document = json.loads(Path(spread.path).read_text(encoding="utf-8"))
+    entry = {**SAFE, "name": "stale", "mutate": [{"module": "Counter.tla", "replace": "no such text", "by": ""}]}
+    document = spread.document
     spread.write({**document, "models": [*document["models"], entry]})
     code, output, _ = spread.run("--distributed", "1", "stale")
     assert code == 1
