@@ -214,8 +214,8 @@ ActAnswers(o) ==
 IsActivatedAnew(o) == /\ ActTintComputesAnew /\ ~CallUsesUp(o)
                       /\ clock.min <= tod[o].repeatTo
 
-(* [TINT-10] [TINT-24] An inactive interrupt gets its next point. An       *)
-(* active one stays [TINT-63], or its next point is computed anew.         *)
+(* [TINT-63] An inactive interrupt gets its next point. An active one      *)
+(* stays, or its next point is computed anew.                              *)
 \* @type: Int => $tod;
 ActiveSetting(o) ==
     IF tod[o].active /\ ~IsActivatedAnew(o) THEN tod[o]

@@ -51,9 +51,9 @@ SeriesOf(period) ==
 HasOnePoint(period) == \/ period = Once
                        \/ period = EndOfMonth /\ EndOfMonthIsOnce
 
-(* The first point of the series at or after minute m.  It may be one      *)
-(* period after the start [AMB-36]; the start of an end-of-month interrupt *)
-(* may be a point as well [AMB-39].                                        *)
+(* [TINT-10] [TINT-24] The first point of the series at or after minute m. *)
+(* It may be one period after the start [AMB-36]; the start of an          *)
+(* end-of-month interrupt may be a point as well [AMB-39].                 *)
 \* @type: ($tod, Int) => Int;
 InSeries(t, m) ==
     IF m > t.start THEN FirstPoint(t.start, SeriesOf(t.period), m)
