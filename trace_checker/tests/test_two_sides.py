@@ -149,7 +149,7 @@ def test_explain(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_explain_braces(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The braces of start information and of the implementer's own objects are text, not places to fill."""
+    """The braces of the implementer's own objects are text, not places to fill; an entry of the buffer has its text."""
     header = {"format": "s7-interrupt-log/1", "cpu": "S7-400", "obs": [1, 10, 80, 85, 100]}
     lines = [
         {**header, "clock": "2026-11-21T06:00", "mode": "RUN"},
@@ -159,7 +159,7 @@ def test_explain_braces(folder: Path, capsys: pytest.CaptureFixture[str]) -> Non
     (folder / "log").write_text("".join(f"{json.dumps(line)}\n" for line in lines), encoding="utf-8")
     assert cli.main(["explain", "log"]) == 0
     told = capsys.readouterr().out
-    assert "Diag id=W#16#4301 info={strt_info=B#16#81}" in told
+    assert "The diagnostic buffer has the entry 16#4301 (STOP to STARTUP)." in told
     assert "OB 1 calls DIS_AIRT ret=1 x_own={of={mine={0}}}" in told
 
 
