@@ -8,7 +8,7 @@ from pathlib import Path
 from evidence.tla.syntax import Module, SyntaxTreeError
 from s7check.resources import modules
 
-WORDING = ("*Reasons", "Explain", "NextLines")
+WORDING = ("*Reasons", "PastLines", "Explain", "NextLines")
 """Modules of spec/ that only word a rejection or the possible next lines: no verdict depends on them."""
 
 
