@@ -67,10 +67,14 @@ def test_what_a_run_of_all_experiments_would_settle(engine: Engine) -> None:
 
 
 def test_what_is_not_told_apart_was_searched_or_has_no_letters(engine: Engine) -> None:
-    """A question that the specification answers by its letters has a bound, or a log for each pair."""
+    """A question that the specification answers by its letters has a bound, or a log for each pair.
+
+    Or it says that it is newer than the last search.
+    """
     letters = {name: set(all_letters) for name, all_letters in engine.alternatives().letters}
     for gap in read_gaps():
-        assert bool(gap.bounds) == (set(gap.letters) <= letters.get(gap.ambiguity, set()))
+        decides = set(gap.letters) <= letters.get(gap.ambiguity, set())
+        assert bool(gap.bounds) == (decides and gap.searched)
         assert all(bound.complete >= 1 for bound in gap.bounds)
 
 

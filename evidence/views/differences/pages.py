@@ -200,12 +200,14 @@ def _gaps(gaps: Iterable[Gap]) -> Iterator[str]:
     """What is known of the pairs of letters without an experiment."""
     for gap in gaps:
         name, pair = gap.ambiguity, " against ".join(gap.letters)
-        if gap.bounds:
+        header = ""
+        if not gap.searched:
+            said = "newer than the last search"
+        elif gap.bounds:
             said = "; ".join(dict.fromkeys(bound.text() for bound in gap.bounds))
             header = f", behind `{{{_header(gap.header)}}}`"
         else:
             said = _WITHOUT_LETTERS
-            header = ""
         yield f"| [{name}](readings.md#{name}) | {pair} | {said}{header} |\n"
 
 

@@ -80,12 +80,16 @@ class Kept(msgspec.Struct, frozen=True):
 
 
 class Gap(msgspec.Struct, frozen=True):
-    """Two letters of an ambiguity that no log is known to tell apart, and what was searched."""
+    """Two letters of an ambiguity that no log is known to tell apart, and what was searched.
+
+    Not ``searched``: the question is newer than the last search.
+    """
 
     ambiguity: str
     letters: tuple[str, str]
     bounds: list[Bound]
     header: dict[str, Any] = {}
+    searched: bool = True
 
 
 def kept(found: Separation, bounds: Iterable[Bound] = ()) -> Kept:
