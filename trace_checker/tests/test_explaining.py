@@ -60,7 +60,7 @@ def test_what_a_restart_erases(real_engine: Engine) -> None:
         event("stop"),
         event("restart", 32, type="warm"),
     )
-    assert stop.sentences == ["the CPU stops", "OB 1 is broken off", "the start events of OB 40 are lost"]
+    assert stop.sentences == ["the CPU stops", "OB 1 is broken off", "the start events of OB 40 no longer wait"]
     assert restart.sentences == [
         "a warm restart begins",
         "the time-of-day settings of OB 11 are erased",

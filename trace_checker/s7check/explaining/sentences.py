@@ -111,7 +111,7 @@ def _gone(before: Situation, after: Situation) -> Iterator[str]:
         yield f"{_obs(ended)} {_are(ended)} broken off"
     kept = set(map(_of, after.pending))
     if waited := sorted({request.ob for request in before.pending if _of(request) not in kept}):
-        yield f"the start events of {_obs(waited)} are lost"
+        yield f"the start events of {_obs(waited)} no longer wait"
     set_now = {tod.ob: tod for tod in after.tod}
     if unset := [tod.ob for tod in before.tod if tod.ob not in set_now]:
         yield f"the time-of-day settings of {_obs(unset)} are erased"
