@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 _SECTIONS = {
     "CONSTANT": "CONSTANT",
@@ -38,6 +39,10 @@ _SECTIONS = {
     },
 }
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|<-|=|[{}\[\],]|[^\s={}\[\],"<(\\]+|[<(\\]')
+
+_OUTSIDE = re.compile(r'"[^"]*"?|\\\*[^\n]*|\(\*')
+_NESTED = re.compile(r"\(\*|\*\)")
+_VISIBLE = re.compile(r"[^\n]")
 
 
 class CfgError(ValueError):
@@ -85,6 +90,7 @@ class Cfg:
         return tuple(name for s in self.sections if s.keyword == keyword for name in s.names)
 
 
+@lru_cache(maxsize=1024)
 def parse(text: str) -> Cfg:
     """Read a configuration file. Unknown words before the first keyword raise `CfgError`."""
     tokens = _tokens(text)
@@ -175,27 +181,15 @@ def _tokens(text: str) -> list[_Token]:
 
 def _blank_comments(text: str) -> str:
     """Replace comments by spaces, so that positions stay."""
-    out = list(text)
-    at = depth = 0
-    while at < len(text):
-        pair = text[at : at + 2]
-        if pair == "(*":
-            depth += 1
-            width = 2
-        elif depth and pair == "*)":
-            depth -= 1
-            out[at : at + 2] = "  "
-            at += 2
-            continue
-        elif not depth and pair == "\\*":
-            width = (text.find("\n", at) + 1 or len(text) + 1) - 1 - at
-        elif not depth and text[at] == '"':
-            at = (text.find('"', at + 1) + 1) or len(text)
-            continue
-        else:
-            width = 1 if depth else 0
-        for i in range(at, at + width):
-            if out[i] != "\n":
-                out[i] = " "
-        at += width or 1
-    return "".join(out)
+    parts, done, at, depth = [], 0, 0, 0
+    while mark := (_NESTED if depth else _OUTSIDE).search(text, at):
+        at = mark.end()
+        if not depth and mark[0][0] != '"':
+            parts.append(text[done : mark.start()])
+            done = mark.start()
+        depth += {"(*": 1, "*)": -1}.get(mark[0], 0)
+        if not depth and mark[0][0] != '"':
+            parts.append(_VISIBLE.sub(" ", text[done:at]))
+            done = at
+    parts.append(_VISIBLE.sub(" ", text[done:]) if depth else text[done:])
+    return "".join(parts)
