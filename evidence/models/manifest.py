@@ -11,6 +11,7 @@ Every error names file, line and model.
 from __future__ import annotations
 
 import fnmatch
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path, PurePosixPath
@@ -137,7 +138,17 @@ def load(path: Path) -> Manifest:
             raise ManifestError(f"{entry.place}: the name {entry.name!r} stands there more than once, see {first}")
     bases = {e.name: e for e in listed.entries if isinstance(e.base, UnsetType)}
     models = [_resolve(path.parent, spec, _through(entry, entries), bases) for entry in listed.entries]
-    return Manifest(path, spec, tuple(models), tuple(_unlisted(path, listed)))
+    return Manifest(path, spec, tuple(_in_lanes(models)), tuple(_unlisted(path, listed)))
+
+
+def _in_lanes(models: list[Model]) -> Iterator[Model]:
+    """The models, with the lane of each control: its model's for the first that a property fails, else the full one."""
+    seen: set[tuple[int, str]] = set()
+    for model in models:
+        fails = (model.expect.exit, model.expect.property or model.name)
+        yield replace(model, lane="full") if model.kind == "negative" and fails in seen else model
+        if model.kind == "negative":
+            seen.add(fails)
 
 
 def _through(entry: Entry, entries: dict[str, Entry]) -> Entry:

@@ -164,7 +164,7 @@ def test_compare_a_log(ask: Ask) -> None:
     failed, said = ask("compare", program_or_log=text_of(HEADER, SET, ACT, EARLY), cpus=["S7-400"])
     assert said.startswith("cpu S7-400: line 4 is not possible: TINT-")
     assert "SF06" in said or "SF97" in said
-    failed, said = ask("compare", program_or_log=text_of(HEADER), cpus=["S7-1500"])
+    failed, said = ask("compare", program_or_log=text_of(HEADER), cpus=["S7-2000"])
     assert (failed, said.startswith('field "cpu": expected ')) == (True, True)
 
 
