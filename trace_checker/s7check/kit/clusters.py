@@ -6,7 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
-from s7check.kit.results import Result
+from s7check.kit.results import FAILED, UNDER_ANOTHER, Result
 
 SHOWN = 10
 """Clusters that the command prints."""
@@ -15,12 +15,22 @@ _NAMES = 3
 
 
 def clusters(results: Iterable[Result]) -> list[tuple[str, list[Result]]]:
-    """The failed results by their cause, the largest cluster first."""
-    found: dict[str, list[Result]] = defaultdict(list)
+    """The failed results by their class and cause, the largest cluster first."""
+    found: dict[tuple[str, str], list[Result]] = defaultdict(list)
     for result in results:
-        if result.status in ("failed", "no verdict"):
-            found[result.cause or re.sub(r"\d+", "N", result.reason)].append(result)
-    return sorted(found.items(), key=lambda one: -len(one[1]))
+        if result.status in FAILED or result.status == "no verdict":
+            kind = told_status(result) if result.status == UNDER_ANOTHER else "failed"
+            found[kind, result.cause or re.sub(r"\d+", "N", result.reason)].append(result)
+    by_size = sorted(found.items(), key=lambda one: -len(one[1]))
+    return [(f"{kind}: {cause}", failed) for (kind, cause), failed in by_size]
+
+
+def told_status(result: Result) -> str:
+    """The status of a result, with the first readings and editions under which its log passes."""
+    if result.status != UNDER_ANOTHER:
+        return result.status
+    more = len(result.passes_under) - _NAMES
+    return f"passed under {', '.join(result.passes_under[:_NAMES])}" + (f" and {more} more" if more > 0 else "")
 
 
 def to_lines(results: Iterable[Result], most: int = SHOWN) -> list[str]:
@@ -28,10 +38,8 @@ def to_lines(results: Iterable[Result], most: int = SHOWN) -> list[str]:
     found = clusters(results)
     lines = []
     for cause, failed in found[:most]:
-        under = sorted({name for result in failed for name in result.passes_under})
         names = ", ".join(result.name for result in failed[:_NAMES]) + (" ..." if len(failed) > _NAMES else "")
-        passes = f" [passes under {', '.join(under[:_NAMES])}]" if under else ""
-        lines.append(f"{len(failed)} failed: {cause}{passes}: {names}")
+        lines.append(f"{len(failed)} {cause}: {names}")
     if left := sum(len(failed) for _, failed in found[most:]):
         lines.append(f"{left} more failed for {len(found) - most} other causes; --output FILE.txt has every report")
     return lines
@@ -42,7 +50,12 @@ def changes(old: Mapping[str, str], results: Iterable[Result]) -> list[str]:
     news: dict[str, list[str]] = defaultdict(list)
     for result in results:
         before = old.get(result.name, "new")
-        kind = "known failures" if before == result.status == "failed" else f"{before} -> {result.status}"
-        if before != result.status or result.status == "failed":
+        kind = "known failures" if before == result.status in FAILED else f"{before} -> {result.status}"
+        if before != result.status or result.status in FAILED:
             news[kind].append(result.name)
     return [f"{kind}: {len(names)}: {', '.join(names[:_NAMES])}" for kind, names in sorted(news.items())]
+
+
+def is_known(old: Mapping[str, str], result: Result) -> bool:
+    """Whether a failure was one of the baseline, no better than now."""
+    return result.status in FAILED and old.get(result.name) in ("failed", result.status)

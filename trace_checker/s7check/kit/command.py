@@ -13,7 +13,7 @@ from s7check.kit import formats
 from s7check.kit.adapter import AdapterError
 from s7check.kit.choosing import Aim, budget_of, covering
 from s7check.kit.choosing import shard as part_of
-from s7check.kit.clusters import changes
+from s7check.kit.clusters import changes, is_known
 from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
 from s7check.kit.hardware import fitted
 from s7check.kit.identity import this_run
@@ -21,7 +21,7 @@ from s7check.kit.layout import to_text
 from s7check.kit.matrix import to_matrix
 from s7check.kit.offer import Offer, read_offer
 from s7check.kit.program import Program
-from s7check.kit.results import Kept, Result, outcomes
+from s7check.kit.results import FAILED, Kept, Result, outcomes
 from s7check.kit.running import Runner
 from s7check.kit.scl import NotForCpuError, to_scl
 from s7check.letters import EDITION, set_option
@@ -303,7 +303,7 @@ def run_command(
         raise click.ClickException(str(error)) from error
     except OSError as error:
         raise click.FileError(str(error.filename), hint=error.strerror or str(error)) from error
-    return _exit_code([result for result in results if baseline.get(result.name) != "failed"])
+    return _exit_code([result for result in results if not is_known(baseline, result)])
 
 
 def _on_cpu(programs: list[Program], offer: Offer, consent: bool) -> list[Program]:
@@ -344,4 +344,4 @@ def matrix_command(output: Path | None, runs: tuple[str, ...]) -> int:
 
 def _exit_code(results: list[Result]) -> int:
     statuses = {result.status for result in results}
-    return 3 if "no verdict" in statuses else 1 if "failed" in statuses else 0
+    return 3 if "no verdict" in statuses else 1 if FAILED & statuses else 0

@@ -15,15 +15,22 @@ from s7check.api import check
 from s7check.engine import pool
 from s7check.engine.command import EngineError
 from s7check.judging.replay import Replay, with_steps
-from s7check.kit.clusters import to_lines
-from s7check.kit.results import STATES, Kept, Outcome, Result, outcomes
+from s7check.kit.clusters import to_lines, told_status
+from s7check.kit.results import FAILED, STATES, UNDER_ANOTHER, Kept, Outcome, Result, outcomes
 from s7check.report.as_html import Sections, clauses
 from s7check.report.clauses import by_area, clause
 from s7check.report.markup import Node, document, node
 from s7check.report.report import Report
 from s7check.report.timeline import legend
 
-_COLOURS = {"passed": "green", "failed": "red", "skipped": "yellow", "no verdict": "magenta", "not reached": "blue"}
+_COLOURS = {
+    "passed": "green",
+    "failed": "red",
+    UNDER_ANOTHER: "cyan",
+    "skipped": "yellow",
+    "no verdict": "magenta",
+    "not reached": "blue",
+}
 
 
 _SHOWN = 6
@@ -41,18 +48,23 @@ def to_text(kept: Kept) -> str:
     results = kept.programs
     lines = [f"{name}: {value}" for name, value in kept.run.told()]
     for result in results:
-        if result.status in ("failed", "no verdict"):
-            lines.append(f"{result.name}: {_coloured(result.status)}: {result.reason}")
+        if _not_kept(result):
+            said = click.style(told_status(result), fg=_COLOURS[result.status], bold=True)
+            lines.append(f"{result.name}: {said}: {result.reason}")
             lines += [f"    {line}" for line in result.report.splitlines()]
     requirements = kept.requirements
     lines += [_programs(results), _requirements(requirements)]
-    for state in ("failed", "skipped"):
+    for state in ("failed", UNDER_ANOTHER, "skipped"):
         if named := [one for one in requirements if one.state == state]:
             lines.append(f"  {_coloured(state)}:")
             lines += [f"    {_outcome(one)}" for one in named]
     if left := [one.requirement for one in requirements if one.state == "not reached"]:
         lines.append(f"  {_coloured('not reached')}: {by_area(left)}")
     return "\n".join(lines)
+
+
+def _not_kept(result: Result) -> bool:
+    return result.status in FAILED or result.status == "no verdict"
 
 
 def _coloured(state: str) -> str:
@@ -74,7 +86,8 @@ def _requirements(requirements: Sequence[Outcome]) -> str:
 
 
 def _outcome(one: Outcome) -> str:
-    names, more = one.failed[:_SHOWN], len(one.failed) - _SHOWN
+    programs = one.failed or one.under
+    names, more = programs[:_SHOWN], len(programs) - _SHOWN
     said = "; ".join(one.reasons) if one.state == "skipped" else ", ".join(names)
     return f"{one.requirement}: {said}" + (f" and {more} more" if more > 0 else "")
 
@@ -85,12 +98,12 @@ def to_json(kept: Kept) -> bytes:
 
 
 def to_junit(kept: Kept) -> bytes:
-    """A test case a program; the run as properties."""
+    """A test case a program; the run as properties. A failure that passes under another reading has that as type."""
     results = kept.programs
     counts = Counter(result.status for result in results)
     numbers = {
         "tests": str(len(results)),
-        "failures": str(counts["failed"]),
+        "failures": str(sum(counts[status] for status in FAILED)),
         "errors": str(counts["no verdict"]),
         "skipped": str(counts["skipped"]),
     }
@@ -99,13 +112,17 @@ def to_junit(kept: Kept) -> bytes:
     properties = Xml.SubElement(suite, "properties")
     for name, value in kept.run.told():
         Xml.SubElement(properties, "property", {"name": name, "value": value})
-    kinds = {"failed": "failure", "no verdict": "error", "skipped": "skipped"}
+    Xml.SubElement(properties, "property", {"name": UNDER_ANOTHER, "value": str(counts[UNDER_ANOTHER])})
+    kinds = {"failed": "failure", UNDER_ANOTHER: "failure", "no verdict": "error", "skipped": "skipped"}
     for result in results:
         area = result.name.split("-")[0]
         attributes = {"classname": f"s7check.kit.{area}", "name": result.name, "time": f"{result.seconds:g}"}
         case = Xml.SubElement(suite, "testcase", attributes)
         if kind := kinds.get(result.status):
-            Xml.SubElement(case, kind, {"message": result.reason}).text = result.report
+            said = {"message": result.reason}
+            if result.status == UNDER_ANOTHER:
+                said = {"type": UNDER_ANOTHER, "message": f"{told_status(result)}; {result.reason}"}
+            Xml.SubElement(case, kind, said).text = result.report
     Xml.indent(root)
     written: bytes = Xml.tostring(root, encoding="utf-8", xml_declaration=True)
     return written + b"\n"
@@ -118,7 +135,7 @@ def to_html(kept: Kept) -> bytes:
     """
     results, requirements = kept.programs, kept.requirements
     style = (files("s7check.report") / "report.css").read_text(encoding="utf-8")
-    failed = [result for result in results if result.status in ("failed", "no verdict")]
+    failed = [result for result in results if _not_kept(result)]
     small = {result.name: report for result in failed if result.reduced and (report := _followed(result))}
     named = {report.requirements[0]: name for name, report in reversed(small.items())}
     sections = Sections()
@@ -161,6 +178,7 @@ def _same_as(result: Result, named: Mapping[str, str]) -> Node | None:
 _CLASSES = {
     "passed": "accepted",
     "failed": "rejected",
+    UNDER_ANOTHER: "unusable",
     "skipped": "unusable",
     "not reached": "none",
     "no verdict": "none",
@@ -172,7 +190,7 @@ def _class(state: str) -> str:
 
 
 def _failure(result: Result, small: Node | None) -> Node:
-    badge = node("span", result.status, class_=f"verdict {_CLASSES.get(result.status, 'none')}")
+    badge = node("span", told_status(result), class_=_class(result.status))
     report = node("pre", result.report, class_="quote") if result.report else None
     if report is not None and small is not None:
         report = node("details", node("summary", "the report about the whole log"), report)
@@ -182,16 +200,15 @@ def _failure(result: Result, small: Node | None) -> Node:
 
 def _row(one: Outcome) -> Node:
     programs = node("td", f"{len(one.passed)} passed")
-    for place, name in enumerate(one.failed):
-        programs.append(node("a", name, href=f"#{name}"))
-        programs[-1].tail = ", " if place + 1 < len(one.failed) else ""
-    if one.failed:
-        programs.text = f"{len(one.passed)} passed, failed: "
+    for state, names in (("failed", one.failed), (UNDER_ANOTHER, one.under)):
+        for place, name in enumerate(names):
+            before = "" if place else f", {state}: "
+            programs.append(node("span", before or ", ", node("a", name, href=f"#{name}")))
     if one.reasons and one.state == "skipped":
         programs.text = "; ".join(one.reasons)
     return node(
         "tr",
-        node("td", node("span", one.state, class_=f"verdict {_CLASSES.get(one.state, 'none')}")),
+        node("td", node("span", one.state, class_=_class(one.state))),
         node("td", one.requirement, class_="id", id=one.requirement),
         node("td", clause(one.requirement).text),
         programs,
@@ -205,8 +222,9 @@ _CHARACTER = 6.6
 def to_badge(kept: Kept) -> bytes:
     """An SVG: how many of the requirements that were reached are kept."""
     counts = Counter(one.state for one in kept.requirements if not one.requirement.startswith("AMB"))
-    reached = counts["passed"] + counts["failed"]
-    state = "failed" if counts["failed"] else "passed" if reached else "none"
+    failed = counts["failed"] + counts[UNDER_ANOTHER]
+    reached = counts["passed"] + failed
+    state = "failed" if failed else "passed" if reached else "none"
     left, right = "S7 interrupts", f"{counts['passed']} of {reached} requirements"
     widths = [round(len(text) * _CHARACTER + 12) for text in (left, right)]
     text = {"fill": "#ffffff", "font_family": "Verdana, sans-serif", "font_size": "11"}

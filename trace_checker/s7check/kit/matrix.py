@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from s7check.kit.results import Outcome
+from s7check.kit.results import UNDER_ANOTHER, Outcome
 from s7check.report.clauses import clause, page_of
 
 _MARKS = {"passed": "passed", "failed": "**failed**", "skipped": "skipped", "not reached": ""}
+_MARKS[UNDER_ANOTHER] = UNDER_ANOTHER
 SHOWN = 3
 """Failed programs that are named for a requirement."""
 

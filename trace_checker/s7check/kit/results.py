@@ -10,12 +10,18 @@ import msgspec
 
 from s7check.kit.identity import Run
 from s7check.report.clauses import requirements as all_requirements
-from s7check.report.report import Report, Verdict
+from s7check.report.report import Report
 
-Status = Literal["passed", "failed", "skipped", "no verdict"]
-State = Literal["passed", "failed", "not reached", "skipped"]
+Status = Literal["passed", "failed", "passed under another reading", "skipped", "no verdict"]
+State = Literal["passed", "failed", "passed under another reading", "not reached", "skipped"]
 
-STATES: tuple[State, ...] = ("failed", "passed", "skipped", "not reached")
+UNDER_ANOTHER: Literal["passed under another reading"] = "passed under another reading"
+"""Rejected, but accepted under another reading of an open question, or another edition of the manual."""
+
+FAILED: frozenset[Status] = frozenset({"failed", UNDER_ANOTHER})
+"""Statuses with which a run fails."""
+
+STATES: tuple[State, ...] = ("failed", UNDER_ANOTHER, "passed", "skipped", "not reached")
 
 
 class Result(msgspec.Struct, frozen=True):
@@ -25,7 +31,7 @@ class Result(msgspec.Struct, frozen=True):
     ``about`` are the requirements of the program, ``decided`` the requirements that decided something in its accepted
     log; ``digest`` says which program it was. ``reduced`` is the smallest log that is rejected alike; empty if there
     are others for its requirement. ``cause`` is what failures have in common: the rejected line, what was expected and
-    the rule; ``passes_under`` are the readings and editions under which the log would pass, where they were tried.
+    the rule; ``passes_under`` are the readings and editions under which a rejected log passes.
     """
 
     name: str
@@ -44,7 +50,10 @@ class Result(msgspec.Struct, frozen=True):
 
 
 class Outcome(msgspec.Struct, frozen=True):
-    """The state of a requirement: names of the programs about it by their status, and why it was skipped."""
+    """The state of a requirement: names of the programs about it by their status, and why it was skipped.
+
+    ``under`` are those that pass under another reading.
+    """
 
     requirement: str
     state: State
@@ -52,6 +61,7 @@ class Outcome(msgspec.Struct, frozen=True):
     failed: tuple[str, ...] = ()
     skipped: tuple[str, ...] = ()
     reasons: tuple[str, ...] = ()
+    under: tuple[str, ...] = ()
 
 
 class Kept(msgspec.Struct, frozen=True):
@@ -69,60 +79,57 @@ def outcomes(results: Iterable[Result]) -> list[Outcome]:
     program says it is about.
 
     A requirement is failed if the specification rejected a log for it, or if a program about it crashed or hung; a
-    program whose log was rejected for another requirement says nothing about it.
+    program whose log was rejected for another requirement says nothing about it. If all these logs pass under another
+    reading, so does the requirement.
     """
-    passed: dict[str, list[str]] = {}
-    failed: dict[str, list[str]] = {}
-    skipped: dict[str, list[str]] = {}
+    found: dict[str, dict[str, list[str]]] = {}
     reasons: dict[str, Counter[str]] = {}
     for result in results:
-        if result.status == "passed":
-            for name in result.decided:
-                passed.setdefault(name, []).append(result.name)
-        elif result.status == "failed":
-            for name in result.deciding or result.about:
-                failed.setdefault(name, []).append(result.name)
-        else:
-            for name in result.about:
-                skipped.setdefault(name, []).append(result.name)
+        for name in _concerned(result):
+            found.setdefault(name, {}).setdefault(result.status, []).append(result.name)
+            if result.status in ("skipped", "no verdict"):
                 reasons.setdefault(name, Counter())[result.reason] += 1
-    names = [*all_requirements(), *sorted(set(failed) - set(all_requirements()))]
-    return [
-        Outcome(
-            name,
-            "failed"
-            if name in failed
-            else "passed"
-            if name in passed
-            else "skipped"
-            if name in skipped
-            else "not reached",
-            tuple(passed.get(name, ())),
-            tuple(failed.get(name, ())),
-            tuple(skipped.get(name, ())),
-            tuple(reason for reason, _ in reasons.get(name, Counter()).most_common()),
-        )
-        for name in names
-    ]
+    # Questions that decided about a failure come behind the requirements.
+    rejected = {name for name, statuses in found.items() if FAILED & statuses.keys()}
+    names = [*all_requirements(), *sorted(rejected - {*all_requirements()})]
+    return [_outcome(name, found.get(name, {}), reasons.get(name, Counter())) for name in names]
 
 
-_STATUSES: dict[Verdict, Status] = {
-    "accepted": "passed",
-    "rejected": "failed",
-    "unusable": "failed",
-    "no verdict": "no verdict",
-}
+def _concerned(result: Result) -> tuple[str, ...]:
+    """The requirements for which a result says something."""
+    if result.status == "passed":
+        return result.decided
+    return result.deciding or result.about if result.status in FAILED else result.about
 
 
-def result_of(report: Report, name: str, digest: str, about: Sequence[str], seconds: float) -> Result:
-    """The result for a verdict about the log of a program."""
+def _outcome(name: str, by_status: dict[str, list[str]], reasons: Counter[str]) -> Outcome:
+    skipped = (*by_status.get("skipped", ()), *by_status.get("no verdict", ()))
+    parts: dict[State, tuple[str, ...]] = {
+        "failed": tuple(by_status.get("failed", ())),
+        UNDER_ANOTHER: tuple(by_status.get(UNDER_ANOTHER, ())),
+        "passed": tuple(by_status.get("passed", ())),
+        "skipped": skipped,
+    }
+    return Outcome(
+        name,
+        next((state for state, programs in parts.items() if programs), "not reached"),
+        parts["passed"],
+        parts["failed"],
+        skipped,
+        tuple(reason for reason, _ in reasons.most_common()),
+        parts[UNDER_ANOTHER],
+    )
+
+
+def result_of(report: Report, name: str, about: Sequence[str], seconds: float) -> Result:
+    """The result for a verdict about the log of a program, without its ``digest``."""
     status: Status = {"accepted": "passed", "rejected": "failed", "unusable": "failed"}.get(
         report.verdict, "no verdict"
     )  # type: ignore[assignment]
     reason = "" if status == "passed" else f"{report.verdict}: {report.message}"
     return Result(
         name,
-        digest,
+        "",
         status,
         tuple(about),
         reason,

@@ -5,34 +5,22 @@ from __future__ import annotations
 import hashlib
 import threading
 import time
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from pathlib import Path
-from typing import Any, cast
 
 import msgspec
 
-from s7check.api import check
-from s7check.engine import pool
-from s7check.engine.command import EngineError
 from s7check.kit.adapter import NO_END, Adapter
-from s7check.kit.followed import departure
+from s7check.kit.judging import LogJudge, first_few
 from s7check.kit.offer import Offer
 from s7check.kit.program import Program
-from s7check.kit.results import Result, result_of
-from s7check.kit.whole import Whole, whole
-from s7check.log.objects import decoded
-from s7check.reducing.candidate import as_text
-from s7check.reducing.reduction import reduce_log
+from s7check.kit.results import FAILED, Result
 from s7check.report.report import Report
 
 _REDUCED = 3
 """Failed programs for a requirement whose logs are reduced."""
-
-_REDUCING = 10.0
-"""Seconds for that, at most."""
 
 
 class Runner:
@@ -64,12 +52,10 @@ class Runner:
         self._offer = offer or Offer()
         self._logs = logs
         self._resume = resume
-        self._profile = profile
-        self._letters = letters or {}
+        self._judge = LogJudge(profile, letters)
         self._fail_fast = fail_fast
         self._timeouts = timeouts
-        self._lock = threading.Lock()
-        self._reduced_for: Counter[str] = Counter()
+        self._rejected: dict[str, Report] = {}
 
     def run(self, programs: Sequence[Program], progress: Callable[[Result], None]) -> list[Result]:
         """The results in the order of the programs; ``progress`` gets each as soon as it is there.
@@ -92,6 +78,7 @@ class Runner:
             results[result.name] = result
             self._keep(result)
             progress(result)
+        self._reduce(results, programs)
         return [results[program.name] for program in programs if program.name in results]
 
     def _new(self, programs: Iterable[Program]) -> Iterator[Result]:
@@ -113,7 +100,7 @@ class Runner:
                     result = future.result()
                     hung += result.reason.startswith(NO_END)
                     yield result
-                    if (self._fail_fast and result.status == "failed") or hung >= self._timeouts:
+                    if (self._fail_fast and result.status in FAILED) or hung >= self._timeouts:
                         pool.shutdown(cancel_futures=True)
                         return
             except BaseException:
@@ -133,50 +120,33 @@ class Runner:
         if ran.failed:
             self._keep_log(program, ran.log)
             return Result(program.name, digest, "failed", program.requirements, ran.failed, seconds=seconds)
-        with pool.engine() as engine:
-            log = whole(engine, program, ran)
+        result, report, log = self._judge.result(program, ran, seconds)
         self._keep_log(program, log.lines)
-        report = check(log.lines, profile=self._profile, letters=self._letters, name=program.name)
         if report.verdict == "unusable":
             adapter.end()  # unread output may still be under way
-        result = result_of(report, program.name, digest, program.requirements, seconds)
-        if report.verdict == "rejected" and self._first_few(report):
-            return msgspec.structs.replace(result, reduced=self._reduced(report), passes_under=self._under(report))
-        if result.status == "passed" and (reason := _departure(program, log)):
-            return msgspec.structs.replace(result, status="failed", reason=f"not the log of this program: {reason}")
-        return result
+        if report.verdict == "rejected":
+            self._rejected[program.name] = report
+        return msgspec.structs.replace(result, digest=digest)
+
+    def _reduce(self, results: dict[str, Result], programs: Iterable[Program]) -> None:
+        """Reduces the first rejected logs for each requirement, in the order of the programs."""
+        inorder = (results[program.name] for program in programs if program.name in results)
+        few = [result for result in first_few(inorder, _REDUCED) if result.name in self._rejected]
+        with ThreadPoolExecutor(self._jobs) as pool:
+            for result, small in zip(few, pool.map(self._reduced, few), strict=True):
+                results[result.name] = msgspec.structs.replace(result, reduced=small)
+                self._keep(results[result.name])
+
+    def _reduced(self, result: Result) -> str:
+        return self._judge.reduced(self._rejected[result.name])
 
     def _keep_log(self, program: Program, lines: Iterable[bytes]) -> None:
         if self._logs is not None:
             (self._logs / f"{program.name}.ndjson").write_bytes(b"".join(line + b"\n" for line in lines))
 
-    def _first_few(self, report: Report) -> bool:
-        """Whether few logs that were rejected for the same requirement have been reduced; reducing takes seconds."""
-        with self._lock:
-            first = report.requirements[0]
-            self._reduced_for[first] += 1
-            return self._reduced_for[first] <= _REDUCED
-
-    def _under(self, report: Report) -> tuple[str, ...]:
-        """The readings and editions under which the log is accepted."""
-        tried = check(report.lines, profile=self._profile, letters=self._letters, other_readings=True, name=report.log)
-        return tuple(one.change for one in tried.readings or () if one.verdict == "accepted")
-
-    def _reduced(self, report: Report) -> str:
-        """The smallest log that is rejected alike."""
-        header, *events = cast("list[dict[str, Any]]", [decoded(line) for line in report.lines if line.strip()])
-        if self._profile is not None:
-            header["profile"] = self._profile
-        if self._letters:
-            header["readings"] = header.get("readings", {}) | self._letters
-        with pool.engine() as engine, suppress(EngineError):
-            reduction = reduce_log([header, *events], report, engine, time.monotonic() + _REDUCING)
-            return as_text(reduction.header, reduction.events).decode()
-        return ""
-
     def _digest(self, program: Program) -> str:
-        letters = (f"{name}={value}" for name, value in self._letters.items())
-        said = [*self._command, self._offer.lacks(program), self._profile or "", *letters]
+        letters = (f"{name}={value}" for name, value in self._judge.letters.items())
+        said = [*self._command, self._offer.lacks(program), self._judge.profile or "", *letters]
         return hashlib.sha256(b"\0".join([program.line(), *(text.encode() for text in said)])).hexdigest()[:16]
 
     def _kept(self) -> dict[str, Result]:
@@ -195,8 +165,3 @@ class Runner:
         if self._resume is not None and result.status != "no verdict":
             with self._resume.open("ab") as file:
                 file.write(msgspec.json.encode(result) + b"\n")
-
-
-def _departure(program: Program, log: Whole) -> str:
-    with pool.engine() as engine:
-        return departure(engine, program, log)

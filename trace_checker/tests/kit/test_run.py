@@ -26,14 +26,20 @@ RIGHT = f'{{"event": "DIS_AIRT", {AT}, "ret": 1}}\n'
 EVENTS = {
     "right": RIGHT,
     "wrong": f'{{"event": "DIS_AIRT", {AT}, "ret": 2}}\n',
+    **{f"wrong{n}": f'{{"event": "DIS_AIRT", {AT}, "ret": 2}}\n' for n in (2, 3, 4)},
     "extra": RIGHT + f'{{"event": "EN_AIRT", {AT}, "ret": 0}}\n',
     "cut": OUTSIDE + f'{{"event": "end", {AT}, "ob": 35}}\n',
 }
+WEEKLY = {"ob": 10, "sdt": "2026-11-23T06:00", "period": "16#1202"}
+"""The code of weekly that the edition of 1997 and the reading a of AMB-01 refuse."""
+
+for way, answer in {"taken": "16#0000", "refused": "16#8092"}.items():
+    EVENTS[way] = json.dumps({"event": "SET_TINT", "at": "2026-11-21T05:59:30", **WEEKLY, "ret": answer}) + "\n"
 
 
 def program(way: str) -> dict[str, object]:
     """A program of one call in OB 1, and one in OB 35."""
-    steps = [{"call": "DIS_AIRT"}]
+    steps = [{"call": "SET_TINT", **WEEKLY}] if way in ("taken", "refused") else [{"call": "DIS_AIRT"}]
     return PROGRAM | {
         "name": f"AIRT-{way}",
         "requirements": ["AIRT-06"],
@@ -70,6 +76,58 @@ def test_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     said = capsys.readouterr().out
     assert "1 failed: AIRT-06: DIS_AIRT ret=16#0001 expected in place of DIS_AIRT: AIRT-wrong" in said
     assert "2 programs: 1 passed, 1 failed" in said
+
+
+def test_under_another_reading(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A class of its own, in every format; it fails a run, but for the reading that it needs."""
+    outputs = {ending: folder / f"out{ending}" for ending in (".xml", ".html", ".txt")}
+    code, results = run(folder, ["taken", "refused", "wrong"], *(f"--output={file}" for file in outputs.values()))
+    statuses = {way: result["status"] for way, result in results.items()}
+    assert (code, statuses["taken"], statuses["wrong"]) == (1, "passed", "failed")
+    assert statuses["refused"] == "passed under another reading"
+    assert {"AMB-01 a", "profile 1997"} <= {*results["refused"]["passes_under"]}  # type: ignore[misc]
+    assert results["wrong"]["passes_under"] == []
+    said = capsys.readouterr().out
+    assert "3 programs: 1 passed, 1 failed, 1 passed under another reading" in said
+    assert "1 passed under profile 1997, " in said
+    outcome = {one["requirement"]: one for one in json.loads((folder / "out.json").read_text())["requirements"]}
+    assert (outcome["TINT-33"]["state"], outcome["TINT-33"]["under"]) == (statuses["refused"], ["AIRT-refused"])
+    suite = Xml.fromstring(outputs[".xml"].read_text(encoding="utf-8"))  # noqa: S314
+    assert suite.get("failures") == "2"
+    assert suite.find("testsuite/properties/property[@name='passed under another reading'][@value='1']") is not None
+    assert suite.find("testsuite/testcase/failure[@type='passed under another reading']") is not None
+    assert "passed under profile 1997" in outputs[".html"].read_text(encoding="utf-8")
+    assert "AIRT-refused: passed under profile 1997" in outputs[".txt"].read_text(encoding="utf-8")
+    assert run(folder, ["refused"], "--set", "AMB-01=a")[0] == 0
+    assert run(folder, ["refused"], "--profile", "1997")[0] == 0
+
+
+def test_baseline_of_another_reading(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Known as it was; worse is new, better is not."""
+    assert run(folder, ["refused"])[0] == 1
+    old = (folder / "out.json").rename(folder / "old.json")
+    assert run(folder, ["refused"], "--baseline", str(old))[0] == 0
+    assert "known failures: 1: AIRT-refused" in capsys.readouterr().out
+    events = folder / "refused.events"
+    events.write_text(EVENTS["refused"].replace("8092", "8091"), encoding="utf-8")
+    assert run(folder, ["refused"], "--baseline", str(old))[0] == 1
+    assert "passed under another reading -> failed: 1" in capsys.readouterr().out
+    old = (folder / "out.json").rename(folder / "old.json")
+    events.write_text(EVENTS["refused"], encoding="utf-8")
+    assert run(folder, ["refused"], "--baseline", str(old))[0] == 0
+    assert "failed -> passed under another reading: 1" in capsys.readouterr().out
+
+
+def test_the_same_result_again(folder: Path) -> None:
+    """How many adapters are at work, and which is over first, changes nothing."""
+    found = []
+    for jobs in ("1", "4"):
+        run(folder, ["wrong", "refused", "right", *("wrong2", "wrong3", "wrong4")], "--jobs", jobs)
+        result = json.loads((folder / "out.json").read_text(encoding="utf-8"))
+        timeless = [one | {"seconds": 0} for one in result["programs"]]
+        found.append((timeless, result["requirements"]))
+    assert found[0] == found[1]
+    assert [bool(one["reduced"]) for one in found[0][0]] == [True, True, False, True, True, False]
 
 
 @pytest.mark.parametrize(
@@ -135,7 +193,8 @@ def test_resume(folder: Path) -> None:
     assert run(folder, ["right"], "--resume", str(kept))[0] == 0
     (folder / "right.events").write_text(EVENTS["wrong"], encoding="utf-8")
     assert run(folder, ["right", "wrong"], "--resume", str(kept))[0] == 1
-    assert len(kept.read_text(encoding="utf-8").splitlines()) == 2
+    kept_names = [json.loads(line)["name"] for line in kept.read_text(encoding="utf-8").splitlines()]
+    assert kept_names == ["AIRT-right", "AIRT-wrong", "AIRT-wrong"], "a failure again, with its reduced log"
     assert run(folder, ["right"])[0] == 1
     offer = folder / "offer.json"
     offer.write_text('{"obs": [1]}', encoding="utf-8")
