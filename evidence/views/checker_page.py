@@ -10,7 +10,8 @@ from typing import Any
 import msgspec
 
 from s7check.engine.command import jvm_command
-from s7check.report.clauses import all_clauses
+from s7check.report.clauses import all_clauses, event_texts
+from s7check.report.why import sentences
 from s7check.resources import CHECKOUT, ENGINE, GALLERY
 
 PAGE = CHECKOUT / "build" / "page" / "s7check.html"
@@ -46,9 +47,15 @@ def _contents() -> str:
         "wasm": _packed((WASM / "engine.wasm").read_bytes()),
         "tree": _packed(_parsed().read_bytes()),
         "clauses": _packed(msgspec.json.encode(all_clauses())),
+        "texts": _packed(msgspec.json.encode(why_texts())),
         "gallery": _gallery(),
     }
     return msgspec.json.encode(contents).decode().replace("<", "\\u003c")
+
+
+def why_texts() -> dict[str, Any]:
+    """The words of the sentences that say why a line is not possible, as the engine's message ``texts`` has them."""
+    return {"sentences": {one.id: sentences(one.text) for one in all_clauses()}, "events": event_texts()}
 
 
 def _as_classic(module: str) -> str:

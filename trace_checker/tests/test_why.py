@@ -2,11 +2,16 @@
 
 import json
 
+import msgspec
 import pytest
 
+from evidence.views.checker_page import why_texts
 from s7check.engine.answer import Allowed, Moment
+from s7check.engine.client import Engine
+from s7check.judging.check import check_log
 from s7check.report.clauses import event_text
 from s7check.report.why import why_not
+from tests.shipped import CASES, TRACES
 
 
 @pytest.mark.parametrize(
@@ -144,3 +149,26 @@ def test_event_ids() -> None:
     ]
     assert all(map(event_text, ids))
     assert event_text(0x5381) == ""
+
+
+class _Refused(msgspec.Struct):
+    why: str
+
+
+class _Added(msgspec.Struct):
+    refusal: _Refused | None = None
+
+
+def test_the_engine_says_the_same(real_engine: Engine) -> None:
+    """Of each fourth rejected case: the page has the sentence of the report."""
+    real_engine.ask({"message": "texts", **why_texts()}, _Added)
+    said = {}
+    for case in [case for case in CASES if case.verdict == "rejected"][::4]:
+        header, *lines = [line.decode() for line in case.lines if line.strip()]
+        real_engine.ask({"message": "open", "session": "why", "header": header}, _Added)
+        refusal = real_engine.ask({"message": "add", "session": "why", "lines": lines}, _Added).refusal
+        assert refusal is not None, case.name
+        report = check_log(str(TRACES / case.file), real_engine, lambda *_: None)
+        assert refusal.why == report.why, case.name
+        said[case.name] = report.why
+    assert len(said) > 250

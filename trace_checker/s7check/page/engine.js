@@ -12,7 +12,10 @@ export class Engine {
   #asked = new Map();
   #next = 0;
 
-  /** @param parts the runtime with the Worker's text, the engine and the parsed specification, as bytes */
+  /**
+   * @param parts the runtime with the Worker's text, the engine and the parsed specification, as bytes; the words of its
+   *     sentences, an object
+   */
   constructor(parts) {
     this.#parts = parts;
     this.onrestart = () => {};
@@ -28,7 +31,8 @@ export class Engine {
       this.#fail(event.message || "lack of memory");
     };
     const started = this.#send({ kind: "open", wasm: this.#parts.wasm, tree: this.#parts.tree });
-    return started.catch((error) => {
+    const told = started.then(() => this.ask({ message: "texts", ...this.#parts.texts }));
+    return told.catch((error) => {
       throw new NoAnswer(/CompileError|WebAssembly/.test(error.message) ? LEAST : error.message);
     });
   }

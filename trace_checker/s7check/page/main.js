@@ -4,7 +4,7 @@ import { $, Rows, h, numberOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, NoAnswer, unusable } from "./engine.js";
 import { Model, branch, fromLink, fromText, inflated, ndjson, toLink } from "./model.js";
-import { because, showReport } from "./report.js";
+import { showReport, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
 import { Timeline, read } from "./timeline.js";
 
@@ -284,11 +284,7 @@ function wire() {
   $("why").onsubmit = safely(async (submitted) => {
     submitted.preventDefault();
     const refused = await desk.why(view.after, { at: view.look.at, ...read($("why").line.value) });
-    const text = refused ? `No. Possible: ${refused.expected.join(", ") || "nothing"}` : "It may come.";
-    $("because").replaceChildren(
-      h("p", {}, text, refused ? requirements(refused.requirements) : null),
-      refused ? (because(refused) ?? "") : "",
-    );
+    $("because").replaceChildren(...(refused ? whyNot(refused) : [h("p", {}, "It may come.")]));
   });
   $("compare").onsubmit = safely((submitted) => {
     submitted.preventDefault();
@@ -368,11 +364,12 @@ async function showChoices() {
 
 async function main() {
   const begun = performance.now();
-  const [script, wasm, tree, texts] = await Promise.all(
-    ["script", "wasm", "tree", "clauses"].map((name) => inflated(contents[name])),
+  const [script, wasm, tree, requirements, texts] = await Promise.all(
+    ["script", "wasm", "tree", "clauses", "texts"].map((name) => inflated(contents[name])),
   );
-  clauses = new Map(JSON.parse(new TextDecoder().decode(texts)).map((one) => [one.id, one]));
-  engine = new Engine({ script, wasm, tree });
+  const object = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
+  clauses = new Map(object(requirements).map((one) => [one.id, one]));
+  engine = new Engine({ script, wasm, tree, texts: object(texts) });
   desk = new Desk(engine);
   wire();
   showGallery();

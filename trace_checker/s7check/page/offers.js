@@ -1,7 +1,7 @@
 // What may come, when, and what may not: each line with a button that adds it.
 import { $, h } from "./elements.js";
 import { button, desk, fields, model, refresh, requirements, safely, step, view } from "./main.js";
-import { because } from "./report.js";
+import { whyNot } from "./report.js";
 
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const MANY = 6;
@@ -134,7 +134,7 @@ function showTime() {
 
 export function showImpossible() {
   const made = (view.look.impossible ?? []).map((one) =>
-    h("details", {}, h("summary", {}, one.text), h("p", {}, "By", requirements(one.requirements)), because(one)),
+    h("details", {}, h("summary", {}, one.text), ...whyNot(one)),
   );
   $("impossible").replaceChildren(...made);
   $("because").replaceChildren();

@@ -1,6 +1,6 @@
 // The verdict of the opened log, why its line is rejected, and the report as text.
 import { $, h, numberOf } from "./elements.js";
-import { button, clauses, model, requirement, step, verdict, view } from "./main.js";
+import { button, clauses, model, requirement, requirements, step, verdict, view } from "./main.js";
 import { read } from "./timeline.js";
 
 /** The verdict of the opened log, and why its line is rejected. */
@@ -36,6 +36,7 @@ function explanation(refused, one, index) {
   const choices = refused.instead.map((each, i) => instead(each, refused.expected[i], index, one.lines[index]));
   return [
     h("pre", { className: "quote" }, one.lines[index]),
+    h("p", {}, ...linked(refused.why)),
     h(
       "p",
       {},
@@ -45,7 +46,7 @@ function explanation(refused, one, index) {
     h("h3", {}, "Requirements that decide"),
     h("ul", {}, ...texts),
     because(refused),
-  ];
+  ].filter(Boolean);
 }
 
 function asText(name, words, one, refused, line) {
@@ -55,7 +56,7 @@ function asText(name, words, one, refused, line) {
     `    ${one.lines[view.explained]}`,
     `  ${refused.late ? "expected before it" : "expected"}: ${refused.expected.join(", ") || "nothing"}`,
   );
-  text.push(`  requirements: ${refused.requirements.join(", ")}`);
+  text.push(`  requirements: ${refused.requirements.join(", ")}`, `  why not: ${refused.why}`);
   for (const id of refused.requirements) text.push(`    ${id} ${clauses.get(id)?.text ?? ""}`);
   refused.situations.forEach((rows, i) => {
     text.push(
@@ -87,7 +88,29 @@ function instead(one, text, index, given) {
   );
 }
 
-export const because = (refused) =>
+const ID = /\b[A-Z]+\d*-\d{2,}\b/g;
+
+/** A text in which each requirement can be asked for. */
+function linked(text) {
+  const parts = [];
+  let from = 0;
+  for (const found of text.matchAll(ID)) {
+    if (!clauses.has(found[0])) continue;
+    parts.push(text.slice(from, found.index), requirement(found[0]));
+    from = found.index + found[0].length;
+  }
+  return [...parts, text.slice(from)];
+}
+
+/** Why a line is not possible: the sentence, what is instead, the other requirements, the formulas. */
+export const whyNot = (refused) =>
+  [
+    h("p", {}, ...linked(refused.why), requirements(refused.requirements.filter((id) => !refused.why.includes(id)))),
+    h("p", {}, `Possible: ${refused.expected.join(", ") || "nothing"}`),
+    because(refused),
+  ].filter(Boolean);
+
+const because = (refused) =>
   refused.because.length
     ? h(
         "details",

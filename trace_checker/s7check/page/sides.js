@@ -1,7 +1,7 @@
 // The same lines under other headers: other CPUs, editions and readings.
 import { $, h, numberOf } from "./elements.js";
-import { asked, button, desk, drop, model, refresh, requirements, sides, step, view } from "./main.js";
-import { because } from "./report.js";
+import { asked, button, desk, drop, model, refresh, sides, step, view } from "./main.js";
+import { whyNot } from "./report.js";
 import { read } from "./timeline.js";
 
 export async function showSides(number) {
@@ -32,10 +32,8 @@ function shownSide(side, found) {
   const head = [...sideHead(side), h("p", {}, change)];
   if (found.refused) {
     if (found.refused.unusable) return [...head, h("p", {}, found.refused.unusable)];
-    const text = `Line ${numberOf(model.branch.numbers, found.explained + 1)} is not possible there. Possible: ${found.refused.expected.join(", ") || "nothing"}`;
-    return [...head, h("p", {}, text, requirements(found.refused.requirements)), because(found.refused)].filter(
-      Boolean,
-    );
+    const text = `Line ${numberOf(model.branch.numbers, found.explained + 1)} is not possible there.`;
+    return [...head, h("p", {}, text), ...whyNot(found.refused)];
   }
   const only = (title, texts) =>
     texts.length ? h("p", {}, `${title}: `, h("code", {}, texts.slice(0, 12).join("; "))) : null;

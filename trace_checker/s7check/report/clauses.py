@@ -100,7 +100,8 @@ def clause(name: str) -> Clause:
 
 
 @cache
-def _events() -> dict[str, str]:
+def event_texts() -> dict[str, str]:
+    """What the event IDs mean, by their four digits."""
     page = (RULES / "requirements.md").read_text(encoding="utf-8")
     found = _EVENT_IDS.search(page)
     return {} if found is None else dict(_EVENT.findall(found[1]))
@@ -108,7 +109,7 @@ def _events() -> dict[str, str]:
 
 def event_text(number: int) -> str:
     """What an event ID of the diagnostic buffer means, such as ``STOP: OB 80 missing``; empty if no source tells."""
-    return _events().get(f"{number & 0xFFFF:04X}", "")
+    return event_texts().get(f"{number & 0xFFFF:04X}", "")
 
 
 def named(text: str) -> list[str]:

@@ -1,6 +1,6 @@
 """Why a line is not possible, in a sentence: what cannot be, the requirement, what may be instead.
 
-The words of a rule are those of its requirement.
+The words of a rule are those of its requirement. WhyNot.java makes the same sentence for the page.
 """
 
 import re
@@ -56,6 +56,11 @@ def why_not(event: bytes, late: Sequence[str], expected: Sequence[Allowed], requ
     return f"{claim} here. {_rule(requirements[0], [*instead, _given(line, field)])}{end}"
 
 
+def sentences(text: str) -> list[str]:
+    """The sentences of a requirement's text."""
+    return [one.strip() for one in _SENTENCE.findall(text)]
+
+
 def _claim(line: dict[str, Any], field: str, instead: str) -> tuple[str, str]:
     """What cannot be, and what is instead."""
     name = line["event"]
@@ -104,12 +109,12 @@ def _rule(name: str, about: Sequence[str] = ()) -> str:
 
     0000 stands in many rules, also as a PERIOD: it counts last.
     """
-    sentences = [one.strip() for one in _SENTENCE.findall(clause(name).text)]
+    said = sentences(clause(name).text)
     codes = sorted((code for text in about for code in _CODE.findall(text)), key=lambda code: code == "0000")
     for code in codes:
-        if found := next((one for one in sentences if code in _CODE.findall(one)), ""):
+        if found := next((one for one in said if code in _CODE.findall(one)), ""):
             return _cited(found, name)
-    return _cited((sentences or [""])[0], name)
+    return _cited((said or [""])[0], name)
 
 
 def _cited(text: str, name: str) -> str:

@@ -22,6 +22,7 @@ final class Look {
   private static final int SHARE = 16;
 
   private final Session session;
+  private final WhyNot why;
 
   /** A line with the time of the next line. */
   private byte[] when;
@@ -31,8 +32,9 @@ final class Look {
   /**
    * @param at the CPU clock at the next line, as a log spells it; null for the first time at which something may come
    */
-  Look(Session session, String at) {
+  Look(Session session, WhyNot why, String at) {
     this.session = session;
+    this.why = why;
     Collection<Fields> situations = session.situations(MOST_SITUATIONS);
     Fields ahead = session.possible(question(null, Set.of(), Set.of()));
     var times = objects(ahead.list("times"));
@@ -120,9 +122,10 @@ final class Look {
       if (offered.contains(text) || offered.stream().anyMatch(one -> one.startsWith(text + " "))) {
         continue;
       }
-      Explanation.Refusal refusal = session.judge(text(new Fields().put("at", at).with(event)));
+      Fields line = new Fields().put("at", at).with(event);
+      Explanation.Refusal refusal = session.judge(text(line));
       if (refusal != null) {
-        reasons.add(InWords.refusal(refusal).put("event", event).put("text", text));
+        reasons.add(why.refusal(refusal, line).put("event", event).put("text", text));
       }
     }
     return reasons;

@@ -17,6 +17,8 @@ import s7.log.Unusable;
  * <ul>
  *   <li>{@code open} with {@code header}, and {@code file} as {@link Engine} has it, begins a session, anew if there is
  *       one of that name; {@code close} ends it.
+ *   <li>{@code texts} with {@code sentences}, an array for each requirement, and {@code events}, the texts of event IDs:
+ *       refusals in words then have {@code why} ({@link WhyNot}).
  *   <li>{@code branch} with {@code to}, the name of a session that begins with the same lines.
  *   <li>{@code feed} with {@code line} adds a line: the answer has {@code refusal} if it is not possible. {@code judge}
  *       tells the same and adds nothing.
@@ -45,6 +47,7 @@ final class Sessions {
 
   private final Contract spec;
   private final Map<String, Session> open = new HashMap<>();
+  private final WhyNot why = new WhyNot();
 
   Sessions(Contract spec) {
     this.spec = spec;
@@ -67,6 +70,10 @@ final class Sessions {
 
   private void fill(Fields answer, String message, Fields json) {
     String name = json.text("session");
+    if ("texts".equals(message)) {
+      why.texts(json);
+      return;
+    }
     if ("open".equals(message)) {
       Fields header = spec.format().header(text(json, "header"), Engine.file(json));
       Fields chosen = json.has("chosen") ? spec.format().chosen(header, json.object("chosen")) : header;
@@ -89,9 +96,9 @@ final class Sessions {
         answer.put(CLOCK, session.clock());
       }
       case "add" -> add(answer, session, json);
-      case "look" -> answer.put("look", new Look(until(session, json), json.text("at")).answer());
+      case "look" -> answer.put("look", new Look(until(session, json), why, json.text("at")).answer());
       case "lines" -> answer.put("lines", lines(until(session, json), json));
-      case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)));
+      case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)), text(json, LINE));
       case "states" -> answer.put("states", session.states(json.number(AFTER), json.number("to")));
       case "situations" -> answer.put("situations", session.situations(json.number(MOST)));
       case "before" -> answer.put("situations", session.before(text(json, LINE), json.number(MOST)));
@@ -106,16 +113,15 @@ final class Sessions {
     return session.until(json.number(AFTER));
   }
 
-  private static void add(Fields answer, Session session, Fields json) {
+  private void add(Fields answer, Session session, Fields json) {
     try {
-      Explanation.Refusal refusal = null;
       for (byte[] line : texts(json, "lines")) {
-        refusal = session.feed(line);
+        Explanation.Refusal refusal = session.feed(line);
         if (refusal != null) {
+          inWords(answer, refusal, line);
           break;
         }
       }
-      inWords(answer, refusal);
     } finally {
       answer.put("lines", session.lines()).put(CLOCK, session.clock());
     }
@@ -126,9 +132,9 @@ final class Sessions {
     return Look.lines(session, json.text("at"), lines, names(json, "only"));
   }
 
-  private static void inWords(Fields answer, Explanation.Refusal refusal) {
+  private void inWords(Fields answer, Explanation.Refusal refusal, byte[] line) {
     if (refusal != null) {
-      answer.put("refusal", InWords.refusal(refusal));
+      answer.put("refusal", why.refusal(refusal, Fields.of(line)));
     }
   }
 

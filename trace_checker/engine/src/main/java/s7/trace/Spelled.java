@@ -143,19 +143,22 @@ final class Spelled {
     if (given(allowed, "ob") > 0) {
       text.append(" ob=").append(allowed.number("ob"));
     }
-    String field = allowed.has("field") ? allowed.text("field") : "";
-    String value = field.isEmpty() ? "" : allowedValue(field, allowed);
-    return value.isEmpty() ? text.toString() : text.append(' ').append(field).append('=').append(value).toString();
+    String value = allowedValue(allowed);
+    return value.isEmpty() ? text.toString() : text + " " + allowed.text("field") + "=" + value;
   }
 
-  private static String allowedValue(String field, Fields allowed) {
+  /** The value that the field must have; empty if there is no field, or its value is open. */
+  static String allowedValue(Fields allowed) {
+    String field = allowed.has("field") ? allowed.text("field") : "";
     if (field.equals("time")) {
       return moment(allowed.get("time"));
     }
     int value = given(allowed, "value");
-    if (value == NOT_LOGGED) {
-      return "";
-    }
+    return field.isEmpty() || value == NOT_LOGGED ? "" : value(field, value);
+  }
+
+  /** Words and bytes in hexadecimal. */
+  static String value(String field, int value) {
     if (TRUTHS.contains(field)) {
       return String.valueOf(value != 0);
     }

@@ -1,0 +1,187 @@
+package s7.trace;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+import s7.log.Fields;
+
+/**
+ * Refusals with a sentence: what cannot be, the requirement, what may be instead. The words of a rule are those of its
+ * requirement, and come with the message {@code texts}; report/why.py makes the same sentence for reports.
+ */
+final class WhyNot {
+  private static final Pattern CODE = Pattern.compile("\\b(?:16#)?([0-9A-F]{4})\\b");
+  private static final Pattern NAMED_ID = Pattern.compile("\\b(id|cause)=(16#[0-9A-F]{4})\\b");
+  private static final int MOST = 6;
+
+  /** The sentences of each requirement by its ID; null before they came. */
+  private Fields sentences;
+
+  /** The texts of event IDs, of four digits. */
+  private Fields events;
+
+  /** Takes the words that it needs. */
+  void texts(Fields message) {
+    sentences = message.object("sentences");
+    events = message.object("events");
+  }
+
+  /** A refusal of a line in words; {@code why} is the sentence, empty without requirements or texts. */
+  Fields refusal(Explanation.Refusal refusal, Fields line) {
+    Fields words = InWords.refusal(refusal);
+    boolean mute = sentences == null || refusal.requirements().isEmpty();
+    return words.put("why", mute ? "" : sentence(refusal, line, texts(words.list("expected"))));
+  }
+
+  private static List<String> texts(Collection<?> list) {
+    return list.stream().map(String.class::cast).toList();
+  }
+
+  private String sentence(Explanation.Refusal refusal, Fields line, List<String> expected) {
+    String rule = refusal.requirements().iterator().next();
+    if (refusal.late()) {
+      List<String> late = expected.stream().map(this::withWords).toList();
+      return "Before this line has to come: " + or(late) + ". " + rule(rule, List.of());
+    }
+    List<Fields> fields = new ArrayList<>();
+    for (Object one : refusal.expected()) {
+      var allowed = (Fields) one;
+      if (allowed.text("event").equals(line.text("event")) && !Spelled.allowedValue(allowed).isEmpty()) {
+        fields.add(allowed);
+      }
+    }
+    // Of several wrong fields one is told; the others stand in what was expected.
+    String field =
+        fields.stream().map(one -> one.text("field")).filter(one -> !given(line, one).isEmpty()).findFirst().orElse("");
+    List<String> instead =
+        fields.stream().filter(one -> one.text("field").equals(field)).map(Spelled::allowedValue).toList();
+    var about = new ArrayList<>(instead);
+    about.add(given(line, field));
+    return claim(line, field) + " here. " + rule(rule, about) + end(field, or(instead));
+  }
+
+  /** What cannot be. */
+  private String claim(Fields line, String field) {
+    String name = line.text("event");
+    String given = given(line, field);
+    if (field.equals("ret")) {
+      return name + " cannot answer " + given;
+    }
+    if (field.equals("status")) {
+      return name + " cannot give STATUS " + given;
+    }
+    if (Spelled.isCall(name)) {
+      return name + " cannot be called";
+    }
+    String having = field.isEmpty() ? " cannot come" : " cannot have " + field + " " + given;
+    if (name.equals("diag")) {
+      return "The entry " + entry(given(line, "id")) + having;
+    }
+    if (!field.isEmpty()) {
+      return name + (given(line, "ob").isEmpty() ? "" : " of OB " + given(line, "ob")) + having;
+    }
+    String cause = given(line, "cause");
+    return withoutField(name, line) + (cause.isEmpty() ? "" : " for " + entry(cause));
+  }
+
+  private static String withoutField(String name, Fields line) {
+    String ob = "OB " + given(line, "ob");
+    return switch (name) {
+      case "start" -> ob + " cannot start";
+      case "end" -> ob + " cannot end";
+      case "run" -> "The CPU cannot go to RUN";
+      case "stop" -> "The CPU cannot stop";
+      case "hold" -> "HOLD cannot begin";
+      case "release" -> "HOLD cannot end";
+      case "restart" -> "A " + given(line, "type") + " restart cannot begin";
+      case "interrupt" -> "A start event for " + ob + " cannot come";
+      case "clock" -> "The clock cannot be set";
+      case "load" -> ob + " cannot be loaded";
+      case "delete" -> ob + " cannot be deleted";
+      default -> name + " cannot come";
+    };
+  }
+
+  /** What is instead. */
+  private static String end(String field, String instead) {
+    return switch (field) {
+      case "" -> "";
+      case "ret" -> " It answers " + instead + ".";
+      case "status" -> " It gives " + instead + ".";
+      default -> " It has " + instead + ".";
+    };
+  }
+
+  /** Such as {@code 16#4568 (STOP: OB 80 missing)}. */
+  private String entry(String number) {
+    Matcher found = CODE.matcher(number);
+    String text = found.find() && events.has(found.group(1)) ? events.text(found.group(1)) : "";
+    return text.isEmpty() ? number : number + " (" + text + ")";
+  }
+
+  /** What had to come, with the words of an event ID that it names. */
+  private String withWords(String said) {
+    Matcher named = NAMED_ID.matcher(said);
+    return named.find()
+        ? said.substring(0, named.start(2)) + entry(named.group(2)) + said.substring(named.end(2))
+        : said;
+  }
+
+  /** The value of a field of the line or of its start information as a report spells it; empty if it has none. */
+  private static String given(Fields line, String field) {
+    Object value = line.get(field);
+    if (!line.has(field) && line.get("info") instanceof Fields info) {
+      value = info.get(field);
+    }
+    if (value instanceof Boolean truth) {
+      return Spelled.value(field, truth ? 1 : 0);
+    }
+    return value instanceof Number number
+        ? Spelled.value(field, number.intValue())
+        : value == null ? "" : String.valueOf(value).replaceAll("^[WB]#(?=16#)", "");
+  }
+
+  /**
+   * The sentence of a requirement that has one of the codes, the first of them that any has; else its first one. 0000
+   * stands in many rules, also as a PERIOD: it counts last.
+   */
+  private String rule(String name, List<String> about) {
+    List<String> all = texts(sentences.list(name));
+    var codes = new ArrayList<String>();
+    about.forEach(text -> codes.addAll(codes(text)));
+    codes.sort((one, other) -> Boolean.compare(one.equals("0000"), other.equals("0000")));
+    String first = all.isEmpty() ? "" : all.get(0);
+    for (String code : codes) {
+      for (String sentence : all) {
+        if (codes(sentence).contains(code)) {
+          return cited(sentence, name);
+        }
+      }
+    }
+    return cited(first, name);
+  }
+
+  private static List<String> codes(String text) {
+    var codes = new ArrayList<String>();
+    Matcher found = CODE.matcher(text);
+    while (found.find()) {
+      codes.add(found.group(1));
+    }
+    return codes;
+  }
+
+  private static String cited(String text, String name) {
+    return (text.endsWith(".") ? text.substring(0, text.length() - 1) : text) + " (" + name + ").";
+  }
+
+  private static String or(List<String> texts) {
+    if (texts.size() > MOST) {
+      return "one of " + texts.size() + " values";
+    }
+    int last = texts.size() - 1;
+    return last < 1 ? String.join("", texts) : String.join(", ", texts.subList(0, last)) + " or " + texts.get(last);
+  }
+}
