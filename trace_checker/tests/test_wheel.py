@@ -171,17 +171,22 @@ def test_coverage(s7check: Path) -> None:
 
 @pytest.mark.usefixtures("bare")
 def test_api(s7check: Path) -> None:
-    """Python code checks a log with the wheel, and pytest would find the plugin."""
+    """Python code checks a log with the wheel and runs a program of its kit, and pytest would find the plugin."""
     script = f"""
 import s7check
 from importlib.metadata import entry_points
 print(s7check.check({str(log_of("AIRT-07-nothing-delayed-answers-0000"))!r}).line)
 print(*(point.value for point in entry_points(group="pytest11")))
+from s7check.kit.suite import Kit
+adapters = __import__("pathlib").Path(s7check.__file__).with_name("adapters")
+kit = Kit([__import__("sys").executable, str(adapters / "template.py")], offer=adapters / "toy_offer.json")
+print(kit.run("AIRT-07-nothing-delayed-answers-0000").status)
 """
     run = subprocess.run([s7check.with_name("python"), "-c", script], capture_output=True, text=True, check=True)
     line, *plugins = run.stdout.split()
     assert line == "3"
     assert "s7check.pytest_plugin" in plugins
+    assert plugins[-1] == "passed"
 
 
 def test_one_package(unpacked: Path) -> None:

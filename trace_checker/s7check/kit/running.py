@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 from pathlib import Path
@@ -42,7 +42,7 @@ class Runner:
         logs: Path | None = None,
         resume: Path | None = None,
         profile: str | None = None,
-        letters: dict[str, str] | None = None,
+        letters: Mapping[str, str] | None = None,
         fail_fast: bool = False,
         timeouts: int = 1_000_000,
     ) -> None:
@@ -91,7 +91,7 @@ class Runner:
                     local.adapter = Adapter(self._command, self._timeout)
                     with lock:
                         adapters.enter_context(local.adapter)
-                return self._result(local.adapter, program)
+                return self.result(local.adapter, program)
 
             futures: list[Future[Result]] = [pool.submit(work, program) for program in programs]
             hung = 0
@@ -107,7 +107,8 @@ class Runner:
                 pool.shutdown(cancel_futures=True)
                 raise
 
-    def _result(self, adapter: Adapter, program: Program) -> Result:
+    def result(self, adapter: Adapter, program: Program) -> Result:
+        """The result of a program, which is fitted to the offer, on an adapter. Raises AdapterError."""
         digest = self._digest(program)
         lack = self._offer.lacks(program)
         if lack:
