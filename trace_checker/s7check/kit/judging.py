@@ -30,9 +30,13 @@ _REDUCING = 10.0
 
 
 class LogJudge:
-    """Judges logs of programs by the edition ``profile`` and the readings ``letters``, as in ``check``."""
+    """Judges logs of programs by the edition ``profile`` and the readings ``letters``, as in ``check``.
 
-    def __init__(self, profile: str | None, letters: Mapping[str, str] | None) -> None:
+    With ``diag`` each log has to have the entries of the diagnostic buffer.
+    """
+
+    def __init__(self, profile: str | None, letters: Mapping[str, str] | None, diag: bool = False) -> None:
+        self._diag = diag
         self.profile = profile
         self.letters = dict(letters or {})
 
@@ -61,6 +65,9 @@ class LogJudge:
 
     def _departure(self, program: Program, log: Whole, reading: Reading | None = None) -> str:
         header, *events = [line for line in log.lines if line.strip()]
+        assert log.content.header is not None
+        if self._diag and "diag" not in log.content.header["records"]:
+            return 'line 1: field "records": expected diag, as the offer has it'
         lines = (msgspec.json.encode(self._header(decoded(header), reading)), *events)
         with pool.engine() as engine:
             return departure(engine, program, replace(log, lines=lines))

@@ -16,6 +16,10 @@ from s7check.log.errors import ranges
 class Offer:
     """Families, OBs, SFCs, events from outside and modes at the beginning that an implementation has, None for all;
     ``longest`` is the duration in ms of the longest program that it is to run, 0 for any.
+
+    ``deselected``: OBs of class 0, or deselected in STEP 7, can be had; ``cycle``: starts and ends of OB 1 can be
+    logged; ``diag``: every entry of the diagnostic buffer is. ``loaded`` are OBs that the CPU has whatever a program
+    says.
     """
 
     cpu: frozenset[str] | None = None
@@ -24,9 +28,14 @@ class Offer:
     outside: frozenset[str] | None = None
     modes: frozenset[str] | None = None
     longest: int = 0
+    deselected: bool = True
+    cycle: bool = True
+    diag: bool = False
+    loaded: frozenset[int] = frozenset()
 
     def fitted(self, program: Program) -> Program:
-        """The program on a CPU of an offered family, without loaded OBs that the CPU lacks and that nothing can start.
+        """The program on a CPU of an offered family, without loaded OBs that the CPU lacks and that nothing can start,
+        with those that it always has, and without a log of the cycles if there is none.
 
         A program has no expected output, so it is one on any CPU. Only families with priority classes that can be set
         take the place of one.
@@ -35,11 +44,15 @@ class Offer:
         if _missing([cpu], self.cpu):
             settable = pool.alternatives().settable
             cpu = min((one for one in self.cpu or () if one in settable or "priority" not in header), default=cpu)
-        lacking = _missing(header["obs"], self.obs) - _started(program)
+        started = _started(program)
+        lacking = _missing(header["obs"], self.obs) - started
         obs = [ob for ob in header["obs"] if ob not in lacking]
-        if (cpu, obs) == (header["cpu"], header["obs"]):
+        obs += sorted(self.loaded - started - {*obs})
+        changed: dict[str, Any] = {"cpu": cpu, "obs": obs}
+        if header.get("cycle") and not self.cycle:
+            changed["cycle"] = False
+        if changed.items() <= header.items():
             return program
-        changed = {"cpu": cpu, "obs": obs}
         raw, plain = (each | {"header": each["header"] | changed} for each in (program.raw, program.plain))
         return replace(program, header=header | changed, raw=raw, plain=plain)
 
@@ -51,6 +64,10 @@ class Offer:
         steps = [step for body in program.bodies for step in body.steps]
         if self.obs is not None and (missing := {*header["obs"], *_named(program.outside), *_called(steps)} - self.obs):
             return f"no OB {ranges(missing)}"
+        if there := {*self.loaded} - {*header["obs"]}:
+            return f"OB {ranges(there)} cannot be missing"
+        if not self.deselected and (missing := _deselected(header)):
+            return f"no deselected OB {ranges(missing)}"
         mode = header.get("mode", "STOP")
         if _missing([mode], self.modes):
             return f"no beginning in {mode}"
@@ -81,6 +98,13 @@ def _started(program: Program) -> set[int]:
     return {*_BY_RULE, *(body.ob for body in program.bodies), *named, *configured}
 
 
+def _deselected(header: dict[str, Any]) -> set[int]:
+    """The OBs of class 0, and those that STEP 7 has deselected."""
+    classes = {int(ob) for ob, number in header.get("priority", {}).items() if number == 0}
+    parameters = (one for part in header.get("step7", {}).values() if isinstance(part, dict) for one in part.items())
+    return classes | {int(ob) for ob, fields in parameters if fields.get("deselected")}
+
+
 def _named(events: Iterable[dict[str, Any]]) -> Iterator[int]:
     """The OBs that events from outside start, load, delete or ask about."""
     yield from (event["ob"] for event in events if "ob" in event)
@@ -103,5 +127,7 @@ def read_offer(file: Path) -> Offer:
     """
     with pool.engine() as engine:
         read = engine.checked("offer", file.read_bytes())
-    longest = read.pop("longest", 0)
-    return Offer(**{name: frozenset(values) for name, values in read.items()}, longest=longest)
+    fields: dict[str, Any] = {
+        name: frozenset(value) if isinstance(value, list) else value for name, value in read.items()
+    }
+    return Offer(**fields)

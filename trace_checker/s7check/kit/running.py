@@ -52,7 +52,7 @@ class Runner:
         self._offer = offer or Offer()
         self._logs = logs
         self._resume = resume
-        self._judge = LogJudge(profile, letters)
+        self._judge = LogJudge(profile, letters, self._offer.diag)
         self._fail_fast = fail_fast
         self._timeouts = timeouts
         self._rejected: dict[str, Report] = {}
@@ -148,6 +148,7 @@ class Runner:
     def _digest(self, program: Program) -> str:
         letters = (f"{name}={value}" for name, value in self._judge.letters.items())
         said = [*self._command, self._offer.lacks(program), self._judge.profile or "", *letters]
+        said += ["diag"] * self._offer.diag
         return hashlib.sha256(b"\0".join([program.line(), *(text.encode() for text in said)])).hexdigest()[:16]
 
     def _kept(self) -> dict[str, Result]:

@@ -12,7 +12,7 @@ from s7check.cli import main
 from s7check.kit import choosing, collection
 from s7check.kit.collection import programs_of
 from s7check.kit.offer import Offer
-from s7check.kit.program import read_program
+from s7check.kit.program import Program, read_program
 from s7check.kit.results import Result, outcomes
 from tests.kit.programs import PROGRAM
 
@@ -185,6 +185,37 @@ def test_fitted() -> None:
     assert Offer().fitted(more) is more
     classes = read_program(json.dumps(more.raw | {"header": more.header | {"priority": {"35": 5}}}).encode())
     assert Offer(cpu=frozenset({"S7-300"})).lacks(Offer(cpu=frozenset({"S7-300"})).fitted(classes)) == "no S7-400"
+
+
+def test_what_an_offer_lacks() -> None:
+    """Deselected OBs are skipped; a log of cycles is not asked for; an OB that is always loaded may not be missed."""
+
+    def altered(**fields: object) -> Program:
+        return read_program(json.dumps(PROGRAM | {"header": PROGRAM["header"] | fields}))
+
+    none = Offer(deselected=False, cycle=False)
+    assert none.lacks(altered(priority={"35": 0})) == "no deselected OB 35"
+    assert none.lacks(altered(step7={"dint": {"20": {"deselected": True}}})) == "no deselected OB 20"
+    assert none.lacks(altered(step7={"tod": {"11": {"deselected": True}}})) == "no deselected OB 11"
+    assert none.lacks(altered(priority={"35": 5}, step7={"tod": {"11": {"deselected": False}}})) == ""
+    assert not none.fitted(altered(cycle=True)).plain["header"]["cycle"]
+    assert Offer().fitted(altered(cycle=True)).header["cycle"]
+    full = Offer(loaded=frozenset({35, 40, 41}))
+    fitted = full.fitted(altered(obs=[1, 35, 80, 85, 100]))
+    assert (fitted.header["obs"], full.lacks(fitted)) == ([1, 35, 80, 85, 100, 40, 41], "")
+    missed = full.fitted(altered(obs=[1, 80, 85, 100]))
+    assert full.lacks(missed) == "OB 35 cannot be missing", "OB 35 is started from outside"
+
+
+def test_an_offer_of_the_diagnostic_buffer(folder: Path) -> None:
+    """What is offered is owed: a log without it is not judged as if there were no entries."""
+    offer = folder / "offer.json"
+    offer.write_text('{"diag": true, "deselected": false, "cycle": false, "loaded": [1]}', encoding="utf-8")
+    code, results = run(folder, ["right"], "--offer", str(offer))
+    assert (code, results["right"]["status"]) == (1, "failed")
+    assert 'field "records": expected diag, as the offer has it' in str(results["right"]["reason"])
+    offer.write_text('{"diag": 1}', encoding="utf-8")
+    assert main(["kit", "run", "--offer", str(offer), "--", "cpu"]) == 2
 
 
 def test_resume(folder: Path) -> None:

@@ -109,6 +109,10 @@ final class Programs {
                 "calls", Table.list(Spellings.choice(calls.keySet())),
                 "outside", Table.list(Spellings.choice(outside.keySet())),
                 "modes", Table.list(Header.MODE),
+                "deselected", Spellings.TRUTH,
+                "cycle", Spellings.TRUTH,
+                "diag", Spellings.TRUTH,
+                "loaded", Table.list(ob),
                 "longest", Spellings.integer(1, 1L << 53)));
   }
 
@@ -132,7 +136,7 @@ final class Programs {
     return (Fields) program.read(raw);
   }
 
-  /** What a CPU offers: lists of names or numbers, and the milliseconds of the {@code longest} program. */
+  /** What a CPU offers: lists of names or numbers, yes or no, and the milliseconds of the {@code longest} program. */
   Fields offer(Fields raw) {
     return offer.read(raw);
   }
