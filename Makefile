@@ -111,16 +111,16 @@ FUZZ ?= 24000
 fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or its refusal, in one sentence
 	$(BIN)/python -m tests.fuzz --inputs $(FUZZ)
 
-wheel: setup native  ## build/wheel/*.whl: s7check for this kind of machine with all it needs but Python
+wheel: setup native page  ## build/wheel/*.whl: s7check for this kind of machine with all it needs but Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
-wheel-windows: setup native-windows  ## the same for Windows
+wheel-windows: setup native-windows page  ## the same for Windows
 	S7CHECK_WHEEL=win_amd64 $(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
 
 lint: setup  ## ruff and mypy
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/mypy bench/run.py bench/compare.py bench/explorer.py
+	$(BIN)/mypy bench/run.py bench/compare.py
 
 bench: setup native  ## speed of the trace checker beside TLC, kept for docs/project/results.md; with REV=... beside that revision
 	$(if $(filter command line,$(origin REV)),$(BIN)/python bench/compare.py --rev $(REV),$(BIN)/s7spec views results bench)

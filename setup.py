@@ -34,6 +34,7 @@ TARGET = ENGINE / "target"
 JAR = TARGET / "s7-trace-engine.jar"
 PLATFORM = os.environ.get("S7CHECK_WHEEL") or sysconfig.get_platform().replace("-", "_").replace(".", "_")
 """The kind of machine that the wheel is for: this one, or ``win_amd64``."""
+PAGE = Path("build/page/s7check.html")
 EXECUTABLE = TARGET / ("s7-trace-engine.exe" if PLATFORM.startswith("win") else "s7-trace-engine")
 
 
@@ -60,10 +61,13 @@ class BuildWithData(build_py):
         for name in FOR_ADAPTERS:
             shutil.copy(name, package / "adapters")
         make_programs_and_gallery(package)
-        for file in (JAR, *TARGET.glob("lib/*.jar"), *([EXECUTABLE] if has_executable() else [])):
+        for file in (JAR, *TARGET.glob("lib/*.jar"), *([EXECUTABLE] if is_built(EXECUTABLE) else [])):
             copy = package / "jars" / file.relative_to(TARGET)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(file, copy)
+        if is_built(PAGE) and not newer_group([*SPECIFICATION.rglob("*.tla"), *map(Path, RULES)], PAGE):
+            (package / "page").mkdir()
+            shutil.copy(PAGE, package / "page")
         parse_specification(package)
 
 
@@ -73,14 +77,14 @@ class WheelForAMachine(bdist_wheel):
     def get_tag(self) -> tuple[str, str, str]:
         """The tag of the wheel."""
         python, abi, platform = super().get_tag()
-        if has_executable():
+        if is_built(EXECUTABLE):
             platform = PLATFORM.replace("linux_", "manylinux_2_17_") if PLATFORM.startswith("linux_") else PLATFORM
         return python, abi, platform
 
 
-def has_executable() -> bool:
-    """Whether `make native` has built the executable of the engine that is there."""
-    return EXECUTABLE.is_file() and EXECUTABLE.stat().st_mtime_ns >= JAR.stat().st_mtime_ns
+def is_built(file: Path) -> bool:
+    """Whether `make native` or `make page` has built it of the engine that is there."""
+    return file.is_file() and file.stat().st_mtime_ns >= JAR.stat().st_mtime_ns
 
 
 def make_programs_and_gallery(package: Path) -> None:

@@ -14,16 +14,21 @@ from evidence.common.checkout import ROOT
 from s7check.engine.answer import Answer
 from s7check.engine.command import EngineError
 from s7check.log.profile_file import HERE, header_line, profile_file
+from s7check.resources import PAGE
 
-PAGE = ROOT / "build" / "page" / "s7check.html"
 _NAMES = ("chromium", "chromium-browser", "google-chrome")
-_QUIET = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+QUIET = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 _PATIENCE_MS = 120_000
+
+
+def chromium() -> str | None:
+    """Its program."""
+    return next(filter(None, map(shutil.which, _NAMES)), None)
 
 
 def missing() -> str:
     """What the page lacks to be run; empty if nothing."""
-    if not any(map(shutil.which, _NAMES)):
+    if chromium() is None:
         return "no Chromium"
     return "" if PAGE.is_file() else f"no {PAGE.relative_to(ROOT)}: run `make page`"
 
@@ -35,8 +40,7 @@ class PageEngine:
         if lack := missing():
             raise EngineError(lack)
         self._playwright = sync_playwright().start()
-        program = next(filter(None, map(shutil.which, _NAMES)))
-        self._browser: Browser = self._playwright.chromium.launch(executable_path=program, args=_QUIET)
+        self._browser: Browser = self._playwright.chromium.launch(executable_path=chromium(), args=QUIET)
         self._page = self._browser.new_page()
         self._page.set_default_timeout(_PATIENCE_MS)
         self._page.goto(PAGE.as_uri())

@@ -29,7 +29,7 @@ FLOORS = (
     *("readable", "resources", "completion", "output", "program"),
     *("log", "names", "engine", "letters", "report", "importing", "judging", "ending", "api"),
     *("asking", "explaining", "deciding", "reducing", "kit", "simulating", "migrating"),
-    *("coverage", "exploring", "trace_command"),
+    *("coverage", "explore_command", "trace_command"),
     *("assisting", "live", "cli", "pytest_plugin", "__main__"),
 )
 """The packages and modules of s7check from the ground up: each imports those before it."""

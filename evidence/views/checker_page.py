@@ -12,9 +12,8 @@ import msgspec
 from s7check.engine.command import jvm_command
 from s7check.report.clauses import all_clauses, event_texts
 from s7check.report.why import sentences
-from s7check.resources import CHECKOUT, ENGINE, GALLERY
+from s7check.resources import CHECKOUT, ENGINE, GALLERY, PAGE
 
-PAGE = CHECKOUT / "build" / "page" / "s7check.html"
 SOURCES = CHECKOUT / "trace_checker" / "s7check"
 WASM = ENGINE / "wasm"
 _SCRIPTS = ("elements", "engine", "model", "timeline", "desk", "report", "offers", "sides", "main")

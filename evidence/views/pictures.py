@@ -1,22 +1,22 @@
 """``make pictures``: the pictures of the README, by the program itself from the log in the README.
 
-The timeline is the one of the HTML report. The explorer is photographed by Chromium, beside it a hash of the sources of
-its page; where there is no Chromium the picture stays as it is.
+The timeline is the one of the HTML report. The explorer's page, which `make page` builds, is photographed by Chromium,
+beside it a hash of its sources; where there is no Chromium the picture stays as it is.
 """
 
 from __future__ import annotations
 
 import hashlib
 import re
-import shutil
-import subprocess
 import sys
 from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from evidence.common.checkout import ROOT
+from evidence.common.chromium import QUIET, chromium
 from s7check.engine.client import Engine
+from s7check.explore_command import page_with
 from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_steps
 from s7check.report.markup import as_text, node
@@ -26,8 +26,7 @@ README = ROOT / "README.md"
 FOLDER = ROOT / "docs" / "pictures"
 TIMELINE, EXPLORER, SOURCES = FOLDER / "rejected.svg", FOLDER / "explorer.png", FOLDER / "explorer.sha256"
 _STYLE = files("s7check.report") / "report.css"
-_PAGE = files("s7check.exploring") / "page"
-_BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+_PAGE = files("s7check") / "page"
 _LOG = re.compile(r"^```json\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _LAST_LINE = 4
 """Of the log, as it is shown in the explorer: the one before the rejected one."""
@@ -62,26 +61,24 @@ def photograph(browser: str) -> bytes:
     """The explorer with the lines before the rejected one, in Chromium."""
     from playwright.sync_api import sync_playwright
 
-    with TemporaryDirectory() as folder:
-        command = [sys.executable, "-m", "s7check", "explore", "--no-browser", f"{_log(folder)}:{_LAST_LINE}"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as explorer, sync_playwright() as playwright:
-            assert explorer.stdout is not None
-            try:
-                chromium = playwright.chromium.launch(executable_path=browser, args=["--no-sandbox"])
-                page = chromium.new_page(viewport={"width": _WIDTH, "height": _HEIGHT})
-                page.goto(explorer.stdout.readline().strip())
-                page.locator("#possible button", has_text="start ob=80").first.wait_for()
-                page.get_by_text("The next line at").click()  # closes the list of times: the lines move up
-                return page.screenshot()
-            finally:
-                explorer.terminate()
+    with TemporaryDirectory() as folder, sync_playwright() as playwright:
+        copy = Path(folder) / "page.html"
+        copy.write_text(page_with(f"{_log(folder)}:{_LAST_LINE}"), encoding="utf-8")
+        page = playwright.chromium.launch(executable_path=browser, args=QUIET).new_page(
+            viewport={"width": _WIDTH, "height": _HEIGHT}
+        )
+        page.goto(copy.as_uri())
+        page.locator("#possible button", has_text="start ob=80").first.wait_for()
+        page.get_by_text("The next line at").click()  # closes the list of times: the lines move up
+        page.evaluate("document.getElementById('picture').scrollIntoView()")
+        return page.screenshot()
 
 
 def main() -> None:
     """Write the pictures."""
     FOLDER.mkdir(exist_ok=True)
     TIMELINE.write_text(rejected(), encoding="utf-8")
-    browser = next(filter(None, map(shutil.which, _BROWSERS)), None)
+    browser = chromium()
     if browser is None:
         sys.exit("no Chromium on the PATH: the picture of the explorer stays as it is")
     EXPLORER.write_bytes(photograph(browser))

@@ -17,7 +17,7 @@ COMMANDS = {
     "migrate": "s7check.migrating.command:migrate_command",
     "simulate": "s7check.simulating.simulate_command:simulate_command",
     "next": "s7check.asking.next_command:next_command",
-    "explore": "s7check.exploring.command:explore_command",
+    "explore": "s7check.explore_command:explore_command",
     "mcp": "s7check.assisting.command:mcp_command",
     "coverage": "s7check.coverage.command:coverage_command",
     "reduce": "s7check.reducing.command:reduce_command",

@@ -40,6 +40,9 @@ GALLERY = _PACKAGE / "gallery" if INSTALLED else CHECKOUT / "build" / "views" / 
 KIT = _PACKAGE / "programs" if INSTALLED else CHECKOUT / "build" / "views" / "kit" / "programs"
 """The programs of the conformance kit, in files of a program a line; in a checkout `make setup` makes them."""
 
+PAGE = _PACKAGE / "page" / "s7check.html" if INSTALLED else CHECKOUT / "build" / "page" / "s7check.html"
+"""The checker and explorer as a page, which `make page` builds; not every wheel and checkout has it."""
+
 FOUND = _PACKAGE if INSTALLED else CHECKOUT / "kit"
 """The folder of what searches have found: differences and experiments."""
 

@@ -8,16 +8,19 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
-from evidence.common.chromium import PAGE, judged_in, missing
+from evidence.common.chromium import QUIET, chromium, judged_in, missing
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
+from s7check.explore_command import page_with
+from s7check.resources import PAGE
 from tests.shipped import CASES
-from tests.test_explorer_page import CHROMIUM, LONGEST_MS, QUIET
 
 pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
 
 MOST = 4 * 1024 * 1024
 EACH = 12
+LONGEST_MS = 60_000
+"""For one step, on a busy machine."""
 HEADER = {
     "format": "s7-interrupt-log/1",
     "cpu": "S7-400",
@@ -43,7 +46,7 @@ def browser() -> Iterator[Browser]:
     """One Chromium for all tests."""
     expect.set_options(timeout=LONGEST_MS)
     with sync_playwright() as playwright:
-        yield playwright.chromium.launch(executable_path=CHROMIUM, args=QUIET)
+        yield playwright.chromium.launch(executable_path=chromium(), args=QUIET)
 
 
 @pytest.fixture
@@ -89,6 +92,17 @@ def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
     assert "EN_AIRT" in page.locator("#edit textarea").input_value()
     page.click("text=Report as text")
     expect(page.locator("#as-text")).to_contain_text("pasted.ndjson:4: rejected")
+
+
+def test_explore_opens_a_log_at_a_line(page: Page, tmp_path: Path) -> None:
+    """The copy that the command writes, at the line of the file and not at the rejected one."""
+    (tmp_path / "run.ndjson").write_text(REJECTED.replace("\n", "\n\n"), encoding="utf-8")
+    copy = tmp_path / "copy.html"
+    copy.write_text(page_with(f"{tmp_path / 'run.ndjson'}:3"), encoding="utf-8")
+    page.goto(copy.as_uri())
+    expect(page.locator("#verdict")).to_contain_text("explains line 7")
+    expect(page.locator("#where")).to_contain_text("run.ndjson: after line 3 of 9")
+    expect(page.locator("#possible")).to_contain_text("start ob=40")
 
 
 def test_a_fitting_value_mends_it_and_back_takes_that_back(page: Page) -> None:

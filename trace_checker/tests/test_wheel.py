@@ -189,6 +189,18 @@ print(kit.run("AIRT-07-nothing-delayed-answers-0000").status)
     assert plugins[-1] == "passed"
 
 
+@pytest.mark.usefixtures("bare")
+def test_explore(s7check: Path, unpacked: Path) -> None:
+    """The page is in the wheel if it was built; else one sentence says how to get it."""
+    run = subprocess.run([s7check, "explore", "--no-browser"], capture_output=True, text=True, check=False)
+    if (unpacked / "s7check" / "page" / "s7check.html").is_file():
+        assert (run.returncode, run.stderr) == (0, "")
+        assert Path(run.stdout.strip()).read_bytes() == resources.PAGE.read_bytes()
+    else:
+        assert run.returncode == 3
+        assert "install a wheel that `make wheel` has built" in run.stderr
+
+
 def test_one_package(unpacked: Path) -> None:
     """The wheel has the package s7check and its description, neither tests nor tools of the checkout."""
     assert sorted(path.name for path in unpacked.iterdir()) == ["s7check", f"s7check-{__version__}.dist-info"]

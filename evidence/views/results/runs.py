@@ -220,16 +220,6 @@ RUNS = {
         summaries.bench,
         parts=("spec", "engine", "checker"),
     ),
-    "explorer": Run(
-        "Steps of the explorer",
-        "All that the page asks after each line of the gallery's logs. CPU is that of the engine's and the server's "
-        "thread, the better number on a busy machine ([benchmark](../../bench/README.md)).",
-        "bench/explorer.py",
-        (sys.executable, "bench/explorer.py", "--json", _REPORT),
-        summaries.bench,
-        totals=("steps", "over 100 ms"),
-        parts=("spec", "engine", "checker"),
-    ),
     "edges": _s7spec(
         "The explorer's steps and TLC's edges",
         "What may come after each log of three exported graphs ([commands](commands.md#s7spec-logs-edges-world)).",

@@ -30,22 +30,34 @@ def read_prefix(engine: Engine, argument: str) -> Prefix:
 
     Raises UnusableLogError for a line that cannot be read, and for a LINE that the log does not have.
     """
+    return prefix_of(engine, *read_text(argument))
+
+
+def read_text(argument: str) -> tuple[str, bytes, int | None]:
+    """Name and text, in UTF-8, of the log that ``LOG`` or ``LOG:LINE`` names, and that line.
+
+    Raises UnusableLogError for a file that cannot be read.
+    """
     numbered = _NUMBERED.fullmatch(argument)
     if numbered is None or Path(argument).exists():
         name, last = argument, None
     else:
         name, last = numbered["log"], int(numbered["line"])
     with open_log(name) as source:
-        data = b"".join(as_utf8(source.chunks()))
-    return prefix_of(engine, name, data, last)
+        return name, b"".join(as_utf8(source.chunks())), last
+
+
+def lines_up_to(data: bytes, last: int | None) -> list[bytes]:
+    """The lines of a log's text, all or up to the line ``last``. Raises UnusableLogError if there is no such line."""
+    texts = data.removesuffix(b"\n").split(b"\n") if data else []
+    if last is not None and not 1 <= last <= len(texts):
+        raise UnusableLogError(f"a line 1 to {len(texts)}", str(last))
+    return texts[:last]
 
 
 def prefix_of(engine: Engine, name: str, data: bytes, last: int | None = None) -> Prefix:
     """The same for the text of a log with this name."""
-    texts = data.removesuffix(b"\n").split(b"\n") if data else []
-    if last is not None and last > len(texts):
-        raise UnusableLogError(f"a line 1 to {len(texts)}", str(last))
-    texts = texts[:last]
+    texts = lines_up_to(data, last)
     content = engine.read(b"\n".join(texts), folder_of(name))
     if content.unusable is not None:
         raise content.unusable.error()

@@ -96,17 +96,15 @@ class Session:
         at: str | None = None,
         *,
         only: Collection[str] = (),
-        few: Collection[str] = (),
         most: int | None = None,
     ) -> Possible:
         """What may come next: all that the specification offers, or which of these lines with which answers.
 
         A line of ``lines`` may lack ``at``, which counts for nothing, and ``ret``. With ``at`` only this time of the
         CPU clock is looked at, and the only one of the answer. ``only`` names the events that are looked for, all if
-        it is empty; of the events ``few`` one line is enough. ``most`` states are looked at for each line: one that
-        none of them allows may be possible still.
+        it is empty. ``most`` states are looked at for each line: one that none of them allows may be possible still.
         """
-        more: dict[str, Any] = {"only": list(only), "few": list(few)}
+        more: dict[str, Any] = {"only": list(only)}
         if most is not None:
             more["most"] = most
         if at is not None:

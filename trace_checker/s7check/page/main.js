@@ -11,6 +11,7 @@ import { Timeline, read } from "./timeline.js";
 const LONGEST_LINK = 60_000;
 const LONGEST = 200_000; // lines of a log that is explored; longer ones get their verdict
 const contents = JSON.parse($("contents").textContent);
+const first = JSON.parse($("first").textContent); // the log to begin with, which `s7check explore` puts there
 export let clauses = new Map();
 let engine = null;
 export let desk = null;
@@ -204,8 +205,8 @@ async function begin(one) {
   await refresh();
 }
 
-/** Judges a log and opens it: at its end, or at the rejected line. */
-async function open(name, bytes) {
+/** Judges a log and opens it: at a line of its text, else at the rejected line or its end. */
+async function open(name, bytes, line = null) {
   busy(`${name}: is being judged`);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
@@ -218,9 +219,10 @@ async function open(name, bytes) {
       answer.verdict,
       `${answer.line ? `line ${answer.line}, ` : ""}${answer.events} events explained; too long to be shown`,
     );
-  const wrong = answer.line ? one.numbers.indexOf(answer.line) : -1;
+  const at = line ?? answer.line;
+  const shown = at ? one.numbers.filter((number) => number <= at).length - 1 : one.lines.length;
   verdict = { verdict: answer.verdict, header: one.header, lines: one.lines };
-  await begin({ ...one, shown: wrong > 0 ? wrong : one.lines.length });
+  await begin({ ...one, shown: Math.max(0, shown) });
   $("verdict").focus({ preventScroll: true });
 }
 
@@ -388,7 +390,7 @@ async function main() {
     sides = kept ?? [];
     model = new Model(document);
     await refresh();
-  }
+  } else if (first) await open(first.name, await inflated(first.log), first.line);
 }
 
 safely(main)();

@@ -32,7 +32,7 @@ import s7.log.Unusable;
  *   <li>{@code parting} with {@code from}, the name of another session, {@code lines}, {@code only}, {@code obs}, {@code
  *       deepest} and {@code most}: the shortest log that this session allows and the other does not ({@link Parting}).
  *   <li>{@code possible}, with {@code lines} or for all that the specification offers, or for those of its events
- *       {@code only}, with one line of {@code few}; at the time of the line {@code when} or at all times; in {@code most}
+ *       {@code only}; at the time of the line {@code when} or at all times; in {@code most}
  *       states or all.
  * </ul>
  *
@@ -163,7 +163,7 @@ final class Sessions {
             json.has("when") ? text(json, "when") : null,
             share,
             names(json, "only"),
-            names(json, "few")));
+            Set.of()));
   }
 
   private static Set<String> names(Fields json, String field) {
