@@ -1,4 +1,4 @@
-"""What a program does, for those whose log says nothing of it: it was about a kind of event that the log left out."""
+"""What a program does, for those whose case is about its log: what it left out, or how it is written."""
 
 from __future__ import annotations
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator
 
 from evidence.common.cases import Case
@@ -35,14 +36,27 @@ def programs(cases: Iterable[Case]) -> Iterator[Json]:
 
 
 def _program(case: Case) -> Json:
-    whole = "records" not in json.loads(next(line for line in case.lines if line.strip()))
+    whole = not _about_its_log(case)
     more = {"catches": case.name.split("-", 2)[-1].replace("-", " ")} if case.verdict == "rejected" and whole else {}
     with pool.engine() as engine:
         program = program_of(engine, case.lines, case.name, case.reason, case.requirements, **more)
     if not whole:
-        # The case is about what its log left out; an implementation that runs the program leaves out nothing of it.
+        # An implementation that runs the program writes a log of its own, in which nothing of that need be.
         program |= {"name": name(program, case.requirements[0]), "about": about(program)}
     return program
+
+
+_OF_A_LOG = re.compile("blank-line|carriage-returns|spellings|clock-line|up-shows|`up`")
+"""In the names and reasons of cases about how a log is written, or about a clock apart from elapsed time."""
+
+
+def _about_its_log(case: Case) -> bool:
+    """Whether a case is about its log more than about the CPU: what was not recorded, entries of the diagnostic buffer,
+    how it is written.
+    """
+    header, *events = (json.loads(line) for line in case.lines if line.strip())
+    diag = any(event["event"] == "diag" for event in events)
+    return diag or "records" in header or _OF_A_LOG.search(case.name + case.reason) is not None
 
 
 def _merge(into: Json, program: Json) -> None:

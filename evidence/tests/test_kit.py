@@ -1,6 +1,7 @@
 """The kit: generated alike for the same seed, and measured."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -79,6 +80,12 @@ def test_every_program_says_what_it_is_about(every: dict[str, dict[str, Any]]) -
     """By requirements; what it reaches is measured, and not by a generator."""
     assert all(one["requirements"] for one in every.values())
     assert not any("reaches" in one for one in programs.programs())
+
+
+def test_names_and_texts_are_about_the_cpu(every: dict[str, dict[str, Any]]) -> None:
+    """Not about what the log of a case left out, its entries of the diagnostic buffer, or how it is written."""
+    words = re.compile(r"records|\bdiag\b|blank|spellings|carriage|`up`", re.IGNORECASE)
+    assert [one["name"] for one in every.values() if words.search(f"{one['name']} {one['about']}")] == []
 
 
 def test_files_are_written(tmp_path: Path) -> None:
