@@ -15,7 +15,7 @@ import msgspec
 from evidence.common.checkout import ROOT
 from evidence.kit.files import Json, read_lines, write_lines
 from s7check.kit.matrix import SHOWN, to_matrix
-from s7check.kit.results import Kept, Outcome
+from s7check.kit.results import UNDER_ANOTHER, Kept, Outcome
 
 KEPT = ROOT / "kit" / "implementations.ndjson"
 
@@ -27,7 +27,8 @@ def keep(results: Mapping[str, Sequence[Outcome]]) -> None:
         for one in outcomes:
             line = lines.setdefault(one.requirement, {"requirement": one.requirement})
             # One program more than the page names: it says that there are others.
-            line[name] = {"failed": one.failed[: SHOWN + 1]} if one.failed else one.state
+            shown = {"failed": one.failed[: SHOWN + 1]} if one.failed else {"under": one.under[: SHOWN + 1]}
+            line[name] = shown if any(shown.values()) else one.state
     write_lines(KEPT, lines.values())
 
 
@@ -37,7 +38,8 @@ def kit_results() -> str:
     for line in read_lines(KEPT):
         requirement = line.pop("requirement")
         for name, state in line.items():
-            said = {"state": state} if isinstance(state, str) else {"state": "failed", **state}
+            kind = "failed" if "failed" in state else UNDER_ANOTHER
+            said = {"state": state} if isinstance(state, str) else {"state": kind, **state}
             outcomes.setdefault(name, []).append(msgspec.convert({"requirement": requirement, **said}, Outcome))
     return to_matrix(outcomes)
 

@@ -10,7 +10,7 @@ from s7check.report.clauses import clause, page_of
 _MARKS = {"passed": "passed", "failed": "**failed**", "skipped": "skipped", "not reached": ""}
 _MARKS[UNDER_ANOTHER] = UNDER_ANOTHER
 SHOWN = 3
-"""Failed programs that are named for a requirement."""
+"""Programs that are named for a requirement that failed, or passed under another reading."""
 
 
 def to_matrix(runs: Mapping[str, Sequence[Outcome]]) -> str:
@@ -29,10 +29,11 @@ def to_matrix(runs: Mapping[str, Sequence[Outcome]]) -> str:
         cells = [_cell(outcomes.get(requirement)) for outcomes in by_name.values()]
         lines.append(f"| [{requirement}](../rules/{_page(requirement)}) | {' | '.join(cells)} |")
     for name, outcomes in by_name.items():
-        failed = [one for one in outcomes.values() if one.state == "failed"]
-        if failed:
-            lines += ["", f"## Failed on {name}", ""]
-            lines += [f"* {one.requirement}: {_programs(one)}. {clause(one.requirement).text}" for one in failed]
+        for state in ("failed", UNDER_ANOTHER):
+            some = [one for one in outcomes.values() if one.state == state]
+            if some:
+                lines += ["", f"## {state[:1].upper()}{state[1:]} on {name}", ""]
+                lines += [f"* {one.requirement}: {_programs(one)}. {clause(one.requirement).text}" for one in some]
     return "\n".join(lines) + "\n"
 
 
@@ -45,6 +46,7 @@ def _cell(outcome: Outcome | None) -> str:
 
 
 def _programs(outcome: Outcome) -> str:
-    more = len(outcome.failed) - SHOWN
-    shown = ", ".join(f"`{name}`" for name in outcome.failed[:SHOWN])
+    names = outcome.failed or outcome.under
+    more = len(names) - SHOWN
+    shown = ", ".join(f"`{name}`" for name in names[:SHOWN])
     return shown + (" and others" if more > 0 else "")
