@@ -22,6 +22,7 @@ from s7check.kit import from_log
 
 _MAKERS = (paths, behaviour, values, from_log)
 """The modules that make a program of a graph."""
+_FROM_LOG = ROOT / "trace_checker" / "engine" / "src" / "main" / "java" / "s7" / "log" / "FromLog.java"
 
 
 def models() -> list[Model]:
@@ -61,7 +62,7 @@ def origin(model: Model, folder: Path = ROOT) -> str:
     That is what the behaviours need of the specification's and the model's definitions, wherever they stand, the
     constants, and the text of the modules that make programs of a graph; comments and layout of TLA+ do not count.
     """
-    return digest([*behaviours(model, folder), *map(_text, _MAKERS)])
+    return digest([*behaviours(model, folder), *map(_text, _MAKERS), _FROM_LOG.read_text(encoding="utf-8")])
 
 
 def _text(module: ModuleType) -> str:

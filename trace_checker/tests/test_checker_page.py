@@ -12,7 +12,9 @@ from evidence.common.chromium import QUIET, chromium, judged_in, missing
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
 from s7check.explore_command import page_with
+from s7check.kit.program import read_program
 from s7check.resources import PAGE
+from s7check.simulating.simulation import Simulation
 from tests.shipped import CASES
 
 pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
@@ -194,6 +196,90 @@ def test_a_saved_log_is_the_log(page: Page) -> None:
         page.click("#save")
     assert download.value.suggested_filename == "pasted.ndjson"
     assert Path(download.value.path()).read_text() == f"{REJECTED}\n"
+
+
+def test_a_saved_program_is_a_program_of_the_kit(page: Page, real_engine: Engine, tmp_path: Path) -> None:
+    """The specification runs it, and its log has the same calls; dropped on the page it is told what to do with it."""
+    page.click("#new >> text=Begin")
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    page.click("#possible >> text=EN_AIRT ret=W#16#0000")
+    expect(page.locator("#situation")).not_to_contain_text("not taken back")
+    with page.expect_download() as download:
+        page.click("#program")
+    file = tmp_path / download.value.suggested_filename
+    download.value.save_as(file)
+    program = read_program(file.read_bytes())
+    calls = [line["event"] for line in Simulation(real_engine, program).run()[1:] if "ret" in line]
+    assert (file.name, calls) == ("new.json", ["DIS_AIRT", "EN_AIRT"])
+    page.click("#home")
+    page.set_input_files("#file", file)
+    expect(page.locator("#problem")).to_contain_text("s7check simulate new.json | s7check explore -")
+
+
+def test_branches_have_timelines_beside_each_other(page: Page) -> None:
+    """Going back and another line: the old lines stay, and a click goes to them."""
+    page.click("#new >> text=Begin")
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    page.locator("body").press("ArrowLeft")
+    expect(page.locator("#timeline [aria-current=true]")).to_contain_text("S7-400")
+    page.click("#possible >> text=EN_AIRT ret=W#16#8080")
+    expect(page.locator("#timeline")).to_contain_text("EN_AIRT")
+    expect(page.locator("#others .timeline")).to_contain_text("DIS_AIRT")
+    page.click("#others .timeline button >> text=DIS_AIRT")
+    expect(page.locator("#timeline")).to_contain_text("DIS_AIRT")
+    expect(page.locator("#situation")).to_contain_text("1 DIS_AIRT not taken back")
+    expect(page.locator("#others .timeline")).to_contain_text("EN_AIRT")
+
+
+def test_the_timeline_is_made_wider(page: Page) -> None:
+    """By its button; nothing else moves."""
+    paste(page, REJECTED)
+    first = page.locator("#timeline button").nth(1)
+    before = first.bounding_box()
+    page.click("#wider")
+    expect(page.locator("#timeline .wrong")).to_be_visible()
+    after = first.bounding_box()
+    assert before is not None
+    assert after is not None
+    assert after["width"] > 1.2 * before["width"]
+
+
+def test_a_behaviour_is_built_by_keyboard_alone(page: Page) -> None:
+    """Enter begins it; Tab leads to the buttons, Enter takes one."""
+    page.locator("#new [name=clock]").press("Enter")
+    expect(page.locator("#possible button", has_text="DIS_AIRT ret=W#16#0001").first).to_be_visible()
+    for _ in range(200):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.textContent") == "DIS_AIRT ret=W#16#0001":
+            break
+    page.keyboard.press("Enter")
+    expect(page.locator("#situation")).to_contain_text("1 DIS_AIRT not taken back")
+
+
+def test_a_case_of_the_gallery_and_a_requirement(page: Page) -> None:
+    """Found by its words; a requirement is told in full."""
+    page.fill("#find", "delay OB 80 missing")
+    page.click("#gallery >> text=A skipped point under DIS_AIRT, OB 80 missing")
+    expect(page.locator("#timeline")).to_contain_text("stop")
+    page.click("#possible button.id >> nth=0")
+    assert len(page.locator("#clause p").first.inner_text()) > 20
+    page.keyboard.press("Escape")
+    expect(page.locator("#clause")).to_be_hidden()
+
+
+@pytest.mark.parametrize("width", [360, 1600])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_is_wider_than_the_window(browser: Browser, width: int, scheme: str) -> None:
+    """On the start page and with a log."""
+    context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)  # type: ignore[arg-type]
+    page = context.new_page()
+    page.goto(PAGE.as_uri())
+    page.wait_for_selector("body[data-ready]")
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    page.click("#gallery >> text=Nested DIS_AIRT")
+    expect(page.locator("#verdict")).to_contain_text("accepted")
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    context.close()
 
 
 def test_the_keys_go_from_line_to_line(page: Page) -> None:

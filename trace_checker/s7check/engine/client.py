@@ -121,7 +121,18 @@ class Engine:
 
     def checked(self, kind: Literal["program", "offer"], text: bytes) -> dict[str, Any]:
         """The object of a text, in one spelling; not while a log is at work. Raises UnusableLogError."""
-        answer = self.ask({"message": kind, "count": len(text)}, _Checked, text)
+        return self._object({"message": kind}, text)
+
+    def program_of(self, log: bytes) -> dict[str, Any]:
+        """Header, duration, events from outside and bodies of the program of a log; not while a log is at work.
+
+        Raises UnusableLogError.
+        """
+        file = profile_file(header_line(log) or log, HERE)
+        return self._object({"message": "program of", **({"file": file} if file else {})}, log)
+
+    def _object(self, message: dict[str, Any], text: bytes) -> dict[str, Any]:
+        answer = self.ask({**message, "count": len(text)}, _Checked, text)
         if answer.unusable is not None:
             raise answer.unusable.error()
         return answer.object

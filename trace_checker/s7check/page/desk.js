@@ -66,8 +66,23 @@ export class Desk {
     return (await this.#engine.ask({ message: "look", session: OURS, after, ...(at ? { at } : {}) })).look;
   }
 
-  async states(after, to) {
-    return (await this.#engine.ask({ message: "states", session: OURS, after, to })).states;
+  async states(after, to, session = OURS) {
+    return (await this.#engine.ask({ message: "states", session, after, to })).states;
+  }
+
+  /** Ends the sessions that have none of these names. */
+  async keep(names) {
+    for (const session of this.#sent.keys()) {
+      if (session === OURS || names.includes(session)) continue;
+      this.#sent.delete(session);
+      await this.#engine.ask({ message: "close", session });
+    }
+  }
+
+  /** Fields of the program of a log, a text. Throws NoAnswer where the log cannot be used. */
+  async program(text) {
+    const bytes = new TextEncoder().encode(text);
+    return (await this.#engine.ask({ message: "program of", count: bytes.length }, bytes)).object;
   }
 
   async call(after, at, event) {

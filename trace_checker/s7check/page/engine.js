@@ -70,9 +70,9 @@ export class Engine {
     this.#fail("it was stopped");
   }
 
-  /** The answer to one message, an object. Throws NoAnswer, also for what cannot be used. */
-  async ask(message) {
-    const [answer] = await this.#messages(`${JSON.stringify(message)}\n`);
+  /** The answer to one message and its bytes, an object. Throws NoAnswer, also for what cannot be used. */
+  async ask(message, bytes = "") {
+    const [answer] = await this.#messages(`${JSON.stringify(message)}\n`, bytes);
     if (answer.error) throw new NoAnswer(answer.error);
     if (answer.unusable) throw Object.assign(new NoAnswer(unusable(answer.unusable)), { answer });
     return answer;

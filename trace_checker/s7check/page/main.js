@@ -3,10 +3,11 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, NoAnswer, unusable } from "./engine.js";
-import { Model, branch, fromLink, fromText, inflated, ndjson, toLink } from "./model.js";
+import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
+import { sessionOf, showOthers } from "./others.js";
 import { showReport, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
-import { Timeline, read } from "./timeline.js";
+import { Timeline, read, zoom } from "./timeline.js";
 
 const LONGEST_LINK = 60_000;
 const LONGEST = 200_000; // lines of a log that is explored; longer ones get their verdict
@@ -108,6 +109,8 @@ export async function refresh(when = null) {
   await timeline.show([one.header, ...one.lines], one.shown, explained, refused ? explained + 1 : -1, one.numbers);
   showSides(number);
   await showLink();
+  await desk.keep([...model.document.branches.map(sessionOf), ...sides.map((side) => JSON.stringify(side.chosen))]);
+  await showOthers(number);
 }
 
 /** The address holds the whole behaviour, unless that is too long for one. */
@@ -210,6 +213,8 @@ async function open(name, bytes, line = null) {
   busy(`${name}: is being judged`);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
+  if (isProgram(text))
+    throw new Error(`${name} is a program of the kit: s7check simulate ${name} | s7check explore - shows its log.`);
   const answer = await engine.judge(bytes);
   if (answer.verdict === "error") return closed(name, "no verdict", answer.message);
   if (answer.verdict === "unusable") return closed(name, "unusable", unusable(answer.unusable));
@@ -250,8 +255,21 @@ function showGallery() {
   $("gallery").replaceChildren(...(made.length ? made : [h("li", {}, "No case has all these words.")]));
 }
 
-/** The name of a file for a log. */
-const fileName = (name) => `${name.replace(/(\.ndjson|\.jsonl)+(?= \(|$)/, "").replace(/[^\w.-]+/g, "_")}.ndjson`;
+/** The name of a file for a log, without its ending. */
+const fileName = (name) => name.replace(/(\.ndjson|\.jsonl)+(?= \(|$)/, "").replace(/[^\w.-]+/g, "_");
+
+/** The branch as a program of the kit. */
+async function program() {
+  const name = fileName(model.branch.name).replace(/^[^A-Za-z0-9]+/, "").slice(0, 100) || "explored";
+  const made = await desk.program(ndjson(model.branch));
+  const head = { format: "s7-interrupt-program/1", name, about: "Built in the explorer.", requirements: [] };
+  download(`${name}.json`, layOut({ ...head, ...made }));
+}
+
+function scale(factor) {
+  zoom(factor);
+  return refresh();
+}
 
 function download(name, text) {
   const link = h("a", { href: URL.createObjectURL(new Blob([text])), download: name });
@@ -269,7 +287,10 @@ function wire() {
   window.onpopstate = travelled;
   $("branch").onclick = () => step(() => model.fork());
   $("stop").onclick = () => engine.stop();
-  $("save").onclick = () => download(fileName(model.branch.name), ndjson(model.branch));
+  $("save").onclick = () => download(`${fileName(model.branch.name)}.ndjson`, ndjson(model.branch));
+  $("program").onclick = safely(program);
+  $("narrower").onclick = safely(() => scale(0.8));
+  $("wider").onclick = safely(() => scale(1.25));
   $("link").onclick = safely(async () => {
     await navigator.clipboard.writeText(location.href);
     $("where").textContent = "The address is copied.";

@@ -76,8 +76,10 @@ export class Model {
     this.change({ ...this.document, branches, current: branches.length - 1 });
   }
 
-  choose(current) {
-    this.change({ ...this.document, current });
+  /** Another branch, with so many lines shown if that is said. */
+  choose(current, shown = this.document.branches[current].shown) {
+    const branches = this.document.branches.map((one, i) => (i === current ? { ...one, shown } : one));
+    this.change({ ...this.document, branches, current });
   }
 
   drop(index) {
@@ -87,6 +89,24 @@ export class Model {
 }
 
 export const ndjson = (one) => [one.header, ...one.lines].map((line) => `${line}\n`).join("");
+
+/** A program of the kit laid out: a line for each field, and for each event from outside and body. */
+export function layOut(program) {
+  const fields = Object.entries(program).map(([name, value]) => {
+    const rows = Array.isArray(value) && typeof value[0] === "object" ? value.map((one) => JSON.stringify(one)) : null;
+    return ` ${JSON.stringify(name)}: ${rows ? `[\n  ${rows.join(",\n  ")}]` : JSON.stringify(value)}`;
+  });
+  return `{\n${fields.join(",\n")}\n}\n`;
+}
+
+/** Whether a text is one program of the kit. */
+export function isProgram(text) {
+  try {
+    return String(JSON.parse(text)?.format).startsWith("s7-interrupt-program/");
+  } catch {
+    return false;
+  }
+}
 
 /**
  * A log's text as a branch. Lines stay texts, so that numbers keep their spelling; `numbers` are their places in the

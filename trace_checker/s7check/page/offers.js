@@ -133,9 +133,8 @@ function showTime() {
 }
 
 export function showImpossible() {
-  const made = (view.look.impossible ?? []).map((one) =>
-    h("details", {}, h("summary", {}, one.text), ...whyNot(one)),
-  );
-  $("impossible").replaceChildren(...made);
+  const made = view.look.impossible?.map((one) => h("details", {}, h("summary", {}, one.text), ...whyNot(one)));
+  const many = "The log can be explained in very many ways. Ask for a line:";
+  $("impossible").replaceChildren(...(made ?? [h("p", {}, many)]));
   $("because").replaceChildren();
 }

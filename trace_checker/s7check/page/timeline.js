@@ -1,7 +1,8 @@
 // The timeline: a button for each line, and below it what runs and waits; only what is in view is drawn.
 import { h, numberOf } from "./elements.js";
 
-export const COLUMN = 116;
+const USUAL = 116;
+let column = USUAL; // the width of a line
 const HEAD = 70;
 const LANE = 58;
 const STRIP = 20;
@@ -58,13 +59,13 @@ function lanes(states, lines) {
   ];
   const top = HEAD + strips.length * STRIP + 8;
   const height = top + classes.length * LANE + 8;
-  const svg = s("svg", { width: states.length * COLUMN, height, "aria-hidden": "true" });
+  const svg = s("svg", { width: states.length * column, height, "aria-hidden": "true" });
   const y = (number) => top + classes.indexOf(number) * LANE;
   const box = (x, at, count, tall, name, text, style) => {
-    const rect = s("rect", { x, y: at, width: count * COLUMN, height: tall, rx: 3, class: name });
+    const rect = s("rect", { x, y: at, width: count * column, height: tall, rx: 3, class: name });
     svg.append(
       rect,
-      s("text", { x: x + 5, y: at + tall - 5, class: style }, text.slice(0, Math.floor((count * COLUMN) / 7))),
+      s("text", { x: x + 5, y: at + tall - 5, class: style }, text.slice(0, Math.floor((count * column) / 7))),
     );
   };
   classes.forEach((number, i) => {
@@ -72,7 +73,7 @@ function lanes(states, lines) {
       s("rect", {
         x: 0,
         y: y(number),
-        width: states.length * COLUMN,
+        width: states.length * column,
         height: LANE,
         class: `lane ${i % 2 ? "even" : "odd"}`,
       }),
@@ -81,7 +82,7 @@ function lanes(states, lines) {
   });
   const strip = (name, value, style) => {
     for (const [text, first, count] of runs(states, value))
-      box(first * COLUMN, HEAD + strips.indexOf(name) * STRIP, count, STRIP - 4, `${style} ${text}`, text, "on");
+      box(first * column, HEAD + strips.indexOf(name) * STRIP, count, STRIP - 4, `${style} ${text}`, text, "on");
   };
   strip("mode", (one) => one.mode, "mode");
   if (strips.includes("delayed")) strip("delayed", (one) => (one.delay ? `delay count ${one.delay}` : ""), "delay");
@@ -92,7 +93,7 @@ function lanes(states, lines) {
     const how = (one) =>
       one.running.at(-1)?.ob === ob ? "runs" : one.running.some((frame) => frame.ob === ob) ? "interrupted" : "";
     for (const [style, first, count] of runs(states, how))
-      box(first * COLUMN, y(number) + 6, count, 20, style, `OB ${ob}`, style === "runs" ? "on" : "in");
+      box(first * column, y(number) + 6, count, 20, style, `OB ${ob}`, style === "runs" ? "on" : "in");
   }
   for (const number of classes) {
     const waits = (one) =>
@@ -104,14 +105,14 @@ function lanes(states, lines) {
         )
         .join(", ");
     for (const [text, first, count] of runs(states, waits))
-      box(first * COLUMN, y(number) + 29, count, 13, "waiting", text, "small");
+      box(first * column, y(number) + 29, count, 13, "waiting", text, "small");
   }
   lines.forEach((line, i) => {
     const running = (states[i - 1] ?? states[i])?.running.at(-1);
     if (running && "ret" in line)
       svg.append(
         s("circle", {
-          cx: i * COLUMN + 5,
+          cx: i * column + 5,
           cy: y(running.class) + 16,
           r: 5,
           class: `call ${ofError(line) ? "error" : "fine"}`,
@@ -119,6 +120,12 @@ function lanes(states, lines) {
       );
   });
   return { svg, height };
+}
+
+/** Makes the lines of all timelines wider by a factor. */
+export function zoom(factor) {
+  column = Math.max(USUAL / 3, Math.min(USUAL * 3, column * factor));
+  document.body.style.setProperty("--column", `${column}px`);
 }
 
 /** A timeline in `box`. `states(first, last)` gives the situations after these lines; `choose` is told a chosen one. */
@@ -141,10 +148,10 @@ export class Timeline {
   /** Shows these lines, texts, of which `current` is chosen; `explained` have a situation, `wrong` is rejected. */
   show(texts, current, explained, wrong, numbers) {
     Object.assign(this, { texts, current, explained, wrong, numbers });
-    this.wide.style.width = `${texts.length * COLUMN}px`;
-    const left = current * COLUMN;
-    if (left < this.box.scrollLeft || left + COLUMN > this.box.scrollLeft + this.box.clientWidth) {
-      this.box.scrollLeft = Math.max(0, left - this.box.clientWidth + 2 * COLUMN);
+    this.wide.style.width = `${texts.length * column}px`;
+    const left = current * column;
+    if (left < this.box.scrollLeft || left + column > this.box.scrollLeft + this.box.clientWidth) {
+      this.box.scrollLeft = Math.max(0, left - this.box.clientWidth + 2 * column);
     }
     return this.draw();
   }
@@ -152,8 +159,8 @@ export class Timeline {
   async draw() {
     if (!this.texts) return;
     const number = ++this.drawn;
-    const first = Math.max(0, Math.floor(this.box.scrollLeft / COLUMN) - SPARE);
-    const end = Math.min(this.texts.length, first + Math.ceil(this.box.clientWidth / COLUMN) + 2 * SPARE);
+    const first = Math.max(0, Math.floor(this.box.scrollLeft / column) - SPARE);
+    const end = Math.min(this.texts.length, first + Math.ceil(this.box.clientWidth / column) + 2 * SPARE);
     const last = Math.min(end - 1, this.explained);
     const states = first > last ? [] : await this.states(first, last);
     if (number !== this.drawn) return;
@@ -168,7 +175,7 @@ export class Timeline {
         {
           type: "button",
           className: style,
-          style: `left:${index * COLUMN}px`,
+          style: `left:${index * column}px`,
           "data-index": index,
           tabIndex: index === this.current ? 0 : -1,
           "aria-current": String(index === this.current),
@@ -181,7 +188,7 @@ export class Timeline {
       Array.from(lines, (_, i) => states[i] ?? null),
       lines,
     );
-    svg.style.left = `${first * COLUMN}px`;
+    svg.style.left = `${first * column}px`;
     this.wide.style.height = `${height}px`;
     this.wide.replaceChildren(svg, ...buttons);
     if (inside)

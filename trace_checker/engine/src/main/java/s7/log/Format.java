@@ -48,6 +48,11 @@ public final class Format {
     return new Programs(words, header, events).program(Fields.of(text));
   }
 
+  /** The header, the duration, the events from outside and the bodies of the program of a log ({@link FromLog}). */
+  public Fields programOf(byte[] log, ProfileFile file) {
+    return FromLog.program(this, events, log, file);
+  }
+
   /** What a CPU offers to programs of the kit. */
   public Fields offer(byte[] text) {
     return new Programs(words, header, events).offer(Fields.of(text));

@@ -15,7 +15,7 @@ final class Programs {
   private static final String FORMAT = "s7-interrupt-program/1";
 
   /** Fields of a log's header that a program gives; the others are the implementation's own. */
-  private static final List<String> OF_HEADER = List.of("cpu", "obs", "clock", "mode", "cycle", "priority", "step7");
+  static final List<String> OF_HEADER = List.of("cpu", "obs", "clock", "mode", "cycle", "priority", "step7");
 
   /** Milliseconds: the years that the CPU clock can show. */
   private static final long LONGEST = 100L * 366 * 86_400_000;

@@ -33,7 +33,8 @@ import tlc2.value.impl.RecordValue;
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is {@code unusable}.
  *   <li>{@code {"message":"program","count":N}} has a program of the kit checked, of which N bytes follow: the answer
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
- *       what a CPU offers to programs.
+ *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
+ *       the header, duration, events from outside and bodies of its program.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which words a log may have.
  *   <li>{@code {"message":"open","session":NAME,"header":TEXT}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
@@ -114,6 +115,7 @@ public final class Engine {
       }
       case "read" -> print(read(message));
       case "program" -> print(object(message, spec.format()::program));
+      case "program of" -> print(object(message, log -> spec.format().programOf(log, file(message))));
       case "offer" -> print(object(message, spec.format()::offer));
       case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
       case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
