@@ -25,6 +25,9 @@ from s7check.reducing.candidate import as_text
 from s7check.reducing.reduction import reduce_log
 from s7check.report.report import Reading, Report
 
+_TRYING = 60.0
+"""Seconds for other readings of a log, at most; a log of 15,000 lines takes 5."""
+
 _REDUCING = 10.0
 """Seconds for the reduction of a log, at most."""
 
@@ -59,7 +62,7 @@ class LogJudge:
         """The readings and editions under which the log is accepted."""
         with pool.engine() as engine, suppress(EngineError, TooLongError):
             replay = Replay("-", log.lines, Chosen(self.profile, self.letters))
-            tried = with_readings(report, engine, replay).readings or ()
+            tried = with_readings(report, engine, replay, time.monotonic() + _TRYING).readings or ()
             return [one for one in tried if one.verdict == "accepted" and one.kind != "cpu"]
         return []
 
