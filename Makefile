@@ -137,7 +137,7 @@ kept: setup  ## the kept data that are made by TLC and the soft PLC, anew: minut
 	$(MAKE) $(KIT)
 	$(BIN)/s7spec kit reached --write
 
-site: setup  ## build/site: docs, specification and edge cases as static pages, with search, without network
+site: setup page  ## build/site: docs, specification, edge cases and explorer as static pages, with search, without network
 	$(BIN)/s7spec views site
 
 pictures: setup  ## docs/pictures, for the README; the explorer's needs Chromium

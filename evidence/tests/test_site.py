@@ -8,6 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from evidence.views.site.site_command import site_command
+from s7check.resources import PAGE
 
 _LINK = re.compile(r'(?:href|src)="([^"]*)"')
 _ANCHOR = re.compile(r'\bid="([^"]*)"')
@@ -33,6 +34,9 @@ def test_every_link_leads_to_a_page_and_its_anchor(site: Path) -> None:
                 continue
             to, _, anchor = unquote(link).partition("#")
             target = (path.parent / to).resolve() if to else path
+            if anchor.startswith("open=") and target.name == "explorer.html":
+                anchor = anchor.removeprefix("open=")
+                target = site / "gallery.html"
             if not target.is_file() or (anchor and target.suffix == ".html" and anchor not in anchors[target]):
                 wrong.append(f"{path.relative_to(site)}: {link}")
     assert wrong == []
@@ -51,6 +55,15 @@ def test_formulas_and_requirements_lead_to_each_other(site: Path) -> None:
     assert 'href="../../rules/requirements.html#AIRT-03"' in (site / "spec" / "rules" / "Airt.html").read_text()
     row = (site / "modules.html").read_text().partition('id="AIRT-03"')[2].partition("</tr>")[0]
     assert 'href="spec/rules/Airt.html#L' in row
+
+
+@pytest.mark.skipif(not PAGE.is_file(), reason="no page: run `make page`")
+def test_the_explorer_is_there(site: Path) -> None:
+    """Each page leads to it, each edge case to itself in it."""
+    assert (site / "explorer.html").read_bytes() == PAGE.read_bytes()
+    gallery = (site / "gallery.html").read_text()
+    assert gallery.count('<a href="explorer.html#open=') == gallery.count("<section ")
+    assert '<a href="../explorer.html">explorer</a>' in (site / "rules" / "requirements.html").read_text()
 
 
 def test_each_edge_case_is_drawn(site: Path) -> None:

@@ -267,6 +267,31 @@ def test_a_case_of_the_gallery_and_a_requirement(page: Page) -> None:
     expect(page.locator("#clause")).to_be_hidden()
 
 
+def test_the_question_by_which_explanations_differ(page: Page) -> None:
+    """SRT_DINT on an OB that waits: AMB-11 with its answers, above the explanations."""
+    header = HEADER | {"obs": [1, 20, 80, 85, 100]}
+    call = {"event": "SRT_DINT", "ob": 20, "sign": 0, "ret": 0}
+    lines = [
+        header,
+        call | {"at": AT, "dtime": 100},
+        {"event": "DIS_AIRT", "at": AT, "ret": 1},
+        call | {"at": "2026-03-02T08:00:31.200", "dtime": 500},
+    ]
+    paste(page, "\n".join(map(json.dumps, lines)))
+    expect(page.locator("#situation li")).to_contain_text(re.compile(r"AMB-11.*\(b\).*: explanation \d"))
+    assert page.locator("#situation li").count() == 1
+
+
+def test_an_address_opens_an_edge_case(page: Page) -> None:
+    """As the site links it; a name that is none is told."""
+    page.goto("about:blank")
+    page.goto(f"{PAGE.as_uri()}#open=clock-onto-a-point")
+    expect(page.locator("#where")).to_contain_text("clock-onto-a-point: after line")
+    page.goto("about:blank")
+    page.goto(f"{PAGE.as_uri()}#open=none")
+    expect(page.locator("#problem")).to_contain_text("names no edge case")
+
+
 @pytest.mark.parametrize("width", [360, 1600])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_is_wider_than_the_window(browser: Browser, width: int, scheme: str) -> None:

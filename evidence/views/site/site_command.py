@@ -27,7 +27,7 @@ from s7check.judging.replay import Replay, with_steps
 from s7check.report.clauses import all_clauses
 from s7check.report.markup import as_text
 from s7check.report.timeline import legend, timeline
-from s7check.resources import modules
+from s7check.resources import PAGE, modules
 
 _MENU = {
     "index.html": "documentation",
@@ -36,6 +36,8 @@ _MENU = {
     "rules/readings.html": "readings",
     "modules.html": "specification",
 }
+_EXPLORER = "explorer.html"
+"""The page of `make page`, if it was built."""
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
@@ -47,7 +49,10 @@ _MENU = {
     help="The folder; its old content is removed.",
 )
 def site_command(output: Path) -> int:
-    """Write the pages. They load nothing from elsewhere and work from the file system."""
+    """Write the pages, with the explorer if `make page` has built it.
+
+    They load nothing from elsewhere and work from the file system.
+    """
     with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
         made = {ROOT / place: text for place, text in views().items()}
         pages = dict(_pages(made))
@@ -108,10 +113,11 @@ def _gallery() -> Document:
             report = check_log(str(log), engine, lambda *_: None)
             picture = timeline(with_steps(report, engine, Replay(str(log), [])))
             drawn = "" if picture is None else as_text(picture.labels) + as_text(picture.lanes)
+            run = f', <a href="{_EXPLORER}#open={case.name}">run this</a>' if PAGE.is_file() else ""
             ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case.requirements)
             parts.append(
                 f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
-                f'<div class="scroll">{drawn}</div><p>{ids}; <a href="{page_of(log)}">log</a></p></section>'
+                f'<div class="scroll">{drawn}</div><p>{ids}; <a href="{page_of(log)}">log</a>{run}</p></section>'
             )
             sections.append(Section(f"gallery.html#{case.name}", case.title, case.told))
             logs.add(log)
@@ -120,7 +126,8 @@ def _gallery() -> Document:
 
 def _whole(place: str, page: Document) -> str:
     root = relative("index.html", place).removesuffix("index.html")
-    menu = "".join(f'<a href="{root}{to}">{name}</a>' for to, name in _MENU.items())
+    places = _MENU | ({_EXPLORER: "explorer"} if PAGE.is_file() else {})
+    menu = "".join(f'<a href="{root}{to}">{name}</a>' for to, name in places.items())
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -138,5 +145,7 @@ def _write_extras(output: Path, sections: list[Section]) -> None:
     index = msgspec.json.encode([[one.place, one.title, one.text] for one in sections]).decode()
     (output / "index.js").write_text(f"const INDEX = {index};\n", encoding="utf-8")
     (output / "report.css").write_bytes((files("s7check.report") / "report.css").read_bytes())
+    if PAGE.is_file():
+        shutil.copy(PAGE, output / _EXPLORER)
     for name in ("site.css", "search.js"):
         (output / name).write_bytes((files(__package__) / name).read_bytes())

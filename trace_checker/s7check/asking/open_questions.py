@@ -1,23 +1,18 @@
 """The open questions by which the explanations of a log differ."""
 
-from dataclasses import dataclass
+import json
 
 import msgspec
 
 from s7check.asking.session import Session
+from s7check.engine.answer import Unusable
 from s7check.engine.client import Engine
+from s7check.engine.command import EngineError
 from s7check.log.errors import ranges
 from s7check.report.clauses import clause
 
-_MOST = 64
-"""Situations that are compared."""
 
-_LONGEST = 200
-"""Lines of a log that is followed under each letter."""
-
-
-@dataclass(frozen=True)
-class OpenQuestion:
+class OpenQuestion(msgspec.Struct, frozen=True):
     """A question that the sources leave open, and the numbers of the explanations that each of its letters leaves."""
 
     name: str
@@ -34,43 +29,23 @@ class OpenQuestion:
         return f"{self.name} {found.text} {'; '.join(answers)}"
 
 
+class _Reply(msgspec.Struct, frozen=True):
+    questions: list[OpenQuestion] = []
+    error: str = ""
+    unusable: Unusable | None = None
+
+
 def open_questions(engine: Engine, session: Session) -> list[OpenQuestion]:
     """The questions of which a letter leaves some of the explanations of the session's log, and another letter others.
 
-    The specification answers: the log is followed under each letter of each question that it has met. Raises
-    EngineError. None of a long log.
+    Raises EngineError. None of a log of more than 200 lines.
     """
-    ours = _situations(session)
-    if len(ours) < 2 or len(session.lines) > _LONGEST:
+    if len(session.situations(most=2)) < 2:
         return []
-    asked = _asked(engine, session)
-    named = session.header.get("readings", {})
-    found = []
-    for name, letters in engine.alternatives().letters:
-        if name in named or (asked is not None and name not in asked):
-            continue
-        left = {letter: _under(session, name, letter) for letter in letters}
-        parts = {letter: some for letter, some in left.items() if some and some < set(ours)}
-        if set().union(*parts.values()) == set(ours) and len({frozenset(some) for some in parts.values()}) > 1:
-            numbers = {letter: sorted(ours.index(one) + 1 for one in some) for letter, some in parts.items()}
-            found.append(OpenQuestion(name, numbers))
-    return found
-
-
-def _situations(session: Session) -> list[bytes]:
-    return [msgspec.json.encode(one) for one in session.situations(most=_MOST)]
-
-
-def _under(session: Session, name: str, letter: str) -> set[bytes]:
-    """The situations under a letter; none if the log is not possible then."""
-    other, refusal = session.under({"readings": {**session.header.get("readings", {}), name: letter}})
-    try:
-        return set() if refusal is not None else set(_situations(other))
-    finally:
-        other.close()
-
-
-def _asked(engine: Engine, session: Session) -> list[str] | None:
-    engine.begin()
-    engine.send(b"".join(msgspec.json.encode(line) + b"\n" for line in (session.header, *session.lines)))
-    return engine.finish().asked
+    lines = [json.dumps(line) for line in session.lines]
+    reply = engine.ask({"message": "questions", "header": json.dumps(session.header), "lines": lines}, _Reply)
+    if reply.unusable is not None:
+        raise reply.unusable.error()
+    if reply.error:
+        raise EngineError(reply.error)
+    return reply.questions

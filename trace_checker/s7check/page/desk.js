@@ -70,6 +70,11 @@ export class Desk {
     return (await this.#engine.ask({ message: "states", session, after, to })).states;
   }
 
+  /** The open questions by which the explanations of the first lines differ: {name, explanations} by letters. */
+  async questions({ header, lines }, after) {
+    return (await this.#engine.ask({ message: "questions", header, lines: lines.slice(0, after) })).questions;
+  }
+
   /** Ends the sessions that have none of these names. */
   async keep(names) {
     for (const session of this.#sent.keys()) {

@@ -111,6 +111,7 @@ export async function refresh(when = null) {
   await showLink();
   await desk.keep([...model.document.branches.map(sessionOf), ...sides.map((side) => JSON.stringify(side.chosen))]);
   await showOthers(number);
+  await showQuestions(number);
 }
 
 /** The address holds the whole behaviour, unless that is too long for one. */
@@ -171,6 +172,21 @@ function showSituation() {
     ),
   ]);
   $("situation").replaceChildren(...tables.flat().filter(Boolean));
+}
+
+/** Says by which open questions the explanations differ, above them. */
+async function showQuestions(number) {
+  if (view.look.situations.length < 2) return;
+  const found = await desk.questions(model.branch, view.after);
+  if (number !== asked || !found.length) return;
+  const items = found.map(({ name, explanations }) => {
+    const { text, letters } = clauses.get(name);
+    const said = Object.entries(explanations).map(
+      ([letter, numbers]) => ` (${letter}) ${letters[letter]}: explanation ${numbers.join(", ")};`,
+    );
+    return h("li", {}, requirement(name), ` ${text}`, ...said);
+  });
+  $("situation").prepend(h("p", {}, "The explanations differ by what the sources leave open:"), h("ul", {}, ...items));
 }
 
 export const fields = (line) =>
@@ -238,6 +254,8 @@ function closed(name, kind, message) {
 
 const openFile = safely(async (file) => open(file.name, new Uint8Array(await file.arrayBuffer())));
 
+const openCase = (one) => open(one.name, new TextEncoder().encode(one.log));
+
 function showGallery() {
   const wanted = $("find").value.toLowerCase().split(/\s+/).filter(Boolean);
   const found = contents.gallery.filter((one) => {
@@ -248,7 +266,7 @@ function showGallery() {
     h(
       "li",
       {},
-      button(one.title, () => open(one.name, new TextEncoder().encode(one.log)), { className: "choice" }),
+      button(one.title, () => openCase(one), { className: "choice" }),
       h("p", {}, one.told, requirements(one.requirements)),
     ),
   );
@@ -406,7 +424,12 @@ async function main() {
       Uint8Array.from(atob(log), (letter) => letter.charCodeAt(0)),
       begin,
     );
-  if (location.hash.length > 1) {
+  const named = location.hash.match(/^#open=(.*)$/);
+  if (named) {
+    const one = contents.gallery.find(({ name }) => name === decodeURIComponent(named[1]));
+    if (!one) throw new Error("The address names no edge case of this page: choose one below.");
+    await openCase(one);
+  } else if (location.hash.length > 1) {
     const { sides: kept, ...document } = await fromLink(location.hash.slice(1));
     sides = kept ?? [];
     model = new Model(document);

@@ -19,6 +19,8 @@ import s7.log.Unusable;
  *       one of that name; {@code close} ends it.
  *   <li>{@code texts} with {@code sentences}, an array for each requirement, and {@code events}, the texts of event IDs:
  *       refusals in words then have {@code why} ({@link WhyNot}).
+ *   <li>{@code questions} with {@code header} and {@code lines}: by which open questions the explanations of that log
+ *       differ ({@link OpenQuestions}).
  *   <li>{@code branch} with {@code to}, the name of a session that begins with the same lines.
  *   <li>{@code feed} with {@code line} adds a line: the answer has {@code refusal} if it is not possible. {@code judge}
  *       tells the same and adds nothing.
@@ -74,6 +76,10 @@ final class Sessions {
       why.texts(json);
       return;
     }
+    if ("questions".equals(message)) {
+      answer.put("questions", questions(json));
+      return;
+    }
     if ("open".equals(message)) {
       Fields header = spec.format().header(text(json, "header"), Engine.file(json));
       Fields chosen = json.has("chosen") ? spec.format().chosen(header, json.object("chosen")) : header;
@@ -106,6 +112,13 @@ final class Sessions {
       case "possible" -> answer.put("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
+  }
+
+  private List<Fields> questions(Fields json) {
+    Fields header = spec.format().header(text(json, "header"), Engine.file(json));
+    Fields given = Fields.of(text(json, "header"));
+    Fields named = given.has("readings") ? given.object("readings") : new Fields();
+    return new OpenQuestions(spec, header, texts(json, "lines")).differing(named);
   }
 
   /** The session as it was after so many lines. */
