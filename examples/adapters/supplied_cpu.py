@@ -133,7 +133,8 @@ class SuppliedCpu(ToyCpu):
         if ob in self.blocked:
             self.used_up(ob)
         elif ob in self.frames:
-            self.request(80, flt_id=OVERLAP)
+            cause = f"16#{0x1111 + ob - 10 if ob in TODS else 0x1121 + ob - 20:04X}"
+            self.request(80, flt_id=OVERLAP, error_info=info.get("period", info.get("sign")), ev=cause, ev_ob=ob)
             if self.mode != "STOP":
                 self.put_once(ob, info)
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import click
@@ -15,7 +16,7 @@ from s7check.kit.choosing import Aim, budget_of, covering
 from s7check.kit.choosing import shard as part_of
 from s7check.kit.clusters import changes, is_known
 from s7check.kit.collection import UnreadableProgramError, chosen, programs_of
-from s7check.kit.hardware import fitted
+from s7check.kit.hardware import fitted, lacks
 from s7check.kit.identity import this_run
 from s7check.kit.layout import to_text
 from s7check.kit.matrix import to_matrix
@@ -259,16 +260,17 @@ def run_command(
     \b
     Exit codes: 0 no program failed, 1 one did, 2 wrong arguments, 3 a log could not be judged.
     """
-    programs = _chosen(files, only, requirements)
+    if (cpu_address is None) != bool(command):
+        raise click.UsageError("expected either COMMAND, behind --, or --cpu-address")
+    on_cpu = _on_cpu(offer[0], consent) if cpu_address is not None else list
+    programs = on_cpu(_chosen(files, only, requirements))
     if cover is not None:
-        programs = covering(programs, cover, budget)
+        runs = [one for one in programs if not offer[0].lacks(offer[0].fitted(one))]
+        programs = covering([one for one in runs if cpu_address is None or not lacks(one)], cover, budget)
     elif budget is not None:
         raise click.UsageError("--budget: expected --cover beside it")
     programs = part_of(programs, *shard)
-    if (cpu_address is None) != bool(command):
-        raise click.UsageError("expected either COMMAND, behind --, or --cpu-address")
     if cpu_address is not None:
-        programs = _on_cpu(programs, offer[0], consent)
         command, jobs = (sys.executable, "-m", "s7check.live.lane", cpu_address, str(port), str(latency)), 1
     run = this_run(programs, implementation, command, offer[1], profile, letters)
     runner = Runner(
@@ -306,14 +308,14 @@ def run_command(
     return _exit_code([result for result in results if not is_known(baseline, result)])
 
 
-def _on_cpu(programs: list[Program], offer: Offer, consent: bool) -> list[Program]:
-    """The programs with the OBs of a real CPU."""
+def _on_cpu(offer: Offer, consent: bool) -> Callable[[Iterable[Program]], list[Program]]:
+    """Puts programs on a real CPU, with its OBs."""
     if not consent:
         raise click.UsageError("--cpu-address stops the CPU and sets its clock: expected --stop-cpu-and-set-clock, too")
-    families = list(offer.cpu or ())
-    if offer.obs is None or len(families) != 1:
+    families, obs = list(offer.cpu or ()), offer.obs
+    if obs is None or len(families) != 1:
         raise click.UsageError("--cpu-address: expected --offer FILE with cpu, one family, and obs, the OBs in the CPU")
-    return [fitted(program, families[0], offer.obs) for program in programs]
+    return lambda programs: [fitted(program, families[0], obs) for program in programs]
 
 
 @kit_command.command("matrix", short_help="Put the results of several implementations side by side.")

@@ -49,10 +49,12 @@ class Kit:
     ) -> None:
         offered = Offer() if offer is None else read_offer(Path(offer))
         few = chosen(programs_of([Path(file) for file in programs]), only, requirements)
-        few = few if cover is None else covering(few, cover, None)
+        few = [offered.fitted(program) for program in few]
+        if cover is not None:
+            few = covering([program for program in few if not offered.lacks(program)], cover, None)
         if not few:
             raise ValueError("expected a choice of programs; no program fits it (see `s7check kit list`)")
-        self._programs = {program.name: offered.fitted(program) for program in few}
+        self._programs = {program.name: program for program in few}
         self._runner = Runner(command, offer=offered, profile=profile, letters=letters)
         self._adapter = Adapter(command, timeout)
         atexit.register(self._adapter.__exit__, None, None, None)

@@ -64,7 +64,9 @@ class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
         number = int(info.get("flt_id", STARTS.get(ob, 0)))
         words = [str(info.get(name, "16#0")) for name in ("period", "sign", "error_info")]
         info_1 = sum(int(word.replace("16#", "0x"), 16) for word in words)
-        head = struct.pack(">BBBBBBHI", 0x11, number, self.cpu.level(ob), ob, 0, 0, info_1, info.get("dtime", 0))
+        cause = int(str(info.get("ev", "16#0")).replace("16#", "0x"), 16) << 16 | info.get("ev_ob", 0)
+        info_2 = info.get("dtime", 0) + cause
+        head = struct.pack(">BBBBBBHI", 0x11, number, self.cpu.level(ob), ob, 0, 0, info_1, info_2)
         return head + bcd(info.get("time", self.plc.at))
 
     def execute(self, ob: int) -> None:
