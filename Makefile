@@ -37,7 +37,7 @@ test-checker: setup $(AWLSIM)
 	$(BIN)/python -m pytest -q -n logical --dist loadfile trace_checker/tests
 
 test-evidence: setup
-	$(BIN)/python -m pytest -q evidence/tests
+	$(BIN)/python -m pytest -q -n logical --dist loadfile evidence/tests
 
 test-engine: setup
 	cd trace_checker/engine && mvn -q -B test

@@ -86,7 +86,7 @@ def graph(model: Model, tools: tlc.Toolchain, processes: Processes) -> Graph:
     with tlc.workspace(library, model.module.stem, text, _VIEW.sub("", model.config)) as space:
         dump = space.directory / "graph.dot"
         options = tlc.Options(1, model.deadlock, _HEAP, _LONGEST, args=("-dump", "dot", str(dump)))
-        run = tlc.run(tools, space, options, processes)
+        run = tlc.run(tools, space.as_one_module(), options, processes)
         if run.outcome.kind != "passed" or not dump.exists():
             raise NoGraphError(f"{model.name}: {run.outcome.kind}: {run.outcome.detail}")
         with dump.open(encoding="utf-8") as file:

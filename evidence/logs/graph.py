@@ -98,7 +98,7 @@ def exported(world: World, tools: tlc.Toolchain, processes: Processes, timeout: 
     with tlc.workspace(library, MODULE, _module(world), _configuration(world)) as space:
         dot = space.directory / "graph.dot"
         options = tlc.Options(1, False, _HEAP, timeout, args=("-dump", "dot", str(dot)))
-        run = tlc.run(tools, space, options, processes)
+        run = tlc.run(tools, space.as_one_module(), options, processes)
         if run.outcome.kind != "passed":
             said = run.outcome.errors[0] if run.outcome.errors else run.outcome.detail
             raise NotExportedError(f"{world.model}: no graph: {run.outcome.kind}: {said}")

@@ -138,15 +138,18 @@ def load(path: Path) -> Manifest:
             raise ManifestError(f"{entry.place}: the name {entry.name!r} stands there more than once, see {first}")
     bases = {e.name: e for e in listed.entries if isinstance(e.base, UnsetType)}
     models = [_resolve(path.parent, spec, _through(entry, entries), bases) for entry in listed.entries]
-    return Manifest(path, spec, tuple(_in_lanes(models)), tuple(_unlisted(path, listed)))
+    return Manifest(path, spec, tuple(_in_lanes(listed.entries, models)), tuple(_unlisted(path, listed)))
 
 
-def _in_lanes(models: list[Model]) -> Iterator[Model]:
-    """The models, with the lane of each control: its model's for the first that a property fails, else the full one."""
+def _in_lanes(entries: list[Entry], models: list[Model]) -> Iterator[Model]:
+    """The models, with the lane of each control that says none: its model's if it is the first by which a property
+    fails, else the full one.
+    """
     seen: set[tuple[int, str]] = set()
-    for model in models:
+    for entry, model in zip(entries, models, strict=True):
         fails = (model.expect.exit, model.expect.property or model.name)
-        yield replace(model, lane="full") if model.kind == "negative" and fails in seen else model
+        again = model.kind == "negative" and entry.lane is UNSET and fails in seen
+        yield replace(model, lane="full") if again else model
         if model.kind == "negative":
             seen.add(fails)
 

@@ -195,7 +195,7 @@ def test_a_difference_is_found(tools: tlc.Toolchain, generator: Generator, tmp_p
     (spec / "rules" / "Airt.tla").write_text(text.replace("ELSE count - 1}", "ELSE count + 1}"))
     kept = tmp_path / "kept"
     results = tmp_path / "results.json"
-    arguments = ["--logs", "8", "--seed", "7", "--spec", str(spec), "--keep", str(kept), "--json", str(results)]
+    arguments = ["--logs", "20", "--seed", "7", "--spec", str(spec), "--keep", str(kept), "--json", str(results)]
     code, output = run(*arguments)
     assert code == 1, output
     differ = [one for one in json.loads(results.read_text())["verdicts"] if one["engine"] != one["tlc"]]

@@ -72,7 +72,7 @@ def test_a_kind_left_out_makes_no_log_worse(judge: Callable[[Path], Report], tmp
     """Accepted logs without the lines of some kinds are accepted, too (fine point 9)."""
     complete = [case for case in CASES if case.verdict == "accepted" and b'"records"' not in case.log]
     wrong, tried = [], set()
-    for number, case in enumerate(complete[::2]):
+    for number, case in enumerate(complete[::6]):
         kinds = LEFT_OUT[number % len(LEFT_OUT)]
         header, *events = objects(case)
         kept = [event for event in events if OF_KIND.get(event["event"], "call") not in kinds]

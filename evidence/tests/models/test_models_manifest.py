@@ -127,6 +127,17 @@ def test_either_exit_for_properties_only(manifest: Path) -> None:
     assert kinds["neg-overshoot"] == {"invariant"}
 
 
+def test_another_control_of_a_property_is_in_the_full_lane(manifest: Path) -> None:
+    """The first is in the lane of its model, and one that names a lane is there."""
+
+    def lane(name: str) -> str:
+        return next(m.lane for m in load(manifest).models if m.name == name)
+
+    assert (lane("neg-overshoot"), lane("neg-definition")) == ("smoke", "smoke")
+    change(manifest, "lane smoke\n", "")
+    assert (lane("neg-overshoot"), lane("neg-definition")) == ("smoke", "full")
+
+
 def test_names_may_be_globs(manifest: Path) -> None:
     """A glob picks all models of that form in the manifest's order, whatever their lane."""
     loaded = load(manifest)

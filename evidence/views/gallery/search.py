@@ -32,7 +32,7 @@ class Search:
         library = (*module_folders(ROOT / "spec"), ROOT / "models")
         config = configuration(case, (ROOT / "models" / "MCGallery.cfg").read_text())
         with tlc.workspace(library, MODULE, module(case), config) as space:
-            run = tlc.run(self.tools, space, tlc.Options(1, False, _HEAP, self.timeout), self.processes)
+            run = tlc.run(self.tools, space.as_one_module(), tlc.Options(1, False, _HEAP, self.timeout), self.processes)
         outcome = run.outcome
         if outcome.kind != "invariant" or not outcome.trace:
             said = outcome.errors[0] if outcome.errors else outcome.detail
