@@ -179,7 +179,8 @@ CauseHolds(cause) ==
 \* @type: $event => Bool;
 IsStop(e) ==
     /\ e.cause \in CausesOfRules => CauseHolds(e.cause)
-    /\ IF mode = "STOP" THEN UNCHANGED cpuVars /\ NothingEntered ELSE Stop
+    /\ IF mode = "STOP" THEN UNCHANGED cpuVars /\ NothingEntered
+       ELSE Stop \/ (ExceededTwice /\ StopForCycleTime)
 
 -----------------------------------------------------------------------------
 (* Lines that show the state of an OB *)

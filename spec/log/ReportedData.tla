@@ -233,6 +233,15 @@ EntryOfCycleTime == [id |-> NoTimeErrorOb, of |-> NoRequest, open |-> TRUE]
 EntriesOfCycleTime ==
     IF ~ExceededTwice /\ ExceededTwice' THEN {EntryOfCycleTime} ELSE {}
 
+(* [OBS-08] OB 85 does not wait for an error that its buffer has no room   *)
+(* for; the error may have an entry of its own.                            *)
+EntriesOfOverflow ==
+    IF \A n \in entered' : \/ n.id # ErrorEntry + BufferOverflow
+                           \/ n.of.cause # ProgramErrorOb
+    THEN {}
+    ELSE {[ id |-> ErrorEntry + \hA3, open |-> TRUE,
+            of |-> ExternalRequest(ProgramErrorOb, \hA3) ]}
+
 (* [AMB-49] The entry of a STOP that waits for the end of a delay comes    *)
 (* with the STOP; not at all if the CPU is stopped before. [OBS-26] So     *)
 (* does the entry of a STOP by the cycle time.                             *)
@@ -252,7 +261,8 @@ Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
 (* ago. Entries that an unseen event may have caused are not kept.         *)
 \* @type: Int => Bool;
 Report(age) ==
-    LET shown == { m \in entered' \cup EntriesOfCycleTime :
+    LET shown == { m \in entered' \cup EntriesOfCycleTime
+                                 \cup EntriesOfOverflow :
                      m.id \in JudgedEntries /\ ~CauseUnseen(m.id) }
         new == { AsReported(n) : n \in shown }
         a   == IF DiagRecorded THEN age ELSE 0

@@ -187,14 +187,26 @@ Clears ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, clock, tod, irt>>
 
-(* [OBS-41] [OBS-47] The CPU may be stopped at any time.                   *)
-Stop ==
+\* @type: $resume => Bool;
+StopLeaves(kept) ==
     /\ mode # "STOP"
     /\ mode'      = "STOP"
     /\ startup'   = "none"
     /\ stack'     = <<>>
-    /\ resume'    = KeptByStop
+    /\ resume'    = kept
     /\ Clears
+
+(* [OBS-41] [OBS-47] The CPU may be stopped at any time.                   *)
+Stop == StopLeaves(KeptByStop)
+
+(* [OBS-26] STOP in the place of OB 80, which no longer waits for the      *)
+(* latest excess of the cycle time.                                        *)
+StopForCycleTime ==
+    \E r \in requests :
+      /\ r.ob = TimeErrorOb /\ r.fault = CycleTimeExceeded
+      /\ \A q \in requests :
+           q.ob = r.ob /\ q.fault = r.fault => q.rank <= r.rank
+      /\ StopLeaves([KeptByStop EXCEPT !.requests = Remove(@, r)])
 
 (* [OBS-52] Diagnostic interrupts are discarded; [AMB-26] (b) and so are   *)
 (* interrupts that a program sets.                                         *)

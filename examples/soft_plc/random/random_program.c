@@ -321,6 +321,14 @@ static void draw_block(struct random_program *r, const struct s7cpu *cpu, struct
     a->kind = s7cpu_is_loaded(cpu, a->ob) ? ACTION_DELETE : ACTION_LOAD;
 }
 
+/* warm: percent of the restarts that are not hot. */
+static enum action_kind draw_restart(struct random_program *r, int warm)
+{
+    if (r->hot && percent(r, 40))
+        return ACTION_RESTART_HOT;
+    return percent(r, warm) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+}
+
 static bool take_action(struct program *p, const struct s7cpu *cpu, struct action *action)
 {
     struct random_program *r = (struct random_program *)p;
@@ -336,7 +344,7 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
         action->kind = ACTION_SET_CLOCK;
         draw_clock_change(r, s7cpu_clock(cpu), &action->ms);
     } else if (s7cpu_mode(cpu) == S7CPU_STOP) {
-        action->kind = percent(r, 80) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+        action->kind = draw_restart(r, 80);
     } else if (s7cpu_mode(cpu) == S7CPU_HOLD) {
         action->kind = ACTION_RELEASE;
     } else if (n < 10) {
@@ -352,7 +360,7 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
         action->kind = ACTION_HOLD; /* long enough for start points to pass */
         r->next_action = s7cpu_up(cpu) + between(r, 1000, 200000);
     } else {
-        action->kind = percent(r, 50) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
+        action->kind = draw_restart(r, 50);
     }
     return true;
 }
@@ -409,4 +417,6 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
                                        .active = true,
                                        .start = c->clock - c->clock % S7CPU_HOUR};
     c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
+    r->hot = c->family == S7CPU_S7_400; /* [OBS-57] */
+    c->loaded[101] = r->hot && percent(r, 75);
 }

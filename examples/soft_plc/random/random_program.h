@@ -10,6 +10,7 @@ struct random_program {
     int64_t next_action;
     int last_set;    /* OB_NR of the last SFC 28 */
     bool activates;  /* SFC 30 for it is next */
+    bool hot;        /* the CPU has hot restarts */
     bool states;     /* SZL 16#0222 is read now and then; false: never */
 };
 

@@ -26,6 +26,8 @@ void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink
             s7_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
         else if (cpu->loaded[100])
             s7_enter(cpu, 100);
+    } else {
+        s7_tod_restart(cpu); /* a hot restart finds the settings of STEP 7 */
     }
 }
 
