@@ -1,6 +1,8 @@
 package s7.log;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** How the header and the events of a log are read, and programs of the kit, whose steps are like events. */
 public final class Format {
@@ -41,6 +43,11 @@ public final class Format {
     Fields event = events.read(line, clocks.cpu);
     clocks.stamp(event);
     return event;
+  }
+
+  /** The calls that have operands. */
+  public Set<String> callsWithOperands() {
+    return events.calls().stream().filter(name -> events.required(name).size() > 1).collect(Collectors.toSet());
   }
 
   /** A program of the kit, with one spelling for each value. */

@@ -30,17 +30,18 @@ final class Look {
   private final Fields answer = new Fields();
 
   /**
+   * @param withOperands calls of which one line is enough
    * @param at the CPU clock at the next line, as a log spells it; null for the first time at which something may come
    */
-  Look(Session session, WhyNot why, String at) {
+  Look(Session session, WhyNot why, Set<String> withOperands, String at) {
     this.session = session;
     this.why = why;
     Collection<Fields> situations = session.situations(MOST_SITUATIONS);
-    Fields ahead = session.possible(question(null, Set.of(), Set.of()));
+    Fields ahead = session.possible(new Session.Question(List.of(), null, SHARE, Set.of(), Set.of()));
     var times = objects(ahead.list("times"));
     String chosen = at == null ? Spelled.moment(times.get(0).get("at")) : at;
     when = text(new Fields().put("event", "hold").put("at", chosen));
-    Fields possible = session.possible(question(when, Set.of(), withOperands(ahead)));
+    Fields possible = session.possible(new Session.Question(null, when, SHARE, Set.of(), withOperands));
     boolean whole = Boolean.TRUE.equals(possible.get("whole"));
     answer
         .put("clock", session.clock())
@@ -66,28 +67,12 @@ final class Look {
             new Session.Question(lines == null ? null : session.timeless(lines), when, SHARE, only, Set.of())));
   }
 
-  private static Session.Question question(byte[] when, Set<String> only, Set<String> few) {
-    return new Session.Question(null, when, SHARE, only, few);
-  }
-
   private static byte[] text(Fields line) {
     return line.toString().getBytes(StandardCharsets.UTF_8);
   }
 
   private static List<Fields> objects(Collection<?> list) {
     return list.stream().map(Fields.class::cast).toList();
-  }
-
-  /** Calls with operands: one line of each is enough, the others are asked for. */
-  private static Set<String> withOperands(Fields possible) {
-    var names = new HashSet<String>();
-    for (Fields line : objects(possible.list("lines"))) {
-      String name = line.object("event").text("event");
-      if (Spelled.isCall(name) && !name.endsWith("_AIRT")) {
-        names.add(name);
-      }
-    }
-    return names;
   }
 
   private static Fields time(Fields time) {

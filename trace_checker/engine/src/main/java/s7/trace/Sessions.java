@@ -102,7 +102,7 @@ final class Sessions {
         answer.put(CLOCK, session.clock());
       }
       case "add" -> add(answer, session, json);
-      case "look" -> answer.put("look", new Look(until(session, json), why, json.text("at")).answer());
+      case "look" -> answer.put("look", new Look(until(session, json), why, withOperands(), json.text("at")).answer());
       case "lines" -> answer.put("lines", lines(until(session, json), json));
       case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)), text(json, LINE));
       case "states" -> answer.put("states", session.states(json.number(AFTER), json.number("to")));
@@ -112,6 +112,11 @@ final class Sessions {
       case "possible" -> answer.put("possible", possible(session, json));
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     }
+  }
+
+  /** Calls of which one line is enough: the others are asked for. */
+  private Set<String> withOperands() {
+    return spec.format().callsWithOperands();
   }
 
   private List<Fields> questions(Fields json) {
