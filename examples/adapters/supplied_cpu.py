@@ -224,7 +224,8 @@ class SuppliedCpu(ToyCpu):
             elif to < before and self.family == "S7-300" and tod.period != ONCE:
                 tod.arm(to)
         if late and self.mode == "RUN":
-            self.request(80, flt_id=SKIPPED, error_info=f"16#{late:04X}")
+            after = to.isoformat(timespec="milliseconds")
+            self.request(80, flt_id=SKIPPED, error_info=f"16#{late:04X}", time=after)  # [CLK-06]
         for ob, info in skipped if self.mode != "STOP" else []:
             self.put_once(ob, info)
 

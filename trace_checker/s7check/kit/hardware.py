@@ -8,8 +8,9 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from s7check.kit.program import Program, bodies_of
+from s7check.kit.program import Program, bodies_of, outside_events
 from s7check.kit.scl import SFC, NotForCpuError
+from s7check.log.values import instant, iso
 
 LOADED, RUNS, DONE = 1, 2, 3
 """What DB 110 says of the program."""
@@ -23,7 +24,14 @@ MOST = 498
 _HEADER = struct.Struct(">HhhhhhI8sII")
 _STEP = struct.Struct(">BBhHH8s")
 _MAGIC, _LAYOUT = 0x5331, 1
-_WAIT, _SET_CLK, _BODY, _END = 1, 2, 254, 255
+_EVENT_STEP = struct.Struct(">BBhI8s")
+_WAIT, _SET_CLK, _EVENT, _BODY, _END = 1, 2, 253, 254, 255
+_KINDS = {"clock": 2, "interrupt": 40, "stop": 46}
+"""Events from outside that the interpreter brings about itself: SFC 0, an edge at an output, SFC 46."""
+
+_WIRED = 40
+"""The OB of the interrupt input to which the output is wired."""
+
 _NOTHING = bytes(8)
 _LONGEST = (1 << 31) - 1
 
@@ -43,9 +51,13 @@ def lacks(program: Program) -> str:
             return f"no {field} in the header"
     if header.get("mode", "STOP") != "RUN":
         return f"no beginning in {header.get('mode', 'STOP')}"
-    if program.outside:
-        return f"no {program.outside[0]['event']} from outside"
-    if missing := {body.ob for body in program.bodies} - set(header["obs"]):
+    for place, event in enumerate(program.outside):
+        if event["event"] not in _KINDS or (program.outside[:place] and program.outside[place - 1]["event"] == "stop"):
+            return f"no {event['event']} from outside"
+        if event.get("ob", _WIRED) != _WIRED or "flt_id" in event:
+            return f"no interrupt of OB {event['ob']} from outside"
+    needed = {body.ob for body in program.bodies} | {event["ob"] for event in program.outside if "ob" in event}
+    if missing := needed - set(header["obs"]):
         return f"no OB {min(missing)}"
     try:
         encoded(program)
@@ -56,13 +68,27 @@ def lacks(program: Program) -> str:
 
 def encoded(program: Program) -> bytes:
     """The bytes of DB 110. Raises NotForCpuError."""
-    steps = list(_steps(program))
+    steps = [*_events(program), *_steps(program)]
     if program.duration > _LONGEST:
         raise NotForCpuError("a duration above 2^31 ms")
     if len(steps) > MOST:
         raise NotForCpuError(f"{len(steps)} steps, more than {MOST}")
     clock = _bcd(program.plain["header"]["clock"])
-    return _HEADER.pack(_MAGIC, _LAYOUT, MOST, 0, LOADED, 0, 0, clock, program.duration, 0) + b"".join(steps)
+    return _HEADER.pack(_MAGIC, _LAYOUT, MOST, 0, LOADED, 0, 0, clock, program.duration, _HEADER.size) + b"".join(steps)
+
+
+def _events(program: Program) -> Iterator[bytes]:
+    """The events from outside, in the order of their times."""
+    moved = instant(program.plain["header"]["clock"])
+    own = any(step.get("event") == "clock" for body in program.bodies for step in body.steps)
+    for after, event in outside_events(replace(program, outside=tuple(program.plain["outside"]))):
+        date = _NOTHING
+        if event["event"] == "clock":
+            if "by" in event and own:
+                raise NotForCpuError("a clock moved by a duration beside steps that set it")
+            moved = instant(event["to"]) - after if "to" in event else moved + event["by"]
+            date = _bcd(iso(moved + after))
+        yield _EVENT_STEP.pack(_EVENT, _KINDS[event["event"]], event.get("ob", 0), after, date)
 
 
 def _steps(program: Program) -> Iterator[bytes]:

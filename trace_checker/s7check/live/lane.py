@@ -23,7 +23,10 @@ from s7check.live.tail import Cut, Event, Tail
 from s7check.log.calls import LOG_FORMAT
 from s7check.log.values import instant
 
-_RING, _PROGRAM = 101, 110
+_RING, _PROGRAM, _WORK = 101, 110, 111
+_RUNS = 32, 256
+"""Where DB 111 counts the runs of the OBs, and in how many bytes."""
+
 _POLL_S = 0.05
 _SLACK_S = 30.0
 """Seconds for the restart, and until the end is told."""
@@ -47,6 +50,7 @@ class Cpu(Connection):
             client.plc_stop()
             client.set_plc_datetime(clock)
             client.db_write(_PROGRAM, 0, bytearray(content))
+            client.db_write(_WORK, _RUNS[0], bytearray(_RUNS[1]))
 
     def restart(self) -> None:
         """A warm restart."""

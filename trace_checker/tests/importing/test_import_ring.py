@@ -254,7 +254,7 @@ def changed(at: int, content: bytes, source: bytes = GOOD) -> bytes:
         (dump(), "expected an entry; found none"),
         (changed(12, double(7)), "expected entry 7, the newest one; found none"),
         (changed(28, b"\x26\x13"), "entry 1: expected a DATE_AND_TIME in BCD; found 2613 2105 5901 0000"),
-        (changed(36, word(77)), "entry 1: expected the number of an SFC, 200 or 201 as its code; found 77"),
+        (changed(36, word(77)), "entry 1: expected the number of an SFC or 200 to 202 as its code; found 77"),
         (changed(38, b"\x23", dump(entry(30, 1))), "expected an entry of OB 1 or a startup OB to begin with; found"),
         (dump(entry(28, 1, stamp=b"\xff" * 8)), "entry 1: expected a DATE_AND_TIME in BCD; found FFFF FFFF"),
     ],

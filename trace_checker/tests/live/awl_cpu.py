@@ -32,7 +32,7 @@ from tests.live.plc import RUN, STARTUP, STOP, Foreign, Plc  # noqa: E402
 INTERPRETER = ROOT / "instrumentation" / "awl" / "kit.awl"
 PROGRAM = 110
 CYCLE_MS = 5
-STARTS = {**{10 + n: 0x11 + n for n in range(8)}, **{20 + n: 0x21 + n for n in range(4)}}
+STARTS = {40: 0x41, **{10 + n: 0x11 + n for n in range(8)}, **{20 + n: 0x21 + n for n in range(4)}}
 
 
 class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
@@ -48,6 +48,7 @@ class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
         self.awl = _loaded(source)
         header = {"cpu": family, "obs": obs, "clock": plc.at, "mode": "STOP"}
         Adapter.__init__(self, {"header": header, "bodies": [], "outside": [], "duration": 0})
+        self.awl.getCPU().setPeripheralWriteCallback(self.edge)
         data = self.awl.getCPU().getDB
         self.blocks = {number: data(number).structInstance.memory.getRawDataBytes() for number in (101, 110, 111)}
 
@@ -77,6 +78,16 @@ class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
         if ob == 1:
             self.cpu.cycle = self.now + CYCLE_MS
 
+    def edge(self, *_: Any) -> bool:
+        """The output is wired to the interrupt input of OB 40."""
+        self.cpu.outside({"event": "interrupt", "ob": 40})
+        return True
+
+    def halt(self) -> None:
+        """SFC 46."""
+        self.cpu.to_stop("16#457F")
+        self.happen()
+
     def set_clock_to(self, to: datetime) -> None:
         """SFC 0."""
         before = self.clock + timedelta(milliseconds=self.now)
@@ -85,7 +96,6 @@ class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
 
     def restart(self) -> None:
         """The program in DB 110 from a warm restart to its end."""
-        self.blocks[111][32:] = bytes(256)
         self.program["duration"] = self.now + struct.unpack_from(">I", self.blocks[PROGRAM], 24)[0] + 1000
         self.cpu.outside({"event": "restart", "type": "warm"})
         self.run()
@@ -189,6 +199,7 @@ def _install() -> None:
     _system_function(0, {"PDT": "DATE_AND_TIME"}, {"RET_VAL": "INT"}, set_clock)
     _system_function(1, {}, {"RET_VAL": "INT", "CDT": "DATE_AND_TIME"}, clock)
     _system_function(43, {}, {}, lambda _: current().busy(4))
+    _system_function(46, {}, {}, lambda _: current().halt())
     _system_function(64, {}, {"RET_VAL": "TIME"}, tick)
 
 

@@ -10,7 +10,7 @@ from s7check.importing.sources import bcd
 from s7check.importing.sources.ring_layout import RingEntry, RingHeader, read_header, read_slots
 from s7check.importing.sources.start_info import byte, duration, start_info, word
 
-_SET_CLK, _STATE, _OB_BEGINS, _OB_ENDS = 0, 51, 200, 201
+_SET_CLK, _STATE, _OB_BEGINS, _OB_ENDS, _INTERRUPT = 0, 51, 200, 201, 202
 
 _CALLS = {
     28: "SET_TINT",
@@ -136,6 +136,8 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
         yield {"event": "start", "ob": entry.ob_nr, "info": _info(entry)}
     elif entry.code == _OB_ENDS:
         yield {"event": "end", "ob": entry.ob_nr}
+    elif entry.code == _INTERRUPT:
+        yield {"event": "interrupt", "ob": entry.ob_nr}
     elif entry.code == _STATE:
         if entry.done and not entry.ret:
             yield {"event": "state", "ob": entry.ob_nr, **state_of(entry.ob_nr, entry.status, entry.info_2), **own}
@@ -147,7 +149,7 @@ def _events(entry: RingEntry, recording: Recording) -> Iterator[dict[str, Any]]:
         else:
             recording.skip("SET_CLK that did not set the clock")
     else:
-        raise SourceError(entry.place, "the number of an SFC, 200 or 201 as its code", str(entry.code))
+        raise SourceError(entry.place, "the number of an SFC or 200 to 202 as its code", str(entry.code))
 
 
 def _mode_before(entry: RingEntry) -> Iterator[dict[str, Any]]:
