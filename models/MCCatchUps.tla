@@ -14,6 +14,8 @@ MCMoments == { Moment(m, 0) : m \in 1..4 }
 MCPowerOnMoments == {Moment(0, 30000)}
 (* Runs that are deferred in STARTUP are of start events without an order. *)
 MCClockTargets == IF mode = "STARTUP" THEN {} ELSE {Moment(4, 0)}
+(* The clock is set back in HOLD: on an S7-300 points come again.          *)
+BackInHold == IF mode = "HOLD" THEN MCPowerOnMoments ELSE {}
 MCRestartTypes == {"warm"}
 \* @type: Bool;
 Holding == TRUE
@@ -39,4 +41,8 @@ OneWaits == /\ delay = 0
 Bounded == /\ delay = 0
            /\ Waiting(3)
            /\ mode = "STOP" => clock \in PowerOnMoments
+LastMoment == {Moment(4, 0)}
+NoStop == /\ delay = 0
+          /\ Waiting(3)
+          /\ mode = "STOP" => step.event = "power on"
 =============================================================================

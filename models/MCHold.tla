@@ -3,7 +3,7 @@
 (* HOLD and release, with points that pass meanwhile and the clock set in  *)
 (* HOLD (section 5.4).                                                     *)
 (***************************************************************************)
-EXTENDS MCBase
+EXTENDS MCBase, Inductive
 
 MCTodObs == {10}
 MCFamilies == {"S7-300"}

@@ -20,9 +20,11 @@ EXTENDS Properties
 StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0
                                /\ stopCause = NoCause /\ startup = "none"
 
-(* [OBS-42] [OBS-43] STARTUP and its OB belong together. *)
+(* [OBS-42] [OBS-43] STARTUP and its OB belong together. Behind the OB no  *)
+(* delay is on, so that no error of STARTUP waits when RUN begins.         *)
 StartingInv ==
     /\ (mode = "STARTUP") = (startup # "none")
+    /\ mode = "STARTUP" /\ stack = <<>> => delay = 0
     /\ \A i \in DOMAIN stack :
          IF mode = "STARTUP"
          THEN stack[i].ob \in StartupObs \cup AsyncErrorObs \cup SyncErrorObs
@@ -78,7 +80,9 @@ SettingDataInv ==
                                     /\ i.start \in 0..LastMinute
                                     /\ i.period \in Periods
       /\ tod[o].repeatTo >= -1
-      /\ tod[o].held => mode \in {"HOLD", "STOP"} /\ tod[o].active
+      /\ tod[o].held => /\ mode \in {"HOLD", "STOP"}
+                        /\ tod[o].active /\ tod[o].next # Never
+                        /\ ~Deselected(o)
 
 (* [CLK-09] [CLK-10] Only a CPU that does not serve a point again remembers. *)
 MemoryInv ==

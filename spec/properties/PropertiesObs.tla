@@ -184,7 +184,8 @@ ArrivalProp ==
              LET old    == { q \in requests' \ Fresh : q.class = r.class }
                  beside == { q \in old : q.rank = r.rank }
              IN  /\ \A q \in old : Single(q) => q.rank <= r.rank
-                 /\ beside # {} => \E q \in beside : q.since = r.since
+                 /\ (\E q \in beside : Single(q))
+                    => \E q \in beside : q.since = r.since
         /\ \A q, r \in requests :
              /\ q.class = r.class /\ q.rank < r.rank /\ ~q.open /\ ~r.open
              /\ Single(q) /\ Single(r)

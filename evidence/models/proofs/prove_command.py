@@ -22,6 +22,7 @@ from evidence.tla.syntax import SyntaxTreeError
 
 DIFFERENT = 1
 BUILD = Path("build/proofs")
+SMALL = Path("build/proofs-small")
 
 
 class _Shard(click.ParamType[tuple[int, int]]):
@@ -41,6 +42,7 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.option("--shard", type=_Shard(), help="Only the I-th of N parts of the queries.")
 @click.option("--resume", is_flag=True, help="Take kept answers that are as claimed, and ask for the others.")
 @click.option("--kept", "only_kept", is_flag=True, help="Report the kept answers and ask nothing.")
+@click.option("--small", is_flag=True, help="Begin steps in the small world of the controls: less is proved, sooner.")
 @click.option(
     "--jobs",
     type=click.IntRange(1),
@@ -56,17 +58,19 @@ def prove_command(
     shard: tuple[int, int] | None,
     resume: bool,
     only_kept: bool,
+    small: bool,
     jobs: int,
     json_path: Path | None,
     names: tuple[str, ...],
 ) -> None:
     """Ask Apalache the queries of models/proofs.json.
 
-    NAME picks queries or actions of System (globs work). The answers are kept in build/proofs.
+    NAME picks queries or actions of System (globs work). The answers are kept in build/proofs, those of --small in
+    build/proofs-small.
     """
     processes = Processes()
     with session(processes, (ManifestError, SyntaxTreeError, OSError), (ApalacheMissingError,)) as console:
-        proofs = load(ROOT)
+        proofs = load(ROOT).in_small_world() if small else load(ROOT)
         queries = proofs.select(names)
         if shard is not None:
             queries = queries[shard[0] - 1 :: shard[1]]
@@ -74,7 +78,7 @@ def prove_command(
             for query in queries:
                 click.echo(f"{query.name}: {query.kind}, {query.expect}, {len(query.formulas)} formulas")
             return
-        asking = Asking(ROOT, ROOT / BUILD, "" if only_kept else find_apalache(), processes)
+        asking = Asking(ROOT, ROOT / (SMALL if small else BUILD), "" if only_kept else find_apalache(), processes)
         asking.build.mkdir(parents=True, exist_ok=True)
         kept: Kept = "all" if only_kept else "claimed" if resume else "nothing"
         answers = _ask_all(asking, queries, kept, jobs, console)

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import msgspec
-from msgspec import UNSET
+from msgspec import UNSET, structs
 from tree_sitter import Node
 
 from evidence.common.checkout import MANIFEST as MODELS
@@ -260,6 +260,14 @@ class Proofs:
             if cell.letter and not cell.unreached and cell.formula not in self.file.induction.invariants
         ]
 
+    def in_small_world(self) -> Proofs:
+        """The same, but the queries of steps begin where those begin that ask for a counterexample; none is divided."""
+        base = self.file.induction
+        steps = {query.name: replace(query, divided=()) for query in self.queries if query.kind == "step"}
+        small = [_begun_in(base, base.refuted, steps[q.name]) if q.name in steps else q for q in self.queries]
+        file = structs.replace(self.file, induction=structs.replace(base, world=base.refuted))
+        return replace(self, file=file, queries=tuple(small))
+
     def select(self, names: tuple[str, ...]) -> list[Query]:
         """The queries whose name or action a glob matches; all without globs. Raises `ManifestError`."""
         for glob in names:
@@ -425,10 +433,6 @@ def _queries(
         found = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))
         return replace(query, divided=tuple(next(found, ())))
 
-    def begun_in(world: World, query: Query) -> Query:
-        kept = [(name, others) for name, others in query.instead if name != base.world.state]
-        return replace(query, instead=(*kept, (base.world.state, (world.state,))))
-
     def in_its_world(query: Query, action: str, formula: str) -> Query:
         apart = base.apart_of(action, formula)
         return _elsewhere(query, apart) if apart else query
@@ -439,7 +443,7 @@ def _queries(
     ]
     queries += [divided(step(name, "step", some, claimed(whole, some))) for name, some in groups.items()]
     queries += [query for _, query in aparts]
-    smaller = begun_in(base.smaller, anywhere)
+    smaller = _begun_in(base, base.smaller, anywhere)
     refines = {word: _refines(smaller, refinement) for word, refinement in file.refinements.items()}
     stepping = [query for query in queries if query.name in groups]
     for word, refinement in file.refinements.items():
@@ -457,7 +461,8 @@ def _queries(
         return tuple(of.items())
 
     def of_letters(query: Query) -> Query:
-        query = begun_in(base.smaller, replace(query, name=f"letters-{query.name}", kind="letters", unfiltered=True))
+        query = replace(query, name=f"letters-{query.name}", kind="letters", unfiltered=True)
+        query = _begun_in(base, base.smaller, query)
         return divided(replace(query, shown=tuple(file.letters.shown), unless=unless(list(query.actions))))
 
     queries += [
@@ -468,7 +473,7 @@ def _queries(
     def one(action: str, asked: Query) -> Query:
         following = TOGETHER if asked.history else action
         refuted = replace(asked, next=following, actions=(action,), length=1, expect="violated")
-        return begun_in(base.refuted, refuted)
+        return _begun_in(base, base.refuted, refuted)
 
     queries += [
         replace(
@@ -511,6 +516,12 @@ def _queries(
         for mutant in claim_mutants
     ]
     return [*queries, *changed, *claims.values()]
+
+
+def _begun_in(base: Induction, world: World, query: Query) -> Query:
+    """The query from the states of this world instead of the induction's."""
+    kept = [(name, others) for name, others in query.instead if name != base.world.state]
+    return replace(query, instead=(*kept, (base.world.state, (world.state,))))
 
 
 def _elsewhere(query: Query, there: Elsewhere) -> Query:

@@ -364,6 +364,17 @@ def test_the_worlds_of_the_queries(proofs: Proofs) -> None:
             assert states == ((base.smaller if query.kind in ("letters", "refines") else base.world).state,)
 
 
+def test_the_small_world(proofs: Proofs) -> None:
+    """``--small``: the queries of steps alone begin there, and the report says the bounds."""
+    small, base = proofs.in_small_world(), proofs.file.induction
+    for query, other in zip(proofs.queries, small.queries, strict=True):
+        assert (query != other) == (query.kind == "step")
+    query = next(query for query in small.queries if query.name == "StartsOb")
+    said = f"StateWith(t, u, {base.refuted.waiting}, {base.refuted.running})"
+    assert said in texts(ROOT, query)[0]
+    assert f"at most {base.refuted.waiting} start events that wait" in assumptions(small)
+
+
 def test_models_within_the_proofs(proofs: Proofs) -> None:
     """What `ProvedProp` of the models says of a state is what the proofs begin with."""
     models = read_modules(ROOT / "models")
