@@ -282,6 +282,20 @@ def test_the_question_by_which_explanations_differ(page: Page) -> None:
     assert page.locator("#situation li").count() == 1
 
 
+def test_a_line_is_found_by_its_number_its_time_and_its_text(page: Page) -> None:
+    """A text is looked for behind the shown line, and from the begin again; none is told."""
+    paste(page, REJECTED.replace("\n", "\n\n"))
+    current = page.locator("#timeline [aria-current=true]")
+    found = {"3": "interrupt", "start": "start OB 40", "08:00:31": "EN_AIRT", "interrupt-log": "S7-400"}
+    for wanted, said in found.items():
+        page.fill("#find-line [name=wanted]", wanted)
+        page.press("#find-line [name=wanted]", "Enter")
+        expect(current).to_contain_text(said)
+    page.fill("#find-line [name=wanted]", "99")
+    page.press("#find-line [name=wanted]", "Enter")
+    expect(page.locator("#problem")).to_contain_text("No line has 99.")
+
+
 def test_an_address_opens_an_edge_case(page: Page) -> None:
     """As the site links it; a name that is none is told."""
     page.goto("about:blank")

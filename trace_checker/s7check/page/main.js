@@ -321,6 +321,12 @@ function wire() {
     submitted.preventDefault();
     return step(() => model.replace(Number($("edit").dataset.index), $("edit").text.value.replaceAll("\n", " ")));
   });
+  $("find-line").onsubmit = safely(async (submitted) => {
+    submitted.preventDefault();
+    const wanted = $("find-line").wanted.value.trim();
+    if (wanted && !model.find(wanted)) throw new Error(`No line has ${wanted}.`);
+    return refresh();
+  });
   $("edit").drop.onclick = () => step(() => model.replace(Number($("edit").dataset.index)));
   $("why").onsubmit = safely(async (submitted) => {
     submitted.preventDefault();

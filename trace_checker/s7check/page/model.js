@@ -76,6 +76,24 @@ export class Model {
     this.change({ ...this.document, branches, current: branches.length - 1 });
   }
 
+  /**
+   * Shows a line: that with a number in the log's text, else the next one, round the end, whose text has the wanted one,
+   * such as a time. False if there is none.
+   */
+  find(wanted) {
+    const one = this.branch;
+    const all = [one.header, ...one.lines];
+    const number = /^\d+$/.test(wanted) ? Number(wanted) : null;
+    const places = all.map((_, i) => (one.shown + 1 + i) % all.length);
+    const found =
+      number === null
+        ? places.find((i) => all[i].toLowerCase().includes(wanted.toLowerCase()))
+        : all.findIndex((_, i) => (one.numbers?.[i] ?? i + 1) === number);
+    if (found === undefined || found < 0) return false;
+    this.show(found);
+    return true;
+  }
+
   /** Another branch, with so many lines shown if that is said. */
   choose(current, shown = this.document.branches[current].shown) {
     const branches = this.document.branches.map((one, i) => (i === current ? { ...one, shown } : one));
