@@ -61,7 +61,8 @@ def page_with(log: str | None = None) -> str:
     try:
         page = PAGE.read_text(encoding="utf-8")
     except OSError as error:
-        remedy = "install a wheel that `make wheel` has built" if INSTALLED else "run `make page`"
+        again = "install a wheel that `make wheel` has built, or a checkout in which `make page` has run"
+        remedy = again if INSTALLED else "run `make page`"
         raise FailedError(f"{PAGE}: expected the page of the explorer: {remedy}") from error
     if log is None:
         return page
