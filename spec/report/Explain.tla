@@ -53,7 +53,8 @@ WithClass(o, class) == <<o, class>>
 (* The words of a log, by which the reader takes lines or refuses them. Of *)
 (* a header: families, those whose priority classes can be set, these      *)
 (* classes, the OBs that it lacks and its default classes; profiles; the   *)
-(* letters of each question. Of lines: OBs by their kind.                  *)
+(* letters of each question. Of lines: OBs by their kind, the startup OB   *)
+(* of each restart.                                                        *)
 Words ==
     [ families |-> FamilyNames,
       restarts |-> { <<f.name, f.restarts>> : f \in KnownFamilies },
@@ -71,6 +72,7 @@ Words ==
       dint_obs |-> DintObs,
       external |-> ExternalObs \cup SyncErrorObs,
       faulty   |-> {TimeErrorOb, ProgramErrorOb},
+      startup  |-> { <<t, StartupOb(t)>> : t \in RestartTypes },
       profiles |-> ProfileNames,
       choices  |-> { <<q[1], q[3]>> : q \in Questions } ]
 

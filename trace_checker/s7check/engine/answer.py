@@ -207,8 +207,8 @@ class Alternatives(msgspec.Struct, frozen=True):
     ``settable`` are families whose priority ``classes`` can be set; ``unknown`` are the OBs that a family lacks,
     ``usual`` the default classes.
     ``choices`` are the letters that a header may name, ``letters`` those that formulas tell apart. The OBs of
-    ``faulty`` come with a fault id. ``answers`` are calls with the RET_VALs that they may have, but for SFC 41, which
-    answers a count.
+    ``faulty`` come with a fault id; ``startup`` has the OB of each restart. ``answers`` are calls with the RET_VALs
+    that they may have, but for SFC 41, which answers a count.
     """
 
     families: list[str] = []
@@ -221,6 +221,7 @@ class Alternatives(msgspec.Struct, frozen=True):
     dint_obs: list[int] = []
     external: list[int] = []
     faulty: list[int] = []
+    startup: list[tuple[str, int]] = []
     profiles: list[str] = []
     choices: list[tuple[str, list[str]]] = []
     letters: list[tuple[str, list[str]]] = []

@@ -9,6 +9,7 @@ from itertools import dropwhile
 from typing import Any
 
 from s7check.asking.line_text import passed_date
+from s7check.engine import pool
 from s7check.kit.program import Program, bodies_of
 from s7check.kit.whole import elapsed
 from s7check.log.calls import OPERANDS
@@ -18,7 +19,6 @@ Call = tuple[int, dict[str, Any]]
 
 _CLOCK = {"call": "clock"}
 
-_STARTUP = {"warm": 100, "hot": 101, "cold": 102}
 _CYCLE = 200
 """Milliseconds that a cycle of OB 1 may take beside its waits."""
 
@@ -117,7 +117,8 @@ class _Turns:
         self._up = 0
         self._stack: list[_Frame] = []
         # Starts and ends of the OB below all others, OB 1 or a startup OB, need not be there.
-        self._below = _Frame(_STARTUP["warm"] if self._mode == "STARTUP" else 1)
+        self._startup = dict(pool.alternatives().startup)
+        self._below = _Frame(self._startup["warm"] if self._mode == "STARTUP" else 1)
         self._next_cycle = 0
         self._sure = True  # nobody has broken off a cycle of OB 1 that was not seen
         self._stopped: tuple[tuple[list[_Frame], _Frame, int, bool], int] | None = None
@@ -149,7 +150,7 @@ class _Turns:
                 self._stopped = (work, self._runs.begun()[1])
             elif event.get("type") in ("warm", "cold"):
                 self._stopped = None
-            self._clear(_STARTUP[event["type"]] if name == "restart" else 1)
+            self._clear(self._startup[event["type"]] if name == "restart" else 1)
         elif name == "run":
             self._run()
         self._mode = _MODES.get(name, self._mode)
@@ -175,7 +176,7 @@ class _Turns:
 
     def _owed(self) -> str:
         for frame in self._stack:
-            if not frame.calls and frame.ob in (1, *_STARTUP.values()) and self._runs.are_over(frame.ob):
+            if not frame.calls and frame.ob in (1, *self._startup.values()) and self._runs.are_over(frame.ob):
                 continue  # with nothing to do it goes on as long as the implementation likes
             if frame.worked > self._latest(frame, frame.calls[0][0] if frame.calls else frame.length):
                 return _missing(frame)

@@ -21,6 +21,7 @@ from s7check.kit.program import Program, read_program
 from s7check.live.connection import Connection
 from s7check.live.tail import Cut, Event, Tail
 from s7check.log.calls import LOG_FORMAT
+from s7check.log.errors import UnusableLogError
 from s7check.log.values import instant
 
 _RING, _PROGRAM, _WORK = 101, 110, 111
@@ -122,7 +123,7 @@ def main(address: str, port: str, latency: str) -> None:
         for text in sys.stdin.buffer:
             try:
                 lines = lines_of(cpu, read_program(text), int(latency))
-            except SkippedError as error:
+            except (SkippedError, UnusableLogError) as error:  # the CPU's family may know no such header
                 lines = [{"event": "skip", "reason": str(error)}]
             except SourceError as error:
                 sys.exit(str(error))

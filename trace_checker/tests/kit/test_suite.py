@@ -46,4 +46,6 @@ def test_a_choice_of_none(tmp_path: Path) -> None:
         Kit(["cpu"], only=["nothing"])
     offer = tmp_path / "offer.json"
     offer.write_text('{"longest": 1}', encoding="utf-8")
-    assert len(Kit(["cpu"], only=["AIRT-*"], offer=offer, cover="requirements").names) > 1
+    assert len(Kit(["cpu"], only=["AIRT-*"], offer=offer).names) > 1, "skipped programs are tests, too"
+    with pytest.raises(ValueError, match="no program fits it"):
+        Kit(["cpu"], only=["AIRT-*"], offer=offer, cover="requirements")
