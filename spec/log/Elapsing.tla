@@ -437,7 +437,8 @@ Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 (* A missing OB can be noticed at line e as well as now.                     *)
 \* @type: $event => Bool;
 MissingMayWait(e) ==
-    LET d == Span(up, e.up)
+    LET d == IF Before(e.up, up) THEN 0  \* a line without a moment (Likewise)
+             ELSE Span(up, e.up)
         \* @type: $request => Bool;
         old(q) == Span(arrivals[AsItCame(q)], up) > terms.latency
         ages(q) == Span(arrivals[AsItCame(q)], up) + d > terms.latency

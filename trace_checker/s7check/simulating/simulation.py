@@ -160,10 +160,10 @@ class Simulation:
 
     def _of_cpu(self) -> list[Choice]:
         """OBs that interrupt what runs, and a STOP by rule."""
-        if self._up < self._let_until:
-            return []
         possible = self._possible()
         ended = [time for time in possible.times if time.due and elapsed(time) <= self._up]
+        if self._up < self._let_until and not ended:
+            return []
         found: list[Choice] = [
             line
             for line in self._now(possible)
