@@ -338,4 +338,9 @@ ModernInv ==
 
 ReadingsInv == /\ SettingsInv /\ ClockInv /\ DispatchInv /\ BlocksInv
                /\ ModernInv
+
+(* LooseLogs takes one answer of SFC 41 and one of SFC 42 at each count.   *)
+OneAnswerInv ==
+    \A c \in {delay} \cup 0..40 : /\ Cardinality(DisAirtAnswers(c)) = 1
+                                 /\ Cardinality(EnAirtAnswers(c)) = 1
 =============================================================================
