@@ -8,18 +8,21 @@ EXTENDS Steps
 
 (* [TINT-16] [OBS-20] [OBS-21] [OBS-22] [OBS-23] An OB is found missing    *)
 (* that is not loaded, has a higher class than the running OB or is OB 85  *)
-(* [AMB-87], and is not delayed, unless its error has to stop the CPU      *)
-(* [AMB-49]. Then OB 85 waits, runs or is blocked [IRT-01]. But the CPU    *)
-(* has to stop if it is OB 80, OB 85, OB 82, OB 83 or OB 86, and goes on   *)
-(* if it is OB 81. A time-of-day interrupt that is not a one-shot          *)
-(* interrupt stays as it is, unless the OB is its own and makes it         *)
-(* inactive [AMB-46]. Of OB 70, 72, 84 and 87 nothing is said [AMB-75].    *)
+(* [AMB-87], and is not delayed. If its error has to stop the CPU, it may  *)
+(* do so at once under a delay [AMB-49]. Else OB 85 waits, runs or is      *)
+(* blocked [IRT-01]. But the CPU has to stop if it is OB 80, OB 85, OB 82, *)
+(* OB 83 or OB 86, and goes on if it is OB 81. A time-of-day interrupt     *)
+(* that is not a one-shot interrupt stays as it is, unless the OB is its   *)
+(* own and makes it inactive [AMB-46]. Of OB 70, 72, 84 and 87 nothing is  *)
+(* said [AMB-75].                                                          *)
 MissingProp ==
     [][ Did("missing") =>
           /\ step'.ob \notin loaded
           /\ \/ delay = 0
              \/ step'.ob \in AsyncErrorObs /\ stopCause' # NoCause  \* [AMB-49]
-          /\ step'.value > Top(stack).class \/ step'.ob = 85        \* [AMB-87]
+          /\ \/ step'.value > Top(stack).class
+             \/ step'.ob = 85                                      \* [AMB-87]
+             \/ delay > 0                                          \* [AMB-49]
           /\ IF step'.ob \notin AsyncErrorObs \cup {70, 72}
              THEN PendingIn(requests', 85) \/ OnStack(85) \/ Blocked(85)
              ELSE IF step'.ob = 85 THEN stopCause' = \h456D

@@ -251,16 +251,18 @@ MayStart(r) == /\ ModeAllows(r)
                      /\ Foremost(r)
                   \/ StopsUncalled(r) \/ NoticedAtOnce(r)
 
-(* A missing OB is noticed when it would start. [AMB-49] [AMB-87] If it    *)
-(* stops the CPU, perhaps before that.                                     *)
+(* A missing OB is noticed when it would start. If it stops the CPU,       *)
+(* perhaps before that: [AMB-49] at once under a delay, whatever runs or   *)
+(* waits; [AMB-87] OB 85 at any time.                                      *)
 \* @type: $request => Bool;
 MayBeMissed(r) ==
-    /\ r.ob \notin loaded
-    /\ \/ MayStart(r)
-       \/ /\ StopsTheCpu(r) /\ ModeAllows(r)
-          /\ Undelayed \/ ~StopAwaitsTheDelay
-          /\ \/ Foremost(r)
-             \/ r.ob = ProgramErrorOb /\ ~MissingOb85StopsInTurn
+    LET atAnyTime == r.ob = ProgramErrorOb /\ ~MissingOb85StopsInTurn
+    IN  /\ r.ob \notin loaded
+        /\ \/ MayStart(r)
+           \/ /\ StopsTheCpu(r) /\ ModeAllows(r)
+              /\ IF Undelayed THEN atAnyTime
+                 ELSE /\ ~StopAwaitsTheDelay
+                      /\ atAnyTime \/ Foremost(r) \/ r.ob # ProgramErrorOb
 
 (* [AMB-49] A STOP by rule may wait for the end of a delay, but not that   *)
 (* of a synchronous error [OBS-63].                                        *)
