@@ -11,7 +11,7 @@ from pathlib import Path
 
 from evidence.common.cases import all_cases
 from evidence.common.checkout import MANIFEST, ROOT
-from evidence.kit import calendar, calls, meetings, nesting, shipped, steps, waiting
+from evidence.kit import calendar, calls, failing, meetings, nesting, resuming, shipped, steps, waiting
 from evidence.kit.files import PATHS, REACHED, Json, as_line, read_lines
 from evidence.models.manifest import load
 from s7check.kit.program import FORMAT
@@ -34,6 +34,8 @@ def programs() -> list[Json]:
         *steps.programs(),
         *nesting.programs(),
         *meetings.programs(SEED),
+        *resuming.programs(SEED),
+        *failing.programs(SEED),
         *_paths(),
     ]
 

@@ -78,6 +78,8 @@ static void follow(struct plc *plc)
     const bool runs = s7cpu_mode(cpu) == S7CPU_RUN || s7cpu_mode(cpu) == S7CPU_HOLD;
     if (plc->ran && !runs)
         memcpy(plc->stopped, plc->stack, sizeof plc->stopped);
+    if (!plc->ran && runs) /* the startup OB has taken the lowest place */
+        memcpy(plc->stack, plc->stopped, sizeof plc->stack);
     plc->ran = runs;
     plc->depth = s7cpu_depth(cpu);
     if (top == NULL)
@@ -85,10 +87,6 @@ static void follow(struct plc *plc)
     struct activation *a = &plc->stack[plc->depth - 1];
     if (is_of(a, top))
         return;
-    if (is_of(&plc->stopped[plc->depth - 1], top)) {
-        memcpy(plc->stack, plc->stopped, sizeof plc->stack);
-        return;
-    }
     *a = (struct activation){.ob = top->ob, .run = top->run, .began = plc->clock.up};
     plc->program->begin(plc->program, cpu, a);
 }
