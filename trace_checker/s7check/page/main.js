@@ -2,104 +2,49 @@
 import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
-import { Engine, NoAnswer, unusable } from "./engine.js";
+import { Engine, unusable } from "./engine.js";
 import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { showReport, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
+import { busy, button, fields, page, problem, requirement, requirements, safely, step } from "./shown.js";
 import { Timeline, read, zoom } from "./timeline.js";
 
 const LONGEST_LINK = 60_000;
 const LONGEST = 200_000; // lines of a log that is explored; longer ones get their verdict
 const contents = JSON.parse($("contents").textContent);
 const first = JSON.parse($("first").textContent); // the log to begin with, which `s7check explore` puts there
-export let clauses = new Map();
 let engine = null;
-export let desk = null;
-export let model = null;
-export let view = null; // what is shown of the branch: {explained, refused, look}
-export let verdict = null; // of the opened log, while its branch is unchanged
-export let sides = [];
-export let asked = 0;
+
+page.refresh = refresh;
 
 const timeline = new Timeline(
   $("timeline"),
-  (first, last) => desk.states(first, last),
-  (index) => step(() => model.show(index)),
+  (first, last) => page.desk.states(first, last),
+  (index) => step(() => page.model.show(index)),
 );
 const rows = new Rows($("lines"));
-
-function problem(error) {
-  $("problem").hidden = !error;
-  $("problem").textContent = error
-    ? error instanceof NoAnswer
-      ? `No verdict: ${error.message}.`
-      : (error.message ?? String(error))
-    : "";
-}
-
-/** Runs what a click asks for; an error becomes a sentence on the page. */
-export const safely =
-  (work) =>
-  async (...given) => {
-    try {
-      problem(null);
-      await work(...given);
-    } catch (error) {
-      problem(error);
-    } finally {
-      busy(false);
-    }
-  };
-
-/** Does a change of the document, and shows what is so then. */
-export const step = safely(async (change) => {
-  if (change() !== false) await refresh();
-});
-
-function busy(what) {
-  $("stop").hidden = !what;
-  if (what) $("where").textContent = what;
-}
-
-export const button = (text, work, properties = {}) =>
-  h("button", { type: "button", onclick: safely(work), ...properties }, text);
-
-// ---------------------------------------------------------------------------- requirements
-
-export const requirement = (id) => h("button", { type: "button", className: "id", onclick: () => tell(id) }, id);
-export const requirements = (ids) => h("span", { className: "ids" }, ...ids.flatMap((id) => [" ", requirement(id)]));
-
-function tell(id) {
-  const clause = clauses.get(id) ?? { text: "" };
-  const [title, text, origin] = $("clause").children;
-  const letters = Object.entries(clause.letters ?? {}).map(([letter, said]) => ` (${letter}) ${said}`);
-  title.textContent = id;
-  text.replaceChildren(clause.text, ...letters);
-  origin.textContent = [clause.source, clause.confidence].filter(Boolean).join("; ");
-  $("clause").showModal();
-}
 
 // ---------------------------------------------------------------------------- what is shown
 
 /** Shows the branch up to its shown line; the next line comes at `when`, at once if that is not said. */
-export async function refresh(when = null) {
-  const number = ++asked;
-  const one = model.branch;
+async function refresh(when = null) {
+  const number = ++page.asked;
+  const one = page.model.branch;
   remember();
-  desk.progress = (at, all) => all > 10_000 && busy(`${one.name}: ${at} of ${all} lines`);
-  const { explained, refused } = await desk.bring(one);
+  page.desk.progress = (at, all) => all > 10_000 && busy(`${one.name}: ${at} of ${all} lines`);
+  const { explained, refused } = await page.desk.bring(one);
   busy(false);
   const after = Math.min(one.shown, explained);
-  const look = await desk.look(after, when);
-  if (number !== asked) return; // a later click has asked something else
-  view = { explained, refused, look, after };
+  const look = await page.desk.look(after, when);
+  if (number !== page.asked) return; // a later click has asked something else
+  page.view = { explained, refused, look, after };
   $("start").hidden = true;
   $("desk").hidden = $("tools").hidden = false;
   $("where").textContent =
     `${one.name}: after line ${numberOf(one.numbers, after)} of ${numberOf(one.numbers, one.lines.length)}, ${look.clock}`;
-  $("undo").disabled = !model.past.length;
-  $("redo").disabled = !model.future.length;
+  $("undo").disabled = !page.model.past.length;
+  $("redo").disabled = !page.model.future.length;
   showBranches();
   showReport();
   showSituation();
@@ -109,36 +54,32 @@ export async function refresh(when = null) {
   await timeline.show([one.header, ...one.lines], one.shown, explained, refused ? explained + 1 : -1, one.numbers);
   showSides(number);
   await showLink();
-  await desk.keep([...model.document.branches.map(sessionOf), ...sides.map((side) => JSON.stringify(side.chosen))]);
+  const sides = page.sides.map((side) => JSON.stringify(side.chosen));
+  await page.desk.keep([...page.model.document.branches.map(sessionOf), ...sides]);
   await showOthers(number);
   await showQuestions(number);
 }
 
 /** The address holds the whole behaviour, unless that is too long for one. */
 async function showLink() {
-  const small = model.document.branches.reduce((sum, one) => sum + one.lines.length, 0) < 5000;
-  const text = small ? await toLink({ ...model.document, sides }) : "";
+  const small = page.model.document.branches.reduce((sum, one) => sum + one.lines.length, 0) < 5000;
+  const text = small ? await toLink({ ...page.model.document, sides: page.sides }) : "";
   $("link").disabled = !text || text.length > LONGEST_LINK;
   history.replaceState(history.state, "", $("link").disabled ? "#" : `#${text}`);
 }
 
-/** Compares with this header no more. */
-export function drop(side) {
-  sides = sides.filter((one) => one !== side);
-}
-
 /** The browser's history has a place for each change. */
 function remember() {
-  const position = model.past.length;
+  const position = page.model.past.length;
   if (position > (history.state?.position ?? -1)) history.pushState({ position }, "");
 }
 
 /** Back undoes and forward does again; before the first log is the start. */
 const travelled = safely(async ({ state }) => {
-  if (!model) return;
+  if (!page.model) return;
   if (!state) return home();
-  while (model.past.length > state.position && model.undo());
-  while (model.past.length < state.position && model.redo());
+  while (page.model.past.length > state.position && page.model.undo());
+  while (page.model.past.length < state.position && page.model.redo());
   await refresh();
 });
 
@@ -148,23 +89,23 @@ function home() {
 }
 
 function showBranches() {
-  const many = model.document.branches.length > 1;
-  const tabs = model.document.branches.map((one, i) => {
-    const current = i === model.document.current;
-    const tab = button(one.name, () => step(() => model.choose(i)), { "aria-pressed": String(current) });
+  const many = page.model.document.branches.length > 1;
+  const tabs = page.model.document.branches.map((one, i) => {
+    const current = i === page.model.document.current;
+    const tab = button(one.name, () => step(() => page.model.choose(i)), { "aria-pressed": String(current) });
     return h(
       "span",
       { className: current ? "tab current" : "tab" },
       tab,
-      many ? button("×", () => step(() => model.drop(i)), { "aria-label": `close ${one.name}` }) : null,
+      many ? button("×", () => step(() => page.model.drop(i)), { "aria-label": `close ${one.name}` }) : null,
     );
   });
   $("branches").replaceChildren(...tabs);
 }
 
 function showSituation() {
-  const tables = view.look.situations.map((lines, i) => [
-    view.look.situations.length > 1 ? h("h3", {}, `explanation ${i + 1} of ${view.look.states}`) : null,
+  const tables = page.view.look.situations.map((lines, i) => [
+    page.view.look.situations.length > 1 ? h("h3", {}, `explanation ${i + 1} of ${page.view.look.states}`) : null,
     h(
       "table",
       {},
@@ -176,11 +117,11 @@ function showSituation() {
 
 /** Says by which open questions the explanations differ, above them. */
 async function showQuestions(number) {
-  if (view.look.situations.length < 2) return;
-  const found = await desk.questions(model.branch, view.after);
-  if (number !== asked || !found.length) return;
+  if (page.view.look.situations.length < 2) return;
+  const found = await page.desk.questions(page.model.branch, page.view.after);
+  if (number !== page.asked || !found.length) return;
   const items = found.map(({ name, explanations }) => {
-    const { text, letters } = clauses.get(name);
+    const { text, letters } = page.clauses.get(name);
     const said = Object.entries(explanations).map(
       ([letter, numbers]) => ` (${letter}) ${letters[letter]}: explanation ${numbers.join(", ")};`,
     );
@@ -189,25 +130,20 @@ async function showQuestions(number) {
   $("situation").prepend(h("p", {}, "The explanations differ by what the sources leave open:"), h("ul", {}, ...items));
 }
 
-export const fields = (line) =>
-  Object.entries(line)
-    .filter(([name]) => !["event", "at", "up"].includes(name))
-    .map(([name, value]) => `${name}=${typeof value === "object" ? JSON.stringify(value) : value}`)
-    .join(" ");
-
 function showLines() {
-  const one = model.branch;
+  const one = page.model.branch;
   rows.show(one.lines.length + 1, one.shown, (i) => {
     const line = read(i ? one.lines[i - 1] : one.header);
     const text = i ? `${line.event} ${fields(line)}` : `header: ${line.cpu}, OB ${line.obs?.join(" ")}`;
-    const style =
-      view.refused && i === view.explained + 1 ? "wrong" : i === one.shown ? "current" : i > one.shown ? "later" : "";
-    return button(`${numberOf(one.numbers, i)} ${line.at ?? ""} ${text}`, () => step(() => model.show(i)), {
+    const wrong = page.view.refused && i === page.view.explained + 1;
+    const style = wrong ? "wrong" : i === one.shown ? "current" : i > one.shown ? "later" : "";
+    return button(`${numberOf(one.numbers, i)} ${line.at ?? ""} ${text}`, () => step(() => page.model.show(i)), {
       className: style,
       "aria-current": String(i === one.shown),
     });
   });
-  const edited = view.refused && one.shown > view.explained ? view.explained : one.shown - 1;
+  const { refused, explained } = page.view;
+  const edited = refused && one.shown > explained ? explained : one.shown - 1;
   $("edit").hidden = edited < 0;
   $("edit").dataset.index = edited;
   if (edited >= 0) $("edit").text.value = one.lines[edited];
@@ -217,10 +153,10 @@ function showLines() {
 
 /** Begins with a branch, once the engine has taken it: a header that cannot be used changes nothing. */
 async function begin(one) {
-  await desk.bring({ header: one.header, lines: [] });
+  await page.desk.bring({ header: one.header, lines: [] });
   const document = { branches: [one], current: 0 };
-  if (model) model.change(document);
-  else model = new Model(document);
+  if (page.model) page.model.change(document);
+  else page.model = new Model(document);
   await refresh();
 }
 
@@ -242,7 +178,7 @@ async function open(name, bytes, line = null) {
     );
   const at = line ?? answer.line;
   const shown = at ? one.numbers.filter((number) => number <= at).length - 1 : one.lines.length;
-  verdict = { verdict: answer.verdict, header: one.header, lines: one.lines };
+  page.verdict = { verdict: answer.verdict, header: one.header, lines: one.lines };
   await begin({ ...one, shown: Math.max(0, shown) });
   $("verdict").focus({ preventScroll: true });
 }
@@ -278,8 +214,8 @@ const fileName = (name) => name.replace(/(\.ndjson|\.jsonl)+(?= \(|$)/, "").repl
 
 /** The branch as a program of the kit. */
 async function program() {
-  const name = fileName(model.branch.name).replace(/^[^A-Za-z0-9]+/, "").slice(0, 100) || "explored";
-  const made = await desk.program(ndjson(model.branch));
+  const name = fileName(page.model.branch.name).replace(/^[^A-Za-z0-9]+/, "").slice(0, 100) || "explored";
+  const made = await page.desk.program(ndjson(page.model.branch));
   const head = { format: "s7-interrupt-program/1", name, about: "Built in the explorer.", requirements: [] };
   download(`${name}.json`, layOut({ ...head, ...made }));
 }
@@ -295,17 +231,17 @@ function download(name, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-const undo = () => model.past.length && history.back();
-const redo = () => model.future.length && history.forward();
+const undo = () => page.model.past.length && history.back();
+const redo = () => page.model.future.length && history.forward();
 
 function wire() {
   $("home").onclick = home;
   $("undo").onclick = undo;
   $("redo").onclick = redo;
   window.onpopstate = travelled;
-  $("branch").onclick = () => step(() => model.fork());
+  $("branch").onclick = () => step(() => page.model.fork());
   $("stop").onclick = () => engine.stop();
-  $("save").onclick = () => download(`${fileName(model.branch.name)}.ndjson`, ndjson(model.branch));
+  $("save").onclick = () => download(`${fileName(page.model.branch.name)}.ndjson`, ndjson(page.model.branch));
   $("program").onclick = safely(program);
   $("narrower").onclick = safely(() => scale(0.8));
   $("wider").onclick = safely(() => scale(1.25));
@@ -319,18 +255,18 @@ function wire() {
   $("new").onsubmit = safely((submitted) => (submitted.preventDefault(), begin(branch("new", newHeader(), []))));
   $("edit").onsubmit = safely((submitted) => {
     submitted.preventDefault();
-    return step(() => model.replace(Number($("edit").dataset.index), $("edit").text.value.replaceAll("\n", " ")));
+    return step(() => page.model.replace(Number($("edit").dataset.index), $("edit").text.value.replaceAll("\n", " ")));
   });
   $("find-line").onsubmit = safely(async (submitted) => {
     submitted.preventDefault();
     const wanted = $("find-line").wanted.value.trim();
-    if (wanted && !model.find(wanted)) throw new Error(`No line has ${wanted}.`);
+    if (wanted && !page.model.find(wanted)) throw new Error(`No line has ${wanted}.`);
     return refresh();
   });
-  $("edit").drop.onclick = () => step(() => model.replace(Number($("edit").dataset.index)));
+  $("edit").drop.onclick = () => step(() => page.model.replace(Number($("edit").dataset.index)));
   $("why").onsubmit = safely(async (submitted) => {
     submitted.preventDefault();
-    const refused = await desk.why(view.after, { at: view.look.at, ...read($("why").line.value) });
+    const refused = await page.desk.why(page.view.after, { at: page.view.look.at, ...read($("why").line.value) });
     $("because").replaceChildren(...(refused ? whyNot(refused) : [h("p", {}, "It may come.")]));
   });
   $("compare").onsubmit = safely((submitted) => {
@@ -339,7 +275,7 @@ function wire() {
     const [question, letter] = reading.split(" ");
     const name = [cpu, profile && `edition ${profile}`, reading].filter(Boolean).join(", ");
     if (!name) throw new Error("Choose another CPU, edition or reading.");
-    sides.push({
+    page.sides.push({
       name,
       chosen: {
         ...(cpu ? { cpu } : {}),
@@ -358,7 +294,7 @@ function wire() {
   }
   document.addEventListener("keydown", (key) => {
     if (
-      !model ||
+      !page.model ||
       $("desk").hidden ||
       key.target.matches("input, textarea, select") ||
       key.ctrlKey ||
@@ -366,13 +302,13 @@ function wire() {
       key.altKey
     )
       return;
-    const { shown } = model.branch;
+    const { shown } = page.model.branch;
     const works = {
       u: undo,
       r: redo,
-      b: () => step(() => model.fork()),
-      ArrowLeft: () => step(() => model.show(shown - 1)),
-      ArrowRight: () => step(() => model.show(shown + 1)),
+      b: () => step(() => page.model.fork()),
+      ArrowLeft: () => step(() => page.model.show(shown - 1)),
+      ArrowRight: () => step(() => page.model.show(shown + 1)),
     };
     works[key.key]?.();
   });
@@ -415,9 +351,9 @@ async function main() {
     ["script", "wasm", "tree", "clauses", "texts"].map((name) => inflated(contents[name])),
   );
   const object = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
-  clauses = new Map(object(requirements).map((one) => [one.id, one]));
+  page.clauses = new Map(object(requirements).map((one) => [one.id, one]));
   engine = new Engine({ script, wasm, tree, texts: object(texts) });
-  desk = new Desk(engine);
+  page.desk = new Desk(engine);
   wire();
   showGallery();
   await engine.start();
@@ -437,8 +373,8 @@ async function main() {
     await openCase(one);
   } else if (location.hash.length > 1) {
     const { sides: kept, ...document } = await fromLink(location.hash.slice(1));
-    sides = kept ?? [];
-    model = new Model(document);
+    page.sides = kept ?? [];
+    page.model = new Model(document);
     await refresh();
   } else if (first) await open(first.name, await inflated(first.log), first.line);
 }

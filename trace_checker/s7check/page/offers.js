@@ -1,7 +1,7 @@
 // What may come, when, and what may not: each line with a button that adds it.
 import { $, h } from "./elements.js";
-import { button, desk, fields, model, refresh, requirements, safely, step, view } from "./main.js";
 import { whyNot } from "./report.js";
+import { button, fields, page, requirements, safely, step } from "./shown.js";
 
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const MANY = 6;
@@ -21,7 +21,7 @@ const CALLS = {
 
 export function showPossible() {
   showTime();
-  const here = view.look.possible;
+  const here = page.view.look.possible;
   const names = [...new Set(here.map((line) => line.event.event))];
   const calls = Object.keys(CALLS).filter((name) => names.includes(name));
   const world = names.filter((name) => !OF_THE_CPU.includes(name) && !calls.includes(name));
@@ -35,7 +35,7 @@ export function showPossible() {
     groups.flatMap(([title, found]) => (found.length ? [h("h3", {}, title), ...found] : [])),
   );
   if (!here.length) $("possible").append(h("p", {}, "Nothing may come at this time: something had to come before."));
-  if (!view.look.whole)
+  if (!page.view.look.whole)
     $("possible").prepend(h("p", {}, "The log can be explained in very many ways; more than this may come."));
 }
 
@@ -70,7 +70,8 @@ const offer = (line) =>
     requirements(line.requirements),
   );
 
-const take = (event) => step(() => model.add(JSON.stringify({ event: event.event, at: view.look.at, ...event })));
+const take = (event) =>
+  step(() => page.model.add(JSON.stringify({ event: event.event, at: page.view.look.at, ...event })));
 
 /** The form of a call: its operands with some values, and a button for each answer that the CPU may give. */
 function call(name, here) {
@@ -80,19 +81,19 @@ function call(name, here) {
   const {
     after,
     look: { at },
-  } = view;
+  } = page.view;
   const inputs = CALLS[name].map((operand) => h("input", { name: operand, size: operand === "sdt" ? 17 : 10 }));
   const show = safely(async () => {
     const event = { event: name, at };
     for (const input of inputs) event[input.name] = /^-?\d+$/.test(input.value) ? Number(input.value) : input.value;
-    const lines = await desk.answers(after, event);
+    const lines = await page.desk.answers(after, event);
     answers.replaceChildren(...(lines.length ? lines.map(offer) : ["not possible now"]));
   });
   box.addEventListener(
     "toggle",
     safely(async () => {
       if (!box.open || inputs[0].list) return;
-      const lines = await desk.call(after, at, name);
+      const lines = await page.desk.call(after, at, name);
       for (const input of inputs) {
         const list = h("datalist", { id: `${name}-${input.name}` });
         const values = [...new Set(lines.map((line) => String(line.event[input.name])))];
@@ -111,16 +112,16 @@ function call(name, here) {
 
 /** Time passes with the next line: the moments at which something changes, and any other. */
 function showTime() {
-  const { look } = view;
+  const { look } = page.view;
   const moments = look.times.map((time) => {
     const due = time.due.length
       ? ` (${time.due.join(" or ")}${look.endless ? " may be due" : " must come by then"})`
       : "";
-    const choose = button(time.at + due, () => refresh(time.at), { "aria-pressed": String(time.at === look.at) });
+    const choose = button(time.at + due, () => page.refresh(time.at), { "aria-pressed": String(time.at === look.at) });
     return h("li", {}, choose, requirements(time.requirements));
   });
   const input = h("input", { name: "at", value: look.at, size: 23, "aria-label": "time of the next line" });
-  const go = button("Let time pass", () => refresh(input.value.trim()));
+  const go = button("Let time pass", () => page.refresh(input.value.trim()));
   keepFocus($("time"), [
     h(
       "details",
@@ -133,7 +134,7 @@ function showTime() {
 }
 
 export function showImpossible() {
-  const made = view.look.impossible?.map((one) => h("details", {}, h("summary", {}, one.text), ...whyNot(one)));
+  const made = page.view.look.impossible?.map((one) => h("details", {}, h("summary", {}, one.text), ...whyNot(one)));
   const many = "The log can be explained in very many ways. Ask for a line:";
   $("impossible").replaceChildren(...(made ?? [h("p", {}, many)]));
   $("because").replaceChildren();

@@ -1,15 +1,16 @@
 // The verdict of the opened log, why its line is rejected, and the report as text.
 import { $, h, numberOf } from "./elements.js";
-import { button, clauses, model, requirement, requirements, step, verdict, view } from "./main.js";
+import { button, page, requirement, requirements, step } from "./shown.js";
 import { read } from "./timeline.js";
 
 /** The verdict of the opened log, and why its line is rejected. */
 export function showReport() {
-  const one = model.branch;
-  const { refused, explained } = view;
-  const same = verdict && verdict.lines === one.lines && verdict.header === one.header;
+  const one = page.model.branch;
+  const { refused, explained } = page.view;
+  const judged = page.verdict;
+  const same = judged && judged.lines === one.lines && judged.header === one.header;
   const said = same
-    ? verdict
+    ? judged
     : refused
       ? { verdict: refused.unusable ? "unusable" : "rejected" }
       : { verdict: "accepted" };
@@ -32,7 +33,7 @@ export function showReport() {
 }
 
 function explanation(refused, one, index) {
-  const texts = refused.requirements.map((id) => h("li", {}, requirement(id), ` ${clauses.get(id)?.text ?? ""}`));
+  const texts = refused.requirements.map((id) => h("li", {}, requirement(id), ` ${page.clauses.get(id)?.text ?? ""}`));
   const choices = refused.instead.map((each, i) => instead(each, refused.expected[i], index, one.lines[index]));
   return [
     h("pre", { className: "quote" }, one.lines[index]),
@@ -53,11 +54,11 @@ function asText(name, words, one, refused, line) {
   const text = [`${one.name}${refused ? `:${line}` : ""}: ${name}: ${words}`];
   if (!refused || refused.unusable) return text[0];
   text.push(
-    `    ${one.lines[view.explained]}`,
+    `    ${one.lines[page.view.explained]}`,
     `  ${refused.late ? "expected before it" : "expected"}: ${refused.expected.join(", ") || "nothing"}`,
   );
   text.push(`  requirements: ${refused.requirements.join(", ")}`, `  why not: ${refused.why}`);
-  for (const id of refused.requirements) text.push(`    ${id} ${clauses.get(id)?.text ?? ""}`);
+  for (const id of refused.requirements) text.push(`    ${id} ${page.clauses.get(id)?.text ?? ""}`);
   refused.situations.forEach((rows, i) => {
     text.push(
       `  before the line${refused.states > 1 ? ` ${i + 1} of ${refused.states}` : ""}:`,
@@ -77,13 +78,13 @@ function instead(one, text, index, given) {
   const line = read(given);
   const same = one.event === line.event && (one.ob === undefined || one.ob === line.ob);
   const changed =
-    same && !view.refused.late
+    same && !page.view.refused.late
       ? [{ ...line, ...one, ...(one.info ? { info: { ...line.info, ...one.info } } : {}) }]
-      : [{ at: view.look.clock, ...one }];
+      : [{ at: page.view.look.clock, ...one }];
   const texts = changed.map((each) => JSON.stringify(each));
   return button(
     text,
-    () => step(() => model.replace(index, ...(same && !view.refused.late ? texts : [...texts, given]))),
+    () => step(() => page.model.replace(index, ...(same && !page.view.refused.late ? texts : [...texts, given]))),
     { className: "choice" },
   );
 }
@@ -95,7 +96,7 @@ function linked(text) {
   const parts = [];
   let from = 0;
   for (const found of text.matchAll(ID)) {
-    if (!clauses.has(found[0])) continue;
+    if (!page.clauses.has(found[0])) continue;
     parts.push(text.slice(from, found.index), requirement(found[0]));
     from = found.index + found[0].length;
   }

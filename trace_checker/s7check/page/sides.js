@@ -1,25 +1,30 @@
 // The same lines under other headers: other CPUs, editions and readings.
 import { $, h, numberOf } from "./elements.js";
-import { asked, button, desk, drop, model, refresh, sides, step, view } from "./main.js";
 import { whyNot } from "./report.js";
+import { button, page, step } from "./shown.js";
 import { read } from "./timeline.js";
 
 export async function showSides(number) {
-  const one = model.branch;
+  const one = page.model.branch;
   const made = [];
-  for (const side of sides) {
+  for (const side of page.sides) {
     try {
-      made.push(...shownSide(side, await desk.compare(one, view.after, view.look.at, side.chosen)));
+      made.push(...shownSide(side, await page.desk.compare(one, page.view.after, page.view.look.at, side.chosen)));
     } catch (error) {
       made.push(...sideHead(side), h("p", {}, error.message));
     }
-    if (number !== asked) return;
+    if (number !== page.asked) return;
   }
   $("sides").replaceChildren(...made);
 }
 
+/** Compares with this header no more. */
+function drop(side) {
+  page.sides = page.sides.filter((one) => one !== side);
+}
+
 function sideHead(side) {
-  const away = button("×", () => (drop(side), refresh()), {
+  const away = button("×", () => (drop(side), page.refresh()), {
     "aria-label": `without ${side.name}`,
   });
   return [h("h3", {}, side.name, " ", away)];
@@ -27,12 +32,12 @@ function sideHead(side) {
 
 function shownSide(side, found) {
   const change = button("Go on there", () =>
-    step(() => model.under(side.name, (header) => changed(header, side.chosen))),
+    step(() => page.model.under(side.name, (header) => changed(header, side.chosen))),
   );
   const head = [...sideHead(side), h("p", {}, change)];
   if (found.refused) {
     if (found.refused.unusable) return [...head, h("p", {}, found.refused.unusable)];
-    const text = `Line ${numberOf(model.branch.numbers, found.explained + 1)} is not possible there.`;
+    const text = `Line ${numberOf(page.model.branch.numbers, found.explained + 1)} is not possible there.`;
     return [...head, h("p", {}, text), ...whyNot(found.refused)];
   }
   const only = (title, texts) =>

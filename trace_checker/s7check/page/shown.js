@@ -1,0 +1,70 @@
+// What the parts of the page share: what is shown, and buttons that change it.
+import { $, h } from "./elements.js";
+import { NoAnswer } from "./engine.js";
+
+/** What is shown now; `main.js` sets it. */
+export const page = {
+  clauses: new Map(),
+  desk: null,
+  model: null,
+  view: null, // what is shown of the branch: {explained, refused, look, after}
+  verdict: null, // of the opened log, while its branch is unchanged
+  sides: [], // the other headers: {name, chosen}
+  asked: 0, // the number of the last question: answers to earlier ones are not shown
+  refresh: null, // shows all parts anew
+};
+
+export function problem(error) {
+  $("problem").hidden = !error;
+  $("problem").textContent = error
+    ? error instanceof NoAnswer
+      ? `No verdict: ${error.message}.`
+      : (error.message ?? String(error))
+    : "";
+}
+
+/** Runs what a click asks for; an error becomes a sentence on the page. */
+export const safely =
+  (work) =>
+  async (...given) => {
+    try {
+      problem(null);
+      await work(...given);
+    } catch (error) {
+      problem(error);
+    } finally {
+      busy(false);
+    }
+  };
+
+/** Does a change of the document, and shows what is so then. */
+export const step = safely(async (change) => {
+  if (change() !== false) await page.refresh();
+});
+
+export function busy(what) {
+  $("stop").hidden = !what;
+  if (what) $("where").textContent = what;
+}
+
+export const button = (text, work, properties = {}) =>
+  h("button", { type: "button", onclick: safely(work), ...properties }, text);
+
+export const requirement = (id) => h("button", { type: "button", className: "id", onclick: () => tell(id) }, id);
+export const requirements = (ids) => h("span", { className: "ids" }, ...ids.flatMap((id) => [" ", requirement(id)]));
+
+function tell(id) {
+  const clause = page.clauses.get(id) ?? { text: "" };
+  const [title, text, origin] = $("clause").children;
+  const letters = Object.entries(clause.letters ?? {}).map(([letter, said]) => ` (${letter}) ${said}`);
+  title.textContent = id;
+  text.replaceChildren(clause.text, ...letters);
+  origin.textContent = [clause.source, clause.confidence].filter(Boolean).join("; ");
+  $("clause").showModal();
+}
+
+export const fields = (line) =>
+  Object.entries(line)
+    .filter(([name]) => !["event", "at", "up"].includes(name))
+    .map(([name, value]) => `${name}=${typeof value === "object" ? JSON.stringify(value) : value}`)
+    .join(" ");
