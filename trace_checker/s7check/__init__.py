@@ -5,9 +5,9 @@
 
 from typing import TYPE_CHECKING
 
-__version__ = "0.1.0"
+from s7check.version import __version__
 
-__all__ = ["Checker", "Line", "NotAcceptedError", "Reading", "Report", "Verdict", "check"]
+__all__ = ["Checker", "Line", "NotAcceptedError", "Reading", "Report", "Verdict", "__version__", "check"]
 
 if TYPE_CHECKING:
     from s7check.api import Checker, Line, NotAcceptedError, check

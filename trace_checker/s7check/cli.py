@@ -4,8 +4,8 @@ import os
 
 import click
 
-from s7check import __version__
 from s7check.program import Commands, run
+from s7check.version import __version__
 
 COMMANDS = {
     "trace": "s7check.trace_command:trace_command",

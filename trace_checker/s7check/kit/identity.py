@@ -11,10 +11,10 @@ from typing import Any
 
 import msgspec
 
-from s7check import __version__
 from s7check.engine.contents import contents
 from s7check.kit.program import Program
 from s7check.resources import SPECIFICATION, modules
+from s7check.version import __version__
 
 
 class Run(msgspec.Struct, frozen=True):

@@ -9,10 +9,10 @@ from urllib.parse import quote
 
 import msgspec
 
-from s7check import __version__
 from s7check.report.clauses import Clause, clause
 from s7check.report.report import Report, cause, message, parts, source
 from s7check.resources import RULES
+from s7check.version import __version__
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _UNUSABLE = "unusable-log"

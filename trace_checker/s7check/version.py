@@ -1,0 +1,3 @@
+"""The release, which wheels, reports and results name."""
+
+__version__ = "0.1.0"
