@@ -13,12 +13,13 @@ from evidence.kit import kept_paths, measured
 from evidence.tests.test_docs import CODE, LINK, anchors_of
 from evidence.views import vectors, views_command
 from evidence.views.made import views
+from evidence.views.traceability.project import read_project
 
 
 @pytest.fixture(scope="module")
 def made() -> dict[Path, str]:
     """All views."""
-    return views()
+    return views(read_project(ROOT))
 
 
 def test_every_link_has_an_end(made: dict[Path, str]) -> None:

@@ -14,16 +14,15 @@ from evidence.views.results import records
 from evidence.views.results.runs import old
 from evidence.views.traceability import page as traceability
 from evidence.views.traceability.matrix import build
-from evidence.views.traceability.project import read_project
+from evidence.views.traceability.project import Project
 from s7check.engine.client import Engine
 from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, read_kept
 
 RULES = Path("docs/rules")
 
 
-def views() -> dict[Path, str]:
-    """The texts by their places in a checkout. Raises OSError, ValueError, EngineError, UnreadableError."""
-    project = read_project(ROOT)
+def views(project: Project) -> dict[Path, str]:
+    """The texts by their places in a checkout. Raises OSError, ValueError, EngineError."""
     experiments = read_kept(EXPERIMENTS)
     kept = records.read(ROOT / "docs/project/results")
     with Engine() as engine:

@@ -36,7 +36,7 @@ _WIDTH, _HEIGHT = 960, 760
 def rejected() -> str:
     """The timeline of the log as an image of its own."""
     with TemporaryDirectory() as folder, Engine() as engine:
-        log = _log(folder)
+        log = log_of_readme(folder)
         report = check_log(str(log), engine, lambda *_: None)
         picture = timeline(with_steps(report, engine, Replay(str(log), [])))
     assert picture is not None, "a timeline"
@@ -63,7 +63,7 @@ def photograph(browser: str) -> bytes:
 
     with TemporaryDirectory() as folder, sync_playwright() as playwright:
         copy = Path(folder) / "page.html"
-        copy.write_text(page_with(f"{_log(folder)}:{_LAST_LINE}"), encoding="utf-8")
+        copy.write_text(page_with(f"{log_of_readme(folder)}:{_LAST_LINE}"), encoding="utf-8")
         page = playwright.chromium.launch(executable_path=browser, args=QUIET).new_page(
             viewport={"width": _WIDTH, "height": _HEIGHT}
         )
@@ -85,7 +85,7 @@ def main() -> None:
     SOURCES.write_text(sources(), encoding="utf-8")
 
 
-def _log(folder: str) -> Path:
+def log_of_readme(folder: str) -> Path:
     """The log of the README as a file."""
     found = _LOG.search(README.read_text(encoding="utf-8"))
     assert found is not None, "a log in the README"

@@ -12,6 +12,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from evidence.common.checkout import ROOT
+from evidence.views.site.chapters import BOOK
 
 _ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
 _NO_WORD = re.compile(r"[^\w\- ]")
@@ -56,6 +57,8 @@ def document(source: Path, text: str, place: str, views: Container[Path]) -> Doc
 def page_of(path: Path) -> str:
     """The place in the site of a file of the checkout."""
     inside = path.relative_to(ROOT).as_posix()
+    if inside == BOOK.as_posix():
+        return "book.html"
     if inside.startswith("docs/") and inside.endswith(".md"):
         return inside.removeprefix("docs/").removesuffix(".md") + ".html"
     if inside.startswith("spec/") and inside.endswith(".tla"):

@@ -4,60 +4,29 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 
-from evidence.views.site.documents import relative
-from s7check.report.clauses import Clause, page_of
-
-_TAG = re.compile(r"\b(?:[A-Z]{3,4}|[AT]15)-\d{2,}\b")
-_EXTENDS = re.compile(r"\b[A-Z]\w+\b")
+from evidence.views.site.linked import TAG, Linked
+from evidence.views.traceability.modules import Module
+from s7check.report.clauses import Clause
 
 
-def module_page(name: str, text: str, clauses: Mapping[str, Clause], modules: Mapping[str, str]) -> str:
-    """The body of a module's page. `modules` has the places of all pages of modules by name."""
-    place = modules[name]
+def module_page(module: Module, linked: Linked, clauses: Mapping[str, Clause], to: Callable[[str], str]) -> str:
+    """The body of a module's page; `to` makes the address of a place, or of an ID in `clauses`, on that page."""
     rows = []
-    number = 1
-    for block in re.split(r"(?<=\n)\n+", text):
-        named = dict.fromkeys(tag for tag in _TAG.findall(block) if tag in clauses)
-        beside = "".join(_clause(clauses[tag], place) for tag in named)
-        code = _code(block.rstrip("\n"), clauses, modules, place)
-        rows.append(f'<tr id="L{number}"><td><pre>{code}</pre></td><td class="beside">{beside}</td></tr>')
-        number += block.count("\n") + 1
-    return f"<h1>{html.escape(name)}</h1>\n<table class='module'>{''.join(rows)}</table>"
+    for start, end in _blocks(module.text):
+        block = module.text[start:end]
+        named = dict.fromkeys(tag for tag in TAG.findall(block.decode()) if tag in clauses)
+        beside = "".join(f'<p><a href="{to(tag)}">{tag}</a> {html.escape(clauses[tag].text)}</p>' for tag in named)
+        code = linked.code(module.name, start, start + len(block.rstrip(b"\n")), to, anchors=True)
+        rows.append(f'<tr><td><pre>{code}</pre></td><td class="beside">{beside}</td></tr>')
+    return f"<h1>{module.name}</h1>\n<table class='module'>{''.join(rows)}</table>"
 
 
-def _clause(clause: Clause, place: str) -> str:
-    address = relative(_place(clause.id), place)
-    return f'<p><a href="{address}">{clause.id}</a> {html.escape(clause.text)}</p>'
-
-
-def _place(name: str) -> str:
-    page = f"rules/{page_of(name).removesuffix('.md')}.html"
-    return f"{page}#{name}"
-
-
-def _code(block: str, clauses: Mapping[str, Clause], modules: Mapping[str, str], place: str) -> str:
-    """The text with links from tags to requirements, and from the names after EXTENDS to modules."""
-    text = html.escape(block, quote=False)
-    text = _TAG.sub(lambda m: _link(m[0], relative(_place(m[0]), place)) if m[0] in clauses else m[0], text)
-    if text.startswith("EXTENDS"):
-        text = _EXTENDS.sub(lambda m: _link(m[0], relative(modules[m[0]], place)) if m[0] in modules else m[0], text)
-    return text
-
-
-def _link(text: str, address: str) -> str:
-    return f'<a href="{address}">{text}</a>'
-
-
-def formulas(modules: Mapping[str, str], texts: Mapping[str, str], names: Mapping[str, Clause]) -> dict[str, list[str]]:
-    """For each requirement the addresses of the formulas whose comments name it, as ``Module, line 12`` links."""
-    found: dict[str, list[str]] = {}
-    for module, text in texts.items():
-        number = 1
-        for block in re.split(r"(?<=\n)\n+", text):
-            for tag in dict.fromkeys(_TAG.findall(block)):
-                if tag in names:
-                    found.setdefault(tag, []).append(f"{modules[module]}#L{number}")
-            number += block.count("\n") + 1
-    return found
+def _blocks(text: bytes) -> Iterator[tuple[int, int]]:
+    """The parts of a text between empty lines, from one byte to before another."""
+    start = 0
+    for gap in re.finditer(rb"\n\n+", text):
+        yield start, gap.end()
+        start = gap.end()
+    yield start, len(text)

@@ -4,40 +4,48 @@ from __future__ import annotations
 
 import html
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from importlib.resources import files
 from pathlib import Path
 
 import click
 import msgspec
+from markdown_it import MarkdownIt
 
 from evidence.common import gallery
+from evidence.common.cases import all_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.views.made import views
+from evidence.views.site.book import Page, Parts, editions
+from evidence.views.site.chapters import BOOK, problems, read_chapters
 from evidence.views.site.documents import Document, Section, document, page_of, relative
-from evidence.views.site.modules import formulas, module_page
+from evidence.views.site.front import front_page
+from evidence.views.site.linked import Linked
+from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
+from evidence.views.site.modules import module_page
 from evidence.views.traceability.errors import UnreadableError
+from evidence.views.traceability.matrix import build
+from evidence.views.traceability.project import REQUIREMENTS, REQUIREMENTS_S7_1500, Project, read_project
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.judging.check import check_log
-from s7check.judging.replay import Replay, with_steps
-from s7check.report.clauses import all_clauses
+from s7check.report import clauses
 from s7check.report.markup import as_text
-from s7check.report.timeline import legend, timeline
+from s7check.report.timeline import legend
 from s7check.resources import PAGE, modules
+from s7check.simulating.kept import EXPERIMENTS, read_kept
 
 _MENU = {
-    "index.html": "documentation",
+    "index.html": "start",
+    "book.html": "book",
     "gallery.html": "edge cases",
+    "README.html": "documentation",
     "rules/requirements.html": "requirements",
     "rules/readings.html": "readings",
     "modules.html": "specification",
 }
-_EXPLORER = "explorer.html"
-"""The page of `make page`, if it was built."""
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
@@ -54,8 +62,12 @@ def site_command(output: Path) -> int:
     They load nothing from elsewhere and work from the file system.
     """
     with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
-        made = {ROOT / place: text for place, text in views().items()}
-        pages = dict(_pages(made))
+        project = read_project(ROOT)
+        if found := problems(project):
+            raise ValueError("\n".join(found))
+        made = {ROOT / place: text for place, text in views(project).items()}
+        with Engine() as engine:
+            pages = dict(_pages(project, made, engine))
         if output.exists():
             shutil.rmtree(output)
         for place, page in pages.items():
@@ -71,62 +83,82 @@ def site_command(output: Path) -> int:
     return 0
 
 
-def _pages(made: Mapping[Path, str]) -> Iterator[tuple[str, Document]]:
+def _pages(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterator[tuple[str, Document]]:
     kept = {source: source.read_text(encoding="utf-8") for source in (ROOT / "docs").rglob("*.md")}
+    del kept[ROOT / BOOK]
     for source, text in sorted({**kept, **made}.items()):
         if source.suffix == ".md":
-            place = "index.html" if source.name == "README.md" else page_of(source)
+            place = page_of(source)
             yield place, document(source, text, place, made)
-    yield from _modules()
-    yield "gallery.html", _gallery()
+    yield from _generated(project, engine)
+    yield "gallery.html", _gallery(engine)
 
 
-def _modules() -> Iterator[tuple[str, Document]]:
-    """A page for each module, and a page with the formulas of each requirement."""
-    clauses = {clause.id: clause for clause in all_clauses()}
-    sources = modules(ROOT / "spec")
-    texts = {source.stem: source.read_text(encoding="utf-8") for source in sources}
-    places = {source.stem: page_of(source) for source in sources}
-    for name, text in texts.items():
-        yield (
-            places[name],
-            Document(name, module_page(name, text, clauses, places), [Section(places[name], name, text)]),
-        )
-    rows = []
-    for name, found in sorted(formulas(places, texts, clauses).items()):
-        links = " ".join(f'<a href="{place}">{Path(place).stem}</a>' for place in found)
-        rows.append(f'<tr id="{name}"><td>{name}</td><td>{html.escape(clauses[name].text)}</td><td>{links}</td></tr>')
+def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document]]:
+    """The modules of spec/ and the chapters of the book, which lead to each other."""
+    before, chapters = read_chapters(project.requirements)
+    homes = {name: f"book/{chapter.page}.html#{name}" for chapter in chapters for name in chapter.rules}
+    homes |= {name: f"rules/{clauses.page_of(name).removesuffix('.md')}.html#{name}" for name in project.ambiguities}
+    places = {source.stem: page_of(source) for source in modules(ROOT / "spec")}
+    linked = Linked(project.spec, places, lambda name: homes.get(name, ""))
+
+    def addressed(place: str) -> Callable[[str], str]:
+        return lambda to: relative(homes.get(to, to), place)
+
+    known = project.requirements | project.ambiguities
+    for module in project.spec:
+        place = places[module.name]
+        body = module_page(module, linked, known, addressed(place))
+        yield place, Document(module.name, body, [Section(place, module.name, module.text.decode())])
     links = " ".join(f'<a href="{place}">{name}</a>' for name, place in places.items())
-    table = f"<h2>Requirements and their formulas</h2><table>{''.join(rows)}</table>"
-    yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{links}</p>{table}")
+    yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{links}</p>")
+    yield "index.html", front_page(engine, addressed("index.html"), explorer=PAGE.is_file())
+    parts = _parts(project, linked, engine)
+    for chapter in chapters:
+        place = f"book/{chapter.page}.html"
+        sections = [Section(homes[name], name, known[name].text) for name in chapter.rules]
+        yield place, Document(chapter.title, Page(parts, chapter, addressed(place)).body(), sections)
+    items = "".join(f'<li><a href="book/{one.page}.html">{html.escape(one.title)}</a></li>' for one in chapters)
+    yield "book.html", Document("The book", f"{MarkdownIt().render(before)}<ol>{items}</ol>")
 
 
-def _gallery() -> Document:
+def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
+    pages = [(ROOT / page).read_text(encoding="utf-8") for page in (REQUIREMENTS, REQUIREMENTS_S7_1500)]
+    return Parts(
+        project,
+        {row.id: row for row in build(project).rows},
+        linked,
+        Logs(all_cases(), engine),
+        read_kept(EXPERIMENTS),
+        editions(*pages),
+        dict(engine.alternatives().defaults),
+        lambda *_: "",
+        explorer=PAGE.is_file(),
+    )
+
+
+def _gallery(engine: Engine) -> Document:
     """The edge cases, each with its timeline."""
     parts = ["<h1>Edge cases</h1>", as_text(legend())]
     sections = []
     logs = set()
-    with Engine() as engine:
-        gallery.write()
-        for case in gallery.cases():
-            log = gallery.LOGS / f"{case.name}.ndjson"
-            report = check_log(str(log), engine, lambda *_: None)
-            picture = timeline(with_steps(report, engine, Replay(str(log), [])))
-            drawn = "" if picture is None else as_text(picture.labels) + as_text(picture.lanes)
-            run = f', <a href="{_EXPLORER}#open={case.name}">run this</a>' if PAGE.is_file() else ""
-            ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case.requirements)
-            parts.append(
-                f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
-                f'<div class="scroll">{drawn}</div><p>{ids}; <a href="{page_of(log)}">log</a>{run}</p></section>'
-            )
-            sections.append(Section(f"gallery.html#{case.name}", case.title, case.told))
-            logs.add(log)
+    gallery.write()
+    for case in gallery.cases():
+        log = gallery.LOGS / f"{case.name}.ndjson"
+        run = f', <a href="{EXPLORER}#open={case.name}">run this</a>' if PAGE.is_file() else ""
+        ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case.requirements)
+        parts.append(
+            f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
+            f'{picture(drawable(log, engine))}<p>{ids}; <a href="{page_of(log)}">log</a>{run}</p></section>'
+        )
+        sections.append(Section(f"gallery.html#{case.name}", case.title, case.told))
+        logs.add(log)
     return Document("Edge cases", "\n".join(parts), sections, logs)
 
 
 def _whole(place: str, page: Document) -> str:
     root = relative("index.html", place).removesuffix("index.html")
-    places = _MENU | ({_EXPLORER: "explorer"} if PAGE.is_file() else {})
+    places = _MENU | ({EXPLORER: "explorer"} if PAGE.is_file() else {})
     menu = "".join(f'<a href="{root}{to}">{name}</a>' for to, name in places.items())
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -146,6 +178,6 @@ def _write_extras(output: Path, sections: list[Section]) -> None:
     (output / "index.js").write_text(f"const INDEX = {index};\n", encoding="utf-8")
     (output / "report.css").write_bytes((files("s7check.report") / "report.css").read_bytes())
     if PAGE.is_file():
-        shutil.copy(PAGE, output / _EXPLORER)
+        shutil.copy(PAGE, output / EXPLORER)
     for name in ("site.css", "search.js"):
         (output / name).write_bytes((files(__package__) / name).read_bytes())

@@ -7,7 +7,7 @@ where the property is that the rules implement it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -39,22 +39,29 @@ class Controls:
     """The models that name it."""
     unchecked: tuple[Definition, ...]
     """Properties with requirements that no model checks or assumes."""
+    checking: dict[tuple[str, str], tuple[str, ...]]
+    """The models that check a definition, by its module and name."""
+    entries: dict[str, Entry]
+    """All models and controls by name."""
 
 
 def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]) -> Controls:
     """Read the models and controls in a folder and their configurations. Raises `UnreadableError`."""
     listed = _entries(folder / MODELS)
-    negative = [e for e in listed if _is_negative(e)]
-    positive = [e for e in listed if not _is_negative(e)]
+    negative = [e for e in listed.values() if _is_negative(e)]
+    positive = [e for e in listed.values() if not _is_negative(e)]
     if not negative or not positive:
         raise UnreadableError(f"{folder / MODELS}: no {'models' if negative else 'negative controls'}")
     known = Properties(spec, models)
     used: dict[tuple[str, str], Definition] = {}
     assumed: set[tuple[str, str]] = set()
+    checking: dict[tuple[str, str], dict[str, None]] = {}
     for entry in positive:
         model, cfg = _model(entry, listed), _config(folder, entry, listed)
         for name in _checked(entry, cfg):
-            used |= {(d.module, d.name): d for d in known.parts(model, name, instances=True)}
+            for part in known.parts(model, name, instances=True):
+                used[part.module, part.name] = part
+                checking.setdefault((part.module, part.name), {})[entry.name] = None
         for name in cfg.names("SPECIFICATION"):
             assumed |= {(d.module, d.name) for d in known.parts(model, name, instances=False)}
     controls = _controls(folder, negative, listed, known, (*spec, *models))
@@ -66,13 +73,14 @@ def read_controls(folder: Path, spec: Sequence[Module], models: Sequence[Module]
     unchecked = [d for m in statements(spec) for d in m.definitions if d.tags and (d.module, d.name) not in needed]
     names = frozenset(entry.name for entry in negative)
     properties = tuple(sorted(used.values(), key=lambda d: (d.module, d.line)))
-    return Controls(properties, controls, names, named, tuple(unchecked))
+    models_of = {place: tuple(found) for place, found in checking.items()}
+    return Controls(properties, controls, names, named, tuple(unchecked), models_of, listed)
 
 
-def _entries(models: Path) -> list[Entry]:
-    """All entries by their names: nothing is to depend on where an entry stands."""
+def _entries(models: Path) -> dict[str, Entry]:
+    """All entries by their names, in the order of these: nothing is to depend on where an entry stands."""
     try:
-        return sorted(read(models).entries, key=lambda entry: entry.name)
+        return {entry.name: entry for entry in sorted(read(models).entries, key=lambda entry: entry.name)}
     except ManifestError as error:
         raise UnreadableError(str(error)) from error
 
@@ -80,7 +88,7 @@ def _entries(models: Path) -> list[Entry]:
 def _controls(
     folder: Path,
     negative: Sequence[Entry],
-    listed: Sequence[Entry],
+    listed: Mapping[str, Entry],
     known: Properties,
     modules: Sequence[Module],
 ) -> dict[str, Entries]:
@@ -106,17 +114,18 @@ def _is_negative(entry: Entry) -> bool:
     return derived if isinstance(entry.kind, msgspec.UnsetType) else entry.kind == "negative"
 
 
-def _base(entry: Entry, listed: Sequence[Entry]) -> Entry:
-    found = next((e for e in listed if e.name == entry.base), None)
-    return entry if found is None else _base(found, listed)
+def base_of(entry: Entry, listed: Mapping[str, Entry]) -> Entry:
+    """The model that a model or control is derived from, or itself."""
+    found = listed.get(str(entry.base))
+    return entry if found is None else base_of(found, listed)
 
 
-def _model(entry: Entry, listed: Sequence[Entry]) -> str:
-    return str(_base(entry, listed).module).removesuffix(".tla")
+def _model(entry: Entry, listed: Mapping[str, Entry]) -> str:
+    return str(base_of(entry, listed).module).removesuffix(".tla")
 
 
-def _config(folder: Path, entry: Entry, listed: Sequence[Entry]) -> Cfg:
-    base = _base(entry, listed)
+def _config(folder: Path, entry: Entry, listed: Mapping[str, Entry]) -> Cfg:
+    base = base_of(entry, listed)
     try:
         return configuration(folder, base, base)
     except ManifestError as error:

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from evidence.common.checkout import ROOT
+from evidence.views.site import chapters
 from evidence.views.traceability.detail import detail
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import Matrix, build, counts
@@ -36,10 +37,11 @@ def requirements_command(*, root: Path, ids: tuple[str, ...]) -> int:
         if ids:
             click.echo(detail(root, project, matrix, ids))
             return 0
-    except UnreadableError as error:
+        book = chapters.problems(project, root) if (root / chapters.BOOK).is_file() else []
+    except (UnreadableError, ValueError) as error:
         click.echo(f"Error: {error}", err=True)
         return UNREADABLE
-    found = problems(project, matrix)
+    found = [*problems(project, matrix), *book]
     click.echo(_summary(matrix))
     for note in notes(project):
         click.echo(f"note: {note}")

@@ -1,0 +1,187 @@
+"""The chapters of the book as HTML: below each rule its sources, readings, formula, checks and logs."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from markdown_it import MarkdownIt
+
+from evidence.models.entries import Entry
+from evidence.views.site.chapters import Chapter, definition_named
+from evidence.views.site.linked import TAG, Linked
+from evidence.views.site.logs import Logs, address
+from evidence.views.traceability.controls import base_of
+from evidence.views.traceability.matrix import Cell, Row
+from evidence.views.traceability.modules import Definition
+from evidence.views.traceability.project import Project
+from s7check.report.clauses import Clause, is_question
+from s7check.report.markup import as_text
+from s7check.report.timeline import patterns
+from s7check.simulating.kept import Kept
+
+_SOURCE = re.compile(r"^- \*\*(\w+)\*\*: (.*?)(?=^- |^$)", re.MULTILINE | re.DOTALL)
+_NAME = re.compile(r"<code>(\w+)</code>")
+_MOST = 3
+"""So many formulas, properties, models and controls of a rule are shown; the others are counted."""
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What the book is made of: `sources` has the editions, `defaults` the default letters, by their names."""
+
+    project: Project
+    rows: Mapping[str, Row]
+    linked: Linked
+    logs: Logs
+    experiments: Sequence[Kept]
+    sources: Mapping[str, str]
+    defaults: Mapping[str, str]
+    tables: Callable[[str, Callable[[str], str]], str]
+    explorer: bool
+
+
+def editions(*pages: str) -> dict[str, str]:
+    """The sources of requirement pages by their keys."""
+    return {key: " ".join(text.replace("*", "").split()) for page in pages for key, text in _SOURCE.findall(page)}
+
+
+class Page:
+    """A chapter; `to` makes the address of a place of the site, or of an ID, on its page."""
+
+    def __init__(self, parts: Parts, chapter: Chapter, to: Callable[[str], str]) -> None:
+        self._parts = parts
+        self._chapter = chapter
+        self._to = to
+
+    def body(self) -> str:
+        """The whole chapter."""
+        told = _NAME.sub(self._named, MarkdownIt().render(self._chapter.told))
+        tables = "".join(self._parts.tables(name, self._to) for name in self._chapter.tables)
+        rules = "".join(self._rule(name) for name in self._chapter.rules)
+        return f"<h1>{html.escape(self._chapter.title)}</h1>{as_text(patterns())}{told}{tables}{rules}"
+
+    def _named(self, found: re.Match[str]) -> str:
+        linked, name = self._parts.linked, found[1]
+        place = linked.places.get(name) or linked.place(definition_named(self._parts.project, name))
+        return f'<code><a href="{self._to(place)}">{found[1]}</a></code>'
+
+    def _rule(self, name: str) -> str:
+        clause, row = self._parts.project.requirements[name], self._parts.rows[name]
+        said = self._ids(MarkdownIt().renderInline(clause.text))
+        rows = [
+            ("Readings", "".join(self._readings(clause, row))),
+            ("Formula", self._cell(row.cells["formula"], self._formulas(self._tagged(name)))),
+            ("Property", self._cell(row.cells["property"], "".join(self._properties(row)))),
+            ("Checked", "".join(self._checks(row))),
+            ("Fails without it", self._cell(row.cells["model"], self._controls(row))),
+            ("Accepted", self._log(row.cells["accepted"])),
+            ("Rejected", self._log(row.cells["rejected"])),
+        ]
+        shown = "".join(f"<dt>{title}</dt><dd>{text}</dd>" for title, text in rows if text)
+        head = f'<h2><a href="#{name}">{name}</a></h2><p class="said">{said}</p>{self._origin(clause)}'
+        return f'<section class="rule" id="{name}">{head}<dl>{shown}</dl></section>'
+
+    def _ids(self, text: str) -> str:
+        return TAG.sub(lambda found: f'<a href="{self._to(found[0])}">{found[0]}</a>', text)
+
+    def _origin(self, clause: Clause) -> str:
+        def edition(found: re.Match[str]) -> str:
+            title = self._parts.sources.get(found[0])
+            return f'<abbr title="{html.escape(title)}">{found[0]}</abbr>' if title else found[0]
+
+        said = re.sub(r"\w+", edition, html.escape(clause.source))
+        place = self._to("rules/requirements.html#sources")
+        return f'<p class="origin">{said}; confidence <a href="{place}">{html.escape(clause.confidence)}</a></p>'
+
+    def _tagged(self, name: str) -> list[Definition]:
+        places = self._parts.rows[name].cells["formula"].entries.names
+        wanted = dict.fromkeys(places)
+        return [d for m in self._parts.project.spec for d in m.definitions if f"{d.module}.{d.name}" in wanted]
+
+    def _cell(self, cell: Cell, shown: str) -> str:
+        return shown if cell.entries.names else f"<i>{html.escape(cell.kind)}</i>: {html.escape(cell.reason)}"
+
+    def _formulas(self, definitions: Sequence[Definition]) -> str:
+        linked = self._parts.linked
+        shown = "".join(f"<pre>{linked.definition(one, self._to)}</pre>" for one in definitions[:_MOST])
+        links = ", ".join(f'<a href="{self._to(linked.place(d))}">{d.name}</a>' for d in definitions[_MOST:])
+        return shown + (f"<p>also {links}</p>" if links else "")
+
+    def _properties(self, row: Row) -> Iterator[str]:
+        inside = [d for d in row.properties if d.module in self._parts.linked.places]
+        outside = [f"{d.module}.{d.name}" for d in row.properties if d not in inside]
+        yield f"<details><summary>{', '.join(d.name for d in inside)}</summary>" if inside else ""
+        yield self._formulas(inside) + ("</details>" if inside else "")
+        yield f"<p>in models: {', '.join(outside)}</p>" if outside else ""
+
+    def _readings(self, clause: Clause, row: Row) -> Iterator[str]:
+        tags = [tag for one in self._tagged(row.id) for tag in one.tags]
+        for name in dict.fromkeys(filter(is_question, [*TAG.findall(clause.text), *tags])):
+            asked = self._parts.project.ambiguities[name]
+            default = self._parts.defaults.get(name)
+            letters = "".join(
+                f"<li>{'<b>' if letter == default else ''}({letter}) {html.escape(text)}"
+                f"{' (default)</b>' if letter == default else ''}</li>"
+                for letter, text in asked.letters.items()
+            )
+            yield f"<details><summary>{name} {html.escape(asked.text)}</summary><ul>{letters}</ul>"
+            yield f'<p><a href="{self._to(name)}">why</a>{"".join(self._experiments(name))}</p></details>'
+
+    def _experiments(self, name: str) -> Iterator[str]:
+        for one in self._parts.experiments:
+            ((question, first),), ((_, second),) = one.allowed.letters, one.refused.letters
+            if question == name:
+                place = self._to(f"rules/experiments.html#{name.lower()}-{first}-against-{second}")
+                yield f'; <a href="{place}">experiment {first} against {second}</a>'
+
+    def _checks(self, row: Row) -> Iterator[str]:
+        controls = self._parts.project.controls
+        checking = [model for d in row.properties for model in controls.checking.get((d.module, d.name), ())]
+        models = [controls.entries[name] for name in dict.fromkeys([*row.models, *checking])]
+        if models:
+            more = f"<li>and in {len(models) - _MOST} other models</li>" if len(models) > _MOST else ""
+            shown = "".join(map(_model, models[:_MOST]))
+            yield f"<p>Model-checked by TLC, within the bounds of</p><ul>{shown}{more}</ul>"
+        proofs = self._parts.project.proofs
+        for name in dict.fromkeys(d.name for d in row.properties if d.name in proofs and proofs[d.name].proved):
+            place = self._to("project/proofs.html#what-is-assumed")
+            found = proofs[name]
+            yield f"<p>{name}: proved by Apalache of {found.proved} of {found.actions} actions, "
+            yield f'of one step from any state <a href="{place}">within its bounds</a></p>'
+
+    def _controls(self, row: Row) -> str:
+        found = row.cells["model"].entries
+        shown = "".join(self._control(self._parts.project.controls.entries[name]) for name in found.names[:_MOST])
+        more = len(found.names) - _MOST
+        return f"<ul>{shown}{f'<li>and {more} others</li>' if more > 0 else ''}</ul>"
+
+    def _control(self, entry: Entry) -> str:
+        base = base_of(entry, self._parts.project.controls.entries)
+        changes = "".join(
+            f"<pre><del>{html.escape(one.replace.rstrip())}</del>\n<ins>{html.escape(one.by.rstrip())}</ins></pre>"
+            for one in entry.mutate
+        )
+        said = f"{entry.name}: {entry.expect.property} fails in model {base.name}"
+        return f"<li><details><summary>{said}</summary>{changes or f'<p>{_what(entry)}</p>'}</details></li>"
+
+    def _log(self, cell: Cell) -> str:
+        if not cell.entries.names:
+            return self._cell(cell, "")
+        case, drawn = self._parts.logs.shown(cell.entries.names[0])
+        lines = [line for line in case.lines if line.strip()]
+        shown = len(lines) - 1 if case.line is None else max(0, case.line - 2)
+        run = f' <a class="run" href="{self._to(address(case.name, lines, shown))}">run this</a>'
+        where = f", line {case.line}" if case.line else ""
+        return f"<p>{html.escape(case.reason)} ({case.name}{where}){run if self._parts.explorer else ''}</p>{drawn}"
+
+
+def _what(entry: Entry) -> str:
+    return html.escape(entry.what) if isinstance(entry.what, str) else ""
+
+
+def _model(entry: Entry) -> str:
+    states = f" ({entry.expect.distinct:,} states)" if entry.expect.distinct else ""
+    return f"<li>{entry.name}{states}: {_what(entry)}</li>"

@@ -1,0 +1,64 @@
+"""The front page: a rejected log with its timeline, and three things to try."""
+
+from __future__ import annotations
+
+import html
+import tempfile
+from collections.abc import Callable, Iterator
+
+from evidence.common import gallery
+from evidence.common.gallery import Case
+from evidence.views.pictures import log_of_readme
+from evidence.views.site.documents import Document, Section
+from evidence.views.site.logs import EXPLORER, address, drawable, picture
+from s7check.engine.client import Engine
+from s7check.report.clauses import clause
+from s7check.report.markup import as_text
+from s7check.report.report import Report
+from s7check.report.timeline import patterns
+
+_EDGE_CASE = "due-while-running"
+_SIDES = ("S7-300", "S7-400", "clock-back-s7-300")
+"""A CPU, another one beside it, and the edge case that they answer differently."""
+
+_TOLD = """The rules of the interrupt functions of Siemens S7-300 and S7-400 CPUs, as a formal specification: SFC 28
+to 34 and SFC 39 to 42, the clock, priorities, missing OBs, modes and restart. A program checks logs against it, and
+says which line no such CPU would show, and by which rule."""
+
+
+def front_page(engine: Engine, to: Callable[[str], str], *, explorer: bool) -> Document:
+    """The page; `to` makes the address of an ID."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = drawable(log_of_readme(folder), engine)
+    found = {case.name: case for case in gallery.cases()}
+    cards = _cards(report, found) if explorer else iter([_card("gallery.html", "Edge cases", "Forty of them.")])
+    body = (
+        f"<h1>Would a real S7-300/400 do that?</h1><p>{_TOLD}</p>"
+        f"{as_text(patterns())}{picture(report)}"
+        f'<p><span class="verdict rejected">rejected</span> {html.escape(report.why)}</p><ul>{_rules(report, to)}</ul>'
+        f'<ul class="cards">{"".join(cards)}</ul>'
+        '<p><a href="book.html">The book</a> has every rule with its sources, its formula, its proofs and its logs.</p>'
+    )
+    return Document("s7-interrupts", body, [Section("index.html", "s7-interrupts", _TOLD)])
+
+
+def _rules(report: Report, to: Callable[[str], str]) -> str:
+    named = [clause(name) for name in report.requirements]
+    return "".join(f'<li><a href="{to(one.id)}">{one.id}</a> {html.escape(one.text)}</li>' for one in named)
+
+
+def _cards(report: Report, found: dict[str, Case]) -> Iterator[str]:
+    assert report.line is not None
+    here = address("the log above", report.lines, report.line - 2)
+    yield _card(here, "Open this log", "Which lines may come in place of the rejected one, and why it may not.")
+    yield _card(EXPLORER, "Drop a log", "The checker runs in the page. Nothing leaves your machine.")
+    case = found[_EDGE_CASE]
+    yield _card(f"{EXPLORER}#open={case.name}", case.title, case.told)
+    mine, other, name = _SIDES
+    case = found[name]
+    beside = address(case.title, case.log.splitlines(), len(case.log.splitlines()) - 2, [other])
+    yield _card(beside, f"{mine} beside {other}", case.told)
+
+
+def _card(place: str, title: str, text: str) -> str:
+    return f'<li><a href="{place}">{html.escape(title)}</a><p>{html.escape(text)}</p></li>'
