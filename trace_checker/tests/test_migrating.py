@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from s7check import cli
+from s7check import cli, resources
 from s7check.migrating.table import read
 from tests.logs import HEADER, event, log_text
 
@@ -44,12 +44,12 @@ def test_first_line_and_what_to_do(log: Path, capsys: pytest.CaptureFixture[str]
 
 
 def test_json_has_a_line_for_each_point(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The hint about SDT, and the line that does not come."""
+    """The hints about OB 85 and SDT, and the line that does not come."""
     assert cli.main(["migrate", str(log), "--format", "json"]) == 1
     points = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
-    assert [(point["line"], point["kind"]) for point in points] == [(2, "hint"), (5, "will")]
-    assert points[0]["differences"][0]["id"] == "MD-29"
-    assert "start ob=10" in points[1]["instead"]
+    assert [(point["line"], point["kind"]) for point in points] == [(1, "hint"), (2, "hint"), (5, "will")]
+    assert [point["differences"][0]["id"] for point in points] == ["MD-09", "MD-29", "MD-01"]
+    assert "start ob=10" in points[2]["instead"]
 
 
 def test_page_has_both_timelines(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -64,7 +64,7 @@ def test_page_has_both_timelines(log: Path, capsys: pytest.CaptureFixture[str]) 
 def test_a_log_without_differences(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """DIS_AIRT is the same on both."""
     path = tmp_path / "log.ndjson"
-    path.write_bytes(log_text(event("DIS_AIRT", ret=1), event("EN_AIRT", ret=0), header=RUN))
+    path.write_bytes(log_text(event("DIS_AIRT", ret=1), event("EN_AIRT", ret=0), header=RUN | {"obs": [1, 80]}))
     assert cli.main(["migrate", str(path)]) == 0
     assert capsys.readouterr().out == f"{path}: nothing of it changes on an S7-1500, as far as its texts say\n"
 
@@ -109,3 +109,25 @@ def test_a_table_that_is_not_of_the_format(tmp_path: Path) -> None:
     file.write_text("// table\n== MD-01 clock H CLK-02 -> T15-90\nwas: this\nis: that\nnone: nothing\n")
     with pytest.raises(ValueError, match="MD-01 clock H CLK-02 -> T15-90: expected a heading, was, is, do"):
         read(file)
+
+
+MARKED = {
+    "clock-over-point-without-ob80": (4, "MD-03"),
+    "due-while-running-without-ob80": (5, "MD-11"),
+    "due-twice-while-running": (7, "MD-36"),
+    "missing-ob10-and-ob85": (4, "MD-08"),
+    "missing-async-error-ob": (4, "MD-20"),
+    "clock-back-s7-400": (5, "MD-05"),
+}
+"""Cases of the gallery: the line that a reviewer marked, and the difference, with the texts of both CPUs in hand and
+before migrate was run on them. It missed MD-05, MD-20 and MD-36 then."""
+
+
+@pytest.mark.parametrize("name", MARKED)
+def test_what_a_reviewer_marked(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """The line of each case has the difference, and only OB 85 in the header comes before it."""
+    line, difference = MARKED[name]
+    assert cli.main(["migrate", str(resources.GALLERY / f"{name}.ndjson"), "--format", "json"]) == 1
+    points = [json.loads(text) for text in capsys.readouterr().out.splitlines()]
+    found = [(point["line"], one["id"]) for point in points for one in point["differences"]]
+    assert next(each for each in found if each != (1, "MD-09")) == (line, difference)

@@ -10,10 +10,20 @@ from typing import Any
 
 import msgspec
 
+from s7check.log.values import instant
 from s7check.resources import RULES
 
 FAMILIES = {"S7-1500": "differences-s7-1500.txt"}
 """Family -> the file of RULES with its differences."""
+
+_SAID = {
+    "start": ("ob", "flt_id"),
+    "stop": ("cause",),
+    "restart": ("type",),
+    "clock": ("way",),
+    "SET_TINT": ("period",),
+}
+"""Event -> the fields whose values stand behind it, in this order; ``way``: of the clock, ``back`` or ``forward``."""
 
 _HEADING = re.compile(r"== (MD-\d+) (\w+) ([HMLC]) (.*?) -> (.*?)(?: \[(.*)\])?")
 
@@ -47,14 +57,15 @@ def _fits(words: Sequence[str], line: dict[str, Any]) -> bool:
     event, *rest = words
     if line.get("event") != event:
         return False
-    said = {"start": ("ob", "flt_id"), "stop": ("cause",), "restart": ("type",), "SET_TINT": ("period",)}.get(event, ())
     found = {**line.get("info", {}), **line}
-    return all(_is(word, name, found.get(name)) for word, name in zip(rest, said, strict=False))
+    if event == "clock":
+        found["way"] = "back" if instant(line["to"]) < instant(line["at"]) else "forward"
+    return all(_is(word, name, found.get(name)) for word, name in zip(rest, _SAID.get(event, ()), strict=False))
 
 
 def _is(word: str, name: str, value: object) -> bool:
     """Whether a field has the value of the word: a number or a range of OBs, else hexadecimal, or the word itself."""
-    if value is None or name == "type":
+    if value is None or name in ("type", "way"):
         return value is None or value == word
     if name == "ob":
         first, _, last = word.partition("-")

@@ -28,7 +28,6 @@ from s7check.report.expected import format_allowed
 Json = dict[str, Any]
 
 _SETTING = ("SET_TINT", "ACT_TINT", "SRT_DINT")
-_TIMED = range(10, 24)
 _OB_RUNS = 1
 """Milliseconds of a run that the other CPU has and the log has not."""
 _MOST_DUE = 20
@@ -148,15 +147,14 @@ class Walk:
         return False
 
     def _may_be_missing(self, line: Json) -> bool:
-        """Whether the old CPU had to start this OB 10 to 23, or to stop, and the other one need not."""
-        start = line["event"] == "start" and line["ob"] in _TIMED
+        """Whether the old CPU had to start this OB, or to stop, and the other one need not."""
+        start = line["event"] == "start" and line["ob"] != 1
         stop = line["event"] == "stop" and "cause" not in line
         if not (start or stop) or not self.new.lines or self.new.lines[-1] != line:
             return False
+        later = {"event": "stop" if start else "hold", "at": iso(instant(line["at"]) + self.latency + 1)}
         self.new.undo()
-        probe = "stop" if start else "hold"
-        later = {"event": probe, "at": iso(instant(line["at"]) + self.latency + 1)}
-        free = self.new.why(later) is None and self.old.why(later) is not None
+        free = _owed(self.old, later) and not _owed(self.new, later)
         self.new.feed(line)
         return free
 
@@ -180,10 +178,19 @@ class Walk:
         return Point(number, line["at"], spelled(line), kind, instead, old, new, found)
 
 
+def _owed(session: Session, later: Json) -> bool:
+    """Whether something has to come before a later line."""
+    refusal = session.why(later)
+    return refusal is not None and refusal.late
+
+
 def matching(
     table: Sequence[Difference], line: Json, old: Sequence[str], new: Sequence[str], refusal: Refusal | None
 ) -> list[Difference]:
-    """The differences that share most with a point: their line, and requirements of both sides; none is a guess."""
+    """The differences that share most with a point: their line, and requirements of both sides; none is a guess.
+
+    Of a line that may come those go first that no log shows, since the new CPU may do as the old one.
+    """
     late = refusal is not None and refusal.late
     due = [{"event": one.event, "ob": one.ob} for one in refusal.expected] if refusal and late else []
 
@@ -195,13 +202,24 @@ def matching(
         return shared + (4 if known else 0)
 
     best = max((score(one) for one in table), default=0)
-    return [one for one in table if best and score(one) == best]
+    found = [one for one in table if best and score(one) == best]
+    open_ones = [one for one in found if one.none and refusal is None]
+    return open_ones or found
+
+
+def _not_there(header: Json, other: Json, table: Sequence[Difference]) -> Iterator[Point]:
+    """A hint about each OB of the header that the other CPU does not have."""
+    for ob in sorted({*header["obs"]} - {*other["obs"]}):
+        found = [one for one in table if one.fits({"event": "start", "ob": ob})]
+        yield Point(1, header["clock"], f"OB {ob} is loaded", "hint", [], [], [], found)
 
 
 def points(engine: Engine, prefix: Prefix, family: str, new_project: bool = False) -> Iterator[Point]:
     """The points of a log, as they come. Raises EngineError, UnusableLogError."""
     header = prefix.header
-    new = Session(engine, migrated(header, family, new_project))
-    walk = Walk(Session(engine, header), new, differences(family), int(header.get("latency_ms", 10)))
+    other = migrated(header, family, new_project)
+    table = differences(family)
+    yield from _not_there(header, other, table)
+    walk = Walk(Session(engine, header), Session(engine, other), table, int(header.get("latency_ms", 10)))
     for number, line in prefix.events:
         yield from walk.take(number, line)
