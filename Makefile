@@ -9,6 +9,7 @@ WINDOWS := $(NATIVE).exe
 WASM   := trace_checker/engine/target/wasm/engine.wasm
 PAGE   := build/page/s7check.html
 PLC    := examples/soft_plc/build/soft_plc
+SEARCH := build/npm/node_modules/minisearch/dist/umd/index.js
 AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
@@ -36,7 +37,7 @@ test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `
 test-checker: setup $(AWLSIM)
 	$(BIN)/python -m pytest -q -n logical --dist loadfile trace_checker/tests
 
-test-evidence: setup
+test-evidence: setup $(SEARCH)
 	$(BIN)/python -m pytest -q -n logical --dist loadfile evidence/tests
 
 test-engine: setup
@@ -137,7 +138,7 @@ kept: setup  ## the kept data that are made by TLC and the soft PLC, anew: minut
 	$(MAKE) $(KIT)
 	$(BIN)/s7spec kit reached --write
 
-site: setup page  ## build/site: docs, specification, edge cases and explorer as static pages, with search, without network
+site: setup page $(SEARCH)  ## build/site: the book, docs, specification, edge cases and explorer as static pages, with a search (by npm)
 	$(BIN)/s7spec views site
 
 pictures: setup  ## docs/pictures, for the README; the explorer's needs Chromium
@@ -151,6 +152,13 @@ $(BIN)/s7check: requirements.lock pyproject.toml evidence/pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
 	$(BIN)/pip install -q --disable-pip-version-check --no-build-isolation --no-deps -e . -e evidence
+	@touch $@
+
+$(SEARCH): evidence/views/site/package-lock.json
+	@echo "installing minisearch for the site"
+	@mkdir -p build/npm
+	@cp evidence/views/site/package*.json build/npm
+	@cd build/npm && npm ci --silent --ignore-scripts --no-audit --no-fund
 	@touch $@
 
 $(AWLSIM): examples/adapters/requirements-awlsim.txt $(BIN)/s7check

@@ -1,12 +1,15 @@
 """The site: every link leads somewhere, nothing comes from elsewhere."""
 
+import json
 import re
 from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
 from click.testing import CliRunner
+from playwright.sync_api import sync_playwright
 
+from evidence.common.chromium import QUIET, chromium
 from evidence.views.site.site_command import site_command
 from s7check.resources import PAGE
 
@@ -80,8 +83,43 @@ def test_each_edge_case_is_drawn(site: Path) -> None:
     assert all("<svg" in section for section in sections)
 
 
-def test_the_search_knows_headings_and_modules(site: Path) -> None:
-    """By their words."""
-    index = (site / "index.js").read_text()
-    assert "spec/rules/Airt.html" in index
-    assert "rules/review.html#" in index
+def test_the_book_has_the_tables_of_the_specification(site: Path) -> None:
+    """As TLC evaluates them."""
+    tables = {
+        "sfc-28-set_tint": ("<td>80A1</td>", ">PastStart<", "<td>2001</td>", ">EndOfMonth<"),
+        "sfc-31-qry_tint": ("<td>0017</td>",),
+        "sfc-39-dis_irt": ("<td>82</td><td>2</td><td>yes</td><td>no</td><td>no</td>", "<td>70, 72</td>"),
+        "time-errors": ("<td>05</td><td>3505</td>",),
+        "missing-obs-errors-and-stop": ("<td>4568</td>", "STOP: OB 80 missing"),
+        "start-events-and-obs": ("<td>17</td><td>2</td><td>2</td><td>2</td><td>2</td><td>1118</td>",),
+    }
+    for page, parts in tables.items():
+        text = (site / "book" / f"{page}.html").read_text()
+        assert [part for part in parts if part not in text] == []
+
+
+@pytest.mark.skipif(chromium() is None, reason="no Chromium")
+def test_the_search_finds_rules_by_their_words_on_a_phone(site: Path) -> None:
+    """From the file system, with titles and without Markdown; nothing is wider than the screen."""
+    with sync_playwright() as playwright:
+        page = playwright.chromium.launch(executable_path=chromium(), args=QUIET).new_page(
+            viewport={"width": 360, "height": 800}
+        )
+        for place in ("index.html", "book/the-clock.html"):
+            page.goto((site / place).as_uri())
+            assert page.evaluate("document.documentElement.scrollWidth") == 360
+        page.fill("#search", "clock set back")
+        page.locator("#found a").first.wait_for()
+        found = page.locator("#found a").all_inner_texts()
+        page.fill("#search", "MayStart")
+        page.locator("#found a", has_text="MayStart · Requests").click()
+        assert page.url.endswith("Requests.html#MayStart")
+    assert {"CLK-09", "CLK-10"} <= {title.split(" ")[0] for title in found[:6]}
+
+
+def test_the_search_has_no_markdown(site: Path) -> None:
+    """Neither in titles nor in texts."""
+    parts = json.loads((site / "index.js").read_text().removeprefix("const INDEX = ").rstrip(";\n"))
+    assert len(parts) > 1500
+    assert [one for one in parts if re.search(r"`|\*\*|\]\(|<a |\[\w+ \d", one["title"])] == []
+    assert [one["title"] for one in parts if re.search(r"\*\*\w|\]\(\w", one["text"])] == []

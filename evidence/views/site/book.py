@@ -13,6 +13,7 @@ from evidence.models.entries import Entry
 from evidence.views.site.chapters import Chapter, definition_named
 from evidence.views.site.linked import TAG, Linked
 from evidence.views.site.logs import Logs, address
+from evidence.views.site.tables import Tables
 from evidence.views.traceability.controls import base_of
 from evidence.views.traceability.matrix import Cell, Row
 from evidence.views.traceability.modules import Definition
@@ -39,7 +40,7 @@ class Parts:
     experiments: Sequence[Kept]
     sources: Mapping[str, str]
     defaults: Mapping[str, str]
-    tables: Callable[[str, Callable[[str], str]], str]
+    tables: Tables
     explorer: bool
 
 

@@ -15,17 +15,24 @@ from evidence.common.checkout import ROOT
 from evidence.views.site.chapters import BOOK
 
 _ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
+_OWN_PAGES = {BOOK.as_posix(): "book.html", "docs/rules/gallery.md": "gallery.html"}
+"""Documents in whose place the site has a page of its own."""
 _NO_WORD = re.compile(r"[^\w\- ]")
 _TAG = re.compile(r"<[^>]*>")
 
 
 @dataclass
 class Section:
-    """A part of a page that the search can find: its place in the site, its title, its text."""
+    """A part of a page that the search can find: its place in the site, its title, its text, without Markdown.
+
+    `within` is the title of what it is a part of; of two parts with the same words that with more `weight` comes first.
+    """
 
     place: str
     title: str
     text: str
+    within: str = ""
+    weight: float = 1
 
 
 @dataclass
@@ -57,8 +64,8 @@ def document(source: Path, text: str, place: str, views: Container[Path]) -> Doc
 def page_of(path: Path) -> str:
     """The place in the site of a file of the checkout."""
     inside = path.relative_to(ROOT).as_posix()
-    if inside == BOOK.as_posix():
-        return "book.html"
+    if inside in _OWN_PAGES:
+        return _OWN_PAGES[inside]
     if inside.startswith("docs/") and inside.endswith(".md"):
         return inside.removeprefix("docs/").removesuffix(".md") + ".html"
     if inside.startswith("spec/") and inside.endswith(".tla"):
@@ -88,18 +95,31 @@ def _address(address: str, source: Path, place: str, views: Container[Path], ref
 def _sections(tokens: list[Token], place: str) -> Iterator[Section]:
     """Each heading with the text below it; the headings get anchors as the docs' links have them."""
     current: Section | None = None
+    whole = ""
     for token, following in zip(tokens, [*tokens[1:], None], strict=True):
         if token.type == "heading_open" and following is not None:
             if current is not None:
                 yield current
-            title = _TAG.sub("", following.content)
-            anchor = _NO_WORD.sub("", title.lower()).replace(" ", "-")
+            title = _words(following)
+            anchor = _NO_WORD.sub("", _TAG.sub("", following.content).lower()).replace(" ", "-")
             token.attrs["id"] = anchor
-            current = Section(f"{place}#{anchor}", title, "")
-        elif token.type == "inline" and current is not None and _TAG.sub("", token.content) != current.title:
-            current.text += f" {token.content}"
+            current = Section(f"{place}#{anchor}", title, "", whole, 0.3 if place.startswith("project/") else 1)
+            whole = whole or title
+        elif token.type == "inline" and current is not None and _words(token) != current.title:
+            current.text += f" {_words(token)}"
     if current is not None:
         yield current
+
+
+def plain(markdown: str) -> str:
+    """The words of a line of Markdown."""
+    return _words(MarkdownIt("commonmark").parseInline(markdown)[0])
+
+
+def _words(token: Token) -> str:
+    breaks = ("softbreak", "hardbreak")
+    children = [child for child in token.children or [] if child.type != "html_inline"]
+    return "".join(" " if child.type in breaks else child.content for child in children)
 
 
 def _all(tokens: list[Token]) -> Iterator[Token]:

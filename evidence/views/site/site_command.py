@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import shutil
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -18,14 +19,17 @@ from evidence.common.checkout import ROOT
 from evidence.common.console import plain
 from evidence.common.processes import Processes
 from evidence.common.session import session
+from evidence.tla.tlc import ToolMissingError
 from evidence.views.made import views
 from evidence.views.site.book import Page, Parts, editions
-from evidence.views.site.chapters import BOOK, problems, read_chapters
+from evidence.views.site.chapters import problems, read_chapters
 from evidence.views.site.documents import Document, Section, document, page_of, relative
+from evidence.views.site.documents import plain as plain_words
 from evidence.views.site.front import front_page
 from evidence.views.site.linked import Linked
 from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
 from evidence.views.site.modules import module_page
+from evidence.views.site.tables import Tables
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import build
 from evidence.views.traceability.project import REQUIREMENTS, REQUIREMENTS_S7_1500, Project, read_project
@@ -48,6 +52,12 @@ _MENU = {
 }
 
 
+_GENERATED = ("book.html", "gallery.html")
+_IN_OTHER_WORDS = tuple(f"rules/{n}.html" for n in ("requirements", "requirements-s7-1500", "readings", "traceability"))
+"""Pages of rules and questions, each of which the search has by itself."""
+_SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
+
+
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
 @click.option(
     "--output",
@@ -61,10 +71,12 @@ def site_command(output: Path) -> int:
 
     They load nothing from elsewhere and work from the file system.
     """
-    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
+    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError, ToolMissingError)) as console:
         project = read_project(ROOT)
         if found := problems(project):
             raise ValueError("\n".join(found))
+        if not _SEARCH.is_file():
+            raise ValueError(f"{_SEARCH.relative_to(ROOT)} is not there: run `make site`, which installs it")
         made = {ROOT / place: text for place, text in views(project).items()}
         with Engine() as engine:
             pages = dict(_pages(project, made, engine))
@@ -85,13 +97,12 @@ def site_command(output: Path) -> int:
 
 def _pages(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterator[tuple[str, Document]]:
     kept = {source: source.read_text(encoding="utf-8") for source in (ROOT / "docs").rglob("*.md")}
-    del kept[ROOT / BOOK]
     for source, text in sorted({**kept, **made}.items()):
-        if source.suffix == ".md":
-            place = page_of(source)
-            yield place, document(source, text, place, made)
+        place = page_of(source)
+        if source.suffix == ".md" and place not in _GENERATED:
+            page = document(source, text, place, made)
+            yield place, replace(page, sections=[]) if place in _IN_OTHER_WORDS else page
     yield from _generated(project, engine)
-    yield "gallery.html", _gallery(engine)
 
 
 def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document]]:
@@ -109,17 +120,25 @@ def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document
     for module in project.spec:
         place = places[module.name]
         body = module_page(module, linked, known, addressed(place))
-        yield place, Document(module.name, body, [Section(place, module.name, module.text.decode())])
+        names = [Section(linked.place(d), d.name, " ".join(d.tags), module.name) for d in module.definitions]
+        yield place, Document(module.name, body, [Section(place, module.name, "module of the specification"), *names])
     links = " ".join(f'<a href="{place}">{name}</a>' for name, place in places.items())
     yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{links}</p>")
     yield "index.html", front_page(engine, addressed("index.html"), explorer=PAGE.is_file())
+    yield "gallery.html", _gallery(engine, addressed("gallery.html"))
     parts = _parts(project, linked, engine)
     for chapter in chapters:
         place = f"book/{chapter.page}.html"
-        sections = [Section(homes[name], name, known[name].text) for name in chapter.rules]
+        sections = [Section(place, chapter.title, plain_words(chapter.told), "The book")]
+        sections += [_rule(homes[name], known[name], chapter.title) for name in chapter.rules]
         yield place, Document(chapter.title, Page(parts, chapter, addressed(place)).body(), sections)
     items = "".join(f'<li><a href="book/{one.page}.html">{html.escape(one.title)}</a></li>' for one in chapters)
-    yield "book.html", Document("The book", f"{MarkdownIt().render(before)}<ol>{items}</ol>")
+    questions = [_rule(homes[name], asked, "Readings") for name, asked in project.ambiguities.items()]
+    yield "book.html", Document("The book", f"{MarkdownIt().render(before)}<ol>{items}</ol>", questions)
+
+
+def _rule(place: str, one: clauses.Clause, within: str) -> Section:
+    return Section(place, one.id, " ".join([plain_words(one.text), *one.letters.values()]), within, weight=5)
 
 
 def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
@@ -132,12 +151,12 @@ def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
         read_kept(EXPERIMENTS),
         editions(*pages),
         dict(engine.alternatives().defaults),
-        lambda *_: "",
+        Tables(project.spec, linked),
         explorer=PAGE.is_file(),
     )
 
 
-def _gallery(engine: Engine) -> Document:
+def _gallery(engine: Engine, to: Callable[[str], str]) -> Document:
     """The edge cases, each with its timeline."""
     parts = ["<h1>Edge cases</h1>", as_text(legend())]
     sections = []
@@ -146,12 +165,12 @@ def _gallery(engine: Engine) -> Document:
     for case in gallery.cases():
         log = gallery.LOGS / f"{case.name}.ndjson"
         run = f', <a href="{EXPLORER}#open={case.name}">run this</a>' if PAGE.is_file() else ""
-        ids = ", ".join(f'<a href="rules/requirements.html#{name}">{name}</a>' for name in case.requirements)
+        ids = ", ".join(f'<a href="{to(name)}">{name}</a>' for name in case.requirements)
         parts.append(
             f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
             f'{picture(drawable(log, engine))}<p>{ids}; <a href="{page_of(log)}">log</a>{run}</p></section>'
         )
-        sections.append(Section(f"gallery.html#{case.name}", case.title, case.told))
+        sections.append(Section(f"gallery.html#{case.name}", case.title, case.told, "Edge cases"))
         logs.add(log)
     return Document("Edge cases", "\n".join(parts), sections, logs)
 
@@ -169,15 +188,16 @@ def _whole(place: str, page: Document) -> str:
         f'<nav>{menu}<input id="search" type="search" placeholder="Search" aria-label="Search" '
         f'data-root="{root}"></nav>'
         f'<ul id="found"></ul><main>{page.body}</main>'
-        f'<script src="{root}index.js"></script><script src="{root}search.js"></script></body></html>\n'
+        f'<script src="{root}search.js"></script></body></html>\n'
     )
 
 
 def _write_extras(output: Path, sections: list[Section]) -> None:
-    index = msgspec.json.encode([[one.place, one.title, one.text] for one in sections]).decode()
+    index = msgspec.json.encode([asdict(one) for one in sections]).decode()
     (output / "index.js").write_text(f"const INDEX = {index};\n", encoding="utf-8")
     (output / "report.css").write_bytes((files("s7check.report") / "report.css").read_bytes())
     if PAGE.is_file():
         shutil.copy(PAGE, output / EXPLORER)
+    shutil.copy(_SEARCH, output / "minisearch.js")
     for name in ("site.css", "search.js"):
         (output / name).write_bytes((files(__package__) / name).read_bytes())
