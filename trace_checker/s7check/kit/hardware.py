@@ -6,28 +6,36 @@ import struct
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from datetime import datetime
+from itertools import islice
 from typing import Any
 
 from s7check.kit.program import Program, bodies_of, outside_events
 from s7check.kit.scl import SFC, NotForCpuError
 from s7check.log.values import instant, iso
 
-LOADED, RUNS, DONE = 1, 2, 3
-"""What DB 110 says of the program."""
+_STATES = {"RUN": 1, "STARTUP": 5, "STOP": 0}
+"""What DB 110 says of a program that was loaded, by the mode in which it begins."""
 
-STATE = 8
-"""The byte in DB 110 where it says so."""
+_RESTARTED = 4
+_STARTUP_OB = 100
+
+STATE, BEGUN, NEXT = 8, 12, 28
+"""Bytes in DB 110: what it says of the program, its begin, the next event from outside."""
 
 MOST = 498
 """Steps that fit in DB 110."""
 
 _HEADER = struct.Struct(">HhhhhhI8sII")
+HEAD = _HEADER.size
+"""Bytes of DB 110 before the steps."""
+
 _STEP = struct.Struct(">BBhHH8s")
 _MAGIC, _LAYOUT = 0x5331, 1
 _EVENT_STEP = struct.Struct(">BBhI8s")
 _WAIT, _SET_CLK, _EVENT, _BODY, _END = 1, 2, 253, 254, 255
-_KINDS = {"clock": 2, "interrupt": 40, "stop": 46}
-"""Events from outside that the interpreter brings about itself: SFC 0, an edge at an output, SFC 46."""
+_KINDS = {"clock": 2, "interrupt": 40, "stop": 46, "restart": 46}
+"""Events from outside that the interpreter brings about itself: SFC 0, an edge at an output, SFC 46. For a restart it
+comes to STOP only."""
 
 _WIRED = 40
 """The OB of the interrupt input to which the output is wired."""
@@ -49,13 +57,19 @@ def lacks(program: Program) -> str:
     for field in ("priority", "step7", "cycle"):
         if header.get(field):
             return f"no {field} in the header"
-    if header.get("mode", "STOP") != "RUN":
-        return f"no beginning in {header.get('mode', 'STOP')}"
-    for place, event in enumerate(program.outside):
-        if event["event"] not in _KINDS or (program.outside[:place] and program.outside[place - 1]["event"] == "stop"):
-            return f"no {event['event']} from outside"
+    stopped = header.get("mode", "STOP") == "STOP"
+    for _, event in islice(outside_events(program), MOST):
+        name = event["event"]
+        if name not in _KINDS or event.get("type", "warm") != "warm":
+            return f"no {event.get('type', '')} {name} from outside".replace("  ", " ")
         if event.get("ob", _WIRED) != _WIRED or "flt_id" in event:
             return f"no interrupt of OB {event['ob']} from outside"
+        if stopped and name == "clock":
+            return "no clock set in STOP"
+        stopped = name == "stop" or (stopped and name != "restart")
+    restarts = header.get("mode") != "RUN" or any(event["event"] == "restart" for event in program.outside)
+    if restarts and _STARTUP_OB not in header["obs"]:
+        return f"no OB {_STARTUP_OB}, from which a restart is known"
     needed = {body.ob for body in program.bodies} | {event["ob"] for event in program.outside if "ob" in event}
     if missing := needed - set(header["obs"]):
         return f"no OB {min(missing)}"
@@ -73,8 +87,21 @@ def encoded(program: Program) -> bytes:
         raise NotForCpuError("a duration above 2^31 ms")
     if len(steps) > MOST:
         raise NotForCpuError(f"{len(steps)} steps, more than {MOST}")
-    clock = _bcd(program.plain["header"]["clock"])
-    return _HEADER.pack(_MAGIC, _LAYOUT, MOST, 0, LOADED, 0, 0, clock, program.duration, _HEADER.size) + b"".join(steps)
+    clock, state = _bcd(program.plain["header"]["clock"]), _STATES[program.header.get("mode", "STOP")]
+    return _HEADER.pack(_MAGIC, _LAYOUT, MOST, 0, state, 0, 0, clock, program.duration, _HEADER.size) + b"".join(steps)
+
+
+def happened(content: bytes) -> int:
+    """How many events from outside the interpreter has brought about; ``content`` is the beginning of DB 110."""
+    return (int.from_bytes(content[NEXT : NEXT + 4]) - _HEADER.size) // _STEP.size
+
+
+def restarted(elapsed: int, events: int) -> dict[int, bytes]:
+    """What to write into DB 110, by its byte, before a restart: the program has gone on for ``elapsed`` ms, and as many
+    events from outside are over.
+    """
+    place = _HEADER.size + events * _STEP.size
+    return {NEXT: place.to_bytes(4), BEGUN: elapsed.to_bytes(4), STATE: _RESTARTED.to_bytes(2)}
 
 
 def _events(program: Program) -> Iterator[bytes]:

@@ -1,7 +1,8 @@
-"""A CPU that is awlsim with the interpreter in it, behind the S7 protocol: python-snap7's server. Run as a program.
+"""A CPU that is awlsim with the interpreter in it, behind the S7 protocol: the tests' own server or that of
+python-snap7. Run as a program.
 
 awlsim executes the AWL; the interrupts and SFCs that it lacks come from examples/adapters. Time is simulated: a restart
-runs the program to its end. Prints its port.
+runs the program to its end or to STOP, in which the clock goes on with each look at it.
 """
 
 import logging
@@ -27,12 +28,15 @@ from awlsim.core.systemblocks.tables import SFC_table  # type: ignore  # noqa: E
 from template import Adapter  # type: ignore  # noqa: E402
 
 from tests.importing.test_import_ring import bcd  # noqa: E402
-from tests.live.plc import RUN, STARTUP, STOP, Foreign, Plc  # noqa: E402
+from tests.live.plc import RUN, STARTUP, STOP, Foreign, Own, Plc  # noqa: E402
 
 INTERPRETER = ROOT / "instrumentation" / "awl" / "kit.awl"
 PROGRAM = 110
 CYCLE_MS = 5
-STARTS = {40: 0x41, **{10 + n: 0x11 + n for n in range(8)}, **{20 + n: 0x21 + n for n in range(4)}}
+LOOK_MS = 20
+RESTARTED = 4
+DATA = 0xF0
+STARTS = {40: 0x41, 100: 0x81, **{10 + n: 0x11 + n for n in range(8)}, **{20 + n: 0x21 + n for n in range(4)}}
 
 
 class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
@@ -94,11 +98,22 @@ class Interpreted(shipped.AwlAdapter):  # type: ignore[misc]
         self.clock += to - before
         self.cpu.clock_set(before, to)
 
+    booted = 0
+
     def restart(self) -> None:
-        """The program in DB 110 from a warm restart to its end."""
-        self.program["duration"] = self.now + struct.unpack_from(">I", self.blocks[PROGRAM], 24)[0] + 1000
+        """The program in DB 110 from a warm restart to its end, or to STOP. SFC 64 starts anew."""
+        state, elapsed, duration = struct.unpack_from(">hxxi8xI", self.blocks[PROGRAM], 8)
+        self.program["duration"] = self.now + duration + 1000 - (elapsed if state == RESTARTED else 0)
+        self.booted = self.now
         self.cpu.outside({"event": "restart", "type": "warm"})
         self.run()
+
+    def pass_time(self, most: int = sys.maxsize) -> int:
+        """In STOP nothing happens any more."""
+        if self.cpu.mode == "STOP":
+            self.program["duration"] = self.now
+            return 0
+        return int(super().pass_time(most))
 
 
 class AwlPlc(Plc):
@@ -107,38 +122,72 @@ class AwlPlc(Plc):
     def __init__(self, source: str, obs: list[int], family: str) -> None:
         super().__init__()
         self.awl = Interpreted(self, source, obs, family)
+        self.running = Thread()
+        self.running.start()
 
     def data(self, number: int) -> bytes:
         """A data block."""
         return bytes(self.awl.blocks.get(number, b""))
 
+    def write(self, number: int, start: int, content: bytes) -> None:
+        """Bytes of a data block."""
+        self.awl.blocks[number][start : start + len(content)] = content
 
-class Server(Foreign):
-    """Writes, stops, starts, and has its clock set."""
+    def clock(self) -> bytes:
+        """DATE_AND_TIME."""
+        if self.awl.cpu.mode == "STOP":
+            self.awl.now += LOOK_MS
+        self.now = self.awl.clock + timedelta(milliseconds=self.awl.now)
+        return super().clock()
+
+    def set_clock_by(self, to: bytes) -> None:
+        """The clock is set over the network."""
+        self.awl.set_clock_to(datetime.fromisoformat(shipped.date_of(to)))
+
+    def control(self, start: bool) -> None:
+        """A warm restart, or STOP once the program is over."""
+        if start:
+            self.running = Thread(target=self.awl.restart, daemon=True)
+            self.running.start()
+        else:
+            self.running.join()
+            self.awl.cpu.to_stop()
+
+
+class OwnServer(Own):
+    """Also writes, stops, starts, and has its clock set; breaks the connection off after every so many answers."""
+
+    def __init__(self, plc: AwlPlc, port: int, broken: int) -> None:
+        self.control, self.write = plc.control, plc.write  # type: ignore[method-assign]
+        self.set_clock = plc.set_clock_by  # type: ignore[method-assign]
+        self._broken = broken
+        super().__init__(plc, port)
+
+    def _answer(self, packet: bytes) -> bytes | None:
+        if self._broken and self.answers is None and packet[1] == DATA:
+            self.answers = self._broken
+        return super()._answer(packet)
+
+
+class ForeignServer(Foreign):
+    """Also writes, stops, starts, and has its clock set."""
 
     _plc: AwlPlc
-    _running: Thread | None = None
 
     def _write_to_memory_area(self, area: Any, db_number: int, start: int, write_data: bytearray) -> bool:
-        self._plc.awl.blocks[db_number][start : start + len(write_data)] = write_data
+        self._plc.write(db_number, start, bytes(write_data))
         return True
 
     def _handle_plc_stop(self, request: Any, client_address: Any) -> bytes:
-        if self._running is not None:
-            self._running.join()
-        self._plc.awl.cpu.to_stop()
+        self._plc.control(start=False)
         return super()._handle_plc_stop(request, client_address)
 
     def _handle_set_clock(self, request: Any, userdata_params: Any, client_address: Any) -> bytes:
-        raw = request["data"]["data"]
-        awl = self._plc.awl
-        awl.set_clock_to(datetime.fromisoformat(shipped.date_of(raw[-8:])))
-        self._plc.now = awl.clock + timedelta(milliseconds=awl.now)
+        self._plc.set_clock_by(request["data"]["data"][-8:])
         return self._build_userdata_success_response(request, userdata_params, b"", null_ack=True)
 
     def _handle_plc_control(self, request: Any, client_address: Any) -> bytes:
-        self._running = Thread(target=self._plc.awl.restart, daemon=True)
-        self._running.start()
+        self._plc.control(start=True)
         return super()._handle_plc_control(request, client_address)
 
 
@@ -190,7 +239,7 @@ def _install() -> None:
 
     def tick(_: dict[str, Any]) -> tuple[bytes]:
         current().busy(1)
-        return (struct.pack(">i", current().now),)
+        return (struct.pack(">i", current().now - current().booted),)
 
     def clock(_: dict[str, Any]) -> tuple[bytes, bytes]:
         now = current().clock + timedelta(milliseconds=current().now)
@@ -203,8 +252,10 @@ def _install() -> None:
     _system_function(64, {}, {"RET_VAL": "TIME"}, tick)
 
 
-def main(port: int, family: str, obs: list[int], change: str) -> None:
-    """Serves until it is ended; ``change`` is OLD=NEW in the interpreter, or empty."""
+def main(kind: str, port: int, family: str, obs: list[int], change: str) -> None:
+    """Serves until it is ended; ``change`` is OLD->NEW in the interpreter, or empty. ``kind``: foreign, own, or own:N,
+    which breaks off every N answers.
+    """
     logging.disable()
     shipped.Logging.setLoglevel(shipped.Logging.LOG_NONE)
     _install()
@@ -219,11 +270,14 @@ def main(port: int, family: str, obs: list[int], change: str) -> None:
         body = call[1].replace("n,", f"{ob},")
         source += f"\nORGANIZATION_BLOCK OB {ob}\nVAR_TEMP\nINFO : ARRAY [0..19] OF BYTE;\nEND_VAR\nBEGIN\n{body}\n"
         source += "END_ORGANIZATION_BLOCK\n"
-    server = Server(AwlPlc(source, obs, family))
-    server.start(port)
+    plc = AwlPlc(source, obs, family)
+    if kind == "foreign":
+        ForeignServer(plc).start(port)
+    else:
+        OwnServer(plc, port, int(kind.partition(":")[2] or 0))
     print("serving", flush=True)
     Event().wait()
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), sys.argv[2], [int(ob) for ob in sys.argv[3].split(",")], sys.argv[4])
+    main(sys.argv[1], int(sys.argv[2]), sys.argv[3], [int(ob) for ob in sys.argv[4].split(",")], sys.argv[5])

@@ -145,11 +145,11 @@ def _listed(records: list[bytes]) -> bytes:
 class Own(Cpu):
     """The tests' own server: PDUs of 240 bytes, long lists in pieces."""
 
-    def __init__(self, plc: Plc) -> None:
+    def __init__(self, plc: Plc, port: int = 0) -> None:
         self.data = plc.data  # type: ignore[method-assign]
         self.records = plc.records  # type: ignore[method-assign]
         self.clock = plc.clock  # type: ignore[method-assign]
-        super().__init__()
+        super().__init__(port)
 
 
 class Foreign(Server):

@@ -12,21 +12,31 @@ import pytest
 
 from s7check import cli
 from s7check.kit.collection import chosen, programs_of
-from s7check.kit.hardware import encoded, fitted, lacks
+from s7check.kit.hardware import encoded, fitted, happened, lacks, restarted
 from s7check.kit.program import Program, read_program
 from tests.kit.programs import PROGRAM
 from tests.test_shipped_logs import PROJECT
 
-OBS = [1, *range(10, 18), *range(20, 24), 40, 80, 85]
+OBS = [1, *range(10, 18), *range(20, 24), 40, 80, 85, 100]
 AWLSIM = PROJECT / "build" / "awlsim"
 SHORT = (
     "DINT-14-cancel-without-a-job",
     "TINT-61-nothing-set-answers-80A1",
     "OBS-01-hardware-interrupt-one-millisecond-late",
+    "DINT-13-job-of-ob-21-gone-after-a-restart",
 )
-"""CAN_DINT and ACT_TINT of OBs for which nothing is set, and an interrupt from outside."""
+"""CAN_DINT and ACT_TINT of OBs for which nothing is set, an interrupt from outside, calls after a restart."""
 
-Serve = Callable[[str], int]
+WITH_RESTARTS = {
+    "DINT-11-elapsed-in-startup-runs-in-run": "STOP",
+    "AMB-67-a-event-in-startup-kept": "STARTUP",
+    "DINT-13-warm-restart-discards-the-job": "RUN",
+    "DINT-10-SRT_DINT-restart": "RUN",
+    "AIRT-11-stopped-while-interrupts-are-delayed": "RUN",
+}
+"""Programs that restart, stop in mid-program or begin so, and the modes in which they begin."""
+
+Serve = Callable[..., int]
 
 awlsim = pytest.mark.skipif(not AWLSIM.is_dir(), reason="awlsim is not there; `make test-checker` installs it")
 
@@ -36,10 +46,19 @@ def serve() -> Iterator[Serve]:
     """A function that starts such a CPU, with a change of its interpreter, and has its port."""
     servers = []
 
-    def one(change: str) -> int:
+    def one(change: str = "", kind: str = "foreign") -> int:
         with socket.create_server(("127.0.0.1", 0)) as free:
             port: int = free.getsockname()[1]
-        command = [sys.executable, "-m", "tests.live.awl_cpu", str(port), "S7-300", ",".join(map(str, OBS)), change]
+        command = [
+            sys.executable,
+            "-m",
+            "tests.live.awl_cpu",
+            kind,
+            str(port),
+            "S7-300",
+            ",".join(map(str, OBS)),
+            change,
+        ]
         server = subprocess.Popen(command, cwd=PROJECT / "trace_checker", stdout=subprocess.PIPE)
         servers.append(server)
         assert server.stdout is not None
@@ -64,25 +83,37 @@ def run(folder: Path, port: int, *choice: str) -> dict[str, str]:
 
 @awlsim
 def test_smoke(serve: Serve, tmp_path: Path) -> None:
-    """The few programs that reach what the CPU can reach: each log comes whole over the wire, and is accepted."""
-    statuses = run(tmp_path, serve(""), "--cover", "requirements", "--budget", "2min")
+    """The few programs that reach what the CPU can reach: each log comes whole, however often the connection breaks."""
+    statuses = run(tmp_path, serve(kind="own:31"), "--cover", "requirements", "--budget", "2min")
     assert len(statuses) >= 10
     assert set(statuses.values()) == {"passed"}, statuses
 
 
 @awlsim
+def test_restarts(serve: Serve, tmp_path: Path) -> None:
+    """STOP, a warm restart, a beginning in STARTUP or STOP; more entries than slots between two polls: no log at all,
+    or the whole one.
+    """
+    assert {one.name: one.header["mode"] for one in chosen(programs_of(), list(WITH_RESTARTS), [])} == WITH_RESTARTS
+    statuses = run(tmp_path, serve(), *(f"--only={name}" for name in [*WITH_RESTARTS, "AIRT-nesting-127"]))
+    assert statuses.pop("AIRT-nesting-127") in ("passed", "skipped")
+    assert statuses == dict.fromkeys(WITH_RESTARTS, "passed")
+
+
+@awlsim
 @pytest.mark.parametrize(
-    "change",
+    ("change", "failures"),
     [
-        "C33:  CALL SFC 33->C33:  CALL SFC 34 ( OB_NR := #N, RET_VAL := #RET, STATUS := #STA ); JU NOTE; CALL SFC 33",
-        "CALL SFC 30 ( OB_NR := #N, RET_VAL := #RET );->L 0; T #RET;",
-        "T PQB 0;->",
+        ("C33:  CALL->C33:  CALL SFC 34 ( OB_NR := #N, RET_VAL := #RET, STATUS := #STA ); JU NOTE; CALL", 2),
+        ("T PQB 0;->", 1),
+        ("JC ENTR;->JU ENTR;", 1),
     ],
-    ids=["another call", "no call", "no edge"],
+    ids=["another call", "no edge", "not at work after a restart"],
 )
-def test_wrong_interpreter(change: str, serve: Serve, tmp_path: Path) -> None:
+def test_wrong_interpreter(change: str, failures: int, serve: Serve, tmp_path: Path) -> None:
     """What the interpreter does wrong is found."""
-    assert [*run(tmp_path, serve(change), *(f"--only={name}" for name in SHORT)).values()].count("failed") == 1
+    statuses = run(tmp_path, serve(change, "own"), *(f"--only={name}" for name in SHORT))
+    assert [*statuses.values()].count("failed") == failures
 
 
 def test_encoded() -> None:
@@ -119,14 +150,22 @@ def test_events_from_outside() -> None:
     assert content[80] == 254
     set_by_step: list[object] = [{"ob": 1, "run": 1, "steps": [{"event": "clock", "to": "2026-11-21T06:00"}]}]
     assert "beside steps that set it" in lacks(program(outside, set_by_step))
-    behind = [*outside, {"after": 4000, "event": "interrupt", "ob": 40}]
-    assert lacks(program(behind, bodies)) == "no interrupt from outside"
+    in_stop: dict[str, object] = {"after": 4000, "event": "clock", "by": 1000}
+    assert lacks(program([*outside, in_stop], bodies)) == "no clock set in STOP"
+    warm: dict[str, object] = {"after": 3500, "event": "restart", "type": "warm"}
+    assert lacks(program([*outside, warm, in_stop], bodies)) == ""
+    cold = [*outside, warm | {"type": "cold"}]
+    assert lacks(program(cold, bodies)) == "no cold restart from outside"
+    assert "no OB 100" in lacks(fitted(program([*outside, warm], bodies), "S7-300", OBS[:-1]))
+    content = encoded(program([*outside, warm], bodies))
+    assert happened(content[:28] + (32 + 16 * 3).to_bytes(4)) == 3
+    assert restarted(3500, 4) == {28: (96).to_bytes(4), 12: (3500).to_bytes(4), 8: b"\0\4"}
 
 
 def test_what_cannot_run() -> None:
     """Each with its reason."""
     reasons = {lacks(fitted(program, "S7-300", OBS)) for program in programs_of()}
-    assert {"", "no step7 in the header", "no interrupt of OB 35 from outside", "no beginning in STOP"} <= reasons
+    assert {"", "no step7 in the header", "no interrupt of OB 35 from outside", "no hold from outside"} <= reasons
 
 
 def test_only_with_consent(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
