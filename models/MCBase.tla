@@ -41,6 +41,11 @@ NoMemory == 0
 
 (* One CPU of each kind whose rules differ. *)
 TwoFamilies == {"S7-300", "S7-400"}
+Just1500 == {"S7-1500"}
+(* The letters that an S7-1500 has by default. *)
+LettersOf1500 ==
+    { [ a \in { p[1] : p \in FamilyOf("S7-1500").letters } |->
+          (CHOOSE p \in FamilyOf("S7-1500").letters : p[1] = a)[2] ] }
 
 (* Codes that calls may answer, right or wrong. *)
 CallRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, NotDelayed, 1}

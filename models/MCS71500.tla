@@ -17,9 +17,6 @@ MCStep7Settings ==
     { [ o \in TodObs |-> IF o = 10 THEN Activated("minute", 0)
                          ELSE Activated("once", 1) ] }
 MCPriorities == { [o \in {40} |-> 23] }
-MCReadingSets == { [ a \in { p[1] : p \in FamilyOf("S7-1500").letters } |->
-                       (CHOOSE p \in FamilyOf("S7-1500").letters :
-                          p[1] = a)[2] ] }
 MCMoments == { Moment(0, 30000), Moment(0, 55000), Moment(1, 0),
                Moment(1, 5000), Moment(1, 15000) }
 MCPowerOnMoments == {Moment(0, 55000)}
@@ -31,9 +28,16 @@ FarMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 15000)}
 FarTargets == {Moment(0, 30000), Moment(1, 15000)}
 JustWarm == {"warm"}
 MayBeHeld == TRUE
+NestedRetVals == {0, 1, 2, NotDelayed}
+JustOb40 == {<<40, 0>>}
 NothingSet == {[o \in TodObs |-> NotConfigured]}
 
 Bounded == /\ delay = 0
            /\ Waiting(2)
            /\ mode = "STOP" => clock \in PowerOnMoments
+
+(* In its place where SFC 41 and 42 are called. *)
+Nested == /\ delay <= 2
+          /\ Waiting(2)
+          /\ mode = "STOP" => clock \in PowerOnMoments
 =============================================================================
