@@ -13,6 +13,7 @@ from s7check.asking.next_answer import opened
 from s7check.asking.open_questions import open_questions
 from s7check.asking.session import Session
 from s7check.engine.client import Engine
+from s7check.log.calls import MODES
 from s7check.log.errors import UnusableLogError
 from tests.logs import HEADER, at, event, log_text
 from tests.shipped import CASES, TRACES
@@ -99,6 +100,15 @@ def test_answers_to_a_call(real_engine: Engine) -> None:
     assert as_line(line.event)["ret"] == "W#16#0001"
     assert "AIRT-07" in line.requirements
     assert session.possible([{"event": "EN_AIRT", "ret": 7}]).lines == []
+
+
+def test_modes_are_those_of_the_specification(real_engine: Engine) -> None:
+    """Of each line of the kind mode."""
+    session = Session(real_engine, HEADER)
+    for name in ("restart", "run", "hold", "release", "stop"):
+        fields: dict[str, Any] = {"type": "warm"} if name == "restart" else {}
+        assert session.feed(event(name, **fields)) is None
+        assert {one.mode for one in session.situations()} == {MODES[name]}
 
 
 def test_lines_are_taken_back(real_engine: Engine) -> None:

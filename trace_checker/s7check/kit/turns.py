@@ -12,7 +12,7 @@ from s7check.asking.line_text import passed_date
 from s7check.engine import pool
 from s7check.kit.program import Program, bodies_of
 from s7check.kit.whole import elapsed
-from s7check.log.calls import OPERANDS
+from s7check.log.calls import MODES, OPERANDS
 
 Call = tuple[int, dict[str, Any]]
 """A call, or a step that sets the clock, with the milliseconds for which its OB is at work before."""
@@ -27,8 +27,6 @@ _SLACK = 100
 
 _DRIFT = 500
 """Milliseconds, at most, for a clock that runs up to 0.1 % apart from the work."""
-
-_MODES = {"stop": "STOP", "restart": "STARTUP", "run": "RUN", "hold": "HOLD", "release": "RUN"}
 
 
 def _call(step: dict[str, Any]) -> dict[str, Any]:
@@ -153,7 +151,7 @@ class _Turns:
             self._clear(self._startup[event["type"]] if name == "restart" else 1)
         elif name == "run":
             self._run()
-        self._mode = _MODES.get(name, self._mode)
+        self._mode = MODES.get(name, self._mode)
         return wrong
 
     def pass_until(self, up: int) -> None:

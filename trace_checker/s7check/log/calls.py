@@ -1,4 +1,4 @@
-"""The format of a log and its calls; everything else about them the engine knows."""
+"""The format of a log, its calls and its modes; everything else about them the engine knows."""
 
 LOG_FORMAT = "s7-interrupt-log/1"
 
@@ -16,3 +16,6 @@ OPERANDS: dict[str, tuple[str, ...]] = {
     "EN_AIRT": (),
 }
 """SFC -> its operands, without RET_VAL and STATUS; in the order of their numbers, 28 to 34 and 39 to 42."""
+
+MODES = {"stop": "STOP", "restart": "STARTUP", "run": "RUN", "hold": "HOLD", "release": "RUN"}
+"""Line of the kind ``mode`` -> the mode that it says the CPU is in."""

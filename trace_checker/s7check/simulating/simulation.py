@@ -14,7 +14,7 @@ from s7check.asking.variants import AS_IT_IS, Variant
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.kit.program import Program, outside_events
-from s7check.log.calls import LOG_FORMAT
+from s7check.log.calls import LOG_FORMAT, MODES
 from s7check.log.values import MS_PER_MINUTE, instant, iso
 from s7check.simulating.work import CYCLE_OB, Work
 
@@ -24,8 +24,6 @@ LATENCY = 10
 _LONGEST = 100_000
 """Lines of a log; a program with more does not end."""
 
-
-_MODES = {"stop": "STOP", "restart": "STARTUP", "run": "RUN", "hold": "HOLD", "release": "RUN"}
 _AT_WORK = ("RUN", "STARTUP")
 
 Choice = dict[str, Any] | None
@@ -254,7 +252,7 @@ class Simulation:
             self._work.restart(line["type"] == "hot")
         elif name == "run":
             self._work.go_on()
-        self._mode = _MODES.get(name, self._mode)
+        self._mode = MODES.get(name, self._mode)
 
     def _ends_a_delay(self) -> bool:
         """Whether a delay by SFC 41 ends if the OB at work ends now."""
