@@ -19,6 +19,7 @@ FAULTY = "a mistake of the soft PLC"
 LEFT_OUT = "kinds left out"
 READINGS = "header: readings"
 PROFILE = "header: profile"
+NEWER = "header: S7-1500"
 
 TIMES = (0, 1, 1, 2)
 """How often a log is changed; about half of the logs are accepted then."""
@@ -78,6 +79,9 @@ class Generator:
                 log = before
             elif log != before:
                 done.append(chosen.what)
+        if random.random() < 0.1:
+            damage.take_newer_cpu(random, log, self._words)
+            done.append(NEWER)
         return Generated(_text(random, log), log.header["cpu"], tuple(dict.fromkeys(done)) or (UNCHANGED,))
 
     def written(self, random: Random, events: int | None = None) -> Log:

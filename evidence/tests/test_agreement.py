@@ -66,7 +66,7 @@ def test_logs_are_drawn_by_seed(generator: Generator) -> None:
     assert drawn[0] != Generator(2, SOFT_PLC, pool.alternatives()).draw(1, 0)
     assert sum(map(unreadable, drawn)) < 30
     assert not any(unreadable(log) for log in drawn if log.done == (UNCHANGED,))
-    assert {log.cpu for log in drawn} == {"S7-300", "S7-400", "CPU 318"}
+    assert {log.cpu for log in drawn} == {"S7-300", "S7-400", "CPU 318", "S7-1500"}
     assert all(1 <= log.lines <= 66 for log in drawn)
     done = {what for log in drawn for what in log.done}
     assert done >= {one.what for one in damage.DAMAGES}

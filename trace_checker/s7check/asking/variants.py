@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from s7check.engine import pool
+from s7check.engine.answer import Alternatives
 from s7check.letters import EDITION, Letters, OneOf
 
 
@@ -23,7 +24,7 @@ class Variant:
         """The header, an object as in a log, with this change."""
         changed = dict(header)
         if self.cpu is not None:
-            changed = fitted(changed, self.cpu)
+            changed = fitted(changed, self.cpu, pool.alternatives())
         if self.profile is not None:
             changed["profile"] = self.profile
         if self.letters:
@@ -31,9 +32,8 @@ class Variant:
         return changed
 
 
-def fitted(header: Mapping[str, Any], cpu: str) -> dict[str, Any]:
+def fitted(header: Mapping[str, Any], cpu: str, words: Alternatives) -> dict[str, Any]:
     """The header on a CPU of another family, without OBs and priorities that this one does not have."""
-    words = pool.alternatives()
     changed = {**header, "cpu": cpu}
     lacking = dict(words.unknown).get(cpu, [])
     if isinstance(changed.get("obs"), list):

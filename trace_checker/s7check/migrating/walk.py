@@ -58,7 +58,7 @@ def migrated(header: Json, family: str, new_project: bool) -> Json:
     priority = {ob: level for ob, level in kept.items() if ob in loaded} | header.get("priority", {})
     readings = {name: letter for name, letter in header.get("readings", {}).items() if name.startswith("A15-")}
     plain = {name: value for name, value in header.items() if name not in ("priority", "readings", "profile")}
-    return fitted(plain | ({"priority": priority} if priority else {}) | {"readings": readings}, family)
+    return fitted(plain | ({"priority": priority} if priority else {}) | {"readings": readings}, family, words)
 
 
 @dataclass
