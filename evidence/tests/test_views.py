@@ -14,12 +14,14 @@ from evidence.tests.test_docs import CODE, LINK, anchors_of
 from evidence.views import vectors, views_command
 from evidence.views.made import views
 from evidence.views.traceability.project import read_project
+from s7check.engine.client import Engine
 
 
 @pytest.fixture(scope="module")
 def made() -> dict[Path, str]:
     """All views."""
-    return views(read_project(ROOT))
+    with Engine() as engine:
+        return views(read_project(ROOT), engine)
 
 
 def test_every_link_has_an_end(made: dict[Path, str]) -> None:
@@ -47,7 +49,7 @@ def test_they_are_written(tmp_path: Path, made: dict[Path, str], monkeypatch: py
     output = tmp_path / "views"
     output.mkdir()
     (output / "old.md").write_text("")
-    monkeypatch.setattr(views_command, "views", lambda: made)
+    monkeypatch.setattr(views_command, "views", lambda *_: made)
     monkeypatch.setattr(vectors, "write", lambda folder: 7)
     monkeypatch.setattr(kept_paths, "problems", list)
     monkeypatch.setattr(measured, "problems", lambda: ["kit/reached.ndjson: older"])

@@ -21,18 +21,14 @@ from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, read_kept
 RULES = Path("docs/rules")
 
 
-def views(project: Project) -> dict[Path, str]:
+def views(project: Project, engine: Engine) -> dict[Path, str]:
     """The texts by their places in a checkout. Raises OSError, ValueError, EngineError."""
     experiments = read_kept(EXPERIMENTS)
     kept = records.read(ROOT / "docs/project/results")
-    with Engine() as engine:
-        pages = {
-            RULES / "differences.md": differences_page(engine, read_kept(DIFFERENCES)),
-            RULES / "migration-s7-1500.md": migration_page(engine),
-            RULES / "experiments.md": experiments_page(engine, experiments),
-        }
     return {
-        **pages,
+        RULES / "differences.md": differences_page(engine, read_kept(DIFFERENCES)),
+        RULES / "migration-s7-1500.md": migration_page(engine),
+        RULES / "experiments.md": experiments_page(engine, experiments),
         **{RULES / SOURCES / f"{name}.scl": text for name, text in sources(experiments).items()},
         RULES / "gallery.md": gallery.page(),
         RULES / "traceability.md": traceability.page(build(project), project),

@@ -17,6 +17,7 @@ from evidence.views import vectors
 from evidence.views.made import views
 from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.project import read_project
+from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 
 STALE = 1
@@ -33,7 +34,8 @@ STALE = 1
 def make_command(output: Path) -> int:
     """Write the views, and name kept data that are older than what they were made from."""
     with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
-        made = views(read_project(ROOT))
+        with Engine() as engine:
+            made = views(read_project(ROOT), engine)
         problems = [*kept_paths.problems(), *measured.problems()]
         shutil.rmtree(output, ignore_errors=True)
         for place, text in made.items():

@@ -15,7 +15,7 @@ from evidence.views.site.linked import TAG, Linked
 from evidence.views.site.logs import Logs, address
 from evidence.views.site.tables import Tables
 from evidence.views.traceability.controls import base_of
-from evidence.views.traceability.matrix import Cell, Row
+from evidence.views.traceability.matrix import Cell, Matrix, Row
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import Project
 from s7check.report.clauses import Clause, is_question
@@ -27,6 +27,8 @@ _SOURCE = re.compile(r"^- \*\*(\w+)\*\*: (.*?)(?=^- |^$)", re.MULTILINE | re.DOT
 _NAME = re.compile(r"<code>(\w+)</code>")
 _MOST = 3
 """So many formulas, properties, models and controls of a rule are shown; the others are counted."""
+_LONG = 24
+"""A formula of more lines is folded."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,7 @@ class Parts:
     """What the book is made of: `sources` has the editions, `defaults` the default letters, by their names."""
 
     project: Project
-    rows: Mapping[str, Row]
+    matrix: Matrix
     linked: Linked
     logs: Logs
     experiments: Sequence[Kept]
@@ -56,6 +58,7 @@ class Page:
         self._parts = parts
         self._chapter = chapter
         self._to = to
+        self._rows = {row.id: row for row in parts.matrix.rows}
 
     def body(self) -> str:
         """The whole chapter."""
@@ -70,7 +73,7 @@ class Page:
         return f'<code><a href="{self._to(place)}">{found[1]}</a></code>'
 
     def _rule(self, name: str) -> str:
-        clause, row = self._parts.project.requirements[name], self._parts.rows[name]
+        clause, row = self._parts.project.requirements[name], self._rows[name]
         said = self._ids(MarkdownIt().renderInline(clause.text))
         rows = [
             ("Readings", "".join(self._readings(clause, row))),
@@ -98,18 +101,22 @@ class Page:
         return f'<p class="origin">{said}; confidence <a href="{place}">{html.escape(clause.confidence)}</a></p>'
 
     def _tagged(self, name: str) -> list[Definition]:
-        places = self._parts.rows[name].cells["formula"].entries.names
-        wanted = dict.fromkeys(places)
-        return [d for m in self._parts.project.spec for d in m.definitions if f"{d.module}.{d.name}" in wanted]
+        """The formulas of a rule, first those that are about few other rules."""
+        wanted = self._rows[name].cells["formula"].entries.names
+        found = [d for m in self._parts.project.spec for d in m.definitions if f"{d.module}.{d.name}" in wanted]
+        return sorted(found, key=lambda d: len(d.tags))
 
     def _cell(self, cell: Cell, shown: str) -> str:
         return shown if cell.entries.names else f"<i>{html.escape(cell.kind)}</i>: {html.escape(cell.reason)}"
 
     def _formulas(self, definitions: Sequence[Definition]) -> str:
         linked = self._parts.linked
-        shown = "".join(f"<pre>{linked.definition(one, self._to)}</pre>" for one in definitions[:_MOST])
         links = ", ".join(f'<a href="{self._to(linked.place(d))}">{d.name}</a>' for d in definitions[_MOST:])
-        return shown + (f"<p>also {links}</p>" if links else "")
+        return "".join(map(self._formula, definitions[:_MOST])) + (f"<p>also {links}</p>" if links else "")
+
+    def _formula(self, one: Definition) -> str:
+        text = f"<pre>{self._parts.linked.definition(one, self._to)}</pre>"
+        return f"<details><summary>{one.name}</summary>{text}</details>" if text.count("\n") > _LONG else text
 
     def _properties(self, row: Row) -> Iterator[str]:
         inside = [d for d in row.properties if d.module in self._parts.linked.places]
@@ -119,8 +126,9 @@ class Page:
         yield f"<p>in models: {', '.join(outside)}</p>" if outside else ""
 
     def _readings(self, clause: Clause, row: Row) -> Iterator[str]:
-        tags = [tag for one in self._tagged(row.id) for tag in one.tags]
-        for name in dict.fromkeys(filter(is_question, [*TAG.findall(clause.text), *tags])):
+        formulas = set(row.cells["formula"].entries.names)
+        looked_up = [name for name, cell in self._parts.matrix.readings.items() if formulas & {*cell.entries.names}]
+        for name in dict.fromkeys(filter(is_question, [*TAG.findall(clause.text), *looked_up])):
             asked = self._parts.project.ambiguities[name]
             default = self._parts.defaults.get(name)
             letters = "".join(
@@ -142,6 +150,7 @@ class Page:
         controls = self._parts.project.controls
         checking = [model for d in row.properties for model in controls.checking.get((d.module, d.name), ())]
         models = [controls.entries[name] for name in dict.fromkeys([*row.models, *checking])]
+        models.sort(key=lambda entry: entry.kind == "witness")
         if models:
             more = f"<li>and in {len(models) - _MOST} other models</li>" if len(models) > _MOST else ""
             shown = "".join(map(_model, models[:_MOST]))
@@ -155,7 +164,8 @@ class Page:
 
     def _controls(self, row: Row) -> str:
         found = row.cells["model"].entries
-        shown = "".join(self._control(self._parts.project.controls.entries[name]) for name in found.names[:_MOST])
+        names = sorted(found.names[: found.direct or None], key=lambda name: name.startswith("letter-"))
+        shown = "".join(self._control(self._parts.project.controls.entries[name]) for name in names[:_MOST])
         more = len(found.names) - _MOST
         return f"<ul>{shown}{f'<li>and {more} others</li>' if more > 0 else ''}</ul>"
 
@@ -180,7 +190,7 @@ class Page:
 
 
 def _what(entry: Entry) -> str:
-    return html.escape(entry.what) if isinstance(entry.what, str) else ""
+    return MarkdownIt().renderInline(entry.what) if isinstance(entry.what, str) else ""
 
 
 def _model(entry: Entry) -> str:

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from markdown_it import MarkdownIt
@@ -73,6 +74,7 @@ def page_of(path: Path) -> str:
     return f"files/{inside}"
 
 
+@cache
 def relative(to: str, place: str) -> str:
     """The address of a place of the site on the page at another one."""
     return Path(os.path.relpath(to, Path(place).parent)).as_posix()

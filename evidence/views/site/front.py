@@ -56,7 +56,7 @@ def _cards(report: Report, found: dict[str, Case]) -> Iterator[str]:
     yield _card(f"{EXPLORER}#open={case.name}", case.title, case.told)
     mine, other, name = _SIDES
     case = found[name]
-    beside = address(case.title, case.log.splitlines(), len(case.log.splitlines()) - 2, [other])
+    beside = address(case.title, case.log.splitlines(), len(case.log.splitlines()) - 1, [other])
     yield _card(beside, f"{mine} beside {other}", case.told)
 
 

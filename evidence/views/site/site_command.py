@@ -77,8 +77,8 @@ def site_command(output: Path) -> int:
             raise ValueError("\n".join(found))
         if not _SEARCH.is_file():
             raise ValueError(f"{_SEARCH.relative_to(ROOT)} is not there: run `make site`, which installs it")
-        made = {ROOT / place: text for place, text in views(project).items()}
         with Engine() as engine:
+            made = {ROOT / place: text for place, text in views(project, engine).items()}
             pages = dict(_pages(project, made, engine))
         if output.exists():
             shutil.rmtree(output)
@@ -145,7 +145,7 @@ def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
     pages = [(ROOT / page).read_text(encoding="utf-8") for page in (REQUIREMENTS, REQUIREMENTS_S7_1500)]
     return Parts(
         project,
-        {row.id: row for row in build(project).rows},
+        build(project),
         linked,
         Logs(all_cases(), engine),
         read_kept(EXPERIMENTS),
@@ -188,7 +188,7 @@ def _whole(place: str, page: Document) -> str:
         f'<nav>{menu}<input id="search" type="search" placeholder="Search" aria-label="Search" '
         f'data-root="{root}"></nav>'
         f'<ul id="found"></ul><main>{page.body}</main>'
-        f'<script src="{root}search.js"></script></body></html>\n'
+        f'<script src="{root}site.js"></script></body></html>\n'
     )
 
 
@@ -199,5 +199,5 @@ def _write_extras(output: Path, sections: list[Section]) -> None:
     if PAGE.is_file():
         shutil.copy(PAGE, output / EXPLORER)
     shutil.copy(_SEARCH, output / "minisearch.js")
-    for name in ("site.css", "search.js"):
+    for name in ("site.css", "site.js"):
         (output / name).write_bytes((files(__package__) / name).read_bytes())

@@ -22,17 +22,14 @@ async function ready() {
   return made;
 }
 
-/** The parts that have all words, else those that have any; rules weigh most. */
-function search(made, text) {
-  const options = {
+/** The parts that have any of the words; many words, rare words and rules weigh most. */
+const search = (made, text) =>
+  made.search(text, {
     prefix: (word) => word.length > 2,
     fuzzy: (word) => (word.length > 5 ? 0.15 : false),
     boost: { title: 3 },
     boostDocument: (_, __, { weight }) => weight,
-  };
-  const all = made.search(text, { ...options, combineWith: "AND" });
-  return all.length ? all : made.search(text, options);
-}
+  });
 
 function item({ place, title, within, text, terms }) {
   const row = document.createElement("li");
@@ -52,3 +49,6 @@ box.addEventListener("input", async () => {
   const made = await (index ??= ready());
   found.replaceChildren(...(box.value.trim() ? search(made, box.value).slice(0, 30).map(item) : []));
 });
+
+// A timeline shows its rejected line, also on a narrow screen.
+for (const band of document.querySelectorAll(".scroll .band")) band.closest(".scroll").scrollLeft = band.getBBox().x;
