@@ -153,12 +153,16 @@ class Own(Cpu):
 
 
 class Foreign(Server):
-    """python-snap7's server, with the lists and the clock that it lacks, and long lists in pieces."""
+    """python-snap7's server, with the lists and the clock that it lacks, and PDUs of 240 bytes."""
 
     def __init__(self, plc: Plc) -> None:
         super().__init__(log=False)
         self._plc = plc
         self._rest = b""
+
+    def _handle_setup_communication(self, request: Any) -> bytes:
+        request["parameters"]["pdu_length"] = PDU
+        return super()._handle_setup_communication(request)
 
     def _read_from_memory_area(self, area: Any, db_number: int, start: int, count: int) -> tuple[int, bytearray]:
         content = self._plc.data(db_number)[start : start + count]
