@@ -5,4 +5,6 @@
 - ``log``: a log that grows: its file, its verdict, what must come
 - ``watch``: logs one after the other
 - ``view``, ``command``: the terminal, the command line
+
+Beside it ``lane`` and ``driver``: adapters that run the programs of the kit on a CPU, which they stop and write to.
 """

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Callable
 from contextlib import closing, suppress
 from datetime import datetime, timedelta
 from time import monotonic, sleep
@@ -194,18 +195,23 @@ def _spelled(clock: datetime) -> str:
     return clock.isoformat(timespec="milliseconds")
 
 
+def serve(lines: Callable[[Program], list[dict[str, Any]]]) -> None:
+    """Answers each program, a line on standard input, with its log on standard output."""
+    for text in sys.stdin.buffer:
+        try:
+            log = lines(read_program(text))
+        except (SkippedError, UnusableLogError) as error:  # the CPU's family may know no such header
+            log = [{"event": "skip", "reason": str(error)}]
+        except SourceError as error:
+            sys.exit(str(error))
+        sys.stdout.write("".join(json.dumps(line) + "\n" for line in log))
+        sys.stdout.flush()
+
+
 def main(address: str, port: str, latency: str) -> None:
-    """The adapter: a program a line on standard input, its log on standard output."""
+    """The adapter for a CPU that speaks the S7 protocol."""
     with closing(Cpu(live.parse(address, int(port)), _RING)) as cpu:
-        for text in sys.stdin.buffer:
-            try:
-                lines = lines_of(cpu, read_program(text), int(latency))
-            except (SkippedError, UnusableLogError) as error:  # the CPU's family may know no such header
-                lines = [{"event": "skip", "reason": str(error)}]
-            except SourceError as error:
-                sys.exit(str(error))
-            sys.stdout.write("".join(json.dumps(line) + "\n" for line in lines))
-            sys.stdout.flush()
+        serve(lambda program: lines_of(cpu, program, int(latency)))
 
 
 if __name__ == "__main__":

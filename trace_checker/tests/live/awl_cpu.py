@@ -27,6 +27,7 @@ from awlsim.core.systemblocks.systemblocks import SFC  # type: ignore  # noqa: E
 from awlsim.core.systemblocks.tables import SFC_table  # type: ignore  # noqa: E402
 from template import Adapter  # type: ignore  # noqa: E402
 
+from s7check.live import driver  # noqa: E402
 from tests.importing.test_import_ring import bcd  # noqa: E402
 from tests.live.plc import RUN, STARTUP, STOP, Foreign, Own, Plc  # noqa: E402
 
@@ -154,6 +155,28 @@ class AwlPlc(Plc):
             self.awl.cpu.to_stop()
 
 
+class Link:
+    """The same CPU without the S7 protocol: the calls of a driver."""
+
+    def __init__(self, plc: AwlPlc) -> None:
+        self._plc = plc
+
+    def load(self, program: bytes) -> None:
+        """STOP, and a program."""
+        self._plc.control(start=False)
+        self._plc.write(PROGRAM, 0, program)
+        self._plc.write(111, 16, bytes(272))
+
+    def restart(self) -> None:
+        """A warm restart."""
+        self._plc.control(start=True)
+
+    def ring(self) -> bytes:
+        """DB 101, once the program is over."""
+        self._plc.running.join()
+        return self._plc.data(101)
+
+
 class OwnServer(Own):
     """Also writes, stops, starts, and has its clock set; breaks the connection off after every so many answers."""
 
@@ -253,15 +276,14 @@ def _install() -> None:
 
 
 def main(kind: str, port: int, family: str, obs: list[int], change: str) -> None:
-    """Serves until it is ended; ``change`` is OLD->NEW in the interpreter, or empty. ``kind``: foreign, own, or own:N,
-    which breaks off every N answers.
+    """Serves until it is ended; ``change``: OLD->NEW|... in the interpreter, or empty. ``kind``: foreign, own, own:N,
+    which breaks off every N answers, or link, an adapter without the S7 protocol.
     """
     logging.disable()
     shipped.Logging.setLoglevel(shipped.Logging.LOG_NONE)
     _install()
     source = INTERPRETER.read_text(encoding="ascii")
-    if change:
-        old, new = change.split("->")
+    for old, new in (one.split("->") for one in change.split("|") if one):
         assert source.count(old) == 1, "the change fits one place"
         source = source.replace(old, new)
     call = re.search(r"^// (CALL FC 200 .*;)$", source, re.MULTILINE)
@@ -271,6 +293,9 @@ def main(kind: str, port: int, family: str, obs: list[int], change: str) -> None
         source += f"\nORGANIZATION_BLOCK OB {ob}\nVAR_TEMP\nINFO : ARRAY [0..19] OF BYTE;\nEND_VAR\nBEGIN\n{body}\n"
         source += "END_ORGANIZATION_BLOCK\n"
     plc = AwlPlc(source, obs, family)
+    if kind == "link":
+        driver.main(Link(plc), latency=20, slack=0)
+        return
     if kind == "foreign":
         ForeignServer(plc).start(port)
     else:

@@ -101,19 +101,24 @@ def test_restarts(serve: Serve, tmp_path: Path) -> None:
 
 
 @awlsim
-@pytest.mark.parametrize(
-    ("change", "failures"),
-    [
-        ("C33:  CALL->C33:  CALL SFC 34 ( OB_NR := #N, RET_VAL := #RET, STATUS := #STA ); JU NOTE; CALL", 2),
-        ("T PQB 0;->", 1),
-        ("JC ENTR;->JU ENTR;", 1),
-    ],
-    ids=["another call", "no edge", "not at work after a restart"],
-)
-def test_wrong_interpreter(change: str, failures: int, serve: Serve, tmp_path: Path) -> None:
-    """What the interpreter does wrong is found."""
-    statuses = run(tmp_path, serve(change, "own"), *(f"--only={name}" for name in SHORT))
-    assert [*statuses.values()].count("failed") == failures
+def test_wrong_interpreter(serve: Serve, tmp_path: Path) -> None:
+    """What the interpreter does wrong is found: no edge at the output, no OB at work after a restart."""
+    statuses = run(tmp_path, serve("T PQB 0;->|JC ENTR;->JU ENTR;", "own"), *(f"--only={name}" for name in SHORT))
+    assert {name for name, status in statuses.items() if status == "failed"} == {*SHORT[2:]}
+
+
+@awlsim
+def test_driver(tmp_path: Path) -> None:
+    """The three calls of another link, without STOP and restart; SFC 34 in the place of SFC 33 is found."""
+    change = "C33:  CALL->C33:  CALL SFC 34 ( OB_NR := #N, RET_VAL := #RET, STATUS := #STA ); JU NOTE; CALL"
+    offer, output = tmp_path / "offer.json", tmp_path / "result.json"
+    offer.write_text(json.dumps({"cpu": ["S7-300"], "obs": OBS, "loaded": OBS}))
+    command = [sys.executable, "-m", "tests.live.awl_cpu", "link", "0", "S7-300", ",".join(map(str, OBS)), change]
+    chosen_ = [f"--only={name}" for name in (SHORT[0], SHORT[1], SHORT[3])]
+    cli.main(["kit", "run", *chosen_, "--offer", str(offer), "--output", str(output), "--jobs=1", "--", *command])
+    statuses = {one["name"]: (one["status"], one["reason"]) for one in json.loads(output.read_text())["programs"]}
+    assert statuses.pop(SHORT[3]) == ("skipped", "no STOP and no restart over this link")
+    assert [status for status, _ in statuses.values()] == ["failed", "passed"], statuses
 
 
 def test_encoded() -> None:

@@ -15,7 +15,7 @@ from s7check.importing.sources.live import Address
 from s7check.live.connection import Connection
 from s7check.live.view import picture
 from s7check.live.watch import Watch
-from tests.live.plc import HOLD, RUN, Own, Plc, foreign, own
+from tests.live.plc import HOLD, RUN, Foreign, Own, Plc, foreign, own
 
 GIVEN = {"cpu": "S7-300", "obs": [1, 10, 20, 40, 80, 85, 100], "records": ["call", "ob", "load"]}
 
@@ -390,6 +390,29 @@ def test_a_cut_connection(tmp_path: Path) -> None:
     watch._cpu.close()
     server.stop()
     assert server.asked == {"setup", "read", "clock", 0x01A0, 0x0424}, "nothing else is asked, nothing written"
+
+
+def test_a_server_that_goes() -> None:
+    """The same with python-snap7's server, which ends and starts again."""
+    plc = Plc()
+    with own(plc) as free:
+        port = free
+    connection = Connection(Address("127.0.0.1", 0, 2, port), 101)
+    watch = None
+    for change in (plc.restart, plc.stop, plc.restart, lambda: None):
+        server = Foreign(plc)
+        server.start(port)
+        watch = watch or Watch(connection, GIVEN, None, lambda: plc.passed / 1000)
+        steps(watch, plc)
+        assert told(watch) == plc.told
+        server.stop()
+        change()
+        watch.step()
+        assert watch.trouble
+    assert watch is not None
+    watch.end()
+    assert [report.verdict for report in watch.reports] == ["accepted"]
+    connection.close()
 
 
 @pytest.mark.parametrize("seed", range(6))
