@@ -30,6 +30,9 @@ from s7check.log.errors import UnusableLogError
 from s7check.output import echo, write_whole
 from s7check.report.progress import ProgressBar
 
+_LANE_S = 90.0
+"""Seconds beside its duration that a program may take on a real CPU."""
+
 _ENDINGS = " ".join(formats.FORMATS)
 
 _FILES = click.option(
@@ -272,6 +275,7 @@ def run_command(
     programs = part_of(programs, *shard)
     if cpu_address is not None:
         command, jobs = (sys.executable, "-m", "s7check.live.lane", cpu_address, str(port), str(latency)), 1
+        timeout = max([timeout, *(one.duration / 1000 + _LANE_S for one in programs)])
     run = this_run(programs, implementation, command, offer[1], profile, letters)
     runner = Runner(
         command,

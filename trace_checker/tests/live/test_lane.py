@@ -75,7 +75,7 @@ def run(folder: Path, port: int, *choice: str) -> dict[str, str]:
     """The statuses of the programs on the CPU that these options choose."""
     offer, output = folder / "offer.json", folder / "result.json"
     offer.write_text(json.dumps({"cpu": ["S7-300"], "obs": OBS}))
-    address = ["--cpu-address", "snap7://127.0.0.1:0:2", "--port", str(port), "--latency", "20"]
+    address = ["--cpu-address", "snap7://127.0.0.1:0:2", "--port", str(port), "--latency=20", "--timeout=0.1"]
     given = [*choice, "--offer", str(offer), "--output", str(output), *address]
     cli.main(["kit", "run", *given, "--stop-cpu-and-set-clock"])
     return {one["name"]: one["status"] for one in json.loads(output.read_text())["programs"]}
