@@ -10,6 +10,8 @@ from pathlib import Path
 import click
 import msgspec
 
+from s7check.importing.errors import SourceError
+from s7check.importing.sources import live
 from s7check.kit import formats
 from s7check.kit.adapter import AdapterError
 from s7check.kit.choosing import Aim, budget_of, covering
@@ -265,7 +267,7 @@ def run_command(
     """
     if (cpu_address is None) != bool(command):
         raise click.UsageError("expected either COMMAND, behind --, or --cpu-address")
-    on_cpu = _on_cpu(offer[0], consent) if cpu_address is not None else list
+    on_cpu = list if cpu_address is None else _on_cpu(offer[0], consent, cpu_address, port)
     programs = on_cpu(_chosen(files, only, requirements))
     if cover is not None:
         runs = [one for one in programs if not offer[0].lacks(offer[0].fitted(one))]
@@ -312,13 +314,17 @@ def run_command(
     return _exit_code([result for result in results if not is_known(baseline, result)])
 
 
-def _on_cpu(offer: Offer, consent: bool) -> Callable[[Iterable[Program]], list[Program]]:
-    """Puts programs on a real CPU, with its OBs."""
+def _on_cpu(offer: Offer, consent: bool, address: str, port: int) -> Callable[[Iterable[Program]], list[Program]]:
+    """Puts programs on a real CPU, which answers, with its OBs."""
     if not consent:
         raise click.UsageError("--cpu-address stops the CPU and sets its clock: expected --stop-cpu-and-set-clock, too")
     families, obs = list(offer.cpu or ()), offer.obs
     if obs is None or len(families) != 1:
         raise click.UsageError("--cpu-address: expected --offer FILE with cpu, one family, and obs, the OBs in the CPU")
+    try:
+        live.client(live.parse(address, port)).disconnect()
+    except SourceError as error:
+        raise click.ClickException(f"{address}: {error}") from error
     return lambda programs: [fitted(program, families[0], obs) for program in programs]
 
 

@@ -179,5 +179,11 @@ def test_only_with_consent(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     assert "--stop-cpu-and-set-clock" in capsys.readouterr().err
     assert cli.main(["kit", "run", "--cpu-address", "snap7://127.0.0.1:0:2", "--stop-cpu-and-set-clock"]) == 2
     assert "--offer FILE with cpu" in capsys.readouterr().err
+    offer = tmp_path / "offer.json"
+    offer.write_text(json.dumps({"cpu": ["S7-300"], "obs": OBS}))
+    given = ["kit", "run", "--stop-cpu-and-set-clock", "--offer", str(offer), "--port", "9", "--cpu-address"]
+    for address, found in ("plc", "an address snap7://"), ("snap7://127.0.0.1:0:2", "an answer of the CPU"):
+        assert cli.main([*given, address]) == 2
+        assert found in capsys.readouterr().err
     assert cli.main(["kit", "run"]) == 2
     assert "either COMMAND" in capsys.readouterr().err
