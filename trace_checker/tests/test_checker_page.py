@@ -4,8 +4,10 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from evidence.common.chromium import QUIET, chromium, judged_in, missing
@@ -240,6 +242,18 @@ def test_the_timeline_is_made_wider(page: Page) -> None:
     page.click("#wider")
     width = "document.querySelectorAll('#timeline button')[1]?.getBoundingClientRect().width"
     page.wait_for_function(f"before => {width} > 1.2 * before", arg=before["width"])
+
+
+@pytest.mark.parametrize("width", [360, 1600])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(page: Page, scheme: Literal["light", "dark"], width: int) -> None:
+    """At the start, and with a rejected log."""
+    page.emulate_media(color_scheme=scheme)
+    page.set_viewport_size({"width": width, "height": 900})
+    assert Axe().run(page).response["violations"] == []
+    paste(page, REJECTED)
+    expect(page.locator("#timeline .wrong")).to_be_visible()
+    assert Axe().run(page).response["violations"] == []
 
 
 def test_a_behaviour_is_built_by_keyboard_alone(page: Page) -> None:
