@@ -2,14 +2,17 @@
 
 import json
 import re
+from itertools import product
 from pathlib import Path
+from typing import Any, cast
 from urllib.parse import unquote
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
 from click.testing import CliRunner
 from playwright.sync_api import sync_playwright
 
-from evidence.common.chromium import QUIET, chromium
+from evidence.common.chromium import QUIET, chromium, missing
 from evidence.views.site.site_command import site_command
 from s7check.resources import PAGE
 
@@ -115,6 +118,22 @@ def test_the_search_finds_rules_by_their_words_on_a_phone(site: Path) -> None:
         page.locator("#found a", has_text="MayStart · Requests").click()
         assert page.url.endswith("Requests.html#MayStart")
     assert {"CLK-09", "CLK-10"} <= {title.split(" ")[0] for title in found[:6]}
+
+
+@pytest.mark.skipif(bool(missing()), reason=missing())
+def test_axe_has_no_serious_finding(site: Path) -> None:
+    """In light and dark, at 360 and 1,600 px."""
+    found = []
+    with sync_playwright() as playwright:
+        page = playwright.chromium.launch(executable_path=chromium(), args=QUIET).new_page()
+        for place in ("index.html", "gallery.html", "book/sfc-41-dis_airt.html"):
+            page.goto((site / place).as_uri())
+            for scheme, width in product(("light", "dark"), (360, 1600)):
+                page.emulate_media(color_scheme=cast(Any, scheme))
+                page.set_viewport_size({"width": width, "height": 900})
+                violations = Axe().run(page).response["violations"]
+                found += [(place, one["id"]) for one in violations if one["impact"] in ("serious", "critical")]
+    assert found == []
 
 
 def test_the_search_has_no_markdown(site: Path) -> None:
