@@ -208,7 +208,7 @@ SeenProp ==
 PassedProp ==
     [][Did("reached") => ~(tod'[step'.ob].next <= clock.min)]_vars
 
-(* [OBS-07] A start event that waits for sure stays when another OB starts *)
+(* [OBS-07] A start event that definitely waits stays when another starts  *)
 (* or is missing, also behind one of its class.                            *)
 StartKeepsProp ==
     [][ step'.event \in {"start", "missing"} =>
