@@ -76,8 +76,10 @@ class SuppliedCpu(ToyCpu):
 
     def __init__(self, header, adapter):
         self.classes = {int(ob): level for ob, level in header.get("priority", {}).items()}
-        self.step7 = {int(ob): given for ob, given in header.get("step7", {}).get("tod", {}).items()}
-        if 0 in self.classes.values() or any(given.get("deselected") for given in self.step7.values()):
+        parts = header.get("step7", {})
+        self.step7 = {int(ob): given for ob, given in parts.get("tod", {}).items()}
+        deselected = (given.get("deselected") for part in parts.values() for given in part.values())
+        if 0 in self.classes.values() or any(deselected):
             raise UnsupportedError("no deselected OBs")
         self.tods, self.blocked = {}, set()
         super().__init__(header, adapter)

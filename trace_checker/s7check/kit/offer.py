@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -37,13 +37,12 @@ class Offer:
         """The program on a CPU of an offered family, without loaded OBs that the CPU lacks and that nothing can start,
         with those that it always has, and without a log of the cycles if there is none.
 
-        A program has no expected output, so it is one on any CPU. Only families with priority classes that can be set
-        take the place of one.
+        A program has no expected output, so it is one on any CPU. Only families in which its priority classes can be
+        set take the place of one.
         """
         header, cpu = program.header, program.header["cpu"]
         if _missing([cpu], self.cpu):
-            settable = pool.alternatives().settable
-            cpu = min((one for one in self.cpu or () if one in settable or "priority" not in header), default=cpu)
+            cpu = min((one for one in self.cpu or () if _may_have(one, header.get("priority", {}))), default=cpu)
         started = _started(program)
         lacking = _missing(header["obs"], self.obs) - started
         obs = [ob for ob in header["obs"] if ob not in lacking]
@@ -80,6 +79,13 @@ class Offer:
         if self.longest and program.duration > self.longest:
             return f"lasts {program.duration / 1000:g} s, more than {self.longest / 1000:g} s"
         return ""
+
+
+def _may_have(family: str, priority: Mapping[str, int]) -> bool:
+    """Whether the family can have these priority classes."""
+    words = pool.alternatives()
+    classes = dict(dict(words.classes).get(family, [])) if family in words.settable else {}
+    return all(number in classes.get(int(ob), ()) for ob, number in priority.items())
 
 
 def _missing(needed: Iterable[Any], offered: frozenset[Any] | None) -> set[Any]:

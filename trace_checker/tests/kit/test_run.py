@@ -185,6 +185,9 @@ def test_fitted() -> None:
     assert Offer().fitted(more) is more
     classes = read_program(json.dumps(more.raw | {"header": more.header | {"priority": {"35": 5}}}).encode())
     assert Offer(cpu=frozenset({"S7-300"})).lacks(Offer(cpu=frozenset({"S7-300"})).fitted(classes)) == "no S7-400"
+    header = {"cpu": "S7-1500", "obs": [1, 40, 80], "priority": {"40": 24}}
+    high = read_program(json.dumps(PROGRAM | {"header": PROGRAM["header"] | header}))
+    assert Offer(cpu=frozenset({"S7-400"})).lacks(Offer(cpu=frozenset({"S7-400"})).fitted(high)) == "no S7-1500"
 
 
 def test_what_an_offer_lacks() -> None:
