@@ -125,4 +125,6 @@ def build_engine() -> None:
         raise ExecError(f"Maven did not build the engine: see its messages, then try `mvn package` in {ENGINE}")
 
 
+# The same files make the same bytes: no entry of the wheel has the time of its making.
+os.environ.setdefault("SOURCE_DATE_EPOCH", "315532800")
 setup(cmdclass={"build_py": BuildWithData, "bdist_wheel": WheelForAMachine})
