@@ -14,7 +14,7 @@ AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
 
 .DEFAULT_GOAL := help
-.PHONY: help setup engine native native-windows page equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows lint bench results views kept clean site pictures
+.PHONY: help setup engine native native-windows page equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows release lint bench results views kept clean site pictures
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -114,6 +114,20 @@ fuzz: setup  ## FUZZ=24000 damaged logs and sources: each gets its verdict or it
 
 wheel: setup native page  ## build/wheel/*.whl: s7check for this kind of machine with all it needs but Python
 	$(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .
+
+CYCLONEDX ?= cyclonedx-py
+RELEASE := build/release
+release: wheel site  ## build/release: wheel, page, site, lists of what is inside (CycloneDX), checksums; CYCLONEDX=cyclonedx-py
+	rm -rf $(RELEASE) build/runtime && mkdir -p $(RELEASE)
+	cp build/wheel/*.whl $(PAGE) $(RELEASE)
+	tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -C build -c site | gzip -n > $(RELEASE)/site.tar.gz
+	$(PYTHON) -m venv --without-pip build/runtime
+	$(BIN)/pip -q --disable-pip-version-check --python build/runtime/bin/python install $(firstword $(wildcard build/wheel/*linux*.whl))
+	$(CYCLONEDX) environment --pyproject pyproject.toml --output-reproducible -o $(RELEASE)/python.cdx.json build/runtime/bin/python
+	cd trace_checker/engine && mvn -q -B org.cyclonedx:cyclonedx-maven-plugin:2.9.1:makeBom -DoutputFormat=json -DoutputName=engine.cdx
+	cp trace_checker/engine/target/engine.cdx.json $(RELEASE)
+	cd build/npm && npm sbom --sbom-format cyclonedx > ../release/site.cdx.json
+	cd $(RELEASE) && sha256sum * > SHA256SUMS
 
 wheel-windows: setup native-windows page  ## the same for Windows
 	S7CHECK_WHEEL=win_amd64 $(BIN)/pip wheel -q --disable-pip-version-check --no-build-isolation --no-deps --wheel-dir build/wheel .

@@ -19,8 +19,6 @@ from evidence.views.traceability.matrix import Cell, Matrix, Row
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import Project
 from s7check.report.clauses import Clause, is_question
-from s7check.report.markup import as_text
-from s7check.report.timeline import patterns
 from s7check.simulating.kept import Kept
 
 _SOURCE = re.compile(r"^- \*\*(\w+)\*\*: (.*?)(?=^- |^$)", re.MULTILINE | re.DOTALL)
@@ -65,7 +63,7 @@ class Page:
         told = _NAME.sub(self._named, MarkdownIt().render(self._chapter.told))
         tables = "".join(self._parts.tables(name, self._to) for name in self._chapter.tables)
         rules = "".join(self._rule(name) for name in self._chapter.rules)
-        return f"<h1>{html.escape(self._chapter.title)}</h1>{as_text(patterns())}{told}{tables}{rules}"
+        return f"<h1>{html.escape(self._chapter.title)}</h1>{told}{tables}{rules}"
 
     def _named(self, found: re.Match[str]) -> str:
         linked, name = self._parts.linked, found[1]

@@ -37,7 +37,7 @@ from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.report import clauses
 from s7check.report.markup import as_text
-from s7check.report.timeline import legend
+from s7check.report.timeline import legend, patterns
 from s7check.resources import PAGE, modules
 from s7check.simulating.kept import EXPERIMENTS, read_kept
 
@@ -127,14 +127,18 @@ def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document
     yield "index.html", front_page(engine, addressed("index.html"), explorer=PAGE.is_file())
     yield "gallery.html", _gallery(engine, addressed("gallery.html"))
     parts = _parts(project, linked, engine)
+    bodies = []
     for chapter in chapters:
         place = f"book/{chapter.page}.html"
+        bodies.append(Page(parts, chapter, addressed(place)).body())
         sections = [Section(place, chapter.title, plain_words(chapter.told), "The book")]
         sections += [_rule(homes[name], known[name], chapter.title) for name in chapter.rules]
-        yield place, Document(chapter.title, Page(parts, chapter, addressed(place)).body(), sections)
+        yield place, Document(chapter.title, as_text(patterns()) + bodies[-1], sections)
+    yield "book/whole.html", Document("The book", as_text(patterns()) + "".join(bodies))
     items = "".join(f'<li><a href="book/{one.page}.html">{html.escape(one.title)}</a></li>' for one in chapters)
     questions = [_rule(homes[name], asked, "Readings") for name, asked in project.ambiguities.items()]
-    yield "book.html", Document("The book", f"{MarkdownIt().render(before)}<ol>{items}</ol>", questions)
+    whole = '<p><a href="book/whole.html">All chapters on one page</a>, to print.</p>'
+    yield "book.html", Document("The book", f"{MarkdownIt().render(before)}<ol>{items}</ol>{whole}", questions)
 
 
 def _rule(place: str, one: clauses.Clause, within: str) -> Section:
