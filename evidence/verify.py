@@ -1,10 +1,12 @@
 """``s7spec verify``: the project's main job, and a table of checks done and not done."""
 
 import json
+import os
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -49,18 +51,24 @@ def verify_command(*, without_models: bool) -> int:
     """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants."""
     BUILD.mkdir(parents=True, exist_ok=True)
     rows: list[Row] = []
-    for title, step in STEPS.items():
+    steps = dict(STEPS)
+    for title in [title for title, step in STEPS.items() if step is _models]:
         click.echo(f"== {title}")
-        if step is _models and without_models:
-            rows.append(Row("models of the CI lane", "TLC", "make models", 0, [], run=False))
-        else:
-            rows += step()
+        # The models take all cores, and say how far they are.
+        models = steps.pop(title)
+        left_out = Row("models of the CI lane", "TLC", "make models", 0, [], run=False)
+        rows += [left_out] if without_models else models()
+    # Most of the others take one core at a time.
+    click.echo("".join(f"== {title}\n" for title in steps), nl=False)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found in pool.map(lambda step: step(), steps.values()):
+            rows += found
     _print(rows)
     return 1 if any(row.failures for row in rows) else 0
 
 
 def _models() -> list[Row]:
-    code, seconds, report = _s7spec("models", "--lane", "ci")
+    code, seconds, report = _s7spec("models", "--lane", "ci", at_once=True)
     if report is None:
         return [Row("models", "TLC", "", seconds, [f"the models were not run (exit code {code}); see above"])]
     rows = []
@@ -74,13 +82,20 @@ def _models() -> list[Row]:
     return rows
 
 
-def _s7spec(name: str, *arguments: str) -> tuple[int, float, dict[str, Any] | None]:
-    """Run a command of s7spec: its exit code, its seconds, and the report that it wrote to BUILD, if it did."""
+def _s7spec(name: str, *arguments: str, at_once: bool = False) -> tuple[int, float, dict[str, Any] | None]:
+    """Run a command of s7spec: its exit code, its seconds, and the report that it wrote to BUILD, if it did.
+
+    What it prints comes when it is over, since others run beside it, or `at_once`.
+    """
     results = BUILD / f"{name.replace(' ', '-')}.json"
     results.unlink(missing_ok=True)
     begun = time.monotonic()
     command = [sys.executable, "-m", "evidence", *name.split(), *arguments, "--json", str(results)]
-    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    streams: dict[str, Any] = {} if at_once else {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    run = subprocess.run(command, cwd=ROOT, check=False, text=True, **streams)
+    if not at_once:
+        click.echo(f"-- s7spec {name}\n{run.stdout}", nl=False)
+    code = run.returncode
     return code, time.monotonic() - begun, json.loads(results.read_bytes()) if results.exists() else None
 
 
