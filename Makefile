@@ -35,10 +35,10 @@ verify: setup  ## the main job: models of the CI lane, the soft PLC run live, al
 test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
 test-checker: setup $(AWLSIM)
-	$(BIN)/python -m pytest -q -n logical --dist loadfile trace_checker/tests
+	$(BIN)/python -m pytest -q -n logical --dist loadfile --durations=20 trace_checker/tests
 
 test-evidence: setup $(SEARCH)
-	$(BIN)/python -m pytest -q -n logical --dist loadfile evidence/tests
+	$(BIN)/python -m pytest -q -n logical --dist loadfile --durations=20 evidence/tests
 
 test-engine: setup
 	cd trace_checker/engine && mvn -q -B test

@@ -177,7 +177,8 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
         args=model.args,
     )
     with tlc.temporary_folder() as root:
-        space = prepare(root, harness.manifest, model)
+        # Another order of definitions may show another violation first: who shares no JVM has the author's.
+        space = prepare(root, harness.manifest, model, apart=harness.residents is not None)
         shared = harness.residents and harness.residents.run(model.base, harness.tools, space, options, listen)
         return shared or tlc.run(harness.tools, space, options, harness.processes, listen)
 
@@ -199,7 +200,7 @@ def _attribute(harness: Harness, model: Model, outcome: Outcome) -> Outcome:
     return outcome
 
 
-def prepare(root: Path, manifest: Manifest, model: Model) -> tlc.Workspace:
+def prepare(root: Path, manifest: Manifest, model: Model, *, apart: bool = False) -> tlc.Workspace:
     """Copy the modules below the empty directory `root`, and apply the mutations. Raises `StaleMutationError`.
 
     Every run has a copy, also one that changes nothing: TLC writes next to its input, and nothing of that is to get
@@ -214,7 +215,7 @@ def prepare(root: Path, manifest: Manifest, model: Model) -> tlc.Workspace:
     file = root / "models" / model.module
     space = tlc.Workspace(file.parent, file.name, library, root / "scratch")
     space.config.write_text(model.config, encoding="utf-8")
-    return space.as_one_module()
+    return space.as_one_module(apart=apart)
 
 
 def _copy_modules(source: Path, target: Path) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from evidence.common.checkout import ROOT
-from evidence.tla.flatten import flatten, keep_only
+from evidence.tla.flatten import flatten, keep_only, split
 from evidence.tla.modules import closure, module_folders, read_modules
 from evidence.tla.syntax import Module, SyntaxTreeError, references
 from evidence.tla.tlc import Workspace
@@ -74,6 +74,29 @@ def test_only_the_definitions_that_are_needed_are_kept_with_their_types(folder: 
     assert "(* Above. *)" in kept
 
 
+def test_what_depends_on_variables_stands_apart(tmp_path: Path) -> None:
+    """All else is where TLC finds constants; a place in either becomes the place in the module of its author."""
+    text = """---- MODULE Top ----
+VARIABLE x
+Two == 2
+Next ==
+    x' = x + Two
+Rest(n) == Next /\\ n = 2
+====
+"""
+    (tmp_path / "Top.tla").write_text(text, encoding="utf-8")
+    top, rules, constants = split("Top", [tmp_path])
+    assert (top.name, rules.name, constants.name) == ("Top", "TopRules", "TopConstants")
+    assert rules.text.splitlines()[1:-1] == ["EXTENDS TopConstants", *text.splitlines()[1:2], *text.splitlines()[3:6]]
+    assert constants.text.splitlines()[2:-1] == ["Two == 2"]
+    assert rules.located("line 5, col 5 to line 5, col 16 of module TopRules") == (
+        "line 5, col 5 to line 5, col 16 of module Top"
+    )
+    assert constants.located("line 3, col 1 to line 3, col 8 of module TopConstants").startswith("line 3, col 1 ")
+    (tmp_path / "Top.tla").write_text(text.replace("Two == 2", "Two == 2\nASSUME Two = 2"), encoding="utf-8")
+    assert split("Top", [tmp_path]) == ()
+
+
 def test_nothing_of_a_model_is_lost() -> None:
     """Every definition of a model's modules is there and uses the same names."""
     modules = read_modules(ROOT / "spec") | read_modules(ROOT / "models")
@@ -82,6 +105,10 @@ def test_nothing_of_a_model_is_lost() -> None:
     wanted = {name: unit for part in parts for name, unit in part.definitions.items()}
     assert flat.definitions.keys() == wanted.keys()
     assert all(references(flat.definitions[name]) == references(unit) for name, unit in wanted.items())
+    _, *apart = split("MCAirt", [ROOT / "models", *module_folders(ROOT / "spec")])
+    found = {name: unit for one in apart for name, unit in Module(one.name, one.text.encode()).definitions.items()}
+    assert found.keys() == wanted.keys()
+    assert all(references(found[name]) == references(unit) for name, unit in wanted.items())
 
 
 @pytest.mark.parametrize("text", ["no module", "---- MODULE Top ----\nA == \n====\n"])
@@ -91,7 +118,7 @@ def test_a_module_that_cannot_be_read_is_left_to_tlc(tmp_path: Path, text: str) 
     with pytest.raises(SyntaxTreeError, match=r"Top\.tla"):
         flatten("Top", [tmp_path])
     space = Workspace(tmp_path, "Top.tla", (), tmp_path).as_one_module()
-    assert space.flat is None
+    assert space.flat == ()
     assert (tmp_path / "Top.tla").read_text(encoding="utf-8") == text
 
 

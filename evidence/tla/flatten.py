@@ -17,8 +17,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from tree_sitter import Node
+
 from evidence.tla.modules import reached
-from evidence.tla.syntax import Module, SyntaxTreeError, end, references
+from evidence.tla.syntax import COMMENTS, Module, SyntaxTreeError, end, references, token
 
 _LOCATION = re.compile(r"\bline (\d+), col (\d+) to line (\d+), col (\d+) of module (\w+)")
 
@@ -45,12 +47,27 @@ class Flat:
 
 
 @dataclass(frozen=True)
+class _Unit:
+    """A definition or declaration: its names, the names that it uses, its first line in a part and that behind it."""
+
+    variable: bool
+    names: frozenset[str]
+    uses: frozenset[str]
+    first: int
+    behind: int
+
+
+@dataclass(frozen=True)
 class _Part:
-    """The text of a module between its first and its last line, and the number of its first line."""
+    """The text of a module between its first and its last line, and the number of its first line.
+
+    `units` is None if there are others than definitions and declarations, or two stand in a line.
+    """
 
     text: str
     line: int
     extends: tuple[str, ...]
+    units: tuple[_Unit, ...] | None
 
 
 def flatten(top: str, folders: Sequence[Path]) -> Flat:
@@ -59,6 +76,66 @@ def flatten(top: str, folders: Sequence[Path]) -> Flat:
     The definitions stand there as they are, in the order in which the tool reads them. Raises `SyntaxTreeError` for
     a module that the grammar cannot read, and if `top` is not there.
     """
+    parts, standard = _read(top, folders)
+    lines: list[_Line] = []
+    for name, part in parts.items():
+        lines += [(text, name, part.line + number) for number, text in enumerate(part.text.split("\n"))]
+    return _flat(top, standard, lines)
+
+
+def split(top: str, folders: Sequence[Path]) -> tuple[Flat, ...]:
+    """The same as three modules, `top` the first of them; none if there are units that it does not know.
+
+    To find out what it can evaluate before it starts, TLC 2.18 follows each definition without parameters through all
+    that it uses, each time anew: a second of CPU for a next-state relation. It leaves out those of a module with
+    variables that has an instance. Such a module holds what depends on variables here, another all else.
+    """
+    parts, standard = _read(top, folders)
+    rules, constants = f"{top}Rules", f"{top}Constants"
+    known = _without_variables(parts)
+    if known is None:
+        return ()
+    sorted_: dict[bool, list[_Line]] = {True: [], False: []}
+    for name, part in parts.items():
+        own = part.text.split("\n")
+        for unit in part.units or ():
+            where = sorted_[unit in known]
+            where += [(own[number], name, part.line + number) for number in range(unit.first, unit.behind)]
+    instance = [(f"{rules}Instance(unused) == INSTANCE {rules}", top, 1)]
+    return (
+        _flat(top, [rules], instance),
+        _flat(rules, [constants], sorted_[False]),
+        _flat(constants, standard, sorted_[True]),
+    )
+
+
+def _without_variables(parts: dict[str, _Part]) -> set[_Unit] | None:
+    """The units that use no variable, directly or not; None if there are units of other kinds."""
+    found: set[_Unit] = set()
+    depending: set[str] = set()
+    for part in parts.values():
+        if part.units is None:
+            return None
+        for unit in part.units:
+            if unit.variable or unit.uses & depending:
+                depending |= unit.names
+            else:
+                found.add(unit)
+    return found
+
+
+_Line = tuple[str, str, int]
+"""A line's text, and the module and the line from which it comes."""
+
+
+def _flat(name: str, extends: Sequence[str], lines: Sequence[_Line]) -> Flat:
+    head = [(f"---- MODULE {name} ----", name, 1), (f"EXTENDS {', '.join(extends)}" if extends else "", name, 1)]
+    whole = [*head, *lines, ("====\n", name, 1)]
+    return Flat(name, "\n".join(text for text, _, _ in whole), tuple((module, line) for _, module, line in whole))
+
+
+def _read(top: str, folders: Sequence[Path]) -> tuple[dict[str, _Part], list[str]]:
+    """The modules in the order in which the tool reads them, and the names of those that are in no folder."""
     parts: dict[str, _Part] = {}
     standard: list[str] = []
     seen: set[str] = set()
@@ -79,13 +156,7 @@ def flatten(top: str, folders: Sequence[Path]) -> Flat:
     add(top)
     if top in standard:
         raise SyntaxTreeError(f"{top}.tla: no such module in {', '.join(map(str, folders))}")
-    extends = f"EXTENDS {', '.join(standard)}" if standard else ""
-    lines, places = [f"---- MODULE {top} ----", extends], [(top, 1), (top, 1)]
-    for name, part in parts.items():
-        own = part.text.split("\n")
-        lines += own
-        places += [(name, part.line + number) for number in range(len(own))]
-    return Flat(top, "\n".join([*lines, "====\n"]), (*places, (top, 1)))
+    return parts, standard
 
 
 @lru_cache(maxsize=256)
@@ -102,7 +173,27 @@ def _part(name: str, text: bytes) -> _Part:
         if unit.type == "extends":
             start, stop = unit.start_byte - first.end_byte, end(unit) - first.end_byte
             body = body[:start] + b"\n" * body.count(b"\n", start, stop) + body[stop:]
-    return _Part(body.decode(), first.end_point.row + 1, module.extends)
+    return _Part(body.decode(), first.end_point.row + 1, module.extends, _units(module, node, first.end_point.row))
+
+
+_AROUND = frozenset({"MODULE", "identifier", "header_line", "extends", "single_line", "double_line", *COMMENTS})
+
+
+def _units(module: Module, node: Node, top: int) -> tuple[_Unit, ...] | None:
+    """The units of a module whose text begins in line `top` from 0."""
+    found: list[_Unit] = []
+    for unit in (child for child in node.children if child.type not in _AROUND):
+        variable = unit.type == "variable_declaration"
+        if not variable and unit.type not in ("operator_definition", "function_definition", "constant_declaration"):
+            return None
+        name = unit.child_by_field_name("name")
+        names = [token(name)] if name else [token(child) for child in unit.children if child.type == "identifier"]
+        first = unit.start_point.row - top
+        behind = module.text.count(b"\n", 0, end(unit)) - top + 1
+        if found and first < found[-1].behind:
+            return None
+        found.append(_Unit(variable, frozenset(names), references(unit), first, behind))
+    return tuple(found)
 
 
 def keep_only(flat: Flat, names: Iterable[str]) -> str:

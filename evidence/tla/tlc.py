@@ -16,7 +16,7 @@ from pathlib import Path
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
-from evidence.tla.flatten import Flat, flatten
+from evidence.tla.flatten import Flat, flatten, split
 from evidence.tla.messages import Message, Outcome, Parser, interpret
 from evidence.tla.syntax import SyntaxTreeError
 from s7check import resources
@@ -86,15 +86,15 @@ def find_toolchain(jar: Path | None) -> Toolchain:
 class Workspace:
     """Where a run takes place: TLC's directory, its module's file name there, where to look for other modules.
 
-    `scratch` is an empty directory for TLC's own files and Java's temporary ones. `flat` is the module where it stands
-    there with all that it extends.
+    `scratch` is an empty directory for TLC's own files and Java's temporary ones. `flat` are the modules that stand
+    there with all that the module extends.
     """
 
     directory: Path
     module: str
     library: tuple[Path, ...]
     scratch: Path
-    flat: Flat | None = None
+    flat: tuple[Flat, ...] = ()
 
     @property
     def config(self) -> Path:
@@ -103,18 +103,24 @@ class Workspace:
 
     def located(self, line: str) -> str:
         """A line of TLC's output with the places of the modules as their authors see them."""
-        return self.flat.located(line) if self.flat else line
+        for flat in self.flat:
+            line = flat.located(line)
+        return line
 
-    def as_one_module(self) -> Workspace:
+    def as_one_module(self, *, apart: bool = False) -> Workspace:
         """Put the module's text and that of all that it extends into its file, with which TLC starts faster.
 
-        A module that the grammar cannot read stays as it is: TLC says where it is wrong.
+        `apart`: what depends on variables and what does not stand beside it, with which TLC starts faster still. A
+        module that the grammar cannot read stays as it is: TLC says where it is wrong.
         """
+        top, folders = self.module.removesuffix(".tla"), [self.directory, *self.library]
         try:
-            flat = flatten(self.module.removesuffix(".tla"), [self.directory, *self.library])
+            flat = split(top, folders) if apart else ()
+            flat = flat or (flatten(top, folders),)
         except SyntaxTreeError:
             return self
-        (self.directory / self.module).write_text(flat.text, encoding="utf-8")
+        for one in flat:
+            (self.directory / f"{one.name}.tla").write_text(one.text, encoding="utf-8")
         return replace(self, flat=flat)
 
 
