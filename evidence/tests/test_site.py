@@ -79,6 +79,19 @@ def test_the_explorer_is_there(site: Path) -> None:
     assert '<a href="../explorer.html">explorer</a>' in (site / "rules" / "requirements.html").read_text()
 
 
+@pytest.mark.skipif(missing() != "", reason=missing())
+def test_a_rule_opens_the_explorer_at_the_moment(site: Path) -> None:
+    """The rejected log before its rejected line; from the front page two CPUs that differ."""
+    with sync_playwright() as playwright:
+        page = playwright.chromium.launch(executable_path=chromium(), args=QUIET).new_page()
+        page.goto((site / "book" / "the-clock.html").as_uri())
+        page.locator("#CLK-10 a.run").last.click()
+        page.locator("#verdict", has_text="something had to come before line 5").wait_for()
+        page.goto((site / "index.html").as_uri())
+        page.get_by_text("S7-300 beside S7-400").click()
+        page.locator("#sides", has_text="is not possible there").wait_for()
+
+
 def test_each_edge_case_is_drawn(site: Path) -> None:
     """A timeline in each section."""
     sections = (site / "gallery.html").read_text().split("<section ")[1:]
