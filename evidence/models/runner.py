@@ -143,11 +143,13 @@ def _work(harness: Harness, model: Model, events: queue.Queue[Event | BaseExcept
 def check(harness: Harness, model: Model, listen: Callable[[Message], None] = lambda _: None) -> Result:
     """Run one model and judge it. Raises `InterruptedRunError`.
 
-    What a JVM says that ran TLC before counts only if it is as pinned: else the control has a JVM of its own.
+    What a JVM says that ran TLC before, or of a model in several modules, counts only if it is as pinned: else the
+    model has a JVM of its own, and is one module.
     """
-    if harness.residents is not None and _may_share(harness, model):
-        result = _check(harness, model, listen)
-        if result.ok and not result.outcome.liveness_checked:
+    if harness.residents is not None and model.brief:
+        shared = _may_share(harness, model)
+        result = _check(harness if shared else replace(harness, residents=None), model, listen, apart=True)
+        if result.ok and not (shared and result.outcome.liveness_checked):
             return result
     return _check(replace(harness, residents=None), model, listen)
 
@@ -158,16 +160,16 @@ def _may_share(harness: Harness, model: Model) -> bool:
     return model.kind == "negative" and model.brief and base is not None and base.kind == "model"
 
 
-def _check(harness: Harness, model: Model, listen: Callable[[Message], None]) -> Result:
+def _check(harness: Harness, model: Model, listen: Callable[[Message], None], *, apart: bool = False) -> Result:
     try:
-        run = _run(harness, model, listen)
+        run = _run(harness, model, listen, apart=apart)
     except StaleMutationError as stale:
         return Result(model, Outcome("broken", detail=str(stale)), None, 0.0, 0, (str(stale),))
-    outcome = _attribute(harness, model, run.outcome)
+    outcome = _attribute(harness, model, run.outcome, apart=apart)
     return judge(model, outcome, run.exit, run.seconds, harness.workers_of(model), run.output)
 
 
-def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> tlc.TlcRun:
+def _run(harness: Harness, model: Model, listen: Callable[[Message], None], *, apart: bool) -> tlc.TlcRun:
     options = tlc.Options(
         workers=harness.workers_of(model),
         deadlock=model.deadlock,
@@ -177,13 +179,12 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None]) -> t
         args=model.args,
     )
     with tlc.temporary_folder() as root:
-        # Another order of definitions may show another violation first: who shares no JVM has the author's.
-        space = prepare(root, harness.manifest, model, apart=harness.residents is not None)
+        space = prepare(root, harness.manifest, model, apart=apart)
         shared = harness.residents and harness.residents.run(model.base, harness.tools, space, options, listen)
         return shared or tlc.run(harness.tools, space, options, harness.processes, listen)
 
 
-def _attribute(harness: Harness, model: Model, outcome: Outcome) -> Outcome:
+def _attribute(harness: Harness, model: Model, outcome: Outcome, *, apart: bool) -> Outcome:
     """Find out which PROPERTY was violated where TLC did not name it.
 
     TLC 2.18 names no temporal property, and any TLC gives only the place of a conjunct of a property such as another
@@ -195,7 +196,8 @@ def _attribute(harness: Harness, model: Model, outcome: Outcome) -> Outcome:
     if len(model.properties) == 1:
         return replace(outcome, names=model.properties)
     for name in model.properties:
-        if _run(harness, model.with_property(name), lambda _: None).outcome.kind == outcome.kind:
+        alone = _run(harness, model.with_property(name), lambda _: None, apart=apart)
+        if alone.outcome.kind == outcome.kind:
             return replace(outcome, names=(name,))
     return outcome
 
