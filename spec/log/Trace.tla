@@ -112,7 +112,8 @@ Begin(h) ==
                   loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
                   early |-> {}]
     /\ up'     = At(0)
-    /\ waiting' = [c \in {} |-> 0]
+    /\ waiting' = [ c \in IF stopCause' = NoCause THEN {} ELSE {StopDuty}
+                     |-> 0 ]
     /\ first'  = IF h.mode = "STARTUP" THEN startup' ELSE "unknown"
     /\ overruns' = 0
     /\ arrivals' = [r \in { AsItCame(q) : q \in requests' } |-> At(0)]
