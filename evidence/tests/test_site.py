@@ -107,7 +107,10 @@ def test_the_book_has_the_tables_of_the_specification(site: Path) -> None:
         "sfc-39-dis_irt": ("<td>82</td><td>2</td><td>yes</td><td>no</td><td>no</td>", "<td>70, 72</td>"),
         "time-errors": ("<td>05</td><td>3505</td>",),
         "missing-obs-errors-and-stop": ("<td>4568</td>", "STOP: OB 80 missing"),
-        "start-events-and-obs": ("<td>17</td><td>2</td><td>2</td><td>2</td><td>2</td><td>1118</td>",),
+        "start-events-and-obs": (
+            "<b>FitsInterrupt</b>",
+            "<td>17</td><td>2</td><td>2</td><td>2</td><td>2</td><td>1118</td>",
+        ),
     }
     for page, parts in tables.items():
         text = (site / "book" / f"{page}.html").read_text()

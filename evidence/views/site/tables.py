@@ -13,6 +13,7 @@ from evidence.common.processes import Processes
 from evidence.tla import tlc
 from evidence.tla.modules import module_folders, reached
 from evidence.tla.values import value
+from evidence.views.site.chapters import BOOK
 from evidence.views.site.linked import TAG, Linked
 from evidence.views.traceability.modules import Definition, Module
 from evidence.views.traceability.roles import rules
@@ -56,8 +57,11 @@ class Tables:
         """A table as HTML."""
         if name.startswith("codes of "):
             return self._answers(name.removeprefix("codes of "), to)
+        if name.startswith("formula "):
+            return f"<pre>{self._linked.definition(self._known[name.removeprefix('formula ')], to)}</pre>"
         if name not in self._made:
-            raise ValueError(f"no such table: {name}; there are {', '.join(self._made)}, and `codes of ANSWERS`")
+            known = ", ".join([*self._made, "codes of ANSWERS", "formula NAME"])
+            raise ValueError(f"{BOOK}: no such table: {name}; there are {known}")
         return self._made[name](to)
 
     def _is_value(self, one: Definition) -> bool:
