@@ -55,7 +55,8 @@ _MENU = {
 _GENERATED = ("book.html", "gallery.html")
 _IN_OTHER_WORDS = tuple(f"rules/{n}.html" for n in ("requirements", "requirements-s7-1500", "readings", "traceability"))
 """Pages of rules and questions, each of which the search has by itself."""
-_SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
+SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
+"""MiniSearch, which `make site` installs."""
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
@@ -75,8 +76,8 @@ def site_command(output: Path) -> int:
         project = read_project(ROOT)
         if found := problems(project):
             raise ValueError("\n".join(found))
-        if not _SEARCH.is_file():
-            raise ValueError(f"{_SEARCH.relative_to(ROOT)} is not there: run `make site`, which installs it")
+        if not SEARCH.is_file():
+            raise ValueError(f"{SEARCH.relative_to(ROOT)} is not there: run `make site`, which installs it")
         with Engine() as engine:
             made = {ROOT / place: text for place, text in views(project, engine).items()}
             pages = dict(_pages(project, made, engine))
@@ -202,6 +203,6 @@ def _write_extras(output: Path, sections: list[Section]) -> None:
     (output / "report.css").write_bytes((files("s7check.report") / "report.css").read_bytes())
     if PAGE.is_file():
         shutil.copy(PAGE, output / EXPLORER)
-    shutil.copy(_SEARCH, output / "minisearch.js")
+    shutil.copy(SEARCH, output / "minisearch.js")
     for name in ("site.css", "site.js"):
         (output / name).write_bytes((files(__package__) / name).read_bytes())
