@@ -36,7 +36,7 @@ static const struct {
            "a second excess of the cycle time in a cycle, without or with SFC 43"),
     CHOICE("OBS-10", "event", "call", info_has_time_of_call,
            "the time in the start information"),
-    CHOICE("AMB-26", "lost", "reported", points_of_stop_are_reported,
+    CHOICE("OBS-52", "lost", "reported", points_of_stop_are_reported,
            "start points that passed in STOP before a hot restart"),
 #undef CHOICE
 };

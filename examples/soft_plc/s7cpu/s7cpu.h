@@ -112,8 +112,8 @@ struct s7cpu_choices {
     bool cycle_is_retriggered;
     /* OBS-10: start information shows the time of the call; else that of the event. */
     bool info_has_time_of_call;
-    /* AMB-26: after a hot restart OB 80 reports the start points that passed in STOP; else they are
-     * lost. */
+    /* OBS-52, AMB-26 (a): after a hot restart OB 80 reports the start points that passed in
+     * STOP; else they are lost. */
     bool points_of_stop_are_reported;
 };
 
