@@ -60,7 +60,7 @@ class Page:
 
     def body(self) -> str:
         """The whole chapter."""
-        told = _NAME.sub(self._named, MarkdownIt().render(self._chapter.told))
+        told = _NAME.sub(self._named, MarkdownIt().enable("table").render(self._chapter.told))
         tables = "".join(self._parts.tables(name, self._to) for name in self._chapter.tables)
         rules = "".join(self._rule(name) for name in self._chapter.rules)
         return f"<h1>{html.escape(self._chapter.title)}</h1>{told}{tables}{rules}"
