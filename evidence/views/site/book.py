@@ -12,7 +12,7 @@ from markdown_it import MarkdownIt
 from evidence.models.entries import Entry
 from evidence.views.site.chapters import Chapter, definition_named
 from evidence.views.site.linked import TAG, Linked
-from evidence.views.site.logs import Logs, address
+from evidence.views.site.logs import Logs
 from evidence.views.site.tables import Tables
 from evidence.views.traceability.controls import base_of
 from evidence.views.traceability.matrix import Cell, Matrix, Row
@@ -80,7 +80,7 @@ class Page:
             ("Checked", "".join(self._checks(row))),
             ("Fails without it", self._cell(row.cells["model"], self._controls(row))),
             ("Accepted", self._log(row.cells["accepted"])),
-            ("Rejected", self._log(row.cells["rejected"])),
+            ("Rejected", self._log(row.cells["rejected"], row.cells["rejected"].entries.direct)),
         ]
         shown = "".join(f"<dt>{title}</dt><dd>{text}</dd>" for title, text in rows if text)
         head = f'<h2><a href="#{name}">{name}</a></h2><p class="said">{said}</p>{self._origin(clause)}'
@@ -176,13 +176,13 @@ class Page:
         said = f"{entry.name}: {entry.expect.property} fails in model {base.name}"
         return f"<li><details><summary>{said}</summary>{changes or f'<p>{_what(entry)}</p>'}</details></li>"
 
-    def _log(self, cell: Cell) -> str:
+    def _log(self, cell: Cell, among: int = 0) -> str:
+        """The plainest log, of the first so many if `among` says so."""
         if not cell.entries.names:
             return self._cell(cell, "")
-        case, drawn = self._parts.logs.shown(cell.entries.names[0])
-        lines = [line for line in case.lines if line.strip()]
-        shown = len(lines) - 1 if case.line is None else max(0, case.line - 2)
-        run = f' <a class="run" href="{self._to(address(case.name, lines, shown))}">run this</a>'
+        logs = self._parts.logs
+        case, drawn = logs.shown(logs.plainest(cell.entries.names[: among or None]))
+        run = f' <a class="run" href="{self._to(logs.opened(case))}">run this</a>'
         where = f", line {case.line}" if case.line else ""
         return f"<p>{html.escape(case.reason)} ({case.name}{where}){run if self._parts.explorer else ''}</p>{drawn}"
 

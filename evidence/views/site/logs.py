@@ -35,6 +35,21 @@ class Logs:
         self._engine = engine
         self.shown = cache(self._shown)
 
+    def named(self, name: str) -> Case | None:
+        """The case with a name, without its area, if there is one."""
+        return next((case for case in self._cases.values() if case.name == name), None)
+
+    def plainest(self, names: Sequence[str]) -> str:
+        """The first of some cases whose log has all kinds and the default reading; the first if none has."""
+        plain = (name for name in names if not self._cases[name].header.keys() & {"readings", "profile", "records"})
+        return next(plain, names[0])
+
+    @staticmethod
+    def opened(case: Case) -> str:
+        """The explorer's address of a case, open at its rejected line, or else behind its end."""
+        lines = [line for line in case.lines if line.strip()]
+        return address(case.name, lines, len(lines) - 1 if case.line is None else max(0, case.line - 2))
+
     def _shown(self, name: str) -> tuple[Case, str]:
         """A case and its timeline. Raises `CasesError` if the verdict is not that of the case."""
         case = self._cases[name]
