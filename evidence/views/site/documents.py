@@ -18,6 +18,8 @@ from evidence.views.site.chapters import BOOK
 _ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
 _OWN_PAGES = {BOOK.as_posix(): "book.html", "docs/rules/gallery.md": "gallery.html"}
 """Documents in whose place the site has a page of its own."""
+_BEHIND = ("project/", "rules/modelling")
+"""Pages whose sections come last in the search."""
 _NO_WORD = re.compile(r"[^\w\- ]")
 _TAG = re.compile(r"<[^>]*>")
 
@@ -105,7 +107,8 @@ def _sections(tokens: list[Token], place: str) -> Iterator[Section]:
             title = _words(following)
             anchor = _NO_WORD.sub("", _TAG.sub("", following.content).lower()).replace(" ", "-")
             token.attrs["id"] = anchor
-            current = Section(f"{place}#{anchor}", title, "", whole, 0.3 if place.startswith("project/") else 1)
+            weight = 0.3 if place.startswith(_BEHIND) else 1
+            current = Section(f"{place}#{anchor}", title, "", whole, weight)
             whole = whole or title
         elif token.type == "inline" and current is not None and _words(token) != current.title:
             current.text += f" {_words(token)}"

@@ -11,25 +11,52 @@ const fetched = (name) =>
     document.head.append(script);
   });
 
-const SMALL = new Set("a an and are as at be by for from has in is it its of on or that the to was while with".split(" "));
+const SMALL = new Set(
+  "a an and are as at be by for from has in is it its of on or that the to was while with".split(" "),
+);
+/** What a query may say, and what the pages say. */
+const SAME = [
+  [/\b(airt|amb|clk|dint|irt|obs|tint|[at]15) (\d+)/g, "$1-$2"],
+  [/\b(simultaneous(ly)?|same time)\b/g, "same minute equal order"],
+  [/\b(retained|retentive|remanent|survives?)\b/g, "kept keeps restart"],
+  [/\b(expired?|expiry|timeout)\b/g, "elapsed delay over"],
+  [/\b(unblock(ed)?|enabled?)\b/g, "en_irt ends block"],
+];
+const NUMBERED = /\b(ob|sfc|fc|cpu)s?[ -]?(\d+)(?:(?: to | and | or |, |\/)(\d+))?\b/g;
+const WORD = /[a-z]\w{1,3}-\d+|[\p{L}\p{N}_]+/gu;
+
+/** The words of a text: an ID is one, OB 80 is one. */
+const words = (text) =>
+  text.toLowerCase().replace(NUMBERED, (_, block, from, to) => `${block}${from} ${to ? block + to : ""}`)
+    .match(WORD)?.filter((word) => !SMALL.has(word)) ?? [];
+/** In the index EN_AIRT stands beside its parts. */
+const parts = (text) => words(text).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : [word]));
+
 let index = null;
 async function ready() {
   await Promise.all([fetched("minisearch.js"), fetched("index.js")]);
   const fields = ["title", "within", "text"];
-  const processTerm = (term) => (SMALL.has(term.toLowerCase()) ? null : term.toLowerCase());
-  const made = new MiniSearch({ idField: "number", fields, storeFields: ["place", "weight", ...fields], processTerm });
+  const processTerm = (term) => term;
+  const storeFields = ["place", "weight", ...fields];
+  const made = new MiniSearch({ idField: "number", fields, storeFields, tokenize: parts, processTerm });
   made.addAll(INDEX.map((one, number) => ({ number, ...one })));
   return made;
 }
 
-/** The parts that have any of the words; many words, rare words and rules weigh most. */
-const search = (made, text) =>
-  made.search(text, {
+/** Edge cases with most of the words, and all parts with any; many words, rare words and rules weigh most. */
+function search(made, text) {
+  const asked = SAME.reduce((so, [from, to]) => so.replace(from, to), text.toLowerCase());
+  const hits = made.search(asked, {
+    tokenize: words,
     prefix: (word) => word.length > 2,
-    fuzzy: (word) => (word.length > 5 ? 0.15 : false),
+    fuzzy: (word) => (/^\p{L}{6,}$/u.test(word) ? 0.15 : false),
     boost: { title: 3 },
     boostDocument: (_, __, { weight }) => weight,
   });
+  const enough = Math.max(2, new Set(words(asked)).size * 0.6);
+  const cases = hits.filter((hit) => hit.within === "Edge cases" && hit.queryTerms.length >= enough).slice(0, 3);
+  return [cases, hits.filter((hit) => !cases.includes(hit)).slice(0, 30)];
+}
 
 function item({ place, title, within, text, terms }) {
   const row = document.createElement("li");
@@ -37,17 +64,47 @@ function item({ place, title, within, text, terms }) {
   const line = document.createElement("p");
   link.href = box.dataset.root + place;
   link.textContent = within ? `${title} · ${within}` : title;
-  const first = Math.min(...terms.map((term) => text.toLowerCase().indexOf(term)).filter((at) => at >= 0));
-  const from = first > 80 && Number.isFinite(first) ? text.lastIndexOf(" ", first - 60) + 1 : 0;
+  const first = text.search(new RegExp(terms.map((term) => term.replace(/([a-z])(?=\d)/, "$1 ?")).join("|"), "i"));
+  const from = first > 80 ? text.lastIndexOf(" ", first - 60) + 1 : 0;
   line.textContent = (from ? "… " : "") + text.slice(from, from + 200).trim();
   row.append(link, line);
   return row;
 }
 
-box.addEventListener("focus", () => (index ??= ready()));
-box.addEventListener("input", async () => {
+function heading(text) {
+  const row = document.createElement("li");
+  row.className = "group";
+  row.textContent = text;
+  return row;
+}
+
+async function show() {
   const made = await (index ??= ready());
-  found.replaceChildren(...(box.value.trim() ? search(made, box.value).slice(0, 30).map(item) : []));
+  const [cases, others] = box.value.trim() ? search(made, box.value) : [[], []];
+  const shown = cases.length ? [heading("Edge cases"), ...cases.map(item), heading("All")] : [];
+  found.replaceChildren(...shown, ...others.map(item));
+}
+
+function close() {
+  box.value = "";
+  found.replaceChildren();
+}
+
+box.addEventListener("focus", () => (index ??= ready()));
+box.addEventListener("input", show);
+found.addEventListener("click", (event) => event.target.closest("a") && setTimeout(close));
+document.addEventListener("keydown", async (event) => {
+  const { key, target } = event;
+  if (target !== box && !found.contains(target)) return;
+  if (key === "Escape") close();
+  if (target === box && key === "Enter") {
+    await show();
+    found.querySelector("a")?.click();
+  }
+  if (key !== "ArrowDown" && key !== "ArrowUp") return;
+  event.preventDefault();
+  const places = [box, ...found.querySelectorAll("a")];
+  places[places.indexOf(target) + (key === "ArrowDown" ? 1 : -1)]?.focus();
 });
 
 // A timeline shows its rejected line, also on a narrow screen.
