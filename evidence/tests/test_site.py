@@ -19,6 +19,9 @@ from s7check.resources import PAGE
 
 _LINK = re.compile(r'(?:href|src)="([^"]*)"')
 _ANCHOR = re.compile(r'\bid="([^"]*)"')
+_SEARCHES = pytest.mark.skipif(
+    chromium() is None or not command.SEARCH.is_file(), reason="no Chromium, or no search: run `make site`"
+)
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +83,7 @@ def test_the_explorer_is_there(site: Path) -> None:
     """Each page leads to it, each edge case to itself in it."""
     assert (site / "explorer.html").read_bytes() == PAGE.read_bytes()
     gallery = (site / "gallery.html").read_text()
-    assert gallery.count('<a href="explorer.html#open=') == gallery.count("<section ")
+    assert gallery.count('<a class="run" href="explorer.html#open=') == gallery.count("<section ")
     assert '<a href="../explorer.html">explorer</a>' in (site / "rules" / "requirements.html").read_text()
 
 
@@ -92,16 +95,25 @@ def test_a_rule_opens_the_explorer_at_the_moment(site: Path) -> None:
         page.goto((site / "book" / "the-clock.html").as_uri())
         page.locator("#CLK-10 a.run").last.click()
         page.locator("#verdict", has_text="something had to come before line 5").wait_for()
+        page.goto((site / "rules" / "review.html").as_uri())
+        page.get_by_text("AMB-37-clock-onto-a-point-calls-ob-80").click()
+        page.locator("#verdict", has_text="line").wait_for()
         page.goto((site / "index.html").as_uri())
         page.get_by_text("S7-300 beside S7-400").click()
         page.locator("#sides", has_text="is not possible there").wait_for()
 
 
 def test_each_edge_case_is_drawn(site: Path) -> None:
-    """A timeline in each section."""
-    sections = (site / "gallery.html").read_text().split("<section ")[1:]
+    """A timeline in each section, a line for each in the contents; the told cases lead to rules and questions."""
+    head, *sections = (site / "gallery.html").read_text().split("<section ")
     assert len(sections) >= 40
     assert all("<svg" in section for section in sections)
+    anchors = [anchor for one in sections for anchor in _ANCHOR.findall(one.partition(">")[0])]
+    assert len(anchors) == len(sections)
+    assert [anchor for anchor in anchors if f'<a href="#{anchor}">' not in head] == []
+    told = (site / "rules" / "review.html").read_text()
+    for link in ('"../book/the-clock.html#CLK-02">CLK-02</a>', '"readings.html#AMB-16">AMB-16</a>'):
+        assert link in told
 
 
 def test_the_book_has_the_tables_of_the_specification(site: Path) -> None:
@@ -122,9 +134,7 @@ def test_the_book_has_the_tables_of_the_specification(site: Path) -> None:
         assert [part for part in parts if part not in text] == []
 
 
-@pytest.mark.skipif(
-    chromium() is None or not command.SEARCH.is_file(), reason="no Chromium, or no search: run `make site`"
-)
+@_SEARCHES
 def test_the_search_finds_rules_by_their_words_on_a_phone(site: Path) -> None:
     """From the file system, with titles and without Markdown; nothing is wider than the screen."""
     with sync_playwright() as playwright:
@@ -140,7 +150,47 @@ def test_the_search_finds_rules_by_their_words_on_a_phone(site: Path) -> None:
         page.fill("#search", "MayStart")
         page.locator("#found a", has_text="MayStart · Requests").click()
         assert page.url.endswith("Requests.html#MayStart")
-    assert {"CLK-09", "CLK-10"} <= {title.split(" ")[0] for title in found[:6]}
+    assert {"CLK-09", "CLK-10"} <= {title.split(" ")[0] for title in found[:9]}
+
+
+@_SEARCHES
+def test_the_search_answers_a_newcomer(site: Path) -> None:
+    """The words of other manuals, block numbers in any form, the situation of an edge case; keys open a hit."""
+    first = {
+        "monthly": "TINT-18",
+        "OB80": "Time errors: OB 80",
+        "SFC28": "SFC 28",
+        "tint 31": "TINT-31",
+        "simultaneously": "AMB-29",
+        "retentive": "Restart",
+        "unblock": "SFC 40 EN_IRT",
+        "CAN_TINT waits": "Cancelled while it waits",
+        "DIS_AIRT clock set EN_AIRT": "A skipped point under DIS_AIRT",
+        "ACT_TINT date passed": "Activated after its start point",
+    }
+    with sync_playwright() as playwright:
+        page = playwright.chromium.launch(executable_path=chromium(), args=QUIET).new_page()
+        page.goto((site / "index.html").as_uri())
+        hits = page.locator("#found a")
+        for words, title in first.items():
+            page.fill("#search", words)
+            hits.filter(has_text=title).first.wait_for()
+            assert [one for one in hits.all_inner_texts()[:3] if one.startswith(title)], words
+        page.fill("#search", "day 31 february")
+        hits.filter(has_text="17. Monthly").first.wait_for()
+        assert "TINT-31" not in [one.split(" ")[0] for one in hits.all_inner_texts()]
+        wanted = hits.nth(1).get_attribute("href")
+        page.keyboard.press("ArrowDown")
+        page.keyboard.press("ArrowDown")
+        page.keyboard.press("Enter")
+        page.wait_for_url(f"**/{wanted}")
+        page.fill("#search", "TINT-31")
+        hits.first.wait_for()
+        page.press("#search", "Enter")
+        page.wait_for_url("**#TINT-31")
+        page.fill("#search", "TINT-31")
+        hits.first.click()
+        page.wait_for_function("!document.querySelector('#found a') && !document.querySelector('#search').value")
 
 
 @pytest.mark.skipif(bool(missing()), reason=missing())

@@ -53,7 +53,7 @@ function search(made, text) {
     boost: { title: 3 },
     boostDocument: (_, __, { weight }) => weight,
   });
-  const enough = Math.max(2, new Set(words(asked)).size * 0.6);
+  const enough = words(text).length > 1 ? Math.max(2, new Set(words(asked)).size * 0.6) : Infinity;
   const cases = hits.filter((hit) => hit.within === "Edge cases" && hit.queryTerms.length >= enough).slice(0, 3);
   return [cases, hits.filter((hit) => !cases.includes(hit)).slice(0, 30)];
 }

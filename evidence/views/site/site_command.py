@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import re
 import shutil
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, replace
@@ -26,7 +27,7 @@ from evidence.views.site.chapters import problems, read_chapters
 from evidence.views.site.documents import Document, Section, document, page_of, relative
 from evidence.views.site.documents import plain as plain_words
 from evidence.views.site.front import front_page
-from evidence.views.site.linked import Linked
+from evidence.views.site.linked import TAG, Linked
 from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
 from evidence.views.site.modules import module_page
 from evidence.views.site.tables import Tables
@@ -52,7 +53,8 @@ _MENU = {
 }
 
 
-_GENERATED = ("book.html", "gallery.html")
+_REVIEW = "rules/review.html"
+_GENERATED = ("book.html", "gallery.html", _REVIEW)
 _IN_OTHER_WORDS = tuple(f"rules/{n}.html" for n in ("requirements", "requirements-s7-1500", "readings", "traceability"))
 """Pages of rules and questions, each of which the search has by itself."""
 SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
@@ -103,10 +105,10 @@ def _pages(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterat
         if source.suffix == ".md" and place not in _GENERATED:
             page = document(source, text, place, made)
             yield place, replace(page, sections=[]) if place in _IN_OTHER_WORDS else page
-    yield from _generated(project, engine)
+    yield from _generated(project, made, engine)
 
 
-def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document]]:
+def _generated(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterator[tuple[str, Document]]:
     """The modules of spec/ and the chapters of the book, which lead to each other."""
     before, chapters = read_chapters(project.requirements)
     homes = {name: f"book/{chapter.page}.html#{name}" for chapter in chapters for name in chapter.rules}
@@ -126,13 +128,17 @@ def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document
     links = " ".join(f'<a href="{place}">{name}</a>' for name, place in places.items())
     yield "modules.html", Document("The specification", f"<h1>The specification</h1><p>{links}</p>")
     yield "index.html", front_page(engine, addressed("index.html"), explorer=PAGE.is_file())
-    yield "gallery.html", _gallery(engine, addressed("gallery.html"))
+    topics = {name: chapter.title for chapter in chapters for name in chapter.rules}
+    yield "gallery.html", _gallery(engine, addressed("gallery.html"), topics)
     parts = _parts(project, linked, engine)
+    source = ROOT / "docs" / "rules" / "review.md"
+    review = document(source, source.read_text(encoding="utf-8"), _REVIEW, made)
+    yield _REVIEW, replace(review, body=_told(review.body, parts.logs, homes, addressed(_REVIEW)))
     bodies = []
     for chapter in chapters:
         place = f"book/{chapter.page}.html"
         bodies.append(Page(parts, chapter, addressed(place)).body())
-        sections = [Section(place, chapter.title, plain_words(chapter.told), "The book")]
+        sections = [Section(place, chapter.title, plain_words(chapter.told), "The book", weight=4)]
         sections += [_rule(homes[name], known[name], chapter.title) for name in chapter.rules]
         yield place, Document(chapter.title, as_text(patterns()) + bodies[-1], sections)
     yield "book/whole.html", Document("The book", as_text(patterns()) + "".join(bodies))
@@ -143,7 +149,8 @@ def _generated(project: Project, engine: Engine) -> Iterator[tuple[str, Document
 
 
 def _rule(place: str, one: clauses.Clause, within: str) -> Section:
-    return Section(place, one.id, " ".join([plain_words(one.text), *one.letters.values()]), within, weight=5)
+    weight = 1 if "15-" in one.id else 5
+    return Section(place, one.id, " ".join([plain_words(one.text), *one.letters.values()]), within, weight)
 
 
 def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
@@ -161,23 +168,45 @@ def _parts(project: Project, linked: Linked, engine: Engine) -> Parts:
     )
 
 
-def _gallery(engine: Engine, to: Callable[[str], str]) -> Document:
-    """The edge cases, each with its timeline."""
-    parts = ["<h1>Edge cases</h1>", as_text(legend())]
+def _told(body: str, logs: Logs, homes: Mapping[str, str], to: Callable[[str], str]) -> str:
+    """The told cases: an ID leads to its rule or question, the name of a log to the explorer with it."""
+
+    def link(found: re.Match[str]) -> str:
+        case = logs.named(found["log"] or "")
+        if case is not None and PAGE.is_file():
+            return f'<a class="log" href="{to(logs.opened(case))}">{case.name}</a>'
+        return f'<a href="{to(found[0])}">{found[0]}</a>' if found[0] in homes else found[0]
+
+    return re.sub(rf"<a [^>]*>(?P<log>[^<]*)</a>|<[^>]*>|{TAG.pattern}", link, body)
+
+
+def _gallery(engine: Engine, to: Callable[[str], str], topics: Mapping[str, str]) -> Document:
+    """The edge cases, each with its timeline, below a list of them by the topic of their first rule."""
+    parts = []
     sections = []
     logs = set()
+    contents: dict[str, str] = {}
     gallery.write()
     for case in gallery.cases():
         log = gallery.LOGS / f"{case.name}.ndjson"
-        run = f', <a href="{EXPLORER}#open={case.name}">run this</a>' if PAGE.is_file() else ""
+        run = f'<a class="run" href="{EXPLORER}#open={case.name}">run this</a>; ' if PAGE.is_file() else ""
         ids = ", ".join(f'<a href="{to(name)}">{name}</a>' for name in case.requirements)
+        title = html.escape(case.title)
         parts.append(
-            f'<section id="{case.name}"><h2>{html.escape(case.title)}</h2><p>{html.escape(case.told)}</p>'
-            f'{picture(drawable(log, engine))}<p>{ids}; <a href="{page_of(log)}">log</a>{run}</p></section>'
+            f'<section id="{case.name}"><h2>{title}</h2><p>{html.escape(case.told)}</p>'
+            f'{picture(drawable(log, engine))}<p>{run}{ids}; <a href="{page_of(log)}">log as a file</a></p></section>'
         )
-        sections.append(Section(f"gallery.html#{case.name}", case.title, case.told, "Edge cases"))
+        topic = topics[case.requirements[0]]
+        contents[topic] = contents.get(topic, "") + f'<li><a href="#{case.name}">{title}</a></li>'
+        events = dict.fromkeys(re.findall(rb'"event": "(\w+)"', case.log))
+        words = f"{case.told} In its log: {b', '.join(events).decode()}."
+        sections.append(Section(f"gallery.html#{case.name}", case.title, words, "Edge cases"))
         logs.add(log)
-    return Document("Edge cases", "\n".join(parts), sections, logs)
+    order = [topic for topic in dict.fromkeys(topics.values()) if topic in contents]
+    topical = [f"<li>{html.escape(topic)}<ul>{contents[topic]}</ul></li>" for topic in order]
+    longer = f'<p><a href="{_REVIEW}">Longer cases</a> are told step by step.</p>'
+    head = f'<h1>Edge cases</h1>{longer}<ul class="contents">{"".join(topical)}</ul>{as_text(legend())}'
+    return Document("Edge cases", "\n".join([head, *parts]), sections, logs)
 
 
 def _whole(place: str, page: Document) -> str:
