@@ -158,6 +158,7 @@ def test_the_search_answers_a_newcomer(site: Path) -> None:
     """The words of other manuals, block numbers in any form, the situation of an edge case; keys open a hit."""
     first = {
         "monthly": "TINT-18",
+        "priority": "IRT-02",
         "OB80": "Time errors: OB 80",
         "SFC28": "SFC 28",
         "tint 31": "TINT-31",

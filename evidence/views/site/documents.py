@@ -18,7 +18,7 @@ from evidence.views.site.chapters import BOOK
 _ADDRESS = re.compile(r"(?P<path>[^#]*)(?P<anchor>#.*)?")
 _OWN_PAGES = {BOOK.as_posix(): "book.html", "docs/rules/gallery.md": "gallery.html"}
 """Documents in whose place the site has a page of its own."""
-_BEHIND = ("project/", "rules/modelling")
+_BEHIND = ("project/", "rules/migration-")
 """Pages whose sections come last in the search."""
 _NO_WORD = re.compile(r"[^\w\- ]")
 _TAG = re.compile(r"<[^>]*>")

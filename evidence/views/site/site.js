@@ -20,6 +20,7 @@ const SAME = [
   [/\b(simultaneous(ly)?|same time)\b/g, "same minute equal order"],
   [/\b(retained|retentive|remanent|survives?)\b/g, "kept keeps restart"],
   [/\b(expired?|expiry|timeout)\b/g, "elapsed delay over"],
+  [/\bpriorit(y|ies)\b/g, "$& class"],
   [/\b(unblock(ed)?|enabled?)\b/g, "en_irt ends block"],
 ];
 const NUMBERED = /\b(ob|sfc|fc|cpu)s?[ -]?(\d+)(?:(?: to | and | or |, |\/)(\d+))?\b/g;
