@@ -9,8 +9,9 @@ from typing import Any
 
 import msgspec
 
+from evidence.views.site.chapters import homes_of, read_chapters
 from s7check.engine.command import jvm_command
-from s7check.report.clauses import all_clauses, event_texts
+from s7check.report.clauses import all_clauses, event_texts, requirements
 from s7check.report.why import sentences
 from s7check.resources import CHECKOUT, ENGINE, GALLERY, PAGE
 
@@ -45,11 +46,17 @@ def _contents() -> str:
         "script": _packed(worker.encode()),
         "wasm": _packed((WASM / "engine.wasm").read_bytes()),
         "tree": _packed(_parsed().read_bytes()),
-        "clauses": _packed(msgspec.json.encode(all_clauses())),
+        "clauses": _packed(msgspec.json.encode(_clauses())),
         "texts": _packed(msgspec.json.encode(why_texts())),
         "gallery": _gallery(),
     }
     return msgspec.json.encode(contents).decode().replace("<", "\\u003c")
+
+
+def _clauses() -> list[dict[str, Any]]:
+    """The rules and the open questions, each with its place in the site."""
+    places = homes_of(read_chapters(requirements())[1])
+    return [msgspec.to_builtins(one) | {"home": places[one.id]} for one in all_clauses()]
 
 
 def why_texts() -> dict[str, Any]:

@@ -167,6 +167,41 @@ def test_a_call_is_answered_by_its_operands(page: Page) -> None:
     expect(call.locator(".answers")).to_contain_text("ret=W#16#8091")
 
 
+def test_a_form_begins_with_a_call_that_is_taken_and_old_answers_go(page: Page) -> None:
+    """A typed value takes the place of the old one; one that cannot be used is told where the buttons were."""
+    page.click("#new >> text=Begin")
+    call = page.locator("details.call", has_text="DIS_IRT")
+    call.locator("summary").click()
+    expect(call.locator(".answers")).to_contain_text("ret=W#16#0000")
+    assert call.locator("[name=ob]").input_value() in ["1", "10", "20", "40", "80", "85", "100"]
+    for name, typed in (("ob", "40"), ("mode", "B#16#300")):
+        call.locator(f"[name={name}]").click()
+        page.keyboard.type(typed)
+        assert call.locator(f"[name={name}]").input_value() == typed
+    expect(call.locator(".answers")).to_contain_text("mode: expected")
+    assert call.locator(".answers button").count() == 0
+
+
+def test_the_time_of_the_next_line_stays_open(page: Page) -> None:
+    """Once the list is opened; the field for any other time is there without it."""
+    page.select_option("#new [name=execution]", "none")
+    page.click("#new >> text=Begin")
+    expect(page.locator("#time [name=at]")).to_be_visible()
+    times = page.locator("#time details")
+    assert times.get_attribute("open") is None
+    times.locator("summary").click()
+    page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
+    expect(page.locator("#situation")).to_contain_text("1 DIS_AIRT not taken back")
+    assert times.get_attribute("open") is not None
+
+
+def test_readings_are_grouped_by_their_questions(page: Page) -> None:
+    """Each with the beginning of its text; its value is the letter alone."""
+    group = page.locator("#compare optgroup[label^='AMB-11 ']")
+    assert re.match(r"AMB-11 b \w+", group.locator("option").nth(1).inner_text())
+    assert group.locator("option").nth(1).get_attribute("value") == "AMB-11 b"
+
+
 def test_another_cpu_and_why_not(page: Page) -> None:
     """The comparison with another CPU, and the reason why a line of one's own may not come."""
     paste(page, REJECTED)
@@ -277,6 +312,39 @@ def test_a_case_of_the_gallery_and_a_requirement(page: Page) -> None:
     assert len(page.locator("#clause p").first.inner_text()) > 20
     page.keyboard.press("Escape")
     expect(page.locator("#clause")).to_be_hidden()
+
+
+FOUND = ("SRT_DINT", "CAN_TINT", "ACT_TINT", "DIS_IRT", "EN_IRT", "hot restart", "priority", "same class", "monthly")
+
+
+@pytest.mark.parametrize("wanted", FOUND)
+def test_an_edge_case_is_found_by_its_calls_and_its_rules(page: Page, wanted: str) -> None:
+    """Also where its own text does not say them."""
+    page.fill("#find", wanted)
+    expect(page.locator("#gallery .choice").first).to_be_visible()
+
+
+def test_an_id_is_found_as_a_whole(page: Page) -> None:
+    """The end of one is no word."""
+    page.fill("#find", "TINT-31")
+    expect(page.locator("#gallery .choice").first).to_be_visible()
+    page.fill("#find", "31")
+    expect(page.locator("#gallery")).not_to_contain_text("TINT-31")
+
+
+def test_in_the_site_there_are_ways_back(page: Page, tmp_path: Path) -> None:
+    """To its pages, and from a rule to the book; alone the page has none."""
+    assert page.locator("a:visible").count() == 0
+    copy = tmp_path / "explorer.html"
+    copy.write_bytes(PAGE.read_bytes())
+    page.goto(copy.as_uri())
+    page.wait_for_selector("body[data-ready]")
+    assert page.locator("#site a").evaluate_all("all => all.map(a => a.getAttribute('href'))") == [
+        "index.html",
+        "book.html",
+    ]
+    page.locator("#gallery button.id", has_text="CLK-02").first.click()
+    assert re.fullmatch(r"book/[\w-]+\.html#CLK-02", page.locator("#clause a").get_attribute("href") or "")
 
 
 def test_the_question_by_which_explanations_differ(page: Page) -> None:

@@ -12,6 +12,7 @@ from evidence.common.checkout import ROOT
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import Project
 from evidence.views.traceability.roles import SYSTEM, rules
+from s7check.report import clauses
 
 BOOK = Path("docs/rules/book.md")
 _CODE = re.compile(r"`(\w+)`")
@@ -37,6 +38,13 @@ def read_chapters(requirements: Iterable[str], root: Path = ROOT) -> tuple[str, 
     """What stands before the chapters, and the chapters. Raises ValueError, OSError."""
     before, *parts = (root / BOOK).read_text(encoding="utf-8").split("\n## ")
     return before, [_chapter(part, tuple(requirements)) for part in parts]
+
+
+def homes_of(chapters: Iterable[Chapter]) -> dict[str, str]:
+    """The place of each rule and each open question in the site, by its ID."""
+    rules = {name: f"book/{chapter.page}.html#{name}" for chapter in chapters for name in chapter.rules}
+    questions = [one.id for one in clauses.all_clauses() if clauses.is_question(one.id)]
+    return rules | {name: f"rules/{clauses.page_of(name).removesuffix('.md')}.html#{name}" for name in questions}
 
 
 def _chapter(text: str, requirements: tuple[str, ...]) -> Chapter:

@@ -23,7 +23,7 @@ from evidence.common.session import session
 from evidence.tla.tlc import ToolMissingError
 from evidence.views.made import views
 from evidence.views.site.book import Page, Parts, editions
-from evidence.views.site.chapters import problems, read_chapters
+from evidence.views.site.chapters import homes_of, problems, read_chapters
 from evidence.views.site.documents import Document, Section, document, page_of, relative
 from evidence.views.site.documents import plain as plain_words
 from evidence.views.site.front import front_page
@@ -111,8 +111,7 @@ def _pages(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterat
 def _generated(project: Project, made: Mapping[Path, str], engine: Engine) -> Iterator[tuple[str, Document]]:
     """The modules of spec/ and the chapters of the book, which lead to each other."""
     before, chapters = read_chapters(project.requirements)
-    homes = {name: f"book/{chapter.page}.html#{name}" for chapter in chapters for name in chapter.rules}
-    homes |= {name: f"rules/{clauses.page_of(name).removesuffix('.md')}.html#{name}" for name in project.ambiguities}
+    homes = homes_of(chapters)
     places = {source.stem: page_of(source) for source in modules(ROOT / "spec")}
     linked = Linked(project.spec, places, lambda name: homes.get(name, ""))
 

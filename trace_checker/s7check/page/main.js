@@ -7,7 +7,7 @@ import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson,
 import { sessionOf, showOthers } from "./others.js";
 import { showReport, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
-import { busy, button, fields, page, problem, requirement, requirements, safely, step } from "./shown.js";
+import { busy, button, fields, inSite, page, problem, requirement, requirements, safely, step } from "./shown.js";
 import { Timeline, read, zoom } from "./timeline.js";
 
 const LONGEST_LINK = 60_000;
@@ -192,12 +192,27 @@ const openFile = safely(async (file) => open(file.name, new Uint8Array(await fil
 
 const openCase = (one) => open(one.name, new TextEncoder().encode(one.log));
 
+const words = (text) => text.toLowerCase().match(/[\p{L}\d_-]+/gu) ?? [];
+
+/** The words by which an edge case is found: its text, the events and OBs of its log, and its rules. */
+function indexed(one) {
+  const own = words(`${one.title} ${one.told} ${one.requirements.join(" ")}`);
+  const events = one.log.split("\n").map(read);
+  const log = events.map(({ event, ob }) => (ob === undefined ? event : `${event} OB ${ob}`)).join(" ");
+  const rules = one.requirements.map((id) => page.clauses.get(id)?.text).join(" ");
+  return { own, all: [...own, ...words(`${log} ${rules}`)] };
+}
+
+/** Whether each wanted word is there: as a part of one, but IDs and other words with a number at their end whole. */
+const hasAll = (wanted, there) =>
+  wanted.every((word) => (/\d$/.test(word) ? there.includes(word) : there.some((one) => one.includes(word))));
+
+/** The edge cases that are looked for; those that say the words themselves come first. */
 function showGallery() {
-  const wanted = $("find").value.toLowerCase().split(/\s+/).filter(Boolean);
-  const found = contents.gallery.filter((one) => {
-    const text = `${one.title} ${one.told} ${one.requirements.join(" ")}`.toLowerCase();
-    return wanted.every((word) => text.includes(word));
-  });
+  const wanted = words($("find").value);
+  for (const one of contents.gallery) one.words ??= indexed(one);
+  const found = contents.gallery.filter((one) => hasAll(wanted, one.words.all));
+  found.sort((a, b) => hasAll(wanted, b.words.own) - hasAll(wanted, a.words.own));
   const made = found.map((one) =>
     h(
       "li",
@@ -235,6 +250,11 @@ const undo = () => page.model.past.length && history.back();
 const redo = () => page.model.future.length && history.forward();
 
 function wire() {
+  if (inSite) {
+    const menu = { "index.html": "start", "book.html": "book" };
+    $("site").hidden = false;
+    $("site").replaceChildren(...Object.entries(menu).flatMap(([href, name]) => [h("a", { href }, name), " "]));
+  }
   $("home").onclick = home;
   $("undo").onclick = undo;
   $("redo").onclick = redo;
@@ -332,6 +352,9 @@ function newHeader() {
   return JSON.stringify(header);
 }
 
+/** So much of a sentence as a line of a list takes. */
+const beginning = (text = "") => (text.length > 90 ? `${text.slice(0, 90).replace(/\s\S*$/, "")} …` : text);
+
 /** The choices that the specification has. */
 async function showChoices() {
   const { alternatives } = await engine.ask({ message: "alternatives" });
@@ -339,10 +362,14 @@ async function showChoices() {
   options("cpu", alternatives.families);
   $("new").cpu.append(...alternatives.families.map((value) => h("option", { selected: value === "S7-400" }, value)));
   options("profile", alternatives.profiles);
-  options(
-    "reading",
-    alternatives.choices.flatMap(([name, letters]) => [...letters].sort().map((letter) => `${name} ${letter}`)),
-  );
+  for (const [name, letters] of alternatives.choices) {
+    const asked = page.clauses.get(name);
+    const offered = [...letters].sort().map((letter) => {
+      const said = beginning(asked?.letters[letter]);
+      return h("option", { value: `${name} ${letter}` }, `${name} ${letter} ${said}`);
+    });
+    $("compare").reading.append(h("optgroup", { label: `${name} ${beginning(asked?.text)}` }, ...offered));
+  }
 }
 
 async function main() {

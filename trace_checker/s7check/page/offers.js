@@ -2,6 +2,7 @@
 import { $, h } from "./elements.js";
 import { whyNot } from "./report.js";
 import { button, fields, page, requirements, safely, step } from "./shown.js";
+import { read } from "./timeline.js";
 
 const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const MANY = 6;
@@ -73,7 +74,10 @@ const offer = (line) =>
 const take = (event) =>
   step(() => page.model.add(JSON.stringify({ event: event.event, at: page.view.look.at, ...event })));
 
-/** The form of a call: its operands with some values, and a button for each answer that the CPU may give. */
+/**
+ * The form of a call: its operands with some values, and a button for each answer that the CPU may give. It begins with
+ * a call that the CPU takes, of a loaded OB, where there is one.
+ */
 function call(name, here) {
   if (!CALLS[name].length) return h("div", {}, ...here.filter((line) => line.event.event === name).map(offer));
   const box = h("details", { className: "call" }, h("summary", {}, name));
@@ -82,25 +86,34 @@ function call(name, here) {
     after,
     look: { at },
   } = page.view;
-  const inputs = CALLS[name].map((operand) => h("input", { name: operand, size: operand === "sdt" ? 17 : 10 }));
-  const show = safely(async () => {
+  const inputs = CALLS[name].map((operand) =>
+    h("input", { name: operand, size: operand === "sdt" ? 17 : 10, onfocus: ({ target }) => target.select() }),
+  );
+  let asked = 0;
+  const show = async () => {
+    const number = ++asked;
+    answers.replaceChildren("…"); // the buttons of other operands are gone at once
     const event = { event: name, at };
     for (const input of inputs) event[input.name] = /^-?\d+$/.test(input.value) ? Number(input.value) : input.value;
-    const lines = await page.desk.answers(after, event);
-    answers.replaceChildren(...(lines.length ? lines.map(offer) : ["not possible now"]));
-  });
+    const made = await page.desk.answers(after, event).then(
+      (lines) => (lines.length ? lines.map(offer) : ["not possible now"]),
+      (error) => [error.message],
+    );
+    if (number === asked) answers.replaceChildren(...made);
+  };
   box.addEventListener(
     "toggle",
     safely(async () => {
       if (!box.open || inputs[0].list) return;
       const lines = await page.desk.call(after, at, name);
+      const first = begun(lines);
       for (const input of inputs) {
         const list = h("datalist", { id: `${name}-${input.name}` });
         const values = [...new Set(lines.map((line) => String(line.event[input.name])))];
         list.append(...values.map((value) => h("option", { value })));
         box.append(list);
         input.setAttribute("list", list.id);
-        input.value = values[0] ?? "";
+        input.value = first?.event[input.name] ?? "";
         input.addEventListener("input", show);
       }
       await show();
@@ -109,6 +122,15 @@ function call(name, here) {
   box.append(...inputs.map((input) => h("label", {}, `${input.name} `, input)), answers);
   return box;
 }
+
+/** The line that a form begins with: its answer is 0 and its OB is loaded, as far as there is one. */
+function begun(lines) {
+  const { obs = [] } = read(page.model.branch.header);
+  const taken = lines.filter((line) => line.event.ret === "W#16#0000");
+  return taken.find((line) => obs.includes(line.event.ob)) ?? taken[0] ?? lines[0];
+}
+
+let listed = null; // whether the user wants the list of times; null until it is said
 
 /** Time passes with the next line: the moments at which something changes, and any other. */
 function showTime() {
@@ -122,14 +144,12 @@ function showTime() {
   });
   const input = h("input", { name: "at", value: look.at, size: 23, "aria-label": "time of the next line" });
   const go = button("Let time pass", () => page.refresh(input.value.trim()));
+  const open = listed ?? look.times.some((time) => time.due.length);
+  const title = h("summary", {}, `The next line at ${look.at}`);
+  title.addEventListener("click", () => (listed = !title.parentElement.open));
   keepFocus($("time"), [
-    h(
-      "details",
-      { className: "time", open: look.times.some((time) => time.due.length) },
-      h("summary", {}, `The next line at ${look.at}`),
-      h("ul", {}, ...moments),
-      h("p", {}, input, " ", go),
-    ),
+    h("details", { className: "time", open }, title, h("ul", {}, ...moments)),
+    h("p", {}, input, " ", go),
   ]);
 }
 

@@ -14,6 +14,9 @@ export const page = {
   refresh: null, // shows all parts anew
 };
 
+/** Whether the page lies in the site, beside its other pages. */
+export const inSite = location.pathname.endsWith("/explorer.html");
+
 export function problem(error) {
   $("problem").hidden = !error;
   $("problem").textContent = error
@@ -60,6 +63,7 @@ function tell(id) {
   title.textContent = id;
   text.replaceChildren(clause.text, ...letters);
   origin.textContent = [clause.source, clause.confidence].filter(Boolean).join("; ");
+  if (inSite && clause.home) origin.append(" ", h("a", { href: clause.home }, "in the book"));
   $("clause").showModal();
 }
 
