@@ -36,7 +36,7 @@ class Run:
     With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
     `told`: fields by which a report tells that it is one of this run; without them no report is taken over. `totals`
     are the columns of its first table that the short page adds up, `parts` those of the checkout (``texts``) that its
-    numbers depend on.
+    numbers depend on. `first` is a process that makes what the command reads.
     """
 
     title: str
@@ -49,6 +49,7 @@ class Run:
     told: Mapping[str, Any] = field(default_factory=dict)
     totals: tuple[str, ...] = ()
     parts: tuple[str, ...] = ()
+    first: tuple[str, ...] = ()
 
 
 def _s7spec(
@@ -96,6 +97,7 @@ RUNS = {
         codes=(0, 1, 2),
         totals=("logs", "accepted", "rejected", "unusable"),
         parts=("spec", "cases", "engine", "checker"),
+        first=(sys.executable, "-m", "evidence", "views", "cases"),
     ),
     "agreement": _s7spec(
         "Agreement",
@@ -268,6 +270,8 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
         report = Path(folder) / "report.json"
         arguments = [str(report) if argument == _REPORT else argument for argument in run.arguments]
         tell(f"running {run.typed}")
+        if run.first:
+            subprocess.run(run.first, cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
         ended = subprocess.run([*arguments, *options], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
         text = report.read_text(encoding="utf-8") if report.exists() else ended.stdout
     if ended.returncode not in run.codes or not text:
