@@ -40,4 +40,8 @@ Bounded == /\ delay = 0
 Nested == /\ delay <= 2
           /\ Waiting(2)
           /\ mode = "STOP" => clock \in PowerOnMoments
+(* In their place where points pass in STOP. *)
+StopMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 5000)}
+StopTargets == {Moment(0, 30000), Moment(0, 55000)}
+AnyStop == delay = 0 /\ Waiting(2)
 =============================================================================

@@ -301,7 +301,8 @@ LooseResumes ==
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
     /\ IF e.type = "hot" THEN LooseResumes
-       ELSE Resets(e.type) /\ tod' \in SettingsByStep7
+       ELSE /\ Resets(e.type) /\ resume' = NothingKept
+            /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
     /\ stack' = <<Frame(StartupOb(e.type), StartupClass)>>
     /\ NothingEntered

@@ -79,9 +79,9 @@ TodAtBegin(h, t, called) ==
 LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
               \/ {"ob", "interrupt"} \cap h.records = {}
 
-(* In STOP nothing is set before the restart, unless a hot restart may     *)
-(* follow: then the parameters of STEP 7 hold. In STARTUP and RUN the CPU  *)
-(* has just been restarted, warm or cold; which is not known. Some         *)
+(* In STOP nothing is set before the restart, unless what passes in STOP   *)
+(* may matter: then the parameters of STEP 7 hold. In STARTUP and RUN the  *)
+(* CPU has just been restarted, warm or cold; which is not known. Some     *)
 (* operators are primed: the letters of this header already decide how     *)
 (* STEP 7's parameters are read.                                           *)
 \* @type: $header => Bool;
@@ -96,7 +96,9 @@ Begin(h) ==
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0},
           set \in SettingsByStep7' :
          tod' = [ o \in TodObs |->
-                    IF h.mode = "STOP" /\ ~HotRestartExists' THEN NoSetting
+                    IF /\ h.mode = "STOP"
+                       /\ ~(HotRestartExists \/ Family.missesInStop)'
+                    THEN NoSetting
                     ELSE TodAtBegin(h, set[o], called)' ]
     /\ dint' = NoJobs
     /\ irt' = NoneBlocked

@@ -86,6 +86,24 @@ SetBackProp ==
                  tod'[o].next = PointFrom(tod[o], FirstMinute(tod[o], clock'))
       ]_vars
 
+(* [T15-93] [T15-94] A clock that is set back arms a one-shot interrupt    *)
+(* that ran only over its point, and only by 20 s or more.                 *)
+OnceAgainProp ==
+    [][ Did("clock") => \A o \in TodObs : ~tod[o].active /\ tod'[o].active =>
+          /\ Before(clock', clock) /\ Distance20 >= 20000
+          /\ tod'[o].period = 0 /\ tod'[o].next >= clock'.min
+          /\ \E i \in tod[o].earlier : i.from = tod'[o].next ]_vars
+
+(* [T15-120] [A15-12] After STOP, OB 80 reports with 06 interrupts of STEP *)
+(* 7 whose point has passed, and those alone.                              *)
+StopPointsProp ==
+    [][ /\ Did("restart") => \A o \in TodObs : tod'[o].held =>
+             cpu.step7[o].active /\ Before(At(tod'[o].next), clock)
+        /\ Did("noticed") /\ (\E o \in TodObs : tod[o].held)
+             => Reports(SkippedInHold) \/ TimeErrorOb \notin loaded
+        /\ Reports(SkippedInHold) => Did("noticed") \/ mode = "HOLD"
+      ]_vars
+
 (* [T15-117] In STARTUP OB 80 does not run. *)
 HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars
 

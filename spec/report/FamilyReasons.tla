@@ -17,10 +17,9 @@ InPlace ==
     <<"OBS-11", "T15-62">>, <<"OBS-20", "T15-112">>, <<"OBS-21", "T15-113">>,
     <<"OBS-23", "T15-111">>, <<"OBS-26", "T15-114">>, <<"OBS-27", "T15-111">>,
     <<"OBS-31", "T15-61">>, <<"OBS-32", "T15-92">>, <<"OBS-43", "T15-117">>,
-    <<"OBS-46", "T15-119">>, <<"OBS-57", "T15-115">>, <<"OBS-61", "T15-63">>,
-    <<"OBS-62", "T15-63">>, <<"OBS-63", "T15-111">>, <<"TINT-14", "T15-26">>,
-    <<"TINT-16", "T15-112">>, <<"TINT-18", "T15-23">>,
-    <<"TINT-33", "T15-32">> }
+    <<"OBS-57", "T15-115">>, <<"OBS-61", "T15-63">>, <<"OBS-62", "T15-63">>,
+    <<"OBS-63", "T15-111">>, <<"TINT-14", "T15-26">>, <<"TINT-16", "T15-112">>,
+    <<"TINT-18", "T15-23">>, <<"TINT-33", "T15-32">> }
 
 (* Of its priority. *)
 \* @type: Int => Str;
@@ -48,9 +47,21 @@ OfTheJump(past) ==
         THEN {IF ms < Family.jump THEN "T15-90" ELSE "T15-91"}
         ELSE {IF ms < Family.jump THEN "T15-93" ELSE "T15-94"}
 
+(* Points passed in HOLD, or in the STOP before the latest restart.        *)
+\* @type: Seq($event) => Str;
+OfThePause(past) ==
+    IF \E i \in DOMAIN past :
+         /\ past[i].event = "restart"
+         /\ \A j \in DOMAIN past : past[j].event = "release" => j < i
+    THEN "T15-120" ELSE "T15-119"
+
 \* @type: ($event, Seq($event), Str) => Set(Str);
 Instead(e, past, id) ==
     CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} -> OfTheJump(past)
+      [] id = "CLK-12" ->
+           {id} \cup (IF \E i \in DOMAIN past : past[i].event = "clock"
+                      THEN OfTheJump(past) ELSE {})
+      [] id = "OBS-46" -> {OfThePause(past)}
       [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
            {id, OfItsClass(e.ob)}
              \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})

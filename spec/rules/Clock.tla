@@ -92,11 +92,26 @@ ServesAgain(to) ==
     IF Family.jump = 0 \/ ~IsBack(to) THEN {FALSE}
     ELSE { ~small : small \in SmallJumps(Span(to, clock)) }
 
-\* @type: (Int, $moment, $cpu) => $tod;
-Forgetful(o, to, c) ==
+(* [T15-94] The latest run of a one-shot interrupt whose point the clock   *)
+(* will reach again. No text says whether it runs again.                   *)
+\* @type: (Int, $moment) => Set($memory);
+RanOnce(o, to) ==
+    LET t    == tod[o]
+        runs == { i \in Memory(t) : HasOnePoint(i.period)
+                                     /\ ~Before(At(i.from), to) }
+    IN  IF t.active \/ (t.set /\ t.served = {}) \/ mode = "STOP" THEN {}
+        ELSE { i \in runs : \A j \in runs : j.from <= i.from }
+
+\* @type: (Int, $moment, $cpu, Bool) => $tod;
+Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.earlier = {}, !.repeatTo = -1,
-                             !.overTo = -1 ]
-    IN  IF ~t.active \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
+                             !.overTo = -1,
+                             !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
+        i == CHOOSE i \in RanOnce(o, to) : TRUE
+    IN  IF runsAgain
+        THEN Armed([ t EXCEPT !.set = TRUE, !.active = TRUE,
+                              !.start = i.start, !.period = i.period ], to, c)
+        ELSE IF ~t.active \/ t.held \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
         ELSE Armed(t, to, c)
 
 (* The settings after the clock was set. If a skip is `deferred', the      *)
@@ -120,10 +135,14 @@ ClockSet(to) ==
         /\ clock' = to
         /\ \E c \in CpusThatShow(active, to), deferred \in Deferring,
               held \in HeldAfter(to), again \in ServesAgain(to) :
+           \E ones \in IF ~again THEN {{}}
+                       ELSE SUBSET { o \in TodObs : RanOnce(o, to) # {} } :
              /\ cpu' = c
              /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
                                             ELSE SomeSkipped(to, skipped)
-             /\ tod' = IF again THEN [o \in DOMAIN tod |-> Forgetful(o, to, c)]
+             /\ tod' = IF again
+                       THEN [ o \in DOMAIN tod |->
+                                Forgetful(o, to, c, o \in ones) ]
                        ELSE TodAfterClock(to, c, IF deferred THEN skipped
                                                  ELSE {}, held)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>

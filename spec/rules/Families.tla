@@ -13,8 +13,8 @@ EXTENDS Integers
 (*                        lacks: Set(Int), restarts: Set(Str),             *)
 (*                        repeats: Bool, byKind: Bool, raises: Bool,       *)
 (*                        inherits: Bool, stops: Bool, heldBack: Set(Int), *)
-(*                        keeps: Bool, jump: Int, queues: Bool,            *)
-(*                        openCodes: Bool, timeAlone: Bool,                *)
+(*                        keeps: Bool, missesInStop: Bool, jump: Int,      *)
+(*                        queues: Bool, openCodes: Bool, timeAlone: Bool,  *)
 (*                        unknown: Set(Int),                               *)
 (*                        letters: Set(<<Str, Str>>) };                    *)
 (***************************************************************************)
@@ -33,9 +33,10 @@ EXTENDS Integers
 (* fault [OBS-61]; else its own [T15-63]. stops: an event whose OB is      *)
 (* missing leads to OB 85 or STOP [OBS-20]; else it is ignored [T15-110]   *)
 (* [T15-113]. heldBack: errors whose OB waits for RUN [T15-117]. keeps:    *)
-(* start events of STARTUP wait for RUN [T15-118]. jump: a clock set       *)
-(* forward by fewer ms is caught up without OB 80, one set back by as many *)
-(* serves points again [T15-90] [T15-94]; 0: there is no such limit.       *)
+(* start events of STARTUP wait for RUN [T15-118]. missesInStop: OB 80 may *)
+(* report points that passed in STOP [T15-120]. jump: a clock set forward  *)
+(* by fewer ms is caught up without OB 80, one set back by as many serves  *)
+(* points again [T15-90] [T15-94]; 0: there is no such limit.              *)
 (* queues: how many start events of a time-of-day OB wait is a parameter   *)
 (* [T15-68]. openCodes: no text of some calls was found [T15-143].         *)
 (* timeAlone: at the end of a month, the date of a start does not count    *)
@@ -55,6 +56,7 @@ KnownFamilies ==
       stops      |-> TRUE,
       heldBack   |-> {},
       keeps      |-> FALSE,
+      missesInStop |-> FALSE,
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
@@ -73,6 +75,7 @@ KnownFamilies ==
       stops      |-> TRUE,
       heldBack   |-> {},
       keeps      |-> FALSE,
+      missesInStop |-> FALSE,
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
@@ -91,6 +94,7 @@ KnownFamilies ==
       stops      |-> TRUE,
       heldBack   |-> {},
       keeps      |-> FALSE,
+      missesInStop |-> FALSE,
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
@@ -109,6 +113,7 @@ KnownFamilies ==
       stops      |-> FALSE,
       heldBack   |-> {80},
       keeps      |-> TRUE,
+      missesInStop |-> TRUE,
       jump       |-> 20000,
       queues     |-> TRUE,
       openCodes  |-> TRUE,

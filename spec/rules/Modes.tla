@@ -65,16 +65,34 @@ SettingsByStep7 ==
     { [o \in TodObs |-> Configured(cpu.step7[o], monthly)]
       : monthly \in MonthlyPeriods }
 
-(* [OBS-50] The STEP 7 parameters apply again. *)
-Reconfigure ==
+(* [T15-120] The interrupts that STEP 7 had set, and sets again, and whose *)
+(* next point passed in STOP; OB 80 will report them, or not [A15-12].     *)
+\* @type: (Int -> $tod) => Set(Set(Int));
+MissedInStop(new) ==
+    LET missed == { o \in TodObs :
+          /\ new[o].active /\ tod[o].active /\ ~Deselected(o)
+          /\ new[o].start = tod[o].start /\ new[o].period = tod[o].period
+          /\ ~HasOnePoint(new[o].period) /\ IsPast(NextMoment(tod[o]), clock) }
+    IN  IF ~Family.missesInStop THEN {{}}
+        ELSE (IF StopPointsAreReported THEN {} ELSE {{}})
+               \cup (IF StopPointsAreNothing THEN {} ELSE {missed})
+
+(* [OBS-50] The STEP 7 parameters apply again; `kept' is what else STOP    *)
+(* leaves.                                                                 *)
+\* @type: $resume => Bool;
+Reconfigure(kept) ==
     \E set \in SettingsByStep7 :
       LET new    == [o \in TodObs |-> WithMemory(set[o], tod[o])]
           active == { o \in TodObs : new[o].active }
-      IN  \E c \in CpusThatShow({ new[o] : o \in active }, clock) :
+      IN  \E c \in CpusThatShow({ new[o] : o \in active }, clock),
+             missed \in MissedInStop(new) :
             /\ cpu' = c
-            /\ tod' = [ o \in TodObs |-> IF o \in active
-                                         THEN Armed(new[o], clock, c)
-                                         ELSE new[o] ]
+            /\ resume' = [kept EXCEPT !.due = missed # {}]
+            /\ tod' = [ o \in TodObs |->
+                 CASE o \in missed -> [ new[o] EXCEPT !.next = tod[o].next,
+                                                     !.held = TRUE ]
+                   [] o \in active -> Armed(new[o], clock, c)
+                   [] OTHER        -> new[o] ]
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
@@ -101,7 +119,6 @@ RestartStop == IF \E o \in loaded : Deselected(o) THEN DeselectedLoaded
 Resets(type) ==
     /\ RestartExists(type)
     /\ startup' = type
-    /\ resume'  = NothingKept
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
     /\ requests'  = RestartRequests
@@ -111,7 +128,7 @@ Resets(type) ==
 
 (* [OBS-40] [OBS-50] *)
 \* @type: Str => Bool;
-ResetsAll(type) == Resets(type) /\ Reconfigure
+ResetsAll(type) == Resets(type) /\ Reconfigure(NothingKept)
 
 (* [OBS-42] STARTUP is over when the startup OB has been processed. After  *)
 (* a hot restart the OBs that STOP has interrupted go on, with their delay *)
@@ -252,8 +269,7 @@ Resumes ==
                  PassedInStop(equal, noticed)
        ELSE /\ dint' = NoJobs
             /\ irt' = NoneBlocked
-            /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
-            /\ Reconfigure
+            /\ Reconfigure([resume EXCEPT !.dint = NoJobs, !.requests = {}])
     /\ UNCHANGED <<loaded, clock>>
 
 (* [OBS-40] *)

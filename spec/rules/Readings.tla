@@ -124,7 +124,7 @@ Questions ==
     <<"A15-09", "c", ABC>>,
     <<"A15-10", "c", ABC>>,
     <<"A15-11", "c", ABC>>,
-    <<"A15-12", "a", ABC>>,
+    <<"A15-12", "c", ABC>>,
     <<"A15-13", "c", ABC>>,
     <<"A15-14", "a", AB>>,
     <<"A15-15", "c", ABC>>,
@@ -141,7 +141,7 @@ Questions ==
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
 NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78",
-              "A15-01", "A15-04", "A15-06", "A15-07", "A15-10", "A15-12",
+              "A15-01", "A15-04", "A15-06", "A15-07", "A15-10",
               "A15-16", "A15-17", "A15-18", "A15-20" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
@@ -507,6 +507,10 @@ SmallJumps(ms) ==
 (* [A15-11] After a large jump without OB 80 the catch-ups come; or not.   *)
 CatchUpNeedsNoOb80 == Reading("A15-11") = "a"
 CatchUpNeedsOb80   == Reading("A15-11") = "b"
+(* [A15-12] Points of STEP 7 that passed in STOP are nothing; or OB 80     *)
+(* reports them.                                                           *)
+StopPointsAreNothing  == Reading("A15-12") = "a"
+StopPointsAreReported == Reading("A15-12") = "b"
 (* [A15-13] A call for an OB that is missing answers 8090; or it does not. *)
 MissingIsRefused    == Reading("A15-13") = "a"
 MissingIsNotRefused == Reading("A15-13") = "b"

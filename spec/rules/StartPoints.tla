@@ -91,10 +91,10 @@ SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
 (* The settings after a skip *)
 
 (* The last minute that has passed with its point, if it has one [AMB-14]. *)
-(* In HOLD the next point may have passed.                                 *)
+(* In HOLD, and in STOP, the next point may have passed.                   *)
 \* @type: $tod => Int;
 PassedMinute(t) ==
-    LET passed == mode = "HOLD" /\ (t.held \/ clock # NextMoment(t))
+    LET passed == t.held \/ (mode = "HOLD" /\ clock # NextMoment(t))
     IN  IF clock.ms < t.offset \/ (t.next = clock.min /\ ~passed)
         THEN clock.min - 1 ELSE clock.min
 
@@ -263,12 +263,14 @@ AfterHeld(o, to, c) ==
     IN  AfterPoint(o, IF HasOnePoint(u.period) THEN [u EXCEPT !.next = Never]
                       ELSE Armed(u, to, c))
 
-(* [AMB-26] [CLK-02] The points that passed in STOP are noticed, in        *)
-(* STARTUP or when RUN begins: OB 80 reports them.                         *)
+(* [AMB-26] [CLK-02] [T15-120] The points that passed in STOP are noticed, *)
+(* in STARTUP or when RUN begins: OB 80 reports them.                      *)
 NoticesPassed ==
     /\ resume.due /\ Watching
     /\ resume' = [resume EXCEPT !.due = FALSE]
-    /\ IF Held = {} THEN Nothing ELSE Skip(SkippedByClock, clock, Held)
+    /\ IF Held = {} THEN Nothing
+       ELSE Skip(IF Family.missesInStop THEN SkippedInHold ELSE SkippedByClock,
+                 clock, Held)
     /\ \E c \in CpusThatShow({ tod[o] : o \in Held }, clock) :
          /\ cpu' = c
          /\ tod' = [ o \in DOMAIN tod |->
