@@ -181,7 +181,8 @@ FewState == \E t \in {Gen(1)}, u \in {Gen(1)} : StateWith(t, u, 2, 2)
 \* @type: ($tod, $tod) => $tod;
 ServedAs(t, s) == [t EXCEPT !.served = s.served]
 \* @type: ($tod, $tod) => $tod;
-SetAnewAfter(t, s) == [t EXCEPT !.served = {}, !.earlier = s.earlier]
+SetAnewAfter(t, s) == [ t EXCEPT !.served = {}, !.merged = {},
+                                 !.earlier = s.earlier ]
 
 \* @type: ($tod, $tod, $tod) => Bool;
 Remembering(t, s, e) ==

@@ -2,7 +2,7 @@
 (***************************************************************************)
 (* No start point is served twice on an S7-400 or CPU 318, however the     *)
 (* clock is set back and forward [CLK-09].  The history `served' notes for *)
-(* which points an OB was requested, until a restart.                      *)
+(* which points an OB was definitely requested, until a restart.           *)
 (***************************************************************************)
 EXTENDS MCBase
 
@@ -19,7 +19,7 @@ VARIABLE
     \* @type: Set($moment);
     served
 
-New == { r.since : r \in NewOf(10) }
+New == { r.since : r \in { q \in NewOf(10) : ~q.open } }
 
 HistoryInit == Init /\ served = {}
 HistoryNext ==

@@ -313,9 +313,9 @@ MinutesBetween(t) ==
       [] SeriesOf(t.period) \in Weekly -> 7 * MinutesADay
       [] OTHER                          -> 0
 
-(* All points up to a moment can be served in one step [CLK-09].           *)
+(* All points up to a moment can be merged in one step [AMB-56].           *)
 \* @type: Int => Bool;
-MayServeAll(o) == ~Remembers \/ MinutesBetween(tod[o]) > 0
+MayMergeAll(o) == ~Remembers \/ MinutesBetween(tod[o]) > 0
 
 (* [IRT-04] [AMB-35] The OBs whose next points have no effect: the start   *)
 (* event is lost without an entry, deferred in STARTUP to a run that waits *)
@@ -327,15 +327,8 @@ PassedOver ==
              /\ tod[o].active /\ ~HasOnePoint(tod[o].period)
              /\ clock.min > tod[o].repeatTo /\ ~tod[o].held
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
-                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ MayServeAll(o)
-                \/ Repeats(o) /\ MayServeAll(o) }
-
-(* The points from the next one up to point p are served.                  *)
-\* @type: ($tod, Int) => $tod;
-ServedTo(t, p) ==
-    [ Served(t, t.next) EXCEPT
-        !.served = { IF i.to = t.next THEN [i EXCEPT !.to = p] ELSE i
-                     : i \in @ } ]
+                \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ MayMergeAll(o)
+                \/ Repeats(o) /\ MayMergeAll(o) }
 
 (* The setting of OB o when all its points before moment m are over.       *)
 \* @type: (Int, $moment) => $tod;
@@ -344,7 +337,8 @@ PassedUntil(o, m) ==
         from == IF m.ms > t.offset THEN m.min + 1 ELSE m.min
         step == MinutesBetween(t)
         last == t.next + ((from - 1 - t.next) \div step) * step
-        over == IF Blocked(o) \/ ~Remembers THEN t ELSE ServedTo(t, last)
+        over == IF Blocked(o) \/ ~Remembers THEN t
+                ELSE Merged(t, [from |-> t.next, to |-> last])
     IN  IF ~Before(NextMoment(t), m) THEN t
         ELSE [over EXCEPT !.next = PointFrom(t, from)]
 

@@ -75,7 +75,7 @@ SettingDataInv ==
       /\ tod[o].period \in Periods
       /\ IsPoint(tod[o].next)
       /\ tod[o].period = Once => tod[o].next \in {tod[o].start, Never}
-      /\ \A i \in tod[o].served : IsRun(i.from, i.to)
+      /\ \A i \in tod[o].served \cup tod[o].merged : IsRun(i.from, i.to)
       /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
                                     /\ i.start \in 0..LastMinute
                                     /\ i.period \in Periods
@@ -88,6 +88,7 @@ SettingDataInv ==
 MemoryInv ==
     Remembers \/ \A o \in TodObs : /\ tod[o].repeatTo = -1
                                    /\ tod[o].served = {}
+                                   /\ tod[o].merged = {}
                                    /\ tod[o].earlier = {}
 
 (* [AMB-71] A one-shot interrupt that its call uses up is not watched for, *)

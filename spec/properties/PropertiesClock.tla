@@ -135,22 +135,59 @@ SkipTimeProp ==
 \* @type: ($tod, Int) => Bool;
 CountsAsServed(t, p) == \E i \in t.served : i.from <= p /\ p <= i.to
 
+(* ... or this call was perhaps merged with another one.                   *)
+\* @type: ($tod, Int) => Bool;
+MayCount(t, p) == \/ CountsAsServed(t, p)
+                  \/ \E i \in t.merged : i.from <= p /\ p <= i.to
+
+(* The runs of OB o for point p that wait. *)
+\* @type: (Int, Int) => Set($request);
+RunsFor(o, p) == { r \in requests' : r.ob = o /\ r.since.min = p }
+
+(* Point p is served by these runs: definitely by a definite one.          *)
+\* @type: (Int, Int, Bool) => Bool;
+ServedByRun(o, p, called) ==
+    /\ MayCount(tod'[o], p) <=> CountsAsServed(tod[o], p) \/ called
+    /\ LongestMemory > 0 =>
+         ( CountsAsServed(tod'[o], p)
+             <=> \/ CountsAsServed(tod[o], p)
+                 \/ called /\ \E r \in RunsFor(o, p) : ~r.open )
+
 (* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
-(* point that is reached counts as served, unless its OB is blocked; a     *)
-(* skipped point, if a run for it waits.                                   *)
+(* point that is reached counts as served, unless its OB is blocked or the *)
+(* call is merged with another one; a skipped point, if a run for it       *)
+(* waits. A merged call that leads to a run after all counts from then on. *)
 ServedProp ==
     [][ \A o \in TodObs :
           LET p == tod[o].next
           IN  Remembers /\ tod'[o].set =>
                 /\ Did("reached") /\ step'.ob = o =>
-                     ( CountsAsServed(tod'[o], p)
-                         <=> CountsAsServed(tod[o], p) \/ ~Blocked(o) )
+                     ServedByRun(o, p, ~Blocked(o))
+                /\ Did("start") /\ step'.ob = o =>
+                     \E r \in requests \ requests' :
+                       /\ r.ob = o
+                       /\ MayCount(tod[o], r.since.min) =>
+                            CountsAsServed(tod'[o], r.since.min)
                 /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
                    /\ o \in SkippedNow /\ ~ServedPointsAreSkipped
-                   => ( CountsAsServed(tod'[o], p)
-                          <=> \/ CountsAsServed(tod[o], p)
-                              \/ \E r \in requests' :
-                                   r.ob = o /\ r.since.min = p ) ]_vars
+                   => ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
+
+(* [AMB-56] When the clock is set back, either all merged calls count, or  *)
+(* those alone whose run waits.                                            *)
+MergedProp ==
+    [][ /\ Did("clock") /\ Before(clock', clock) /\ Remembers
+        /\ ~SetBackWithdrawsRuns
+        => LET \* @type: (Int, Int) => Bool;
+               counts(o, p) == CountsAsServed(tod'[o], p)
+               left == { o \in TodObs : tod'[o].set }
+           IN  /\ \A o \in left : tod'[o].merged = {}
+               /\ \/ \A o \in left : \A i \in tod[o].merged :
+                       counts(o, i.from) /\ counts(o, i.to)
+                  \/ \A o \in left :
+                       \A i \in tod[o].merged : \A p \in {i.from, i.to} :
+                         counts(o, p) <=>
+                           \/ CountsAsServed(tod[o], p)
+                           \/ \E r \in RunsFor(o, p) : ~r.open ]_vars
 
 (* [CLK-09] [AMB-57] Nothing makes the CPU forget served points, no        *)
 (* restart and no new setting either, while it has room for more of them.  *)

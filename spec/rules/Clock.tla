@@ -104,8 +104,8 @@ RanOnce(o, to) ==
 
 \* @type: (Int, $moment, $cpu, Bool) => $tod;
 Forgetful(o, to, c, runsAgain) ==
-    LET t == [ tod[o] EXCEPT !.served = {}, !.earlier = {}, !.repeatTo = -1,
-                             !.overTo = -1,
+    LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
+                             !.repeatTo = -1, !.overTo = -1,
                              !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
         i == CHOOSE i \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
@@ -116,26 +116,35 @@ Forgetful(o, to, c, runsAgain) ==
 
 (* The settings after the clock was set. If a skip is `deferred', the      *)
 (* setting of its OB stays until the release; so does one that is `held'.  *)
-\* @type: ($moment, $cpu, Set(Int), Set(Int)) => (Int -> $tod);
-TodAfterClock(to, c, deferred, held) ==
+\* @type: ($moment, $cpu, Set(Int), Set(Int), Bool) => (Int -> $tod);
+TodAfterClock(to, c, deferred, held, count) ==
     [ o \in DOMAIN tod |->
-        IF mode = "STOP" THEN Repeating(tod[o], to)
-        ELSE IF o \in held THEN Repeating([tod[o] EXCEPT !.held = TRUE], to)
+        IF mode = "STOP" THEN Repeating(o, tod[o], to, count)
+        ELSE IF o \in held
+        THEN Repeating(o, [tod[o] EXCEPT !.held = TRUE], to, count)
         ELSE IF o \in deferred THEN tod[o]
         ELSE IF o \in CalledBySetBack(to) /\ HasOnePoint(tod[o].period)
-        THEN CalledOnce(SettingAt(o, to))
-        ELSE Rearmed(o, to, c) ]
+        THEN CalledOnce(SettingAt(o, to, count))
+        ELSE Rearmed(o, to, c, count) ]
+
+(* [AMB-56] Whether merged calls count as calls, if there are any.         *)
+\* @type: $moment => Set(Bool);
+MergedCount(to) ==
+    IF IsBack(to) /\ \E o \in DOMAIN tod : tod[o].merged # {} THEN BOOLEAN
+    ELSE {TRUE}
 
 (* [CLK-01] *)
 \* @type: $moment => Bool;
 ClockSet(to) ==
     LET skipped == IF mode = "STOP" THEN {} ELSE SkippedBy(to) \ Held
-        active  == IF mode = "STOP" THEN {} ELSE ActiveAt(to)
+        \* @type: Bool => Set($tod);
+        active(count) == IF mode = "STOP" THEN {} ELSE ActiveAt(to, count)
     IN  /\ to # clock
         /\ clock' = to
-        /\ \E c \in CpusThatShow(active, to), deferred \in Deferring,
+        /\ \E count \in MergedCount(to), deferred \in Deferring,
               held \in HeldAfter(to), again \in ServesAgain(to) :
-           \E ones \in IF ~again THEN {{}}
+           \E c \in CpusThatShow(active(count), to),
+              ones \in IF ~again THEN {{}}
                        ELSE SUBSET { o \in TodObs : RanOnce(o, to) # {} } :
              /\ cpu' = c
              /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
@@ -144,6 +153,6 @@ ClockSet(to) ==
                        THEN [ o \in DOMAIN tod |->
                                 Forgetful(o, to, c, o \in ones) ]
                        ELSE TodAfterClock(to, c, IF deferred THEN skipped
-                                                 ELSE {}, held)
+                                                 ELSE {}, held, count)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

@@ -167,7 +167,7 @@ RearmPassed(equal) ==
           /\ cpu' = c
           /\ tod' = [ o \in DOMAIN tod |->
                         IF o \in Held THEN AfterHeld(o, now(o), c)
-                        ELSE IF o \in passed THEN Rearmed(o, now(o), c)
+                        ELSE IF o \in passed THEN Rearmed(o, now(o), c, TRUE)
                         ELSE tod[o] ]
 
 (* [OBS-46] OB 80 reports the points that passed in HOLD. A point that     *)

@@ -35,10 +35,14 @@ TodUsedUp(o) == [tod EXCEPT ![o] = UsedUp(@)]
 \* @type: Int => (Int -> $tod);
 TodCalled(o) == [tod EXCEPT ![o].next = Never, ![o].called = TRUE]
 
+\* @type: $request => (Int -> $tod);
+TodAfterRun(r) == IF r.ob \notin TodObs THEN tod
+                  ELSE [tod EXCEPT ![r.ob] = Confirms(@, r.since.min)]
+
 (* [AMB-71] A one-shot interrupt is used up when its OB starts, or ends. *)
 \* @type: $request => Set(Int -> $tod);
 TodsAfterStart(r) ==
-    IF ~LastCall(r) THEN {tod}
+    IF ~LastCall(r) THEN {TodAfterRun(r)}
     ELSE (IF OnceMayEndAtItsStart THEN {TodUsedUp(r.ob)} ELSE {})
            \cup (IF OnceMayEndAtItsEnd THEN {TodCalled(r.ob)} ELSE {})
 

@@ -25,9 +25,23 @@ AfterPoint(o, t) ==
     IF HasOnePoint(t.period) /\ (LostForGood(o) \/ OnceUsedUpAtItsPoint)
     THEN UsedUp(t) ELSE t
 
-(* The OB is called for its point, unless it is blocked. *)
+(* [AMB-56] The setting of an OB after point p, if a run for it comes;     *)
+(* else it is t.                                                           *)
+\* @type: (Int, $tod, Int, $tod) => $tod;
+AfterRunFor(o, u, p, t) ==
+    LET runs == { r \in requests' : r.ob = o /\ r.since.min = p }
+    IN  IF runs = {} THEN t
+        ELSE IF \E r \in runs : ~r.open THEN Served(u, p)
+        ELSE Merged(u, [from |-> p, to |-> p])
+
+(* The OB is called for its point, unless it is blocked. If it waits or    *)
+(* runs, its call may be merged with another one.                          *)
 \* @type: Int => $tod;
-AfterCallFor(o) == IF Blocked(o) THEN tod[o] ELSE Served(tod[o], tod[o].next)
+AfterCallFor(o) ==
+    LET t == tod[o]
+    IN  IF Blocked(o) THEN t
+        ELSE AfterRunFor(o, t, t.next,
+                         Merged(t, [from |-> t.next, to |-> t.next]))
 
 (* The next point is armed. *)
 \* @type: Int => Bool;
@@ -52,10 +66,10 @@ PointReached(o) ==
     /\ ~tod[o].held
     /\ PointsComeByNumber =>
          \A q \in TodObs : q < o => clock # NextMoment(tod[q])
-    /\ PassesItsPoint(o)
     /\ IF ~RunIsDeferred(o) THEN Occurs(TodRequest(o, clock, 0))
        ELSE IF StartupDefersOneRun THEN Nothing
        ELSE Ordinary(TodRequest(o, clock, 0))
+    /\ PassesItsPoint(o)
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, runVars>>
 
 -----------------------------------------------------------------------------
@@ -98,11 +112,26 @@ PassedMinute(t) ==
     IN  IF clock.ms < t.offset \/ (t.next = clock.min /\ ~passed)
         THEN clock.min - 1 ELSE clock.min
 
+(* [AMB-56] [AMB-59] The merged points for which OB o was called: all that *)
+(* `count', and those whose run waits.                                     *)
+\* @type: (Int, Set($run), Bool) => Set($run);
+CalledAmong(o, merged, count) ==
+    LET waits == { r.since.min : r \in { q \in requests :
+                                          q.ob = o /\ ~q.open } }
+    IN  IF count THEN merged
+        ELSE { [from |-> p, to |-> p]
+               : p \in { q \in waits :
+                          \E i \in merged : i.from <= q /\ q <= i.to } }
+
 (* A clock that is set back repeats the time until now. *)
-\* @type: ($tod, $moment) => $tod;
-Repeating(t, to) ==
+\* @type: (Int, $tod, $moment, Bool) => $tod;
+Repeating(o, t, to, count) ==
     IF ~(Remembers /\ Before(to, clock)) THEN t
     ELSE [ t EXCEPT
+             !.served   = IF t.merged = {} THEN @
+                          ELSE JoinedAll(t, @ \cup
+                                         CalledAmong(o, t.merged, count)),
+             !.merged   = {},
              !.repeatTo = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @,
              !.overTo   = IF PassedMinute(t) > @ THEN PassedMinute(t) ELSE @ ]
 
@@ -112,16 +141,16 @@ WithdrawnBy(to) == IF Before(to, clock) /\ SetBackWithdrawsRuns
                    THEN { r \in requests : r.ob \in TodObs } ELSE {}
 
 (* The setting of an OB when the clock is set, before it is armed. *)
-\* @type: (Int, $moment) => $tod;
-SettingAt(o, to) ==
+\* @type: (Int, $moment, Bool) => $tod;
+SettingAt(o, to, count) ==
     LET points == { r.since.min : r \in { q \in WithdrawnBy(to) : q.ob = o } }
-        t      == Repeating(tod[o], to)
+        t      == Repeating(o, tod[o], to, count)
     IN  IF points = {} THEN t
         ELSE NotServed(t, CHOOSE p \in points : \A q \in points : p <= q)
 
-\* @type: $moment => Set($tod);
-ActiveAt(to) ==
-    { SettingAt(o, to) : o \in { p \in DOMAIN tod : tod[p].active } }
+\* @type: ($moment, Bool) => Set($tod);
+ActiveAt(to, count) ==
+    { SettingAt(o, to, count) : o \in { p \in DOMAIN tod : tod[p].active } }
 
 (* [CLK-12] A one-shot interrupt is used up by its call, and the call is   *)
 (* not withdrawn [AMB-59].                                                 *)
@@ -129,18 +158,15 @@ ActiveAt(to) ==
 StaysUsed(o, to) ==
     CallUsesUp(o) /\ { r \in WithdrawnBy(to) : r.ob = o } = {}
 
-(* [AMB-56] A skipped point counts as served only if its catch-up runs     *)
-(* separately: neither merged with a pending run nor lost.                 *)
-\* @type: (Int, Int) => Bool;
-RunComesFor(o, p) == \E r \in requests' : r.ob = o /\ r.since.min = p
-
-(* The setting of an OB when the clock is at `to', after the skip.         *)
-\* @type: (Int, $moment, $cpu) => $tod;
-Rearmed(o, to, c) ==
-    LET t    == SettingAt(o, to)
+(* The setting of an OB when the clock is at `to', after the skip. A       *)
+(* skipped point counts as served only if its catch-up runs separately:    *)
+(* neither merged with a pending run nor lost [AMB-56].                    *)
+\* @type: (Int, $moment, $cpu, Bool) => $tod;
+Rearmed(o, to, c, count) ==
+    LET t    == SettingAt(o, to, count)
         next == NextPoint(t, to, c)
         p    == NextSkipped(t).min
-        done == IF RunComesFor(o, p) THEN Served(t, p) ELSE t
+        done == AfterRunFor(o, t, p, t)
     IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
         ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
         ELSE AfterPoint(o, [done EXCEPT !.next = next])
@@ -259,7 +285,7 @@ Defer(skipped) ==
 \* @type: (Int, $moment, $cpu) => $tod;
 AfterHeld(o, to, c) ==
     LET t == [tod[o] EXCEPT !.held = FALSE]
-        u == IF RunComesFor(o, t.next) THEN Served(t, t.next) ELSE t
+        u == AfterRunFor(o, t, t.next, t)
     IN  AfterPoint(o, IF HasOnePoint(u.period) THEN [u EXCEPT !.next = Never]
                       ELSE Armed(u, to, c))
 

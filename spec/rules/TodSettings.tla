@@ -16,9 +16,9 @@
 EXTENDS Calendar, Requests
 
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
-               period |-> Once, next |-> Never, served |-> {}, earlier |-> {},
-               repeatTo |-> -1, overTo |-> -1, called |-> FALSE,
-               held |-> FALSE ]
+               period |-> Once, next |-> Never, served |-> {}, merged |-> {},
+               earlier |-> {}, repeatTo |-> -1, overTo |-> -1,
+               called |-> FALSE, held |-> FALSE ]
 
 (* The next point. *)
 \* @type: $tod => $moment;
@@ -82,20 +82,64 @@ LongestMemory == 8
 (* back; other CPUs remember the points that were served [AMB-17].         *)
 Remembers == ~Family.repeats \/ S7300RemembersServed
 
-(* [CLK-09] The OB is called for point p, which joins the runs of points   *)
-(* beside it. A lost point [IRT-18] is over but not served; so is a        *)
-(* skipped point without a run of its own.                                 *)
+(* A run of points joins those beside it.                                  *)
+\* @type: ($tod, Set($run), $run) => Set($run);
+Joined(t, runs, r) ==
+    LET before == { i \in runs :
+                      i.to < r.from /\ PointFrom(t, i.to + 1) >= r.from }
+        after  == { i \in runs :
+                      r.to < i.from /\ i.from <= PointFrom(t, r.to + 1) }
+        begin  == IF before = {} THEN r.from
+                  ELSE (CHOOSE i \in before : TRUE).from
+        end    == IF after = {} THEN r.to ELSE (CHOOSE i \in after : TRUE).to
+    IN  (runs \ (before \cup after)) \cup {[from |-> begin, to |-> end]}
+
+(* Runs that lie beside each other become one.                             *)
+\* @type: ($tod, Set($run)) => Set($run);
+JoinedAll(t, runs) ==
+    LET \* @type: ($run, $run) => Bool;
+        meets(i, j) == j.from <= PointFrom(t, i.to + 1)
+        begins == { j.from : j \in { k \in runs :
+                      ~\E i \in runs : i.from < k.from /\ meets(i, k) } }
+        ends   == { i.to : i \in { k \in runs :
+                      ~\E j \in runs : k.to < j.to /\ meets(k, j) } }
+    IN  { [ from |-> b,
+            to   |-> CHOOSE e \in ends :
+                       b <= e /\ \A f \in ends : b <= f => e <= f ]
+          : b \in begins }
+
+(* [CLK-09] The OB is called for point p. A lost point [IRT-18] is over    *)
+(* but not served; so is a skipped point without a run of its own.         *)
 \* @type: ($tod, Int) => $tod;
 Served(t, p) ==
-    LET before == { i \in t.served : i.to < p /\ PointFrom(t, i.to + 1) >= p }
-        after  == { i \in t.served :
-                      p < i.from /\ i.from <= PointFrom(t, p + 1) }
-        begin  == IF before = {} THEN p ELSE (CHOOSE i \in before : TRUE).from
-        end    == IF after = {} THEN p ELSE (CHOOSE i \in after : TRUE).to
-        run    == [from |-> begin, to |-> end]
-    IN  IF Remembers
-        THEN [t EXCEPT !.served = (@ \ (before \cup after)) \cup {run}]
-        ELSE t
+    IF ~Remembers THEN t
+    ELSE [t EXCEPT !.served = Joined(t, @, [from |-> p, to |-> p])]
+
+(* [AMB-56] The OB has no run for these points for sure: served or not, as *)
+(* the clock is set back. Where there are too many, the first are served.  *)
+\* @type: ($tod, $run) => $tod;
+Merged(t, r) ==
+    LET runs  == Joined(t, t.merged, r)
+        first == { i \in runs :
+                     Cardinality({ j \in runs : j.to > i.to })
+                       >= LongestMemory }
+    IN  IF ~Remembers THEN t
+        ELSE [ t EXCEPT
+                 !.merged = runs \ first,
+                 !.served = IF first = {} THEN @
+                            ELSE Joined(t, @, CHOOSE i \in first : TRUE) ]
+
+(* Point p has a run of its own after all, and so have those before it.    *)
+\* @type: ($tod, Int) => $tod;
+Confirms(t, p) ==
+    LET hit == { i \in t.merged : i.from <= p /\ p <= i.to }
+        run == CHOOSE i \in hit : TRUE
+    IN  IF hit = {} THEN t
+        ELSE [ t EXCEPT
+                 !.served = Joined(t, @, [from |-> run.from, to |-> p]),
+                 !.merged = (@ \ hit) \cup
+                   (IF p = run.to THEN {}
+                    ELSE {[from |-> p + 1, to |-> run.to]}) ]
 
 (* [AMB-59] (b) The run for point p is withdrawn: the point was not served. *)
 \* @type: ($tod, Int) => $tod;
@@ -115,7 +159,7 @@ Memory(t) ==
     LET runs == t.earlier \cup
                   { [ from |-> i.from, to |-> i.to,
                       start |-> t.start, period |-> t.period ]
-                    : i \in t.served }
+                    : i \in t.served \cup t.merged }
     IN  IF NewSettingForgets(cpu) THEN {}
         ELSE { i \in runs :
                  Cardinality({ j \in runs : j.to > i.to }) < LongestMemory }
@@ -125,7 +169,8 @@ Memory(t) ==
 \* @type: ($tod, $tod) => $tod;
 WithMemory(new, old) ==
     LET repeats == clock.min <= old.repeatTo
-    IN  [ new EXCEPT !.served = {}, !.earlier = Memory(old), !.overTo = -1,
+    IN  [ new EXCEPT !.served = {}, !.merged = {}, !.earlier = Memory(old),
+                     !.overTo = -1,
                      !.repeatTo = IF repeats THEN old.repeatTo ELSE -1 ]
 
 \* @type: $tod => $tod;
