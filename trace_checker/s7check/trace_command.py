@@ -9,7 +9,6 @@ from pathlib import Path
 
 import click
 
-from s7check.asking.onward import rejections
 from s7check.completion import complete_files
 from s7check.engine import pool
 from s7check.engine.client import Engine
@@ -194,6 +193,8 @@ class _Work:
 
     def _onward(self, report: Report, name: str) -> list[Report]:
         """The rejections behind the first one; none if the engine fails."""
+        # Here, for most calls have no use for it.
+        from s7check.asking.onward import rejections
 
         def found(first: Report, engine: Engine) -> list[Report]:
             with suppress(EngineError):
