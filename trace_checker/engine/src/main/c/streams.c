@@ -16,8 +16,13 @@ __attribute__((constructor)) static void as_bytes(void)
 
 #define read _read
 #else
+#include <sys/mman.h>
 #include <unistd.h>
 #endif
+
+/* Of TeaVM. */
+extern void *teavm_gc_heapAddress;
+extern int64_t teavm_gc_availableBytes;
 
 enum { NOBODY_LEFT = 3 };
 
@@ -32,4 +37,11 @@ void s7_write(void *from, int32_t count)
     if (fwrite(from, 1, (size_t)count, stdout) != (size_t)count || fflush(stdout) != 0) {
         exit(NOBODY_LEFT);
     }
+}
+
+void s7_large_pages(void)
+{
+#ifdef MADV_HUGEPAGE
+    madvise(teavm_gc_heapAddress, (size_t)teavm_gc_availableBytes, MADV_HUGEPAGE);
+#endif
 }

@@ -1,4 +1,4 @@
-/* Standard input and output of the compiled engine, as bytes. */
+/* Standard input and output of the compiled engine, as bytes, and its memory. */
 #pragma once
 #include <stdint.h>
 
@@ -7,3 +7,6 @@ int32_t s7_read(void *to, int32_t most);
 
 /* Writes all of them; the process ends where nobody reads. */
 void s7_write(void *from, int32_t count);
+
+/* Has the heap in large pages where the system has them: a short log costs a third less. */
+void s7_large_pages(void);

@@ -25,6 +25,7 @@ public final class Main {
    * @param args the file of the parsed specification
    */
   public static void main(String[] args) throws IOException {
+    useLargePages();
     Module module = args.length == 1 ? Kept.read(file(args[0])) : null;
     if (module == null) {
       throw new IllegalArgumentException("usage: s7-trace-engine FILE-OF-THE-PARSED-SPECIFICATION");
@@ -54,6 +55,10 @@ public final class Main {
   @Include(value = "streams.h", isSystem = false)
   @Import(name = "s7_write")
   private static native void write(Address from, int count);
+
+  @Include(value = "streams.h", isSystem = false)
+  @Import(name = "s7_large_pages")
+  private static native void useLargePages();
 
   @Import(name = "teavm_gc_collect")
   private static native void collect();
