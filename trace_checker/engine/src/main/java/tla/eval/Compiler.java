@@ -47,7 +47,7 @@ final class Compiler {
 
   Compiler(Machine machine) {
     this.machine = machine;
-    facts = new Facts.Collector(machine.numbers);
+    facts = new Facts.Collector(machine.numbers, machine.asked);
   }
 
   boolean primes(SemanticNode node) {
@@ -93,8 +93,8 @@ final class Compiler {
     var slots = new Scope.Slots();
     Expr body = plain(node, Scope.empty(slots, primed));
     return new Memo(
-        machine.marks,
-        machine.asked,
+        its.marked ? machine.marks : null,
+        its.asks ? machine.asked : null,
         primed ? machine.next : machine.now,
         its.variables.stream().toArray(),
         f -> body.eval(new Object[slots.count()]));

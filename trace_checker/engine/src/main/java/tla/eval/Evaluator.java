@@ -61,11 +61,11 @@ public final class Evaluator {
       System.arraycopy(arguments, 0, frame, 0, parameters);
       machine.begin();
       machine.marks.restart();
-      long[] outer = machine.marks.begin();
+      machine.marks.begin();
       act.run(frame);
-      long[] outcomes = machine.marks.end(outer);
+      Marks.Some outcomes = machine.marks.end();
       for (State found : machine.found()) {
-        found.outcomes = Marks.union(found.outcomes, outcomes);
+        found.outcomes = outcomes.with(found.outcomes);
       }
       return machine.found();
     }

@@ -28,6 +28,12 @@ final class Facts {
   /** Whether it refers to the next state. */
   boolean primes;
 
+  /** Whether it has a marked expression ({@link Marks}). */
+  boolean marked;
+
+  /** Whether it applies the operator that is watched ({@link Asked}). */
+  boolean asks;
+
   /** The number of its nodes, with the operators that it uses written out. */
   int size = 1;
 
@@ -43,17 +49,21 @@ final class Facts {
     variables.or(other.variables);
     free.addAll(other.free);
     primes |= other.primes;
+    marked |= other.marked;
+    asks |= other.asks;
     size = Math.min(size + other.size, 1 << 20);
   }
 
   /** Collects the facts of a specification's expressions, each once. */
   static final class Collector {
     private final Map<OpDeclNode, Integer> variables;
+    private final Asked asked;
     private final Map<SemanticNode, Facts> known = new IdentityHashMap<>();
     private final Set<OpDefNode> underWay = new HashSet<>();
 
-    Collector(Map<OpDeclNode, Integer> variables) {
+    Collector(Map<OpDeclNode, Integer> variables, Asked asked) {
       this.variables = variables;
+      this.asked = asked;
     }
 
     Facts of(SemanticNode node) {
@@ -67,6 +77,7 @@ final class Facts {
 
     private Facts collect(SemanticNode node) {
       var facts = new Facts();
+      facts.marked = node.mark != SemanticNode.UNMARKED;
       if (node instanceof OpApplNode apply) {
         application(facts, apply);
       } else if (node instanceof LetInNode let) {
@@ -112,6 +123,8 @@ final class Facts {
       } else if (symbol instanceof FormalParamNode) {
         facts.free.add(symbol);
       } else if (symbol instanceof OpDefNode definition && definition.isDefined()) {
+        facts.marked |= definition.mark != SemanticNode.UNMARKED;
+        facts.asks |= asked.isWatched(definition);
         facts.add(of(definition));
       }
     }

@@ -17,8 +17,8 @@ final class Memo implements Expr {
   private BitSet asks;
 
   /**
-   * @param marks the outcomes of its evaluation count each time that its value is asked for
-   * @param asked what its evaluation asks counts each time as well
+   * @param marks the outcomes of its evaluation count each time that its value is asked for; null if it has none
+   * @param asked what its evaluation asks counts each time as well; null if that is nothing
    * @param state the values of all variables
    * @param variables the numbers of all variables that the expression may depend on
    */
@@ -35,22 +35,42 @@ final class Memo implements Expr {
   public Value eval(Object[] frame) {
     if (value == null || !isSame()) {
       value = null;
-      long[] outer = marks.begin();
-      BitSet before = asked.begin();
-      try {
-        value = expr.eval(frame);
-      } finally {
-        outcomes = new Marks.Some(marks.end(outer));
-        asks = asked.end(before);
-      }
+      value = evaluated(frame);
       for (int i = 0; i < variables.length; i++) {
         last[i] = state[variables[i]];
       }
-    } else {
+      return value;
+    }
+    if (marks != null) {
       marks.add(outcomes);
+    }
+    if (asked != null) {
       asked.add(asks);
     }
     return value;
+  }
+
+  private Value evaluated(Object[] frame) {
+    if (asked == null) {
+      return collecting(frame);
+    }
+    BitSet before = asked.begin();
+    try {
+      return collecting(frame);
+    } finally {
+      asks = asked.end(before);
+    }
+  }
+
+  private Value collecting(Object[] frame) {
+    if (marks == null) {
+      return expr.eval(frame);
+    }
+    // Where an error ends the evaluation, the next one begins anew.
+    marks.begin();
+    Value evaluated = expr.eval(frame);
+    outcomes = marks.end();
+    return evaluated;
   }
 
   private boolean isSame() {
