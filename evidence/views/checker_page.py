@@ -17,7 +17,8 @@ from s7check.resources import CHECKOUT, ENGINE, GALLERY, PAGE
 
 SOURCES = CHECKOUT / "trace_checker" / "s7check"
 WASM = ENGINE / "wasm"
-_SCRIPTS = ("elements", "engine", "model", "timeline", "desk", "shown", "report", "offers", "sides", "others", "main")
+_SCRIPTS: tuple[str, ...] = ("elements", "engine", "model", "timeline", "desk", "shown", "report", "offers", "sides")
+_SCRIPTS += ("others", "importing", "main")
 """In this order; what a later one has is used when all are there."""
 _OF_MODULES = re.compile(r"^import .*\n|^export \{.*\n|^export ", re.MULTILINE)
 _EXPORTS = re.compile(r"export\s*\{([^}]*)\};?\s*$")

@@ -212,6 +212,8 @@ def main() -> None:
                 print(json.dumps({"alternatives": ALTERNATIVES}), flush=True)
             case "decisions":
                 print(json.dumps({"decisions": []}), flush=True)
+            case "kind":
+                print(json.dumps({"object": {"kind": None, "what": None}}), flush=True)
             case "read":
                 print(json.dumps({"header": header_of(data, entry.get("chosen", {}))}), flush=True)
             case "begin":

@@ -11,6 +11,7 @@ from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-unt
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from evidence.common.chromium import QUIET, chromium, judged_in, missing
+from s7check import cli
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
 from s7check.explore_command import page_with
@@ -21,6 +22,7 @@ from tests.shipped import CASES
 
 pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
 
+SOURCES = Path(__file__).parents[2] / "examples" / "import"
 MOST = 4 * 1024 * 1024
 EACH = 12
 LONGEST_MS = 60_000
@@ -132,6 +134,43 @@ def test_an_empty_text_and_a_damaged_link_are_told(page: Page) -> None:
     page.goto("about:blank")
     page.goto(f"{PAGE.as_uri()}#nonsense")
     expect(page.locator("#problem")).to_contain_text("The link is damaged")
+
+
+def make_log(page: Page, file: Path, **fields: str) -> None:
+    """Choose a source, and say what it does not tell."""
+    page.set_input_files("#file", file)
+    for name, value in fields.items():
+        field = page.locator(f"#import [name={name}]")
+        if field.evaluate("one => one.tagName") == "SELECT":
+            field.select_option(value)
+        else:
+            field.fill(value)
+    page.click("#import >> text=Make a log")
+
+
+@pytest.mark.parametrize(("name", "kind"), [("german.txt", "the text of a diagnostic buffer"), ("szl.hex", "records")])
+def test_a_source_becomes_the_log_of_the_command(page: Page, tmp_path: Path, name: str, kind: str) -> None:
+    """What the source tells comes from it; what the command says of it stands beside the verdict."""
+    make_log(page, SOURCES / name, cpu="S7-300", obs="1 10,35,80,85,100")
+    expect(page.locator("#told")).to_contain_text(f"Made from {kind}")
+    expect(page.locator("#told")).to_contain_text("recorded completely: mode, diag")
+    with page.expect_download() as download:
+        page.click("#save")
+    made = [json.loads(line) for line in Path(download.value.path()).read_text().splitlines()]
+    arguments = ["--cpu", "S7-300", "--obs", "1,10,35,80,85,100", "-o", str(tmp_path / "log")]
+    assert cli.main(["import", str(SOURCES / name), *arguments]) == 0
+    assert made == [json.loads(line) for line in (tmp_path / "log").read_text().splitlines()]
+
+
+def test_what_an_import_lacks_is_told_in_its_form(page: Page, tmp_path: Path) -> None:
+    """The form stays open; without an import the file is what it is, no log."""
+    (tmp_path / "a.txt").write_text("Event 1 of 1: Event ID 16# 3501\n08:00:00.000 02/03/2012\n")
+    make_log(page, tmp_path / "a.txt")
+    expect(page.locator("#refused")).to_contain_text("expected dates that tell the order of day and month")
+    make_log(page, tmp_path / "a.txt", dates="DMY")
+    expect(page.locator("#refused")).to_contain_text("header: field mode: expected it")
+    page.click("#import >> text=Cancel")
+    expect(page.locator("#problem")).to_contain_text("a.txt: unusable: line 1: expected a JSON object")
 
 
 def test_a_failed_begin_changes_nothing(page: Page) -> None:

@@ -266,27 +266,6 @@ def test_no_log(logs: Path, name: str, capsys: pytest.CaptureFixture[str]) -> No
     assert ": unusable: expected" in line
 
 
-@pytest.mark.parametrize(
-    ("source", "kind"), [("english.txt", "step7"), ("german.txt", "step7"), ("szl.hex", "szl"), ("szl", "szl")]
-)
-def test_diagnostic_buffer(logs: Path, source: str, kind: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """The message names the command that makes a log of it."""
-    data = Path(__file__).parents[2] / "examples" / "import"
-    content = bytes.fromhex((data / "szl.hex").read_text()) if source == "szl" else (data / source).read_bytes()
-    (logs / "buffer").write_bytes(content)
-    assert cli.main(["trace", "buffer"]) == 2
-    found = f"a diagnostic buffer, of which `s7check import --from {kind}` makes one"
-    assert capsys.readouterr().out == f"buffer:1: unusable: expected a log; found {found}\n"
-
-
-@pytest.mark.parametrize("content", ["1234\n", "Event\n", "00A0 0000 0014 0001\n", "", "\n\n{}"])
-def test_no_diagnostic_buffer(logs: Path, content: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """Of other files nothing of the kind is said."""
-    (logs / "other").write_text(content, encoding="utf-8")
-    assert cli.main(["trace", "other"]) == 2
-    assert "import" not in capsys.readouterr().out
-
-
 def test_gzip(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A packed log gives the same verdict as the plain one."""
     (logs / "a.gz").write_bytes(gzip.compress(REJECTED))

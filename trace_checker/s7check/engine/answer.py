@@ -122,12 +122,16 @@ class Step(msgspec.Struct, frozen=True):
 
 
 class Unusable(msgspec.Struct, frozen=True):
-    """Why a line is not of the format; ``line`` is 0 and ``field`` None where there is none."""
+    """Why a line is not of the format; ``line`` is 0 and ``field`` None where there is none.
+
+    In a source of which a log is made it has a ``place``, such as an entry.
+    """
 
     expected: str
     found: str
     field: str | None = None
     line: int = 0
+    place: str = ""
 
     def error(self) -> UnusableLogError:
         """The exception."""

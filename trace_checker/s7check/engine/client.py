@@ -34,7 +34,9 @@ class _Alternatives(msgspec.Struct, frozen=True):
     alternatives: Alternatives
 
 
-class _Checked(msgspec.Struct, frozen=True):
+class Checked(msgspec.Struct, frozen=True):
+    """The object that was made of a text or of a source, or what is wrong with that."""
+
     object: dict[str, Any] = {}
     unusable: Unusable | None = None
 
@@ -132,7 +134,7 @@ class Engine:
         return self._object({"message": "program of", **({"file": file} if file else {})}, log)
 
     def _object(self, message: dict[str, Any], text: bytes) -> dict[str, Any]:
-        answer = self.ask({**message, "count": len(text)}, _Checked, text)
+        answer = self.ask({**message, "count": len(text)}, Checked, text)
         if answer.unusable is not None:
             raise answer.unusable.error()
         return answer.object

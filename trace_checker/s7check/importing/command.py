@@ -1,17 +1,16 @@
 """``s7check import``."""
 
+import json
 from pathlib import Path
 from typing import Any
 
 import click
 
 from s7check.completion import complete_files
-from s7check.importing import header, log_text
+from s7check.importing.asking import Imported, kind_of, log_of, log_of_recording
 from s7check.importing.errors import SourceError
-from s7check.importing.kinds import kind_of
 from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
-from s7check.importing.recording import Recording
-from s7check.importing.sources import csv_rows, diagnostics, hex_text, live, ring, step7_text, szl
+from s7check.importing.sources import csv_rows, hex_text, live, ring
 from s7check.letters import set_option
 from s7check.log.errors import printable
 from s7check.output import echo, write_whole
@@ -83,7 +82,7 @@ Exit codes:
 @click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
 @click.option("--header", "fields", type=JsonFile(), metavar="FILE", help="Any fields of the header, JSON.")
 @click.option("--entries", type=Span(), metavar="A-B", help="Only entries A to B, as SOURCE numbers them.")
-@click.option("--dates", type=click.Choice(step7_text.DATE_ORDERS), help="Order of day, month, year in a step7 text.")
+@click.option("--dates", type=click.Choice(["DMY", "MDY", "YMD"]), help="Order of day, month, year in a step7 text.")
 @click.option(
     "--map",
     "columns",
@@ -100,12 +99,10 @@ def import_command(kind: str | None, output: Path | None, source: str, **options
     """Imports ``source``; the help says how."""
     name = "standard input" if source == "-" else printable(source, 200)
     try:
-        recording = _record(kind, source, options)
-        given = _given(options)
-        complete = header.complete(recording.header, given)
-        text = log_text.render(complete, recording.events)
+        imported = _imported(kind, source, options)
     except SourceError as error:
         raise click.ClickException(f"{name}: {error}") from error
+    text = "".join(json.dumps(line, ensure_ascii=False) + "\n" for line in imported.log).encode()
     if output is None:
         echo(text)
     else:
@@ -113,33 +110,38 @@ def import_command(kind: str | None, output: Path | None, source: str, **options
             write_whole(output, text)
         except OSError as error:
             raise click.ClickException(f"{output}: cannot be written: {error.strerror}") from error
-    _report(name, recording, complete)
+    first, *rest = imported.told
+    for line in (f"{name}: {first}", *(f"  {line}" for line in rest)):
+        click.echo(line, err=True)
     return 0
 
 
-def _record(kind: str | None, source: str, options: dict[str, Any]) -> Recording:
-    """What the source gives."""
+def _imported(kind: str | None, source: str, options: dict[str, Any]) -> Imported:
+    """The log of the source."""
     chosen: range | None = options["entries"]
+    given = _given(options)
+    remarks: list[str] = []
     if source.startswith(live.SCHEME):
-        return _record_live(kind, live.parse(source, options["port"]), options["db"], chosen)
-    content = _content(source)
-    kind = kind or ("csv" if options["columns"] is not None else kind_of(content))
+        kind = kind or "szl"
+        content, remarks = _of_cpu(kind, live.parse(source, options["port"]), options["db"])
+    else:
+        content = _content(source)
+        kind = kind or ("csv" if options["columns"] is not None else kind_of(content))
     if kind is None:
         raise click.UsageError(
             "--from is missing, and SOURCE does not show what it is: expected the text of a diagnostic buffer (step7), "
             "records of SZL 16#00A0 (szl), the data block of the SCL source (ring), or with --map a table (csv)"
         )
-    if kind == "step7":
-        return diagnostics.convert(step7_text.read(content, options["dates"]), chosen)
-    if kind == "szl":
-        return diagnostics.convert(szl.read(content), chosen)
     if kind == "ring":
-        return ring.convert(hex_text.decode(content), chosen)
+        return log_of_recording(ring.convert(hex_text.decode(content), chosen), given)
+    if kind != "csv":
+        return log_of(content, kind, given, chosen, dates=options["dates"], remarks=remarks)
     if options["columns"] is None:
         raise click.UsageError(
             "--map is missing: expected a JSON file that says which column is which field (docs/checking/import.md)"
         )
-    return csv_rows.convert(content, csv_rows.read_map(_content(options["columns"])), chosen)
+    columns = csv_rows.read_map(_content(options["columns"]))
+    return log_of_recording(csv_rows.convert(content, columns, chosen), given)
 
 
 def _content(name: str) -> bytes:
@@ -154,17 +156,15 @@ def _content(name: str) -> bytes:
     return content
 
 
-def _record_live(kind: str | None, address: live.Address, db: int | None, chosen: range | None) -> Recording:
-    if kind == "ring":
-        if db is None:
-            raise click.UsageError("--db: which data block is the ring?")
-        return ring.convert(live.read_ring(address, db), chosen)
-    if kind not in (None, "szl"):
+def _of_cpu(kind: str, address: live.Address, db: int | None) -> tuple[bytes, list[str]]:
+    """The bytes of a source in the CPU, and remarks about them."""
+    if kind == "szl":
+        return live.read_diagnostic_buffer(address)
+    if kind != "ring":
         raise click.UsageError(f"--from {kind}: a CPU gives szl or ring")
-    raw, remarks = live.read_diagnostic_buffer(address)
-    recording = diagnostics.convert(szl.read(raw), chosen)
-    recording.remarks += remarks
-    return recording
+    if db is None:
+        raise click.UsageError("--db: which data block is the ring?")
+    return live.read_ring(address, db), []
 
 
 def _given(options: dict[str, Any]) -> dict[str, Any]:
@@ -174,15 +174,3 @@ def _given(options: dict[str, Any]) -> dict[str, Any]:
     fields["readings"] = options["letters"] or None
     given: dict[str, Any] = options["fields"] or {}
     return given | {name: value for name, value in fields.items() if value is not None}
-
-
-def _report(name: str, recording: Recording, complete: dict[str, Any]) -> None:
-    skipped = sum(recording.skipped.values())
-    click.echo(
-        f"{name}: {recording.read} entries read, {skipped} skipped; {len(recording.events)} events written", err=True
-    )
-    for reason, count in recording.skipped.items():
-        click.echo(f"  {count} skipped: {reason}", err=True)
-    click.echo(f"  recorded completely: {', '.join(complete['records']) or 'nothing'}", err=True)
-    for remark in [*recording.remarks, *recording.contradictions(complete["obs"])]:
-        click.echo(f"  note: {remark}", err=True)

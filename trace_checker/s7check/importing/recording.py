@@ -20,8 +20,7 @@ class Recording:
 
     ``header`` has those of the header's fields that the source tells; ``read`` is the number of
     entries that were there, ``skipped`` says how many of them gave no event and why; ``remarks``
-    are sentences about the limits of the log. ``started`` has the OBs that an entry shows
-    as started, ``missing`` the OBs that an entry says could not be, each with the place of the first such entry.
+    are sentences about the limits of the log.
     """
 
     events: list[Placed] = field(default_factory=list)
@@ -29,28 +28,17 @@ class Recording:
     read: int = 0
     skipped: dict[str, int] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
-    started: dict[int, str] = field(default_factory=dict)
-    missing: dict[int, str] = field(default_factory=dict)
 
     def skip(self, reason: str, count: int = 1) -> None:
         """Counts entries that give no event."""
         if count:
             self.skipped[reason] = self.skipped.get(reason, 0) + count
 
-    def contradictions(self, obs: Iterable[int]) -> list[str]:
-        """Sentences about entries that do not fit the OBs said to be loaded; the log has the entries as they are."""
-        loaded = set(obs)
-        found = [
-            f"{place}: OB {ob} could not be started (priority 16#FE), as if it were not loaded; --obs names it"
-            for ob, place in self.missing.items()
-            if ob in loaded
-        ]
-        found += [
-            f"{place}: OB {ob} was started, so it is loaded; --obs does not name it"
-            for ob, place in self.started.items()
-            if ob not in loaded
-        ]
-        return found
+    def as_told(self) -> dict[str, Any]:
+        """It as the engine takes it."""
+        events = [(placed.place, placed.event) for placed in self.events]
+        told = {"header": self.header, "read": self.read, "skipped": self.skipped, "remarks": self.remarks}
+        return told | {"events": events}
 
 
 class Numbered(Protocol):

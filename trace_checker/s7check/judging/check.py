@@ -3,6 +3,7 @@
 import time
 from collections import deque
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -129,7 +130,7 @@ class Judging:
         events = answer.events if answer else 0
         unusable = self._unusable if answer is None or answer.unusable is None else answer.unusable.error()
         if unusable is not None:
-            unusable = _source_of_import(unusable, self._recent)
+            unusable = self._source_of_import(unusable)
             return Report(self._log, "unusable", unusable.reason, line=unusable.line or None, events=events)
         if answer is not None and answer.loose is not None and not answer.partial:
             message = "too many explanations" + _loosened(answer) + "; choose readings in the header"
@@ -138,6 +139,21 @@ class Judging:
         certain_from = None if answer is None else answer.loose
         report = Report(self._log, "accepted", message, events=events, certain_from=certain_from)
         return report if answer is None else self._with_decided(report, answer)
+
+    def _source_of_import(self, error: UnusableLogError) -> UnusableLogError:
+        """The error; if it is in place of the header, and the bytes are a diagnostic buffer, it says that a log can be
+        made from them.
+        """
+        from s7check.importing.asking import kind_of  # logs do not wait for it
+
+        begin = b"\n".join(self._recent.up_to(_LOOKED_AT))
+        if not begin or any(map(bytes.strip, self._recent.up_to(max(error.line - 1, 0)))):
+            return error
+        with suppress(EngineError):  # the verdict stands without it
+            if kind := kind_of(begin, self._engine):
+                found = f"a diagnostic buffer, of which `s7check import --from {kind}` makes one"
+                return UnusableLogError("a log", found, line=error.line)
+        return error
 
     def _with_decided(self, report: Report, answer: Answer) -> Report:
         try:
@@ -152,22 +168,6 @@ class Judging:
             decided=decisions.requirements_of(answer.outcomes),
             decidable=len(decisions.requirements),
         )
-
-
-def _source_of_import(error: UnusableLogError, recent: "_RecentLines") -> UnusableLogError:
-    """The error; if it is in place of the header, and the bytes are a diagnostic buffer, it says that a log can be
-    made from them.
-    """
-    from s7check.importing.kinds import kind_of  # logs do not wait for it
-
-    if any(map(bytes.strip, recent.up_to(max(error.line - 1, 0)))):
-        return error
-    kind = kind_of(b"\n".join(recent.up_to(_LOOKED_AT)))
-    if kind is None:
-        return error
-    return UnusableLogError(
-        "a log", f"a diagnostic buffer, of which `s7check import --from {kind}` makes one", line=error.line
-    )
 
 
 def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes]) -> Report:

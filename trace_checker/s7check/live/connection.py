@@ -8,10 +8,9 @@ from contextlib import suppress
 from datetime import datetime
 from typing import TYPE_CHECKING
 
+from s7check.importing.asking import mode_of
 from s7check.importing.errors import SourceError
 from s7check.importing.sources import live
-from s7check.importing.sources.entry import LENGTH, Entry, from_record
-from s7check.importing.sources.modes import OF_NIBBLE
 from s7check.importing.sources.ring_layout import HEADER_LENGTH, RingEntry, RingHeader, read_entries, read_header
 
 if TYPE_CHECKING:
@@ -72,7 +71,7 @@ class Connection:
     def mode(self) -> str | None:
         """The operating mode, None if it is another than STOP, STARTUP, RUN and HOLD."""
         (record, *_) = self._list(_MODE, 0) or [b""]
-        return OF_NIBBLE.get(record[_BZU_ID] & 0xF) if len(record) > _BZU_ID else None
+        return mode_of(record[_BZU_ID] & 0xF) if len(record) > _BZU_ID else None
 
     def state(self, ob: int) -> int | None:
         """The word al1 of an OB, None if the CPU does not tell it."""
@@ -91,8 +90,8 @@ class Connection:
 
     def _records(self, szl: int, index: int) -> list[bytes]:
         records = self._list(szl, index)
-        if any(len(record) != LENGTH for record in records):
-            raise SourceError("", f"records of {LENGTH} bytes in SZL 16#{szl:04X}", f"{len(records[0])} bytes")
+        if any(len(record) != live.LENGTH for record in records):
+            raise SourceError("", f"records of {live.LENGTH} bytes in SZL 16#{szl:04X}", f"{len(records[0])} bytes")
         return [record for record in records if any(record)]
 
     def _list(self, szl: int, index: int) -> list[bytes]:
@@ -103,8 +102,3 @@ class Connection:
         raw = bytes(answer.Data[: answer.Header.LengthDR])
         length = int.from_bytes(raw[:2])
         return [raw[at : at + length] for at in range(_COUNTS, len(raw) - length + 1, length)] if length else []
-
-
-def entry_of(record: bytes) -> Entry:
-    """The entry of a record. Raises SourceError if its time is none."""
-    return from_record(1, record)

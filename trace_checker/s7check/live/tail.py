@@ -13,14 +13,13 @@ from datetime import datetime
 from time import monotonic
 from typing import Any, NamedTuple
 
+from s7check.importing.asking import Entry, entries_of
 from s7check.importing.elapsed import Elapsed
 from s7check.importing.errors import SourceError
 from s7check.importing.recording import Recording
-from s7check.importing.sources import modes, ring
-from s7check.importing.sources.diagnostics import diag_event
-from s7check.importing.sources.entry import Entry
+from s7check.importing.sources import ring
 from s7check.importing.sources.ring_layout import RingEntry, RingHeader
-from s7check.live.connection import Connection, entry_of
+from s7check.live.connection import Connection
 
 _FEW = 5
 """Records of the diagnostic buffer that are read each time: one answer, also of a CPU with short PDUs."""
@@ -160,7 +159,7 @@ class Tail:
             new = _new(records, self._known, longest)
             if new is not None:
                 self._known = records[:_FEW]
-                self._waiting.diag += map(entry_of, reversed(records[:new]))
+                self._waiting.diag += entries_of(records[:new][::-1])
                 return True
         return False
 
@@ -228,40 +227,41 @@ class Tail:
         at = ring.clock_of(entry)
         if diag.at < self._last:  # behind a setting of the clock that the ring has yet to tell of
             return False
-        change = modes.change_of(diag)
+        change = diag.change
         if diag.at == at and change is not None:
             return change[1] == "STARTUP" or (change[1] == "RUN" and entry.caller not in ring.STARTUP_OBS)
         return diag.at < at
 
     def _waits_for_kind(self, head: RingEntry | None) -> bool:
         """Whether the oldest entry of the buffer begins a restart whose kind a later entry will tell."""
-        change = modes.change_of(self._waiting.diag[0])
+        change = self._waiting.diag[0].change
         if change is None or change[1] != "STARTUP" or self.mode == "STARTUP":
             return False
-        told = modes.follow(list(self._waiting.diag)).events.get(0)
-        ended = any(modes.change_of(one) is not None for one in list(self._waiting.diag)[1:])
+        told = _told_with(list(self._waiting.diag))
+        ended = any(one.change is not None for one in list(self._waiting.diag)[1:])
         return told is None and head is None and not ended
 
     def _of_diag(self, entry: Entry, head: RingEntry | None) -> Iterator[Event | Cut]:
         if entry.at < self._last:
             yield self._cut("the clock was set back, by whom and when is not known")
-        change = modes.change_of(entry)
-        if entry.id == modes.POWER_ON:
+        change = entry.change
+        if entry.power:
             yield self._cut("the power failed")
             self.mode = "STOP"
         elif change is not None and change[1] != self.mode:
             yield from self._change(entry, head, *change)
-        yield self._told(diag_event(entry), None)
+        yield self._told(entry.event, None)
 
     def _change(self, entry: Entry, head: RingEntry | None, old: str | None, new: str | None) -> Iterator[Event | Cut]:
         """The line of a change of the mode; a cut where the entries do not tell it."""
-        event = modes.follow([entry, *self._waiting.diag]).events.get(0)
+        event = _told_with([entry, *self._waiting.diag])
         if event is None and (old, new) == ("STOP", "STARTUP") and head is not None and ring.begins_restart(head):
-            event = ring.restart_of(head)
+            restart = ring.restart_of(head)
+            event = {"event": restart["event"], "at": entry.at, **restart}
         if event is None or old not in (None, self.mode):
             yield self._cut("a change of the mode is missing, or its kind is not told")
         else:
-            yield self._told({"event": event["event"], "at": entry.at, **event}, None)
+            yield self._told(event, None)
         self.mode = new
 
     def _of_ring(self, entry: RingEntry) -> Iterator[Event | Cut]:
@@ -290,6 +290,11 @@ class Tail:
     def _cut(self, reason: str) -> Cut:
         self._last = ""
         return Cut(reason)
+
+
+def _told_with(entries: list[Entry]) -> dict[str, Any] | None:
+    """The line of the mode that the first entry tells, by those that follow it."""
+    return entries_of([one.record for one in entries])[0].told
 
 
 def _spelled(clock: datetime) -> str:

@@ -6,12 +6,12 @@ from pathlib import Path
 from time import monotonic
 from typing import Any, Generic, TypeVar
 
-from s7check.importing import header
 from s7check.importing.sources.live import NoAnswerError
 from s7check.importing.sources.ring import MODES_AT_BEGIN
 from s7check.live.connection import Connection
 from s7check.live.log import GrowingLog
 from s7check.live.tail import Cut, Event, Tail
+from s7check.log.calls import LOG_FORMAT
 from s7check.log.values import instant
 from s7check.report.report import Report
 
@@ -132,7 +132,7 @@ class Watch:
         if self._file is not None:
             file = self._file if self._logs == 1 else self._file.with_stem(f"{self._file.stem}-{self._logs}")
         self._base = None
-        self.log = GrowingLog(str(file or f"log {self._logs}"), file, header.complete(told, given))
+        self.log = GrowingLog(str(file or f"log {self._logs}"), file, {"format": LOG_FORMAT, **told, **given})
         return True
 
     def _add(self, event: dict[str, Any]) -> None:

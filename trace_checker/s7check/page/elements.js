@@ -11,6 +11,13 @@ export function h(tag, properties = {}, ...content) {
   return made;
 }
 
+/** Numbers with commas or spaces between them. */
+export const numbersOf = (text) =>
+  text
+    .split(/[\s,]+/)
+    .filter(Boolean)
+    .map(Number);
+
 /** The number of a line in the log's text, the header's being 1. */
 export const numberOf = (numbers, index) => numbers?.[index] ?? index + 1;
 

@@ -98,5 +98,5 @@ export class Engine {
 }
 
 /** What is not of the format, in a sentence. */
-export const unusable = ({ line, field, expected, found }) =>
-  `${line ? `line ${line}: ` : ""}${field ? `field ${field}: ` : ""}expected ${expected}, found ${found}`;
+export const unusable = ({ place, line, field, expected, found }) =>
+  `${place ? `${place}: ` : ""}${line ? `line ${line}: ` : ""}${field ? `field ${field}: ` : ""}expected ${expected}, found ${found}`;

@@ -1,8 +1,9 @@
 // The page: shows what the engine answers, and turns clicks into lines of the log.
 import { Desk } from "./desk.js";
-import { $, Rows, h, numberOf } from "./elements.js";
+import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
+import { imported } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { showReport, whyNot } from "./report.js";
@@ -160,8 +161,8 @@ async function begin(one) {
   await refresh();
 }
 
-/** Judges a log and opens it: at a line of its text, else at the rejected line or its end. */
-async function open(name, bytes, line = null) {
+/** Judges a log and opens it: at a line of its text, else at the rejected line or its end; `told` is said of it. */
+async function open(name, bytes, line = null, told = []) {
   busy(`${name}: is being judged`);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
@@ -169,6 +170,10 @@ async function open(name, bytes, line = null) {
     throw new Error(`${name} is a program of the kit: s7check simulate ${name} | s7check explore - shows its log.`);
   const answer = await engine.judge(bytes);
   if (answer.verdict === "error") return closed(name, "no verdict", answer.message);
+  if (answer.verdict === "unusable" && !told.length && answer.unusable.line <= one.numbers[0]) {
+    const made = await imported(engine, name, bytes);
+    if (made) return open(`${name.replace(/\.\w+$/, "")}.ndjson`, made.bytes, null, made.told);
+  }
   if (answer.verdict === "unusable") return closed(name, "unusable", unusable(answer.unusable));
   if (one.lines.length > LONGEST)
     return closed(
@@ -178,7 +183,7 @@ async function open(name, bytes, line = null) {
     );
   const at = line ?? answer.line;
   const shown = at ? one.numbers.filter((number) => number <= at).length - 1 : one.lines.length;
-  page.verdict = { verdict: answer.verdict, header: one.header, lines: one.lines };
+  page.verdict = { verdict: answer.verdict, header: one.header, lines: one.lines, told };
   await begin({ ...one, shown: Math.max(0, shown) });
   $("verdict").focus({ preventScroll: true });
 }
@@ -339,10 +344,7 @@ function newHeader() {
   const header = {
     format: "s7-interrupt-log/1",
     cpu: given.cpu,
-    obs: given.obs
-      .split(/[\s,]+/)
-      .filter(Boolean)
-      .map(Number),
+    obs: numbersOf(given.obs),
     clock: given.clock,
     mode: given.mode,
     cycle: true,
@@ -360,7 +362,8 @@ async function showChoices() {
   const { alternatives } = await engine.ask({ message: "alternatives" });
   const options = (name, values) => $("compare")[name].append(...values.map((value) => h("option", {}, value)));
   options("cpu", alternatives.families);
-  $("new").cpu.append(...alternatives.families.map((value) => h("option", { selected: value === "S7-400" }, value)));
+  for (const form of [$("new"), $("import").querySelector("form")])
+    form.cpu.append(...alternatives.families.map((value) => h("option", { selected: value === "S7-400" }, value)));
   options("profile", alternatives.profiles);
   for (const [name, letters] of alternatives.choices) {
     const asked = page.clauses.get(name);

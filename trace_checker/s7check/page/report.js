@@ -29,6 +29,7 @@ export function showReport() {
     ` ${words}`,
   );
   $("explained").replaceChildren(...(refused && !refused.unusable ? explanation(refused, one, explained) : []));
+  $("told").replaceChildren(...(same ? judged.told : []).map((line) => h("li", {}, line)));
   $("as-text").textContent = asText(said.verdict, words, one, refused, line);
 }
 

@@ -11,7 +11,7 @@ import pytest
 
 from s7check import check, cli
 from s7check.engine import pool
-from s7check.importing.kinds import kind_of
+from s7check.importing.asking import kind_of
 
 DATA = Path(__file__).parents[3] / "examples" / "import"
 CPU = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100"]
@@ -446,6 +446,26 @@ def test_text_from_a_forum(run: Run, tmp_path: Path, encoding: str) -> None:
     _, events, _ = run("--from", "step7", tmp_path / "forum.txt", *CPU)
     assert events == run("--from", "step7", DATA / "english.txt", *CPU)[1]
     assert kind_of((tmp_path / "forum.txt").read_bytes()) == "step7"
+
+
+@pytest.mark.parametrize(
+    ("source", "kind"), [("english.txt", "step7"), ("german.txt", "step7"), ("szl.hex", "szl"), ("szl", "szl")]
+)
+def test_diagnostic_buffer(tmp_path: Path, source: str, kind: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """The message names the command that makes a log of it."""
+    content = bytes.fromhex((DATA / "szl.hex").read_text()) if source == "szl" else (DATA / source).read_bytes()
+    (tmp_path / "buffer").write_bytes(content)
+    assert cli.main(["trace", str(tmp_path / "buffer")]) == 2
+    found = f"a diagnostic buffer, of which `s7check import --from {kind}` makes one"
+    assert capsys.readouterr().out == f"{tmp_path / 'buffer'}:1: unusable: expected a log; found {found}\n"
+
+
+@pytest.mark.parametrize("content", ["1234\n", "Event\n", "00A0 0000 0014 0001\n", "", "\n\n{}"])
+def test_no_diagnostic_buffer(tmp_path: Path, content: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Of other files nothing of the kind is said."""
+    (tmp_path / "other").write_text(content, encoding="utf-8")
+    assert cli.main(["trace", str(tmp_path / "other")]) == 2
+    assert "s7check import" not in capsys.readouterr().out
 
 
 def test_example_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

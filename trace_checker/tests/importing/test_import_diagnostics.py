@@ -1,6 +1,5 @@
 """Entries of the diagnostic buffer: their bytes, and what they tell of the mode."""
 
-import json
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -8,13 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from s7check.importing.asking import Imported, entries_of, kind_of, log_of
 from s7check.importing.errors import SourceError
-from s7check.importing.header import complete
-from s7check.importing.kinds import kind_of
-from s7check.importing.log_text import render
-from s7check.importing.recording import Recording
-from s7check.importing.sources import bcd, diagnostics, szl
-from s7check.importing.sources.entry import Buffer, Entry
 
 TIME = "2611210559300007"
 """2026-11-21T05:59:30.000, a Saturday."""
@@ -26,14 +20,29 @@ def records(*codings: str) -> bytes:
     return b"".join(reversed(packed))
 
 
-def imported(*codings: str) -> Recording:
-    """The recording of records given oldest first."""
-    return diagnostics.convert(szl.read(records(*codings)))
+GIVEN = {"cpu": "S7-400", "obs": [1]}
 
 
-def names(recording: Recording) -> list[str]:
+def read(content: bytes, kind: str = "szl") -> Imported:
+    """The log of a buffer; the mode is RUN where the buffer does not tell it, and the header has no such field then."""
+    try:
+        return log_of(content, kind, GIVEN)
+    except SourceError as error:
+        if 'field "mode"' not in str(error):
+            raise
+        imported = log_of(content, kind, GIVEN | {"mode": "RUN"})
+        del imported.log[0]["mode"]
+        return imported
+
+
+def imported(*codings: str) -> Imported:
+    """The log of records given oldest first."""
+    return read(records(*codings))
+
+
+def names(imported: Imported) -> list[str]:
     """The mode events."""
-    return [placed.event["event"] for placed in recording.events if placed.event["event"] != "diag"]
+    return [event["event"] for event in imported.log[1:] if event["event"] != "diag"]
 
 
 @pytest.mark.parametrize(
@@ -69,7 +78,7 @@ def test_fields(coding: str, fields: dict[str, Any]) -> None:
     if isinstance(fields.get("info"), list):
         fields = fields | {"info": dict(zip(["flt_id", "error_info", "ev", "ev_ob"], fields["info"], strict=False))}
     expected = {"event": "diag", "at": "2026-11-21T05:59:30.000", "id": f"W#16#{coding[:4]}", **fields}
-    assert imported(coding).events[0].event == expected | {"x_coding": coding}
+    assert imported(coding).log[1] == expected | {"x_coding": coding}
 
 
 def test_answer_with_its_transport() -> None:
@@ -77,18 +86,17 @@ def test_answer_with_its_transport() -> None:
     data = records("4301 FF46 C700 0000 0000 0000", RUN)
     listed = bytes.fromhex("00A0 0000 0014 0002") + data
     answer = bytes.fromhex("FF09") + len(listed).to_bytes(2, "big") + listed
-    assert szl.read(answer) == szl.read(data)
-    assert szl.read(answer.hex(" ").encode()) == szl.read(data)
+    assert read(answer) == read(answer.hex(" ").encode()) == read(data)
     assert kind_of(answer) == "szl"
     for wrong in (bytes.fromhex("FF09 0001") + listed, bytes.fromhex("0A09") + answer[2:]):
         with pytest.raises(SourceError):
-            szl.read(wrong)
+            read(wrong)
 
 
 def test_time_of_day_and_delay() -> None:
     """An entry of such an OB, if a CPU makes one, has its parameters."""
     ordinary = imported("1111 020A 0000 0201 0000 0000", "1121 0314 0000 1234 0000 05DC")
-    assert [placed.event["info"] for placed in ordinary.events] == [
+    assert [event["info"] for event in ordinary.log[1:]] == [
         {"strt_info": "B#16#11", "period": "W#16#0201"},
         {"strt_info": "B#16#21", "sign": "W#16#1234", "dtime": 1500},
     ]
@@ -124,10 +132,10 @@ RUN = "4302 FF68 C700 0000 0000 0000"
 )
 def test_modes(codings: list[str], mode: str | None, events: list[str], modes_complete: bool) -> None:
     """Mode events where unambiguous; the kind `mode` is complete only if none can be missing."""
-    recording = imported(*codings)
-    assert recording.header.get("mode") == mode
-    assert names(recording) == events
-    assert recording.header["records"] == (["mode", "diag"] if modes_complete else ["diag"])
+    made = imported(*codings)
+    assert made.log[0].get("mode") == mode
+    assert names(made) == events
+    assert made.log[0]["records"] == (["mode", "diag"] if modes_complete else ["diag"])
 
 
 @pytest.mark.parametrize(
@@ -151,16 +159,16 @@ def test_kind_of_restart(startup: str, request_: str | None, kind: str | None) -
     """Editions disagree about the mode 5; the request that follows decides."""
     codings = [f"4301 FF{startup} C700 0000 0000 0000"]
     codings += [f"{request_} 1B64 C700 0000 0000 0000"] if request_ else []
-    recording = imported(*codings, RUN)
-    restarts = [placed.event["type"] for placed in recording.events if placed.event["event"] == "restart"]
+    header, *events = imported(*codings, RUN).log
+    restarts = [event["type"] for event in events if event["event"] == "restart"]
     assert restarts == ([kind] if kind else [])
-    assert ("mode" in recording.header["records"]) == bool(kind)
+    assert ("mode" in header["records"]) == bool(kind)
 
 
 def test_request_of_another_restart() -> None:
     """Only the request before the next change of the mode counts."""
-    recording = imported("4301 FF45 C700 0000 0000 0000", RUN, "1381 1B64 C700 0000 0000 0000")
-    assert names(recording) == ["run"]
+    made = imported("4301 FF45 C700 0000 0000 0000", RUN, "1381 1B64 C700 0000 0000 0000")
+    assert names(made) == ["run"]
 
 
 @pytest.mark.parametrize(
@@ -176,11 +184,17 @@ def test_request_of_another_restart() -> None:
 )
 def test_modes_by_event_ids_alone(ids: list[int], mode: str | None, events: list[str]) -> None:
     """A text without codings tells less, and nothing is added."""
-    entries = [Entry(number, "", id_, f"2026-11-21T05:59:3{9 - number}.000", None) for number, id_ in enumerate(ids)]
-    numbered = [Entry(len(ids) - at, "", e.id, f"2026-11-21T05:59:3{at}.000", None) for at, e in enumerate(entries)]
-    recording = diagnostics.convert(Buffer(numbered[::-1]))
-    assert recording.header.get("mode") == mode
-    assert names(recording) == events
+    made = read(text(*reversed(ids)), "step7")
+    assert made.log[0].get("mode") == mode
+    assert names(made) == events
+
+
+def text(*ids: int) -> bytes:
+    """A text of entries without codings, the newest first."""
+    lines = [
+        f"Event {at} of 9: Event ID 16# {id_:04X}\n05:59:{30 - at}.000 21.11.2026\n" for at, id_ in enumerate(ids, 1)
+    ]
+    return "".join(lines).encode()
 
 
 RAW = records("4568 FF84 C700 0000 0000 0000", "3502 1A50 C358 0000 1136 0C23")
@@ -201,10 +215,10 @@ RAW = records("4568 FF84 C700 0000 0000 0000", "3502 1A50 C358 0000 1136 0C23")
 )
 def test_forms_of_szl(content: bytes) -> None:
     """Binary or digits, with or without the list's header, with slots that were never written."""
-    buffer = szl.read(content)
-    assert [(entry.number, entry.id) for entry in buffer.entries] == [(1, 0x3502), (2, 0x4568)]
-    recording = diagnostics.convert(buffer)
-    assert recording.read - sum(recording.skipped.values()) == 2
+    made = read(content)
+    assert [event["id"] for event in made.log[1:] if event["event"] == "diag"] == ["W#16#4568", "W#16#3502"]
+    empty = len(content) // 20 - 2 if content.endswith(bytes(40)) else 0
+    assert made.told[0] == f"{2 + empty} entries read, {empty} skipped; 3 events written"
 
 
 @pytest.mark.parametrize(
@@ -231,21 +245,20 @@ def test_forms_of_szl(content: bytes) -> None:
 def test_szl_that_cannot_be_read(content: bytes, message: str) -> None:
     """One message: the entry, what was expected."""
     with pytest.raises(SourceError) as error:
-        szl.read(content)
+        read(content)
     assert str(error.value).startswith(message)
 
 
 def test_oldest_first() -> None:
     """The numbers tell which entry is the newest, whatever the order in the source."""
-    buffer = szl.read(RAW)
-    turned = diagnostics.convert(Buffer(buffer.entries[::-1]))
-    assert turned == diagnostics.convert(buffer)
+    entries = text(0x4303, 0x4302).replace(b"Event 2", b"\0Event 2").split(b"\0")
+    assert read(b"".join(reversed(entries)), "step7").log == read(b"".join(entries), "step7").log
 
 
 def test_no_entry() -> None:
     """A buffer of empty slots gives no log."""
     with pytest.raises(SourceError, match="expected an entry to import; found no entry"):
-        diagnostics.convert(szl.read(bytes(100)))
+        read(bytes(100))
 
 
 @given(st.datetimes(datetime(1990, 1, 1), datetime(2089, 12, 31)))
@@ -253,13 +266,12 @@ def test_bcd(moment: datetime) -> None:
     """Every DATE_AND_TIME of a CPU is read as what it is."""
     moment -= timedelta(microseconds=moment.microsecond % 1000)
     digits = moment.strftime("%y%m%d%H%M%S") + f"{moment.microsecond // 1000:03}{moment.isoweekday() % 7 + 1}"
-    assert bcd.instant(bytes.fromhex(digits)) == moment.isoformat(timespec="milliseconds")
+    (entry,) = entries_of([bytes(12) + bytes.fromhex(digits)])
+    assert entry.at == moment.isoformat(timespec="milliseconds")
 
 
 @given(st.lists(st.binary(min_size=12, max_size=12).filter(any), min_size=1, max_size=8))
 def test_any_coding_gives_a_usable_log(codings: list[bytes]) -> None:
     """Whatever the CPU writes into its entries, the log is of the format."""
     content = b"".join(coding + bytes.fromhex(TIME) for coding in codings)
-    recording = diagnostics.convert(szl.read(content))
-    text = render(complete({"mode": "RUN"} | recording.header, {"cpu": "S7-400", "obs": [1]}), recording.events)
-    assert sum(json.loads(line)["event"] == "diag" for line in text.splitlines()[1:]) == len(codings)
+    assert sum(event["event"] == "diag" for event in read(content).log[1:]) == len(codings)

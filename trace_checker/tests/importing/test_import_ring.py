@@ -16,10 +16,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from s7check import cli
+from s7check.importing.asking import log_of_recording
 from s7check.importing.elapsed import Elapsed
 from s7check.importing.errors import SourceError
-from s7check.importing.header import complete
-from s7check.importing.log_text import render
 from s7check.importing.recording import Recording
 from s7check.importing.sources import ring
 from s7check.importing.sources.ring_layout import RingEntry, RingHeader
@@ -85,8 +84,7 @@ def dump(*entries: dict[str, Any], capacity: int = 20, later: int = 0) -> bytes:
 
 def events(recording: Recording) -> list[dict[str, Any]]:
     """The events, which have to be those of a usable log."""
-    header = complete(recording.header, {"cpu": "S7-400", "obs": [1]})
-    return [json.loads(line) for line in render(header, recording.events).splitlines()[1:]]
+    return log_of_recording(recording, {"cpu": "S7-400", "obs": [1]}).log[1:]
 
 
 def imported(*entries: dict[str, Any], **options: Any) -> list[dict[str, Any]]:

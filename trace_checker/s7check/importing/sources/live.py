@@ -7,7 +7,6 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from s7check.importing.errors import SourceError, shown
-from s7check.importing.sources.entry import LENGTH
 from s7check.importing.sources.ring_layout import HEADER_LENGTH, read_header
 from s7check.log.errors import printable
 
@@ -20,6 +19,9 @@ INSTALL = 'pip install "python-snap7>=3.3"'
 
 _ADDRESS = re.compile(r"snap7://([^:/\s]+):([0-9]{1,2}):([0-9]{1,2})")
 _DIAGNOSTIC_BUFFER = 0x00A0
+LENGTH = 20
+"""Bytes of a record of it."""
+
 _COUNTS = 4
 """Bytes before the records: length of a record, number of records."""
 

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from s7check.importing.asking import start_info
 from s7check.importing.elapsed import Elapsed
 from s7check.importing.errors import SourceError
 from s7check.importing.recording import Placed, Recording, select
 from s7check.importing.sources import bcd
 from s7check.importing.sources.ring_layout import RingEntry, RingHeader, read_header, read_slots
-from s7check.importing.sources.start_info import byte, duration, start_info, word
 
 _SET_CLK, _STATE, _OB_BEGINS, _OB_ENDS, _INTERRUPT = 0, 51, 200, 201, 202
 
@@ -201,8 +201,23 @@ def state_of(ob: int, al1: int, left: int | None) -> dict[str, Any]:
 
 def _info(entry: RingEntry) -> dict[str, Any]:
     info: dict[str, Any] = {"priority": entry.priority}
-    info |= start_info(entry.ob_nr, entry.ev_num, entry.info_1, entry.info_2)
+    info |= start_info(entry.ob_nr, entry.ev_num, entry.info_1, duration(entry.info_2))
     return info | {"time": _date(entry)}
+
+
+def byte(value: int) -> str:
+    """A byte as a log spells it."""
+    return f"B#16#{value:02X}"
+
+
+def word(value: int) -> str:
+    """A word as a log spells it."""
+    return f"W#16#{value & 0xFFFF:04X}"
+
+
+def duration(value: int) -> int:
+    """The milliseconds of a TIME, whose 32 bits are signed."""
+    return value - (1 << 32) if value >> 31 else value
 
 
 def _date(entry: RingEntry) -> str:

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class BoundaryTest {
   private static final Path CLASSES = Path.of("target", "classes");
 
-  private static final List<String> CORE = List.of("tla.tree", "tla.eval", "tla.spec", "s7.log", "s7.trace");
+  private static final List<String> CORE = List.of("tla.tree", "tla.eval", "tla.spec", "s7.log", "s7.importing", "s7.trace");
 
   /** Packages, and classes of others, that the core may use beside itself. */
   private static final Pattern ALLOWED =

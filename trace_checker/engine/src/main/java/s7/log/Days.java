@@ -10,7 +10,8 @@ public final class Days {
 
   private Days() {}
 
-  static int ofMonth(int year, int month) {
+  /** The number of its days. */
+  public static int ofMonth(int year, int month) {
     return month == 2 && isLeap(year) ? 29 : LENGTHS[month - 1];
   }
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.TreeSet;
 
 /** How a log's values are quoted in messages. */
-final class Quoting {
+public final class Quoting {
   private static final int LONGEST = 60;
   private static final String HEX = "0123456789abcdef";
 
@@ -30,6 +30,11 @@ final class Quoting {
       return printable(number.text()) + (whole ? ", not an integer" : "");
     }
     return printable(String.valueOf(value));
+  }
+
+  /** A part of a source. */
+  public static String inMarks(String text) {
+    return '"' + printable(text) + '"';
   }
 
   /** The text cut to a length that people read, with everything a terminal might obey escaped. */
@@ -72,7 +77,7 @@ final class Quoting {
   }
 
   /** So many hexadecimal digits. */
-  static String hex(int number, int digits) {
+  public static String hex(int number, int digits) {
     var text = new StringBuilder();
     for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) {
       text.append(HEX.charAt(number >> shift & 0xF));

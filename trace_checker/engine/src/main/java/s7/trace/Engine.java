@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
+import s7.importing.Importing;
 import s7.log.Fields;
 import s7.log.LogReader;
 import s7.log.ProfileFile;
@@ -35,6 +36,8 @@ import tlc2.value.impl.RecordValue;
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
  *       the header, duration, events from outside and bodies of its program.
+ *   <li>{@code {"message":"import","count":N}} has a log made of a source, and other messages ask about sources, of which
+ *       N bytes follow: {@link Importing} has them. The answer has the {@code object} or what is {@code unusable}.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which words a log may have.
  *   <li>{@code {"message":"open","session":NAME,"header":TEXT}} and the messages of {@link Sessions}
  *       ask, between two logs, about logs that grow.
@@ -117,6 +120,8 @@ public final class Engine {
       case "program" -> print(object(message, spec.format()::program));
       case "program of" -> print(object(message, log -> spec.format().programOf(log, file(message))));
       case "offer" -> print(object(message, spec.format()::offer));
+      case "kind", "import", "entries", "mode", "start info" ->
+          print(object(message, source -> Importing.answer(kind, message, source, spec.format(), file(message))));
       case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
       case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
       default -> print(sessions.answer(kind, message));

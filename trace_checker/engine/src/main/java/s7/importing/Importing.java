@@ -1,0 +1,153 @@
+package s7.importing;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+
+import s7.log.Fields;
+import s7.log.Format;
+import s7.log.LogReader;
+import s7.log.ProfileFile;
+import s7.log.Unusable;
+
+/**
+ * Answers about sources, whose bytes come with the message:
+ *
+ * <ul>
+ *   <li>{@code kind}: which {@code kind} of source they are, told by their beginning: {@code step7}, {@code szl} or
+ *       {@code ring}, null for none; and {@code what} that is, in words.
+ *   <li>{@code import} with {@code kind}, the fields {@code given} of the header, which count more than what the source
+ *       tells, {@code entries} such as {@code 5-20}, {@code dates} as {@link Step7Text#read} has
+ *       it, and {@code remarks} on the source: the {@code log}, objects, and {@code told}, lines for people. Of what was
+ *       read elsewhere there is a {@code recording} in place of bytes.
+ *   <li>{@code entries}: what records of the diagnostic buffer, oldest first, tell one by one: their {@code event}; old
+ *       and new mode of a {@code change}; the event {@code told} of the mode, as far as these records tell it; and
+ *       whether the {@code power} came back.
+ *   <li>{@code mode} with {@code number}: the {@code mode} that a half-byte of the CPU stands for.
+ *   <li>{@code start info} with {@code ob}, {@code number}, {@code info1}, {@code info2}: its fields.
+ * </ul>
+ */
+public final class Importing {
+  private static final String LOG_FORMAT = "s7-interrupt-log/1";
+
+  /** Required fields of the header, and the options that give them. */
+  private static final List<String> REQUIRED = List.of("cpu", "obs", "mode");
+
+  /** The first four bytes of a ring. */
+  private static final int RING = 0x53370001;
+
+  private static final Map<String, String> KINDS =
+      Map.of(
+          "step7", "the text of a diagnostic buffer",
+          "szl", "records of SZL 16#00A0",
+          "ring", "the data block of the SCL source");
+
+  private Importing() {}
+
+  /** The answer to a message of that kind; what cannot be used is {@link Unusable} with its place. */
+  public static Fields answer(String message, Fields json, byte[] content, Format format, ProfileFile file) {
+    return switch (message) {
+      case "kind" -> {
+        String kind = kindOf(content);
+        yield new Fields().put("kind", kind).put("what", kind == null ? null : KINDS.get(kind));
+      }
+      case "import" -> log(json, content, format, file);
+      case "entries" -> new Fields().put("entries", entries(content));
+      case "mode" -> new Fields().put("mode", Modes.ofNibble(json.number("number")));
+      case "start info" ->
+          StartInfo.of(json.number("ob"), json.number("number"), json.number("info1"), json.number("info2"));
+      default -> throw new IllegalArgumentException("an unknown message: " + message);
+    };
+  }
+
+  private static String kindOf(byte[] begin) {
+    if (Step7Text.hasEntry(begin)) {
+      return "step7";
+    }
+    try {
+      byte[] raw = Octets.decoded(begin);
+      boolean isRing = raw.length >= 4 && Octets.doubleWord(raw, 0) == RING;
+      return isRing ? "ring" : Szl.hasRecord(raw) ? "szl" : null;
+    } catch (Unusable wrong) {
+      return null;
+    }
+  }
+
+  private static Fields log(Fields json, byte[] content, Format format, ProfileFile file) {
+    Recording.Span chosen = Recording.Span.of(json.text("entries"));
+    Recording recording =
+        json.has("recording")
+            ? Recording.of(json.object("recording"))
+            : buffer(json.text("kind"), content, json.text("dates")).convert(chosen);
+    json.list("remarks").forEach(remark -> recording.remarks.add((String) remark));
+    Fields header = new Fields().put("format", LOG_FORMAT).with(recording.header).with(json.object("given"));
+    complete(header);
+    var log = new ArrayList<Fields>();
+    log.add(header);
+    recording.events.forEach(placed -> log.add(placed.event()));
+    check(log, recording, format, file);
+    return new Fields().put("log", log).put("told", recording.told(header));
+  }
+
+  private static Diagnostics buffer(String kind, byte[] content, String dates) {
+    return switch (kind) {
+      case "step7" -> Step7Text.read(content, dates);
+      case "szl" -> Szl.read(Octets.decoded(content));
+      default -> throw new IllegalArgumentException("an unknown kind: " + kind);
+    };
+  }
+
+  /** The mode is required here: its default in the format, STOP, would claim what nobody said. */
+  private static void complete(Fields header) {
+    for (String field : REQUIRED) {
+      if (!header.has(field)) {
+        throw new Unusable(
+                "it from --" + field + " or --header, since the source does not tell it", "none", field)
+            .of("header");
+      }
+    }
+  }
+
+  /** Reads the log, so that nothing unusable is ever given. */
+  private static void check(List<Fields> log, Recording recording, Format format, ProfileFile file) {
+    var taker =
+        new LogReader.Taker() {
+          @Override
+          public void header(Fields header) {}
+
+          @Override
+          public void event(int line, Fields event) {}
+        };
+    var reader = new LogReader(format, taker, file);
+    for (int i = 0; i < log.size(); i++) {
+      try {
+        byte[] line = (log.get(i) + "\n").getBytes(StandardCharsets.UTF_8);
+        reader.take(line, 0, line.length);
+      } catch (Unusable wrong) {
+        throw wrong.of(i == 0 ? "header" : recording.events.get(i - 1).place());
+      }
+    }
+  }
+
+  private static List<Fields> entries(byte[] records) {
+    var told = new ArrayList<Fields>();
+    List<Entry> entries = Szl.entries(records);
+    Modes modes = Modes.follow(entries);
+    for (int i = 0; i < entries.size(); i++) {
+      Entry entry = entries.get(i);
+      Modes.Change change = Modes.changeOf(entry);
+      var one = new Fields().put("event", Diagnostics.event(entry)).put("power", entry.id() == Modes.POWER_ON);
+      if (change != null) {
+        // List.of takes no null.
+        one.put("change", Arrays.asList(change.old(), change.now()));
+      }
+      if (modes.events().containsKey(i)) {
+        one.put("told", Diagnostics.at(modes.events().get(i), entry));
+      }
+      told.add(one);
+    }
+    return told;
+  }
+}
