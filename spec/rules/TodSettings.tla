@@ -120,14 +120,14 @@ Served(t, p) ==
 \* @type: ($tod, $run) => $tod;
 Merged(t, r) ==
     LET runs  == Joined(t, t.merged, r)
-        first == { i \in runs :
+        excess == { i \in runs :
                      Cardinality({ j \in runs : j.to > i.to })
                        >= LongestMemory }
     IN  IF ~Remembers THEN t
         ELSE [ t EXCEPT
-                 !.merged = runs \ first,
-                 !.served = IF first = {} THEN @
-                            ELSE Joined(t, @, CHOOSE i \in first : TRUE) ]
+                 !.merged = runs \ excess,
+                 !.served = IF excess = {} THEN @
+                            ELSE Joined(t, @, CHOOSE i \in excess : TRUE) ]
 
 (* Point p has a run of its own after all, and so have those before it.    *)
 \* @type: ($tod, Int) => $tod;
