@@ -32,19 +32,19 @@ LastCall(r) ==
 \* @type: Int => (Int -> $tod);
 TodUsedUp(o) == [tod EXCEPT ![o] = UsedUp(@)]
 
-\* @type: Int => (Int -> $tod);
-TodCalled(o) == [tod EXCEPT ![o].next = Never, ![o].called = TRUE]
-
-\* @type: $request => (Int -> $tod);
-TodAfterRun(r) == IF r.ob \notin TodObs THEN tod
-                  ELSE [tod EXCEPT ![r.ob] = Confirms(@, r.since.min)]
-
-(* [AMB-71] A one-shot interrupt is used up when its OB starts, or ends. *)
+(* [AMB-71] A one-shot interrupt is used up when its OB starts, or ends.   *)
+(* A merged call has a run of its own after all [AMB-56].                  *)
 \* @type: $request => Set(Int -> $tod);
 TodsAfterStart(r) ==
-    IF ~LastCall(r) THEN {TodAfterRun(r)}
-    ELSE (IF OnceMayEndAtItsStart THEN {TodUsedUp(r.ob)} ELSE {})
-           \cup (IF OnceMayEndAtItsEnd THEN {TodCalled(r.ob)} ELSE {})
+    LET t == Confirms(tod[r.ob], r.since.min)
+        \* @type: $tod => (Int -> $tod);
+        becomes(u) == [tod EXCEPT ![r.ob] = u]
+    IN  IF r.ob \notin TodObs THEN {tod}
+        ELSE IF ~LastCall(r) THEN {becomes(t)}
+        ELSE (IF OnceMayEndAtItsStart THEN {becomes(UsedUp(t))} ELSE {})
+               \cup (IF OnceMayEndAtItsEnd
+                     THEN {becomes([t EXCEPT !.next = Never, !.called = TRUE])}
+                     ELSE {})
 
 \* @type: Int => (Int -> $tod);
 TodAfterEnd(o) == IF o \in TodObs /\ tod[o].called THEN TodUsedUp(o) ELSE tod
