@@ -29,6 +29,10 @@ OnlyWeekly == Only(Activated("weekly", 1))
 OnlyOnce == Only(Activated("once", 0))
 OnlyADate == Only(Activated("none", 1))
 OnTheMinute == {Moment(0, 0)}
+(* A past one-shot interrupt, and a point of each minute. *)
+OnceAndMinutes ==
+    {[o \in TodObs |-> IF o = 10 THEN Activated("once", -1)
+                                 ELSE Activated("minute", -1)]}
 
 MCRestartTypes == {"warm", "cold"}
 

@@ -179,19 +179,32 @@ FirstEventProp ==
 \* @type: $request => Bool;
 Single(r) == \A q \in {requests, requests'} : \A s, t \in q :
                Content(s) = Content(r) /\ Content(t) = Content(r) => s = t
+(* [OBS-56] q came by a restart, in the minute of r.                       *)
+\* @type: ($request, $request) => Bool;
+FromRestart(q, r) == /\ q.ob \in TodObs /\ r.ob \in TodObs
+                     /\ q.dtime # 0 /\ q.dtime = r.since.min
 ArrivalProp ==
     [][ /\ \A r \in Fresh :
              LET old    == { q \in requests' \ Fresh : q.class = r.class }
                  beside == { q \in old : q.rank = r.rank }
              IN  /\ \A q \in old : Single(q) => q.rank <= r.rank
                  /\ (\E q \in beside : Single(q))
-                    => \E q \in beside : q.since = r.since
+                    => \E q \in beside : q.since = r.since \/ FromRestart(q, r)
         /\ \A q, r \in requests :
              /\ q.class = r.class /\ q.rank < r.rank /\ ~q.open /\ ~r.open
              /\ Single(q) /\ Single(r)
              => \A s, t \in requests' :
                   Content(s) = Content(q) /\ Content(t) = Content(r)
                     => s.rank < t.rank ]_vars
+
+(* [OBS-56] [AMB-29] A point that equals the clock at a restart stands     *)
+(* beside the past one-shot interrupts, where nothing else waits.          *)
+BesideProp ==
+    [][ Did("reached") =>
+          \A q \in requests, r \in Fresh :
+            /\ FromRestart(q, r) /\ q.class = r.class /\ q.ob # r.ob
+            /\ \A s \in requests : s.class = q.class => s.rank = q.rank
+            => r.rank = q.rank ]_vars
 
 (* [AIRT-08] The highest class that waits and may start is first. *)
 HighestFirstProp ==

@@ -96,7 +96,8 @@ Reconfigure(kept) ==
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
-                         !.since = At(cpu.step7[o].start), !.word = Once ]
+                         !.since = At(cpu.step7[o].start), !.word = Once,
+                         !.dtime = clock.min ]
       : o \in { p \in TodObs : PastOnce(p) } }
 
 NoneBlocked == [blocked |-> {}, silent |-> {}]

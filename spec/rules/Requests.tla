@@ -13,7 +13,8 @@
 (*   word        PERIOD of a time-of-day interrupt, SIGN of a time-delay   *)
 (*               interrupt; for OB 80 and OB 85 that of the OB which       *)
 (*               caused the error                                          *)
-(*   dtime       DTIME of a time-delay interrupt                           *)
+(*   dtime       DTIME of a time-delay interrupt; for the run of a past    *)
+(*               one-shot interrupt the minute of the restart [OBS-56]     *)
 (*   late        OB 80: the OBs that it reports [CLK-06]                   *)
 (*   cause       OB 80 and OB 85: the OB that was requested, else 0        *)
 (*   during      OB 80 and OB 85: the OB that was active at the error      *)
@@ -49,11 +50,18 @@ PendingIn(q, o) == \E r \in q : r.ob = o /\ ~r.open
 \* @type: (Set($request), Int) => Bool;
 OpenIn(q, o) == \E r \in q : r.ob = o /\ r.open
 
+(* [AMB-29] A past one-shot interrupt of STEP 7 is due at the restart      *)
+(* [OBS-56], together with a point that equals the clock then.             *)
+\* @type: ($request, $request) => Bool;
+DueAtRestart(r, s) == /\ {r.ob, s.ob} \subseteq TodObs
+                      /\ r.dtime # 0 /\ r.dtime = s.since.min
+
 (* Points that are reached together lead to start events, and to time      *)
 (* errors, in any order [AMB-29].                                          *)
 \* @type: ($request, $request) => Bool;
 OfOnePoint(r, s) ==
-    /\ r.since = s.since /\ r.follows = s.follows /\ r.fault = s.fault
+    /\ r.since = s.since \/ DueAtRestart(r, s)
+    /\ r.follows = s.follows /\ r.fault = s.fault
     /\ \/ /\ r.ob \in TodObs \cup DintObs /\ s.ob \in TodObs \cup DintObs
           /\ r.ob # s.ob
        \/ /\ r.ob = TimeErrorOb /\ s.ob = TimeErrorOb
