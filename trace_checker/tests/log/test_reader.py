@@ -55,6 +55,39 @@ def test_lines() -> None:
     assert [(event["line"], event["event"]) for event in read.events] == [(4, "run"), (6, "stop")]
 
 
+_ALIKE = (
+    '{"event": "start", "at": "AT", "ob": 1}',
+    '{"event":"start","at":"AT","ob":1,"info":{"priority":1,"time":"AT"}}',
+    '{"event":"start","ob":1,"info":{"time":"AT"},"x_time":"AT","at":"AT"}',
+    '{"event": "start", "at": "AT", "ob": 1, "x_a": {"at": "AT"}}',
+    '{"event": "start", "at": "DT#2026-11-21-06:30", "ob": 1, "x_a": {"at": "AT"}}',
+    '{"event": "start", "at": "2026-11-21T06:30", "ob": 1, "x_a": {"time": "AT"}}',
+    '{"event": "start", "\\u0061t": "2026-11-21T06:30:00.000", "ob": 1, "x_a": {"at": "AT"}}',
+    '{"event": "clock", "at": "AT", "to": "AT"}',
+    '{"event": "SET_TINT", "at": "AT", "ob": 10, "sdt": "AT", "period": "16#0201", "ret": 0}',
+    '{"event": "run", "at": "AT", "up": 17}',
+    '{"event": "start", "at": "AT", "ob": 1, "ob": 1}',
+)
+"""Lines, of which a date is to stand for AT."""
+
+
+@pytest.mark.parametrize("line", _ALIKE)
+@pytest.mark.parametrize(
+    "date", ["2026-11-21T07:00:00.001", "2028-02-29T23:59:59.999", "2026-11-31T07:00:00.000", "2026-11-21T07:00:00 001"]
+)
+def test_lines_like_an_earlier_one(line: str, date: str) -> None:
+    """A line is read as if there had been none that differs from it in dates alone."""
+    example, other = (line.replace("AT", each) for each in ("2026-11-21T06:30:00.000", date))
+    alone, behind = content(log_text(other)), content(log_text(example, other))
+    assert _without_line(behind.events[-1:]) == _without_line(alone.events) or behind.unusable is not None
+    found = [None if one.unusable is None else (one.unusable.field, one.unusable.found) for one in (alone, behind)]
+    assert found[0] == found[1]
+
+
+def _without_line(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return [{name: value for name, value in event.items() if name != "line"} for event in events]
+
+
 def test_crlf() -> None:
     """Lines may end in CR LF, the last may have no end."""
     text = log_text(event("run"), event("stop", 31.5)).replace(b"\n", b"\r\n").rstrip()

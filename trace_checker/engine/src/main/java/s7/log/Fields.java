@@ -12,6 +12,30 @@ public final class Fields {
   private String[] names = new String[8];
   private Object[] values = new Object[8];
   private int size;
+  private Fields example;
+  private Object noted;
+
+  /** The same fields, on their own. {@code of} is an object that differs from them in dates alone; null for none. */
+  Fields likewise(Fields of) {
+    var copy = new Fields();
+    copy.names = names.clone();
+    copy.values = values.clone();
+    copy.size = size;
+    copy.example = of;
+    return copy;
+  }
+
+  /** What somebody has noted about an object like this one, which differs in dates alone; null if nobody has. */
+  public Object noted() {
+    return example == null ? null : example.noted;
+  }
+
+  /** Notes something about all objects like this one; forgotten if there is none. */
+  public void note(Object what) {
+    if (example != null) {
+      example.noted = what;
+    }
+  }
 
   /**
    * The fields of a JSON text.

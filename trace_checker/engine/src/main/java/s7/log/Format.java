@@ -36,13 +36,14 @@ public final class Format {
   /** The normalised event of a text, as a line of a log has it; the clocks go on to it. */
   public Fields event(byte[] text, Clocks clocks) {
     clocks.requireOpen();
-    return event(Fields.of(text), clocks);
-  }
-
-  Fields event(Fields line, Clocks clocks) {
-    Fields event = events.read(line, clocks.cpu);
+    Fields event = event(Fields.of(text), clocks.cpu);
     clocks.stamp(event);
     return event;
+  }
+
+  /** The normalised event of a line's object, before the clocks have gone on to it. */
+  Fields event(Fields line, String cpu) {
+    return events.read(line, cpu);
   }
 
   /** The calls that have operands. */

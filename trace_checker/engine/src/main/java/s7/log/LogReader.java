@@ -23,6 +23,7 @@ public final class LogReader {
   private final Taker taker;
   private final ProfileFile file;
   private final Json json = new Json();
+  private final Alike alike = new Alike();
   private Clocks clocks;
   private int line = 1;
 
@@ -96,17 +97,28 @@ public final class LogReader {
       if (clocks != null) {
         clocks.requireOpen();
       }
-      Fields object = json.read(bytes, from, to);
       if (clocks == null) {
-        Fields header = format.header(object, file);
+        Fields header = format.header(json.read(bytes, from, to), file);
         clocks = Format.clocksOf(header);
         taker.header(header);
       } else {
-        taker.event(line, format.event(object, clocks));
+        Fields event = event(bytes, from, to);
+        clocks.stamp(event);
+        taker.event(line, event);
       }
     } catch (Unusable wrong) {
       throw wrong.at(line);
     }
+  }
+
+  /** The event of a line, before the clocks have gone on to it. */
+  private Fields event(byte[] bytes, int from, int to) {
+    Fields event = alike.event(bytes, from, to);
+    if (event == null) {
+      event = format.event(json.read(bytes, from, to), clocks.cpu);
+      alike.keep(bytes, from, to, event);
+    }
+    return event;
   }
 
   private static boolean isBlank(byte[] bytes, int from, int to) {

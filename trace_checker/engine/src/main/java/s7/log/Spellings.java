@@ -67,6 +67,11 @@ final class Spellings {
     };
   }
 
+  /** The length of a date and time to the millisecond in ISO's way, and where its parts end. */
+  static final int ISO_LENGTH = 23;
+
+  private static final int[] ENDS = {4, 7, 10, 13, 16, 19, ISO_LENGTH};
+
   private static int hexadecimal(Object value, int low, int high, String expected) {
     return hexadecimal(value, low, high, expected, "");
   }
@@ -198,12 +203,41 @@ final class Spellings {
     if (parts[0] < Days.FIRST_YEAR || parts[0] > Days.LAST_YEAR) {
       throw new Unusable("a date and time from 1990-01-01 to 2089-12-31", Quoting.quote(value));
     }
-    if (parts[1] < 1 || parts[1] > 12 || parts[2] < 1 || parts[2] > Days.ofMonth(parts[0], parts[1])
-        || parts[3] > 23 || parts[4] > 59 || parts[5] > 59) {
+    if (!exists(parts)) {
       throw new Unusable("a date and time that exists", Quoting.quote(value));
     }
+    return milliseconds(parts);
+  }
+
+  private static boolean exists(int... parts) {
+    return parts[0] >= Days.FIRST_YEAR && parts[0] <= Days.LAST_YEAR && parts[1] >= 1 && parts[1] <= 12
+        && parts[2] >= 1 && parts[2] <= Days.ofMonth(parts[0], parts[1])
+        && parts[3] <= 23 && parts[4] <= 59 && parts[5] <= 59;
+  }
+
+  private static long milliseconds(int... parts) {
     long hours = 24L * Days.to(parts[0], parts[1], parts[2]) + parts[3];
     return ((hours * 60 + parts[4]) * 60 + parts[5]) * 1000 + parts[6];
+  }
+
+  /** The same of bytes such as {@code 2026-11-21T06:00:00.000}; -1 for others. */
+  static long instant(byte[] text, int from) {
+    for (int i = 0; i < 6; i++) {
+      if (text[from + ENDS[i]] != "--T::.".charAt(i)) {
+        return -1;
+      }
+    }
+    var parts = new int[7];
+    for (int i = 0; i < parts.length; i++) {
+      for (int k = i == 0 ? 0 : ENDS[i - 1] + 1; k < ENDS[i]; k++) {
+        int digit = text[from + k] - '0';
+        if (digit < 0 || digit > 9) {
+          return -1;
+        }
+        parts[i] = 10 * parts[i] + digit;
+      }
+    }
+    return exists(parts) ? milliseconds(parts) : -1;
   }
 
   /** The same as a moment. */

@@ -84,10 +84,27 @@ final class Records {
     }
   }
 
-  private record Known(Shaped.Example example, Value[] values) {}
+  private record Known(Records of, Shaped.Example example, Value[] values) {}
+
+  /** The values with the dates of an event. */
+  private Value[] dated(Value[] values, Fields event) {
+    for (int i = 0; i < event.size(); i++) {
+      Object value = event.value(i);
+      if (value instanceof Moment || value instanceof Fields) {
+        Integer place = template.places.get(event.name(i));
+        if (place != null) {
+          values[place] = value(template, place, value);
+        }
+      }
+    }
+    return values;
+  }
 
   /** The record of an event. */
   RecordValue of(Fields event) {
+    if (event.noted() instanceof Known known && known.of == this) {
+      return known.example.with(dated(known.values.clone(), event));
+    }
     hash = 0;
     Value[] values = values(template, event);
     Known like = examples.get(hash);
@@ -95,9 +112,10 @@ final class Records {
       if (examples.size() == MOST) {
         examples.clear();
       }
-      like = new Known(new Shaped.Example(template.with(values)), values);
+      like = new Known(this, new Shaped.Example(template.with(values)), values);
       examples.put(hash, like);
     }
+    event.note(new Known(this, like.example, values));
     return like.example.with(values);
   }
 
