@@ -169,6 +169,15 @@ StartableInv ==
         => ENABLED ( /\ Respond /\ step'.ob = r.ob
                      /\ step'.event \in {"start", "missing"} )
 
+(* [AMB-49] [OBS-23] Under a delay a missing OB 82, 83 or 86 may stop the  *)
+(* CPU at once, whatever waits or runs.                                    *)
+StopsAtOnceInv ==
+    /\ mode \in {"STARTUP", "RUN"} /\ stopCause = NoCause /\ delay > 0
+    /\ ~StopAwaitsTheDelay
+    => \A r \in requests :
+         ~r.open /\ r.ob \in {82, 83, 86} \ loaded =>
+           ENABLED (MissesOb /\ step'.ob = r.ob /\ stopCause' # NoCause)
+
 (* [TINT-22] [DINT-21] [IRT-22] [AIRT-14] Where nothing is pressing, the   *)
 (* running OB can call SFC 41 and 42, whatever the count is, and the other *)
 (* functions with each of the model's operands: each has one of the        *)
@@ -231,7 +240,8 @@ OnceShownProp ==
     [][ Did("clock") /\ mode = "RUN" /\ cpu.family # "S7-300" =>
           \A o \in TodObs :
             /\ tod[o].active /\ tod[o].period = Once /\ tod[o].next = Never
-            /\ tod[o].served = {} /\ ~tod[o].called /\ ~PendingIn(requests, o)
+            /\ tod[o].served \cup tod[o].merged = {} /\ ~tod[o].called
+            /\ ~PendingIn(requests, o)
             /\ Before(clock', At(tod[o].start))
             => "AMB-56" \in DOMAIN cpu'.readings ]_vars
 =============================================================================

@@ -25,6 +25,9 @@ ClassOf85 == {[o \in {85} |-> 24]}
 ErrorLoads == {{80, 85, 100}}
 Errors == {<<80, 1>>, <<85, 1>>, <<85, 2>>}
 CountRetVals == {0, 1}
+(* OB 82 is missing, and OB 81 and OB 40 may wait before it.               *)
+WithoutOb82 == {{40, 81, 85, 100}}
+Diagnoses == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
 TwoWait == delay <= 1 /\ Cardinality(requests) <= 2
 
 Bounded == delay <= 1 /\ Waiting(2)

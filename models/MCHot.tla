@@ -22,6 +22,9 @@ MCMoments == {Moment(1, 0), Moment(1, 30000)}
 MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>, <<82, 0>>}
 MCRestartTypes == {"warm", "hot"}
+(* An error that a hot restart keeps. *)
+WithOb81 == {{81, 101}}
+PowerErrors == {<<81, 0>>}
 MCRetVals == {0, 1}
 JustOK == {OK}
 

@@ -36,6 +36,12 @@ MissingProp ==
                    THEN [tod[o] EXCEPT !.active = FALSE, !.next = Never]
                    ELSE tod[o] ]_vars
 
+(* [OBS-42] [OBS-43] [OBS-54] After a hot restart the errors of before the *)
+(* STOP wait for RUN: the OBs that start in STARTUP stand above it.        *)
+OldErrorsWaitProp ==
+    [][ Did("start") /\ mode = "STARTUP" /\ startup \in {"hot", "resuming"}
+          => step'.value > StartupClass \/ step'.ob \in StartupObs ]_vars
+
 (* [OBS-21] [OBS-22] [OBS-23] [OBS-25] The CPU has to stop only by a rule: *)
 (* a time error without OB 80, a program error without OB 85, another      *)
 (* asynchronous error without its OB, a deselected OB at STARTUP.          *)
