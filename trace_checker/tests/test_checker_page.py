@@ -141,23 +141,38 @@ def make_log(page: Page, file: Path, **fields: str) -> None:
     page.set_input_files("#file", file)
     for name, value in fields.items():
         field = page.locator(f"#import [name={name}]")
-        if field.evaluate("one => one.tagName") == "SELECT":
+        if name == "columns":
+            field.set_input_files(value)
+        elif field.evaluate("one => one.tagName") == "SELECT":
             field.select_option(value)
         else:
             field.fill(value)
     page.click("#import >> text=Make a log")
 
 
-@pytest.mark.parametrize(("name", "kind"), [("german.txt", "the text of a diagnostic buffer"), ("szl.hex", "records")])
-def test_a_source_becomes_the_log_of_the_command(page: Page, tmp_path: Path, name: str, kind: str) -> None:
+MAP = str(SOURCES / "columns.json")
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "more"),
+    [
+        ("german.txt", "the text of a diagnostic buffer", {}),
+        ("szl.hex", "records", {}),
+        ("events.csv", "a table", {"columns": MAP, "mode": "RUN", "records": "call,ob"}),
+    ],
+)
+def test_a_source_becomes_the_log_of_the_command(
+    page: Page, tmp_path: Path, name: str, kind: str, more: dict[str, str]
+) -> None:
     """What the source tells comes from it; what the command says of it stands beside the verdict."""
-    make_log(page, SOURCES / name, cpu="S7-300", obs="1 10,35,80,85,100")
+    make_log(page, SOURCES / name, cpu="S7-300", obs="1 10,35,80,85,100", **more)
     expect(page.locator("#told")).to_contain_text(f"Made from {kind}")
-    expect(page.locator("#told")).to_contain_text("recorded completely: mode, diag")
+    expect(page.locator("#told")).to_contain_text(f"recorded completely: {'call, ob' if more else 'mode, diag'}")
     with page.expect_download() as download:
         page.click("#save")
     made = [json.loads(line) for line in Path(download.value.path()).read_text().splitlines()]
     arguments = ["--cpu", "S7-300", "--obs", "1,10,35,80,85,100", "-o", str(tmp_path / "log")]
+    arguments += [f"--{'map' if name == 'columns' else name}={value}" for name, value in more.items()]
     assert cli.main(["import", str(SOURCES / name), *arguments]) == 0
     assert made == [json.loads(line) for line in (tmp_path / "log").read_text().splitlines()]
 

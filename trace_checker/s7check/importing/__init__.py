@@ -1,7 +1,7 @@
 """``s7check import``: from the records of a CPU or a program to a log of ``s7-interrupt-log/1``.
 
-The engine reads the diagnostic buffer. Other sources are read by a module of their own into ``Recording``, events with
-the place they come from; facts that a source does not tell stay unrecorded.
+The engine reads the diagnostic buffer and CSV. The ring is read here into ``Recording``, events with the place they
+come from; facts that a source does not tell stay unrecorded.
 
 - ``errors``: the one exception
 - ``recording``: the events of any source

@@ -62,7 +62,7 @@ def kind_of(begin: bytes, engine: Engine | None = None) -> str | None:
 
 def log_of(content: bytes, kind: str, given: dict[str, Any], chosen: range | None = None, **how: Any) -> Imported:
     """The log of a source; ``given`` are fields of the header, which count more than what it tells."""
-    entries = f"{chosen.start}-{chosen.stop - 1}" if chosen else None
+    entries = f"{chosen.start}-{chosen.stop - 1}" if chosen is not None else None
     return _import({"kind": kind, "given": given, "entries": entries, **how}, content)
 
 

@@ -10,7 +10,7 @@ from s7check.completion import complete_files
 from s7check.importing.asking import Imported, kind_of, log_of, log_of_recording
 from s7check.importing.errors import SourceError
 from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
-from s7check.importing.sources import csv_rows, hex_text, live, ring
+from s7check.importing.sources import csv_text, hex_text, live, ring
 from s7check.letters import set_option
 from s7check.log.errors import printable
 from s7check.output import echo, write_whole
@@ -140,8 +140,8 @@ def _imported(kind: str | None, source: str, options: dict[str, Any]) -> Importe
         raise click.UsageError(
             "--map is missing: expected a JSON file that says which column is which field (docs/checking/import.md)"
         )
-    columns = csv_rows.read_map(_content(options["columns"]))
-    return log_of_recording(csv_rows.convert(content, columns, chosen), given)
+    columns = _content(options["columns"])
+    return log_of(csv_text.in_utf8(content, columns), kind, given, chosen, map=columns.decode("latin-1"))
 
 
 def _content(name: str) -> bytes:

@@ -1,9 +1,15 @@
 // A source that is no log: the user says what it does not tell, and the engine makes a log of it.
 import { $, numbersOf } from "./elements.js";
 
+/** A text in the encoding that a column map names, in UTF-8. */
+function inUtf8(bytes, map) {
+  const { encoding = "utf-8" } = JSON.parse(new TextDecoder().decode(map));
+  return new TextEncoder().encode(new TextDecoder(encoding.replace(/-sig$/, ""), { fatal: true }).decode(bytes));
+}
+
 /** What the form says, as the engine takes it. */
 function asked(form) {
-  const { cpu, obs, mode, records, ...how } = Object.fromEntries(new FormData(form));
+  const { cpu, obs, mode, records, columns, ...how } = Object.fromEntries(new FormData(form));
   const given = { cpu, obs: numbersOf(obs), ...(mode ? { mode } : {}) };
   if (records) given.records = records.split(/[\s,]+/).filter(Boolean);
   return { given, ...Object.fromEntries(Object.entries(how).filter(([, value]) => value)) };
@@ -11,18 +17,29 @@ function asked(form) {
 
 /** The bytes of a log, and lines that say what it holds; null if it is no source, or the user wants none. */
 export async function imported(engine, name, bytes) {
-  const { kind, what } = (await engine.ask({ message: "kind", count: bytes.length }, bytes)).object;
-  if (!kind) return null;
+  let { kind, what } = (await engine.ask({ message: "kind", count: bytes.length }, bytes)).object;
+  if (!kind && !/\.csv$/i.test(name)) return null;
+  kind ??= "csv";
+  what ??= "a table";
   const [title, form] = $("import").children;
   title.textContent = `${name}: ${what}`;
   $("refused").textContent = "";
+  form.columns.parentElement.hidden = kind !== "csv";
+  form.columns.required = kind === "csv";
+  form.dates.parentElement.hidden = kind !== "step7";
   return new Promise((resolve) => {
     $("import").onclose = () => resolve(null);
     form.onsubmit = async (submitted) => {
       submitted.preventDefault();
       try {
-        const message = { message: "import", kind, count: bytes.length, ...asked(form) };
-        const { log, told } = (await engine.ask(message, bytes)).object;
+        const message = { message: "import", kind, ...asked(form) };
+        let content = bytes;
+        if (kind === "csv") {
+          const map = new Uint8Array(await form.columns.files[0].arrayBuffer());
+          content = inUtf8(bytes, map);
+          message.map = Array.from(map, (one) => String.fromCharCode(one)).join("");
+        }
+        const { log, told } = (await engine.ask({ ...message, count: content.length }, content)).object;
         const text = log.map((line) => `${JSON.stringify(line)}\n`).join("");
         resolve({ bytes: new TextEncoder().encode(text), told: [`Made from ${what}.`, ...told] });
         $("import").close();

@@ -20,7 +20,7 @@ import s7.log.Unusable;
  *       {@code ring}, null for none; and {@code what} that is, in words.
  *   <li>{@code import} with {@code kind}, the fields {@code given} of the header, which count more than what the source
  *       tells, {@code entries} such as {@code 5-20}, {@code dates} as {@link Step7Text#read} has
- *       it, and {@code remarks} on the source: the {@code log}, objects, and {@code told}, lines for people. Of what was
+ *       it, the {@code map} of a {@link Table}, whose bytes are in UTF-8, and {@code remarks} on the source: the {@code log}, objects, and {@code told}, lines for people. Of what was
  *       read elsewhere there is a {@code recording} in place of bytes.
  *   <li>{@code entries}: what records of the diagnostic buffer, oldest first, tell one by one: their {@code event}; old
  *       and new mode of a {@code change}; the event {@code told} of the mode, as far as these records tell it; and
@@ -80,7 +80,7 @@ public final class Importing {
     Recording recording =
         json.has("recording")
             ? Recording.of(json.object("recording"))
-            : buffer(json.text("kind"), content, json.text("dates")).convert(chosen);
+            : recording(json, content, chosen);
     json.list("remarks").forEach(remark -> recording.remarks.add((String) remark));
     Fields header = new Fields().put("format", LOG_FORMAT).with(recording.header).with(json.object("given"));
     complete(header);
@@ -91,10 +91,12 @@ public final class Importing {
     return new Fields().put("log", log).put("told", recording.told(header));
   }
 
-  private static Diagnostics buffer(String kind, byte[] content, String dates) {
+  private static Recording recording(Fields json, byte[] content, Recording.Span chosen) {
+    String kind = json.text("kind");
     return switch (kind) {
-      case "step7" -> Step7Text.read(content, dates);
-      case "szl" -> Szl.read(Octets.decoded(content));
+      case "step7" -> Step7Text.read(content, json.text("dates")).convert(chosen);
+      case "szl" -> Szl.read(Octets.decoded(content)).convert(chosen);
+      case "csv" -> Table.of(json.text("map")).convert(new String(content, StandardCharsets.UTF_8), chosen);
       default -> throw new IllegalArgumentException("an unknown kind: " + kind);
     };
   }

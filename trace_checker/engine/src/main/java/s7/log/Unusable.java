@@ -29,7 +29,7 @@ public final class Unusable extends RuntimeException {
   }
 
   /** The same, in a field of this name. */
-  Unusable inside(String name) {
+  public Unusable inside(String name) {
     String shown = Quoting.printable(name);
     field = field == null ? shown : shown + "." + field;
     return this;
