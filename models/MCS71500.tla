@@ -40,6 +40,14 @@ Bounded == /\ delay = 0
 Nested == /\ delay <= 2
           /\ Waiting(2)
           /\ mode = "STOP" => clock \in PowerOnMoments
+(* In their place where local time is 61 minutes ahead: starts by the      *)
+(* clock and by local time, also at the end of a day.                      *)
+ClockAndLocal == {0, 61}
+LocalSdts == {Date(1), [Date(2) EXCEPT !.hour = 7]}
+LocalPeriods == {Once, Daily}
+LocalMoments == {Moment(0, 55000), Moment(1, 0), Moment(1, 15000)}
+JustOb10 == {10}
+LocalRetVals == {OK, PastStart, NotSet}
 (* In their place where points pass in STOP. *)
 StopMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 5000)}
 StopTargets == {Moment(0, 30000), Moment(0, 55000)}

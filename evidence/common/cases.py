@@ -44,6 +44,7 @@ EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "en": ("EN_IRT", ("mode", "ob", "ret")),
     "dair": ("DIS_AIRT", ("ret",)),
     "eair": ("EN_AIRT", ("ret",)),
+    "setl": ("SET_TINTL", ("ob", "sdt", "local", "period", "activate", "ret")),
     **{
         "int" if name == "interrupt" else name: (name, tuple(field for field in fields if field not in _NAMED))
         for name, fields in _FIELDS.items()
@@ -301,7 +302,7 @@ def _merge(header: dict[str, Any], line: str) -> None:
             header[name] = value.split(",")
         elif name == "as":
             header[name] = [_one_of(_BYTES_OF_FILE, change) for change in value.split(",")]
-        elif name in ("latency_ms", "up"):
+        elif name in ("latency_ms", "zone", "up"):
             header[name] = _number(name, value, 10)
         elif name == "cpu":
             header[name] = value.replace("_", " ")

@@ -11,15 +11,20 @@ EXTENDS Airt, Irt, TimeOfDay, TimeDelay, Modes, Elapsing
 -----------------------------------------------------------------------------
 (* Calls *)
 
-CallEvents == {"SET_TINT", "CAN_TINT", "ACT_TINT", "QRY_TINT",
+CallEvents == {"SET_TINT", "SET_TINTL", "CAN_TINT", "ACT_TINT", "QRY_TINT",
                "SRT_DINT", "CAN_DINT", "QRY_DINT",
                "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
+
+(* [T15-20] [T15-21] [T15-99] By how many minutes the time of SDT is ahead *)
+(* of the clock.                                                           *)
+\* @type: $event => Int;
+ZoneOf(e) == IF e.local = 1 THEN terms.zone ELSE 0
 
 (* The values that RET_VAL may have.                                       *)
 \* @type: $event => Set(Int);
 AnswersTo(e) ==
-    CASE e.event = "SET_TINT" ->
-           SetAnswers(e.ob, e.sdt, e.period)
+    CASE e.event \in {"SET_TINT", "SET_TINTL"} ->
+           SetAnswers(e.ob, e.sdt, ZoneOf(e), e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
       [] e.event = "QRY_TINT" -> QryAnswers(e.ob)
@@ -40,6 +45,8 @@ StatusesOf(e) == IF e.event = "QRY_TINT" THEN Statuses(e.ob)
 \* @type: ($event, Int) => Bool;
 Answered(e, ret) ==
     CASE e.event = "SET_TINT" -> SetTint(e.ob, e.sdt, e.period, ret)
+      [] e.event = "SET_TINTL" ->
+           SetTintL(e.ob, e.sdt, ZoneOf(e), e.period, e.activate = 1, ret)
       [] e.event = "CAN_TINT" -> CanTint(e.ob, ret)
       [] e.event = "ACT_TINT" -> ActTint(e.ob, ret)
       [] e.event = "QRY_TINT" -> QryTint(e.ob, ret, e.status)

@@ -19,14 +19,15 @@ EXTENDS Cpu
 (* Lines *)
 
 (***************************************************************************)
-(* @typeAlias: terms = { latency: Int, cycle: Bool, records: Set(Str),     *)
-(*                       loose: Bool, endless: Set($request),              *)
+(* @typeAlias: terms = { latency: Int, zone: Int, cycle: Bool,             *)
+(*                       records: Set(Str), loose: Bool,                   *)
+(*                       endless: Set($request),                           *)
 (*                       unsure: Set(Int),                                 *)
 (*                       early: Set({ ob: Int, since: $moment }) };        *)
 (* @typeAlias: obStep7 = { ob: Int, execution: Str, start: Int,            *)
 (*                         active: Bool, deselected: Bool };               *)
 (* @typeAlias: header = { cpu: Str, obs: Set(Int), clock: $moment,         *)
-(*                        mode: Str, latency: Int, cycle: Bool,            *)
+(*                        mode: Str, latency: Int, zone: Int, cycle: Bool, *)
 (*                        priority: Set(<<Int, Int>>),                     *)
 (*                        step7: Set($obStep7),                            *)
 (*                        readings: Set(<<Str, Str>>), profile: Str,       *)
@@ -39,7 +40,8 @@ EXTENDS Cpu
 (*                      time: $moment };                                   *)
 (* @typeAlias: event = { event: Str, at: $moment, step: Int, up: $moment,  *)
 (*                       counter: $moment, ob: Int, sdt: $date,            *)
-(*                       period: Int, dtime: Int, sign: Int, mode: Int,    *)
+(*                       period: Int, local: Int, activate: Int,           *)
+(*                       dtime: Int, sign: Int, mode: Int,                 *)
 (*                       ret: Int, status: Int, to: $moment, type: Str,    *)
 (*                       cause: Int, flt_id: Int, id: Int, priority: Int,  *)
 (*                       info: $info, active: Int, blocked: Int,           *)
@@ -67,7 +69,8 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
 \* @type: $event;
 NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
              counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
-             dtime |-> -1, sign |-> -1, mode |-> -1, ret |-> -1,
+             local |-> -1, activate |-> -1, dtime |-> -1, sign |-> -1,
+             mode |-> -1, ret |-> -1,
              status |-> -1, to |-> NoMoment, type |-> "", cause |-> -1,
              flt_id |-> -1, id |-> -1, priority |-> -1, info |-> NoInfo,
              active |-> -1, blocked |-> -1, loaded |-> -1,
@@ -83,7 +86,8 @@ Given(value, possible) == IF value = -1 THEN possible ELSE {value}
 
 \* @type: $header;
 NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
-              latency |-> 0, cycle |-> FALSE, priority |-> {}, step7 |-> {},
+              latency |-> 0, zone |-> 0, cycle |-> FALSE,
+              priority |-> {}, step7 |-> {},
               readings |-> {}, profile |-> "", records |-> {} ]
 
 (* STEP 7 has set nothing.                                                 *)
@@ -94,7 +98,8 @@ NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
 (* The state of an explanation *)
 
 VARIABLES
-    (* latency: an OB starts at most so many ms after it may. cycle: the   *)
+    (* latency: an OB starts at most so many ms after it may. zone: the    *)
+    (* minutes by which local time is ahead of the clock. cycle: the       *)
     (* log has every start and end of OB 1. records: the kinds of event    *)
     (* that the log has completely. loose: the log does not tell when an   *)
     (* OB has to start (LooseLogs). After Merging: endless, the open       *)

@@ -172,7 +172,8 @@ IsLooseAnswer(e) ==
 \* @type: $event => Bool;
 LooseCall(e) ==
     /\ Called
-    /\ IF e.event \in {"SET_TINT", "SRT_DINT", "DIS_IRT", "EN_IRT"}
+    /\ IF e.event \in {"SET_TINT", "SET_TINTL", "SRT_DINT",
+                       "DIS_IRT", "EN_IRT"}
        THEN IsCall(e) ELSE IsLooseAnswer(e)
 
 -----------------------------------------------------------------------------

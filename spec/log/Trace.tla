@@ -24,7 +24,7 @@ Init ==
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
-    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
+    /\ terms = [latency |-> 0, zone |-> 0, cycle |-> FALSE, records |-> {},
                 loose |-> FALSE, endless |-> {}, unsure |-> {},
                 early |-> {}]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
@@ -109,7 +109,8 @@ Begin(h) ==
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
     /\ NothingEntered
-    /\ terms'  = [latency |-> h.latency, records |-> h.records,
+    /\ terms'  = [latency |-> h.latency, zone |-> h.zone,
+                  records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
                   loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
                   early |-> {}]

@@ -104,6 +104,29 @@ StopPointsProp ==
         /\ Reports(SkippedInHold) => Did("noticed") \/ mode = "HOLD"
       ]_vars
 
+(* [T15-08] [T15-09] [T15-20] [T15-99] [T15-141] SET_TINTL sets and, if it *)
+(* is told so, activates. Its points are those of its start by local time; *)
+(* a one-shot start is past by the clock. [T15-21] SET_TINT goes by it.    *)
+SetLocalProp ==
+    [][ /\ Did("SET_TINT") /\ step'.value = 0 => tod'[step'.ob].zone = 0
+        /\ Did("SET_TINTL") =>
+          LET o == step'.ob
+              t == tod'[o]
+              sdt == MinuteOf(step'.sdt)
+          IN  /\ step'.value \in {0, \h8090, \h8091, \h8092, \h80A1}
+              /\ step'.value = \h80A1 => /\ step'.operand = Once
+                                        /\ \E z \in Zones :
+                                             Before(At(sdt - z), clock)
+              /\ step'.value = 0 =>
+                   /\ t.set /\ t.active = (step'.sign = 1)
+                   /\ t.period = step'.operand /\ t.zone \in Zones
+                   /\ t.start \in {sdt, IF t.period = EndOfMonth
+                                        THEN sdt % 1440 ELSE sdt}
+                   /\ t.active /\ t.period = Once => t.next = sdt - t.zone
+                   /\ t.active /\ t.period # Once =>
+                        IsFirst(t.start, t.period, t.next + t.zone,
+                                t.zone + Ahead) ]_vars
+
 (* [T15-117] In STARTUP OB 80 does not run. *)
 HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars
 

@@ -33,6 +33,7 @@ DefaultOf(a) == <<a, Defaults[a]>>
 (* The RET_VALs of each call, except SFC 41, which answers a count. *)
 AnswersOfCalls ==
     { <<"SET_TINT", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
+      <<"SET_TINTL", {OK, BadOb, BadSdt, BadPeriod, PastStart}>>,
       <<"CAN_TINT", {OK, BadOb} \cup CanErrorsIf(FALSE)>>,
       <<"ACT_TINT", {OK, BadOb} \cup ActErrorsIf(FALSE, FALSE)
                       \cup ActErrorsIf(TRUE, TRUE)>>,
@@ -53,8 +54,8 @@ WithClass(o, class) == <<o, class>>
 (* The words of a log, by which the reader takes lines or refuses them. Of *)
 (* a header: families, those whose priority classes can be set, these      *)
 (* classes, the OBs that it lacks and its default classes; profiles; the   *)
-(* letters of each question. Of lines: OBs by their kind, the startup OB   *)
-(* of each restart.                                                        *)
+(* letters of each question; families with SET_TINTL. Of lines: OBs by     *)
+(* their kind, the startup OB of each restart.                             *)
 Words ==
     [ families |-> FamilyNames,
       restarts |-> { <<f.name, f.restarts>> : f \in KnownFamilies },
@@ -64,6 +65,7 @@ Words ==
                                              ClassesToSet(f, p) # {} } }>>
                      : f \in KnownFamilies },
       unknown  |-> { <<f.name, f.unknown>> : f \in KnownFamilies },
+      local    |-> { f.name : f \in { g \in KnownFamilies : g.setsLocal } },
       usual    |-> { <<f.name, { WithClass(o, DefaultClassOf(f, o))
                                  : o \in Blockable \cup SyncErrorObs }>>
                      : f \in KnownFamilies },

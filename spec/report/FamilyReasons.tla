@@ -7,7 +7,7 @@
 (* No action uses this module.                                             *)
 (* Source: the requirement IDs.                                            *)
 (***************************************************************************)
-EXTENDS Calendar, Cpu
+EXTENDS Calendar, LogState
 
 (* A requirement of S7-300/400, and that of the S7-1500 in its place. *)
 \* @type: Set(<<Str, Str>>);
@@ -55,6 +55,13 @@ OfThePause(past) ==
          /\ \A j \in DOMAIN past : past[j].event = "release" => j < i
     THEN "T15-120" ELSE "T15-119"
 
+(* The OB has been set by local time, or could have been.                  *)
+\* @type: Set(Str);
+OfItsBase ==
+    CASE \E o \in DOMAIN tod : tod[o].zone # 0 -> {"T15-20"}
+      [] terms.zone # 0                       -> {"T15-99"}
+      [] OTHER                                -> {}
+
 \* @type: ($event, Seq($event), Str) => Set(Str);
 Instead(e, past, id) ==
     CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} -> OfTheJump(past)
@@ -62,6 +69,7 @@ Instead(e, past, id) ==
            {id} \cup (IF \E i \in DOMAIN past : past[i].event = "clock"
                       THEN OfTheJump(past) ELSE {})
       [] id = "OBS-46" -> {OfThePause(past)}
+      [] id = "TINT-32" -> {id} \cup OfItsBase
       [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
            {id, OfItsClass(e.ob)}
              \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})

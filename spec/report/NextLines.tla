@@ -81,6 +81,11 @@ CallLines ==
       \cup { [LineOf("SET_TINT", o) EXCEPT !.sdt = d, !.period = p]
              : o \in OneOf(TodObs \cap loaded), d \in SdtOperands,
                p \in PeriodCodes \cup {StrangePeriod} }
+      \cup { [LineOf("SET_TINTL", o) EXCEPT !.sdt = DateAt(NextMinute),
+                 !.local = l, !.period = p, !.activate = a]
+             : o \in IF Family.setsLocal THEN OneOf(TodObs \cap loaded)
+                     ELSE {},
+               p \in {Once, Minutely}, l \in {0, 1}, a \in {0, 1} }
       \cup { LineOf(name, o) : name \in {"CAN_TINT", "ACT_TINT", "QRY_TINT"},
                                o \in ObOperands(TodObs) }
       \cup { [LineOf("SRT_DINT", o) EXCEPT !.dtime = d, !.sign = 0]

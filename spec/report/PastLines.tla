@@ -14,13 +14,18 @@ LastIn(positions) ==
     IF positions = {} THEN 0
     ELSE CHOOSE i \in positions : \A k \in positions : k <= i
 
+(* SET_TINTL counts as SET_TINT.                                           *)
+\* @type: $event => Str;
+NameOf(e) == IF e.event = "SET_TINTL" THEN "SET_TINT" ELSE e.event
+
 (* The last line with one of these events, for any OB and for one OB; 0 if *)
 (* there is none.                                                          *)
 \* @type: (Seq($event), Set(Str)) => Int;
-LastOf(past, names) == LastIn({ i \in DOMAIN past : past[i].event \in names })
+LastOf(past, names) ==
+    LastIn({ i \in DOMAIN past : NameOf(past[i]) \in names })
 \* @type: (Seq($event), Set(Str), Int) => Int;
 LastWith(past, names, o) ==
-    LastIn({ i \in DOMAIN past : past[i].event \in names /\ past[i].ob = o })
+    LastIn({ i \in DOMAIN past : NameOf(past[i]) \in names /\ past[i].ob = o })
 
 \* @type: (Seq($event), Int) => Int;
 LastStart(past, o) == LastWith(past, {"start"}, o)

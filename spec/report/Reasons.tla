@@ -135,6 +135,7 @@ CountRequirements(e, past) ==
 AnswerRequirements(e, ret, past) ==
     CASE IsGeneralError(ret) -> GeneralRequirements(e)
       [] e.event = "SET_TINT" -> SetRequirements(e, ret)
+      [] e.event = "SET_TINTL" -> {"T15-141"} \cup SetRequirements(e, ret)
       [] e.event = "CAN_TINT" -> CanRequirements(e, ret, past)
       [] e.event = "ACT_TINT" -> ActRequirements(e, ret, past)
       [] e.event = "QRY_TINT" ->
@@ -185,7 +186,7 @@ ActiveRequirements(o, past) ==
                            \cup SinceClock(past, StartBefore(past, o))
                     ELSE AfterOnce(o, past)
                [] past[last].event = "CAN_TINT" -> {"TINT-50"}
-               [] past[last].event = "SET_TINT" ->
+               [] NameOf(past[last]) = "SET_TINT" /\ past[last].activate # 1 ->
                     IF Worked(past[last]) THEN {"TINT-05", "TINT-31"}
                     ELSE {"TINT-31", "TINT-35"}
                [] OTHER ->
@@ -565,11 +566,11 @@ Special ==
 
 (* What differs between families of CPUs: as special.                      *)
 OfFamilies ==
-    { "T15-23", "T15-26", "T15-30", "T15-35", "T15-36", "T15-61", "T15-62",
-      "T15-63", "T15-64", "T15-65", "T15-66", "T15-90", "T15-91", "T15-93",
-      "T15-94", "T15-95", "T15-100", "T15-110", "T15-111", "T15-112",
-      "T15-113", "T15-114", "T15-115", "T15-117", "T15-118", "T15-119",
-      "T15-120" }
+    { "T15-20", "T15-23", "T15-26", "T15-30", "T15-35", "T15-36", "T15-61",
+      "T15-62", "T15-63", "T15-64", "T15-65", "T15-66", "T15-90", "T15-91",
+      "T15-93", "T15-94", "T15-95", "T15-99", "T15-100", "T15-110", "T15-111",
+      "T15-112", "T15-113", "T15-114", "T15-115", "T15-117", "T15-118",
+      "T15-119", "T15-120", "T15-141" }
 
 (* Requirements of every start, every call, every STOP: true, and little   *)
 (* news.                                                                   *)

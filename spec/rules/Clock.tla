@@ -110,7 +110,8 @@ Forgetful(o, to, c, runsAgain) ==
         i == CHOOSE i \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
         THEN Armed([ t EXCEPT !.set = TRUE, !.active = TRUE,
-                              !.start = i.start, !.period = i.period ], to, c)
+                              !.start = i.start, !.zone = i.zone,
+                              !.period = i.period ], to, c)
         ELSE IF ~t.active \/ t.held \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
         ELSE Armed(t, to, c)
 

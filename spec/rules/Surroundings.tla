@@ -32,6 +32,8 @@ ObNumbers == -32768..32767
 Sdts == [ year : 1990..2089, month : 1..99, day : 1..99, hour : 0..99,
           minute : 0..99, second : 0..99, ms : 0..999 ]
 Words == 0..65535
+(* [T15-20] By how many minutes local time is ahead of the clock.          *)
+Zones == {0}
 Dtimes == -60000..600000
 Signs == Words
 IrtModes == 0..255

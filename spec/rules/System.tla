@@ -94,12 +94,17 @@ Respond == StartsOb \/ MissesOb \/ DropsRequest \/ StopsByRule
 
 Settled == ~Pressing
 
+(* SET_TINT and SET_TINTL, in whose step `sign' is 1 if it activates.      *)
 CallSetTint ==
     /\ Settled
     /\ \E o \in ObNumbers, sdt \in Sdts, period \in Words, ret \in RetVals :
-         /\ SetTint(o, sdt, period, ret)
-         /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
-                        !.sdt = sdt, !.operand = period ]
+         \/ /\ SetTint(o, sdt, period, ret)
+            /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
+                           !.sdt = sdt, !.operand = period ]
+         \/ \E zone \in Zones, sign \in {0, 1} :
+              /\ SetTintL(o, sdt, zone, period, sign = 1, ret)
+              /\ step' = [ Step("SET_TINTL", o, ret) EXCEPT
+                             !.sdt = sdt, !.operand = period, !.sign = sign ]
 
 CallCanTint ==
     /\ Settled

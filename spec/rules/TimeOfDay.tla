@@ -1,7 +1,8 @@
 ----------------------------- MODULE TimeOfDay ------------------------------
 (***************************************************************************)
 (* SFC 28 SET_TINT, SFC 29 CAN_TINT, SFC 30 ACT_TINT and SFC 31 QRY_TINT:  *)
-(* their answers and their effects (sections 1.2 to 1.5).                  *)
+(* their answers and their effects (sections 1.2 to 1.5); SET_TINTL of the *)
+(* S7-1500.                                                                *)
 (*                                                                         *)
 (* Left out: the library function S_LTINT [TINT-40].                       *)
 (***************************************************************************)
@@ -84,20 +85,22 @@ StartMoment(sdt, period) ==
                                        !.start  = MinuteOf(sdt)])
     ELSE IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt)) ELSE ExactMoment(sdt)
 
-(* [TINT-36] [TINT-37] [AMB-02] *)
-\* @type: ($date, Int) => Bool;
-StartIsPast(sdt, period) ==
+(* [TINT-36] [TINT-37] [AMB-02] SDT of a local time that is `zone' minutes *)
+(* ahead of the clock, here and below [T15-20].                            *)
+\* @type: ($date, Int, Int) => Bool;
+StartIsPast(sdt, zone, period) ==
     /\ HasOnePoint(period) \/ EveryPastStartIsRefused
     /\ ValidMinute(sdt)
-    /\ IsPast(StartMoment(sdt, period), clock)
+    /\ IsPast([StartMoment(sdt, period) EXCEPT !.min = ByTheClock(@, zone)],
+              clock)
 
 (* [TINT-35] *)
-\* @type: (Int, $date, Int) => Set(Int);
-SetErrors(o, sdt, period) ==
+\* @type: (Int, $date, Int, Int) => Set(Int);
+SetErrors(o, sdt, zone, period) ==
     ObErrors(o)
       \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
-      \cup (IF StartIsPast(sdt, period) THEN {PastStart} ELSE {})
+      \cup (IF StartIsPast(sdt, zone, period) THEN {PastStart} ELSE {})
 
 (* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, and yearly on        *)
 (* February 29, may be refused.                                            *)
@@ -112,9 +115,9 @@ OpenErrors(o, sdt, period, errors) ==
 
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)
-\* @type: (Int, $date, Int) => Set(Int);
-SetAnswers(o, sdt, period) ==
-    LET errors == SetErrors(o, sdt, period)
+\* @type: (Int, $date, Int, Int) => Set(Int);
+SetAnswers(o, sdt, zone, period) ==
+    LET errors == SetErrors(o, sdt, zone, period)
     IN  (IF ~OddSeconds(sdt) THEN SettingAnswers(o, errors)
          ELSE (IF OddSecondsMayPass THEN SettingAnswers(o, errors) ELSE {})
                 \cup (IF OddSecondsMayBeWrong
@@ -122,10 +125,11 @@ SetAnswers(o, sdt, period) ==
           \cup OpenErrors(o, sdt, period, errors)
 
 (* [TINT-31] Set anew, it is not active. *)
-\* @type: ($tod, $date, Int) => $tod;
-SetAnew(t, sdt, period) ==
+\* @type: ($tod, $date, Int, Int) => $tod;
+SetAnew(t, sdt, zone, period) ==
     [ Unset(t) EXCEPT !.set    = TRUE,
                       !.start  = MinuteOf(sdt),
+                      !.zone   = zone,
                       !.offset = IF SecondsAreKept THEN ExactMoment(sdt).ms
                                                    ELSE 0,
                       !.period = period ]
@@ -135,13 +139,35 @@ SetAnew(t, sdt, period) ==
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
     /\ Called
-    /\ ret \in SetAnswers(o, sdt, period)
-    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, period))
+    /\ ret \in SetAnswers(o, sdt, 0, period)
+    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, 0, period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
        THEN SettingBecomes(o, Unset(tod[o]))
        ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
+
+(* [T15-08] [T15-09] [T15-141] SET_TINTL: it activates as well, if it is   *)
+(* told so.                                                                *)
+\* @type: (Int, $date, Int, Int, Bool, Int) => Bool;
+SetTintL(o, sdt, zone, period, activate, ret) ==
+    /\ Called /\ Family.setsLocal
+    /\ ret \in SetAnswers(o, sdt, zone, period)
+    /\ IF ret # OK
+       THEN IF o \in TodObs /\ RefusedSetTintCancels
+            THEN SettingBecomes(o, Unset(tod[o])) /\ UNCHANGED cpu
+            ELSE SettingStays /\ UNCHANGED cpu
+       ELSE \E start \in StartsOf(SetAnew(tod[o], sdt, zone, period)) :
+              LET t == [ SetAnew(tod[o], sdt, zone, period) EXCEPT
+                           !.start = start, !.active = activate ]
+              IN  \E c \in IF activate THEN CpusThatShow({t}, clock)
+                                       ELSE {cpu} :
+                    /\ cpu' = c
+                    /\ tod' = [ tod EXCEPT ![o] =
+                                  IF activate THEN Armed(t, clock, c) ELSE t ]
+                    /\ requests' = Withdrawn(o)
+    /\ NothingEntered
+    /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
 
 -----------------------------------------------------------------------------
 (* SFC 29 *)

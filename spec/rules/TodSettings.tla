@@ -10,15 +10,15 @@
 (* as runs: from one point to another without an unserved point of the     *)
 (* series between.                                                         *)
 (*                                                                         *)
-(* Left out: a CPU whose reference is local time; runs of earlier settings *)
-(* beyond the latest LongestMemory.                                        *)
+(* Left out: daylight saving, and a zone that changes; runs of earlier     *)
+(* settings beyond the latest LongestMemory.                               *)
 (***************************************************************************)
 EXTENDS Calendar, Requests
 
-NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, offset |-> 0,
-               period |-> Once, next |-> Never, served |-> {}, merged |-> {},
-               earlier |-> {}, repeatTo |-> -1, overTo |-> -1,
-               called |-> FALSE, held |-> FALSE ]
+NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, zone |-> 0,
+               offset |-> 0, period |-> Once, next |-> Never, served |-> {},
+               merged |-> {}, earlier |-> {}, repeatTo |-> -1,
+               overTo |-> -1, called |-> FALSE, held |-> FALSE ]
 
 (* The next point. *)
 \* @type: $tod => $moment;
@@ -51,7 +51,8 @@ SeriesOf(period) ==
 HasOnePoint(period) == \/ period = Once
                        \/ period = EndOfMonth /\ EndOfMonthIsOnce
 
-(* [TINT-10] [TINT-24] The first point of the series at or after minute m. *)
+(* [TINT-10] [TINT-24] The first point of the series at or after minute m, *)
+(* both by the time of its start.                                          *)
 (* It may be one period after the start [AMB-36]; the start of an          *)
 (* end-of-month interrupt may be a point as well [AMB-39].                 *)
 \* @type: ($tod, Int) => Int;
@@ -62,16 +63,23 @@ InSeries(t, m) ==
     THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
     ELSE FirstPoint(t.start, SeriesOf(t.period), m)
 
+(* [T15-20] A minute of local time, by the clock.                          *)
+\* @type: (Int, Int) => Int;
+ByTheClock(local, zone) == IF local = Never THEN Never ELSE local - zone
+
 \* @type: ($tod, Int) => Int;
 PointFrom(t, m) ==
-    IF t.period = EndOfMonth /\ EndOfMonthIsOnce
-    THEN NotBefore(InSeries(t, t.start), m) ELSE InSeries(t, m)
+    LET local == m + t.zone
+    IN  ByTheClock(IF t.period = EndOfMonth /\ EndOfMonthIsOnce
+                   THEN NotBefore(InSeries(t, t.start), local)
+                   ELSE InSeries(t, local), t.zone)
 
 (* The first start point of a setting with one point. *)
 \* @type: $tod => $moment;
 FirstMoment(t) ==
-    [ min |-> IF t.period = Once THEN t.start ELSE PointFrom(t, t.start),
-      ms  |-> t.offset ]
+    LET start == t.start - t.zone
+    IN  [ min |-> IF t.period = Once THEN start ELSE PointFrom(t, start),
+          ms  |-> t.offset ]
 
 -----------------------------------------------------------------------------
 (* The points that were served *)
@@ -157,8 +165,8 @@ NotServed(t, p) ==
 \* @type: $tod => Set($memory);
 Memory(t) ==
     LET runs == t.earlier \cup
-                  { [ from |-> i.from, to |-> i.to,
-                      start |-> t.start, period |-> t.period ]
+                  { [ from |-> i.from, to |-> i.to, start |-> t.start,
+                      zone |-> t.zone, period |-> t.period ]
                     : i \in t.served \cup t.merged }
     IN  IF NewSettingForgets(cpu) THEN {}
         ELSE { i \in runs :
@@ -197,7 +205,8 @@ Remembered(t, c) == IF NewSettingForgets(c) THEN {} ELSE t.earlier
 
 \* @type: ($memory, Int) => Bool;
 IsPointOf(i, p) ==
-    PointFrom([NoSetting EXCEPT !.start = i.start, !.period = i.period], p) = p
+    PointFrom([ NoSetting EXCEPT !.start = i.start, !.zone = i.zone,
+                                 !.period = i.period ], p) = p
 
 \* @type: ($tod, Int, $cpu) => Bool;
 WasServed(t, p, c) ==

@@ -9,7 +9,7 @@ from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"period", "sign", "ret", "status", "cause", "id", "error_info", "ev"})
 _BYTES = frozenset({"mode", "flt_id", "strt_info"})
-_TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off"})
+_TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off", "local", "activate"})
 _UNSAID = {"ob": 0, "dtime": -1}
 """Operands that the engine does not tell, since a line without them has the same number."""
 

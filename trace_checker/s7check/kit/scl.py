@@ -11,7 +11,10 @@ from typing import Any
 from s7check.kit.program import Body, Program, bodies_of
 from s7check.log.calls import OPERANDS
 
-SFC = dict(zip(OPERANDS, (*range(28, 35), *range(39, 43)), strict=True))
+_NO_SFC = "SET_TINTL"
+"""A call of the S7-1500."""
+
+SFC = dict(zip((name for name in OPERANDS if name != _NO_SFC), (*range(28, 35), *range(39, 43)), strict=True))
 """The SFCs in the order of their numbers."""
 
 _PARAMETERS = {"ob": "OB_NR", "sdt": "SDT", "period": "PERIOD", "dtime": "DTIME", "sign": "SIGN", "mode": "MODE"}
@@ -138,6 +141,8 @@ def _statements(body: Body) -> Iterator[str]:
 
 def _call(step: dict[str, Any]) -> str:
     name = step["call"]
+    if name == _NO_SFC:
+        raise NotForCpuError(f"{name}: S7-300/400 have no such SFC")
     operands = [f"{_PARAMETERS[field]} := {_value(field, step[field])}" for field in OPERANDS[name]]
     if name in ("QRY_TINT", "QRY_DINT"):
         operands.append("STATUS := status")

@@ -4,6 +4,7 @@ LOG_FORMAT = "s7-interrupt-log/1"
 
 OPERANDS: dict[str, tuple[str, ...]] = {
     "SET_TINT": ("ob", "sdt", "period"),
+    "SET_TINTL": ("ob", "sdt", "local", "period", "activate"),
     "CAN_TINT": ("ob",),
     "ACT_TINT": ("ob",),
     "QRY_TINT": ("ob",),
@@ -15,7 +16,9 @@ OPERANDS: dict[str, tuple[str, ...]] = {
     "DIS_AIRT": (),
     "EN_AIRT": (),
 }
-"""SFC -> its operands, without RET_VAL and STATUS; in the order of their numbers, 28 to 34 and 39 to 42."""
+"""SFC -> its operands, without RET_VAL and STATUS; in the order of their numbers, 28 to 34 and 39 to 42.
+
+SET_TINTL is a call of the S7-1500 and has no number."""
 
 MODES = {"stop": "STOP", "restart": "STARTUP", "run": "RUN", "hold": "HOLD", "release": "RUN"}
 """Line of the kind ``mode`` -> the mode that it says the CPU is in."""

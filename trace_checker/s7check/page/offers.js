@@ -10,6 +10,7 @@ const CALLS = {
   DIS_AIRT: [],
   EN_AIRT: [],
   SET_TINT: ["ob", "sdt", "period"],
+  SET_TINTL: ["ob", "sdt", "local", "period", "activate"],
   ACT_TINT: ["ob"],
   CAN_TINT: ["ob"],
   QRY_TINT: ["ob"],

@@ -5,7 +5,7 @@ from s7check.log.values import MS_PER_MINUTE, NOT_LOGGED, iso
 
 _WORDS = frozenset({"ret", "status", "period", "sign", "cause", "error_info", "ev", "id"})
 _BYTES = frozenset({"flt_id", "strt_info"})
-_TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off"})
+_TRUTHS = frozenset({"active", "blocked", "loaded", "entries_off", "local", "activate"})
 
 
 def format_allowed(allowed: Allowed) -> str:

@@ -15,6 +15,7 @@ def test_defaults() -> None:
         "clock": {"min": BEGIN, "ms": 30_000},
         "mode": "STOP",
         "latency": 10,
+        "zone": 0,
         "cycle": False,
         "priority": [],
         "step7": [],

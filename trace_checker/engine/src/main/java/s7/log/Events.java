@@ -22,6 +22,7 @@ final class Events {
   private static final String STATUS = "status";
   static final String FAULT = "flt_id";
   private static final String HOT = "hot";
+  private static final String SET_LOCAL = "SET_TINTL";
 
   /** Milliseconds; no log outlasts the years that the CPU clock can show. */
   private static final long LONGEST_UP = 100L * 366 * 86_400_000;
@@ -51,10 +52,12 @@ final class Events {
   private final Map<String, Map<String, Reader>> required = new LinkedHashMap<>();
   private final Set<Long> faulty;
   private final Map<String, TreeSet<String>> restarts;
+  private final List<String> local;
 
   Events(Words words) {
     faulty = words.faultyObs;
     restarts = words.restarts;
+    local = words.local;
     Map<String, Reader> none = Map.of();
     Map<String, Reader> block = Table.of(OB, Spellings.integer(words.obs.first(), words.obs.last()));
     Map<String, Reader> info = Table.of("info", INFO);
@@ -66,6 +69,10 @@ final class Events {
     Map<String, Reader> withMode = Table.of("mode", Spellings.BYTE, OB, PASSED_OB, RET, answer);
     Reader date = Spellings::dateComponents;
     kind("SET_TINT", Table.of(OB, PASSED_OB, "sdt", date, "period", word, RET, answer), none);
+    kind(
+        SET_LOCAL,
+        Table.of(OB, PASSED_OB, "sdt", date, "local", truth, "period", word, "activate", truth, RET, answer),
+        none);
     kind("CAN_TINT", ofOb, none);
     kind("ACT_TINT", ofOb, none);
     kind("QRY_TINT", ofOb, status);
@@ -150,6 +157,9 @@ final class Events {
     int unit = Spellings.step((String) raw.get(AT));
     if (unit > 1) {
       event.add("step", unit);
+    }
+    if (name.equals(SET_LOCAL) && !local.contains(cpu)) {
+      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu, EVENT);
     }
     if (name.equals("interrupt")) {
       checkFault(event);

@@ -31,6 +31,12 @@ final class Header {
   private static final long CLASS_OF_DESELECTED = 0;
 
   private static final String DESELECTED = "deselected";
+  private static final String ZONE = "zone";
+
+  /** Minutes by which local time may be behind or ahead of system time. */
+  private static final int WEST = -720;
+
+  private static final int EAST = 840;
 
   private static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
   private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
@@ -56,12 +62,14 @@ final class Header {
       new Table("a time-delay interrupt", Map.of(), Table.of(DESELECTED, Spellings.TRUTH));
 
   private final List<String> settable;
+  private final List<String> local;
   private final Map<String, TreeSet<Long>> unknown;
   private final Map<String, Table> headers = new HashMap<>();
   private final Map<String, TreeMap<Long, TreeSet<Long>>> classes;
 
   Header(Words words) {
     settable = words.settable;
+    local = words.local;
     unknown = words.unknown;
     classes = words.classes;
     for (String family : words.families) {
@@ -86,6 +94,8 @@ final class Header {
                 MODE,
                 "latency_ms",
                 Spellings.integer(0, Integer.MAX_VALUE),
+                ZONE,
+                Spellings.integer(WEST, EAST),
                 "records",
                 Table.list(Spellings.choice(KINDS)),
                 "cycle",
@@ -169,6 +179,9 @@ final class Header {
     if (given.has(PRIORITY) && !settable.contains(given.get(CPU))) {
       throw new Unusable("on " + String.join(" and ", settable) + " only", "on " + given.get(CPU), PRIORITY);
     }
+    if (given.has(ZONE) && !local.contains(given.get(CPU))) {
+      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + given.get(CPU), ZONE);
+    }
     for (Object ob : (List<?>) given.get("obs")) {
       if (unknown.get(given.get(CPU)).contains(ob)) {
         throw new Unusable("an OB that an " + given.get(CPU) + " has", "OB " + ob, "obs");
@@ -180,6 +193,7 @@ final class Header {
     normalised.put("clock", given.get("clock"));
     normalised.put("mode", or(given, "mode", "STOP"));
     normalised.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
+    normalised.put(ZONE, or(given, ZONE, 0));
     normalised.put("cycle", or(given, "cycle", false));
     normalised.put(PRIORITY, pairs(given.get(PRIORITY), true));
     normalised.put("step7", step7(given.get("step7")));

@@ -36,6 +36,9 @@ final class Words {
   /** Family -> the OBs that none of its CPUs has. */
   final TreeMap<String, TreeSet<Long>> unknown;
 
+  /** The families that have SET_TINTL, and with it local time. */
+  final List<String> local;
+
   Words(Fields words) {
     families = list(words.get("families"));
     settable = list(words.get("settable"));
@@ -51,6 +54,7 @@ final class Words {
       classes.put((String) pair.get(0), map(pair.get(1)));
     }
     unknown = map(words.get("unknown"));
+    local = list(words.get("local"));
   }
 
   @SuppressWarnings("unchecked")

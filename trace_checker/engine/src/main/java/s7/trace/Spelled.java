@@ -15,7 +15,7 @@ final class Spelled {
   private static final Set<String> WORDS =
       Set.of("period", "sign", "ret", "status", "cause", "id", "error_info", "ev");
   private static final Set<String> BYTES = Set.of("mode", "flt_id", "strt_info");
-  private static final Set<String> TRUTHS = Set.of("active", "blocked", "loaded", "entries_off");
+  private static final Set<String> TRUTHS = Set.of("active", "blocked", "loaded", "entries_off", "local", "activate");
   private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "counter");
   private static final List<String> DATE = List.of("year", "month", "day", "hour", "minute", "second", "ms");
 
