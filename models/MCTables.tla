@@ -40,7 +40,7 @@ LettersAgree ==
     /\ Cardinality(Questions) = 88 + 24
     /\ Cardinality({ q[1] : q \in Questions }) = 88 + 24
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 10
+    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 9
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -61,6 +61,8 @@ ModernAgrees ==
              /\ f.queues <=> isS71500
              /\ f.openCodes <=> isS71500
              /\ f.timeAlone <=> isS71500
+             /\ f.setsLocal <=> isS71500
+             /\ f.missesInStop <=> isS71500
              /\ isS71500 <=> f.unknown # {}
              /\ isS71500 <=> f.letters # {}
     /\ LET f == FamilyOf("S7-1500")
@@ -321,6 +323,8 @@ ModernInv ==
     /\ Holds("A15-08", "d", {"c"}, FirstOfEachClassIsCaughtUp)
     /\ Holds("A15-11", "c", {"a"}, CatchUpNeedsNoOb80)
     /\ Holds("A15-11", "c", {"b"}, CatchUpNeedsOb80)
+    /\ Holds("A15-12", "c", {"a"}, StopPointsAreNothing)
+    /\ Holds("A15-12", "c", {"b"}, StopPointsAreReported)
     /\ Holds("A15-13", "c", {"a"}, MissingIsRefused)
     /\ Holds("A15-13", "c", {"b"}, MissingIsNotRefused)
     /\ Holds("A15-14", "a", {"b"}, QueueIsUnknown)
