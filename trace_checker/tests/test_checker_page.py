@@ -158,6 +158,7 @@ MAP = str(SOURCES / "columns.json")
     [
         ("german.txt", "the text of a diagnostic buffer", {}),
         ("szl.hex", "records", {}),
+        ("ring.hex", "the data block of the SCL source", {"mode": "RUN", "records": "call,ob"}),
         ("events.csv", "a table", {"columns": MAP, "mode": "RUN", "records": "call,ob"}),
     ],
 )

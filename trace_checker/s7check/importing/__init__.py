@@ -1,12 +1,9 @@
 """``s7check import``: from the records of a CPU or a program to a log of ``s7-interrupt-log/1``.
 
-The engine reads the diagnostic buffer and CSV. The ring is read here into ``Recording``, events with the place they
-come from; facts that a source does not tell stay unrecorded.
+The engine reads the sources, whose bytes come from here.
 
 - ``errors``: the one exception
-- ``recording``: the events of any source
-- ``sources``: the readers of the sources
-- ``elapsed``: elapsed time from counters
 - ``asking``: what the engine makes of a source
+- ``sources``: the text of CSV, the CPU itself
 - ``options``, ``command``: the command line
 """

@@ -1,6 +1,6 @@
 """What the engine makes of a source."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
 import msgspec
@@ -8,7 +8,6 @@ import msgspec
 from s7check.engine import pool
 from s7check.engine.client import Checked, Engine
 from s7check.importing.errors import SourceError, in_field
-from s7check.importing.recording import Recording
 from s7check.log.profile_file import HERE, profile_file
 
 _Shape = TypeVar("_Shape")
@@ -41,6 +40,61 @@ class Entry(msgspec.Struct, frozen=True):
         return str(self.event["at"])
 
 
+class Ring(msgspec.Struct, frozen=True):
+    """A ring: the number of slots, the bytes of one, how many entries were written so far, the bytes of all."""
+
+    capacity: int
+    size: int
+    written: int
+    length: int
+
+
+class Slot(msgspec.Struct, frozen=True):
+    """An entry of the ring before its events are asked for.
+
+    A ``startup`` OB made it or not; ``begins``: a log can begin there. It ``sets`` the clock
+    to the time ``to``, or begins a ``restart``, a line without its time. ``done``: RET_VAL is there.
+    """
+
+    number: int
+    code: int
+    done: bool
+    sets: bool
+    startup: bool
+    begins: bool
+    clock: str | None
+    to: str | None
+    restart: dict[str, Any] | None = None
+    content: bytes = b""
+
+    @property
+    def at(self) -> str:
+        """The CPU clock. Raises SourceError for one that there is not."""
+        return self._told(self.clock)
+
+    @property
+    def set_to(self) -> str:
+        """The time to which it sets the clock. Raises SourceError for one that there is not."""
+        return self._told(self.to)
+
+    def _told(self, time: str | None) -> str:
+        if time is None:
+            events_of([self], {})
+        return str(time)
+
+
+class RingEvents(msgspec.Struct, frozen=True):
+    """Events of slots, the ``elapsed`` time behind them, and whether the clock ``jumped`` before the last slot."""
+
+    events: list[dict[str, Any]]
+    elapsed: dict[str, Any]
+    jumped: bool
+
+
+class _Slots(msgspec.Struct):
+    slots: list[Slot]
+
+
 class _Kind(msgspec.Struct):
     kind: str | None
 
@@ -60,20 +114,11 @@ def kind_of(begin: bytes, engine: Engine | None = None) -> str | None:
     return _ask({"message": "kind"}, _Kind, begin).kind
 
 
-def log_of(content: bytes, kind: str, given: dict[str, Any], chosen: range | None = None, **how: Any) -> Imported:
+def log_of(content: bytes, kind: str, given: dict[str, Any], **how: Any) -> Imported:
     """The log of a source; ``given`` are fields of the header, which count more than what it tells."""
-    entries = f"{chosen.start}-{chosen.stop - 1}" if chosen is not None else None
-    return _import({"kind": kind, "given": given, "entries": entries, **how}, content)
-
-
-def log_of_recording(recording: Recording, given: dict[str, Any]) -> Imported:
-    """The log of what was read here."""
-    return _import({"given": given, "recording": recording.as_told()}, b"")
-
-
-def _import(message: dict[str, Any], content: bytes) -> Imported:
-    file = profile_file(msgspec.json.encode(message["given"]), HERE)
-    return _ask({"message": "import", **message, **({"file": file} if file else {})}, Imported, content)
+    file = profile_file(msgspec.json.encode(given), HERE)
+    message = {"message": "import", "kind": kind, "given": given, **how, **({"file": file} if file else {})}
+    return _ask(message, Imported, content)
 
 
 def entries_of(records: Sequence[bytes]) -> list[Entry]:
@@ -87,10 +132,27 @@ def mode_of(nibble: int) -> str | None:
     return _ask({"message": "mode", "number": nibble}, _Mode).mode
 
 
-def start_info(ob: int, number: int, info_1: int, info_2: int) -> dict[str, Any]:
-    """The fields of ``ob``'s start information: of byte 1, the word of bytes 6-7, the double word of bytes 8-11."""
-    message = {"message": "start info", "ob": ob, "number": number, "info1": info_1, "info2": info_2}
-    return _ask(message, dict[str, Any])
+def ring_of(header: bytes) -> Ring:
+    """The header of a ring, with what follows or without. Raises SourceError for another one."""
+    return _ask({"message": "ring"}, Ring, header)
+
+
+def slots_of(content: bytes) -> list[Slot]:
+    """What whole slots of a ring hold, one behind the other."""
+    slots = _ask({"message": "slots"}, _Slots, content).slots
+    length = len(content) // max(len(slots), 1)
+    return [msgspec.structs.replace(one, content=content[i * length :][:length]) for i, one in enumerate(slots)]
+
+
+def events_of(slots: Sequence[Slot], elapsed: Mapping[str, Any]) -> RingEvents:
+    """The events of slots; ``elapsed`` is as the answer before had it, or empty. Raises SourceError."""
+    content = b"".join(one.content for one in slots)
+    return _ask({"message": "ring events", "elapsed": elapsed}, RingEvents, content)
+
+
+def state_of(ob: int, al1: int) -> dict[str, Any]:
+    """What the word al1 of SZL 16#0222 shows of an OB."""
+    return _ask({"message": "state", "ob": ob, "al1": al1}, dict[str, Any])
 
 
 def _ask(message: dict[str, Any], shape: type[_Shape], content: bytes = b"") -> _Shape:

@@ -7,10 +7,10 @@ from typing import Any
 import click
 
 from s7check.completion import complete_files
-from s7check.importing.asking import Imported, kind_of, log_of, log_of_recording
+from s7check.importing.asking import Imported, kind_of, log_of
 from s7check.importing.errors import SourceError
-from s7check.importing.options import Cpu, JsonFile, Obs, Span, Words
-from s7check.importing.sources import csv_text, hex_text, live, ring
+from s7check.importing.options import Cpu, JsonFile, Obs, Words
+from s7check.importing.sources import csv_text, live
 from s7check.letters import set_option
 from s7check.log.errors import printable
 from s7check.output import echo, write_whole
@@ -81,7 +81,7 @@ Exit codes:
 @click.option("--step7", type=JsonFile(), metavar="FILE", help="STEP 7 parameters of the OBs, as in the header, JSON.")
 @click.option("--records", type=Words(), metavar="KIND,...", help="Kinds of event that SOURCE holds completely.")
 @click.option("--header", "fields", type=JsonFile(), metavar="FILE", help="Any fields of the header, JSON.")
-@click.option("--entries", type=Span(), metavar="A-B", help="Only entries A to B, as SOURCE numbers them.")
+@click.option("--entries", metavar="A-B", help="Only entries A to B, as SOURCE numbers them.")
 @click.option("--dates", type=click.Choice(["DMY", "MDY", "YMD"]), help="Order of day, month, year in a step7 text.")
 @click.option(
     "--map",
@@ -118,7 +118,6 @@ def import_command(kind: str | None, output: Path | None, source: str, **options
 
 def _imported(kind: str | None, source: str, options: dict[str, Any]) -> Imported:
     """The log of the source."""
-    chosen: range | None = options["entries"]
     given = _given(options)
     remarks: list[str] = []
     if source.startswith(live.SCHEME):
@@ -132,16 +131,15 @@ def _imported(kind: str | None, source: str, options: dict[str, Any]) -> Importe
             "--from is missing, and SOURCE does not show what it is: expected the text of a diagnostic buffer (step7), "
             "records of SZL 16#00A0 (szl), the data block of the SCL source (ring), or with --map a table (csv)"
         )
-    if kind == "ring":
-        return log_of_recording(ring.convert(hex_text.decode(content), chosen), given)
+    how = {"entries": options["entries"], "dates": options["dates"], "remarks": remarks}
     if kind != "csv":
-        return log_of(content, kind, given, chosen, dates=options["dates"], remarks=remarks)
+        return log_of(content, kind, given, **how)
     if options["columns"] is None:
         raise click.UsageError(
             "--map is missing: expected a JSON file that says which column is which field (docs/checking/import.md)"
         )
     columns = _content(options["columns"])
-    return log_of(csv_text.in_utf8(content, columns), kind, given, chosen, map=columns.decode("latin-1"))
+    return log_of(csv_text.in_utf8(content, columns), kind, given, **how, map=columns.decode("latin-1"))
 
 
 def _content(name: str) -> bytes:

@@ -56,19 +56,6 @@ class Words(click.ParamType[list[str]]):
         return value.split(",") if value else []
 
 
-class Span(click.ParamType[range]):
-    """Numbers of entries, ``5-20``, ``5-`` or ``-20``."""
-
-    name = "span"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> range:
-        """The numbers, the last one included."""
-        match = re.fullmatch(r"([0-9]{0,9})-([0-9]{0,9})", value)
-        if not match or value == "-":
-            self.fail(f"expected numbers of entries such as 5-20, 5- or -20; found {value!r}", param, ctx)
-        return range(int(match[1] or 0), int(match[2]) + 1 if match[2] else 1 << 31)
-
-
 class JsonFile(click.Path):
     """A file that holds a JSON object, which is the value."""
 

@@ -8,10 +8,9 @@ from contextlib import suppress
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from s7check.importing.asking import mode_of
+from s7check.importing.asking import Ring, Slot, mode_of, ring_of, slots_of
 from s7check.importing.errors import SourceError
 from s7check.importing.sources import live
-from s7check.importing.sources.ring_layout import HEADER_LENGTH, RingEntry, RingHeader, read_entries, read_header
 
 if TYPE_CHECKING:
     from snap7 import Client
@@ -46,17 +45,17 @@ class Connection:
         with live.answers():
             return client.get_plc_datetime()
 
-    def ring(self) -> RingHeader:
+    def ring(self) -> Ring:
         """The header of the ring."""
-        return read_header(self._data(0, HEADER_LENGTH))
+        return ring_of(self._data(0, live.RING_HEADER))
 
-    def slots(self, header: RingHeader, first: int, last: int) -> list[RingEntry]:
+    def slots(self, header: Ring, first: int, last: int) -> list[Slot]:
         """What the slots of the entries ``first`` to ``last`` hold, at most as many as the ring has slots."""
-        entries: list[RingEntry] = []
+        entries: list[Slot] = []
         while first <= last:
             begin = (first - 1) % header.capacity
             count = min(last - first + 1, header.capacity - begin)
-            entries += read_entries(self._data(HEADER_LENGTH + begin * header.size, count * header.size))
+            entries += slots_of(self._data(live.RING_HEADER + begin * header.size, count * header.size))
             first += count
         return entries
 

@@ -11,10 +11,8 @@ from __future__ import annotations
 from time import sleep
 from typing import Any, Protocol
 
-from s7check.importing.elapsed import Elapsed
-from s7check.importing.recording import Recording
-from s7check.importing.sources.ring import events_of, sets_clock
-from s7check.importing.sources.ring_layout import RingEntry, read_header, read_slots
+from s7check.importing.asking import Slot, events_of, ring_of, slots_of
+from s7check.importing.sources.live import RING_HEADER
 from s7check.kit.hardware import encoded, lacks
 from s7check.kit.program import Program
 from s7check.live.lane import SkippedError, serve
@@ -45,26 +43,23 @@ def lines_of(driver: Driver, program: Program, latency: int, slack: float) -> li
     if lack := "no STOP and no restart over this link" if unseen else lacks(program):
         raise SkippedError(lack)
     driver.load(encoded(program))
-    before = read_header(driver.ring()).written
+    before = ring_of(driver.ring()).written
     driver.restart()
     sleep(program.duration / 1000 + slack)
-    first, *entries = _behind_the_clock(driver.ring(), before)
-    elapsed, told = Elapsed(), Recording()
-    begun = events_of(first, elapsed, told)[0].event
-    events = [one.event for entry in entries for one in events_of(entry, elapsed, told)]
+    begun, *events = events_of(_behind_the_clock(driver.ring(), before), {}).events
     header = {"format": LOG_FORMAT, **program.header, "latency_ms": latency, "records": _RECORDS}
     return [header, *({**event, "up": event["up"] - begun["up"]} for event in events), {"event": "done"}]
 
 
-def _behind_the_clock(raw: bytes, before: int) -> list[RingEntry]:
+def _behind_the_clock(raw: bytes, before: int) -> list[Slot]:
     """The entry with which the program has set the clock, and those behind it."""
-    header = read_header(raw)
-    slots = {entry.number: entry for entry in read_slots(raw, header)}
+    header = ring_of(raw)
+    slots = {entry.number: entry for entry in slots_of(raw[RING_HEADER : header.length])}
     numbers = range(before + 1, header.written + 1)
     if not slots.keys() >= {*numbers}:
         raise SkippedError(f"{len(numbers)} records, more than the ring has slots")
     entries = [slots[number] for number in numbers]
-    begins = next((place for place, entry in enumerate(entries) if sets_clock(entry)), None)
+    begins = next((place for place, entry in enumerate(entries) if entry.sets), None)
     if begins is None:
         raise SkippedError("the program has not begun: is the interpreter called in OB 1?")
     return entries[begins:]

@@ -13,12 +13,8 @@ from datetime import datetime
 from time import monotonic
 from typing import Any, NamedTuple
 
-from s7check.importing.asking import Entry, entries_of
-from s7check.importing.elapsed import Elapsed
+from s7check.importing.asking import Entry, Ring, Slot, entries_of, events_of, state_of
 from s7check.importing.errors import SourceError
-from s7check.importing.recording import Recording
-from s7check.importing.sources import ring
-from s7check.importing.sources.ring_layout import RingEntry, RingHeader
 from s7check.live.connection import Connection
 
 _FEW = 5
@@ -43,11 +39,11 @@ _TRIES = 5
 
 
 class Event(NamedTuple):
-    """An event without a gap before it; ``mode`` was that of the CPU before, ``caller`` the OB that made the entry."""
+    """An event without a gap before it; ``mode`` was that of the CPU before, ``begins``: a log can begin there."""
 
     fields: dict[str, Any]
     mode: str | None
-    caller: int | None
+    begins: bool
 
 
 class Cut(NamedTuple):
@@ -60,7 +56,7 @@ class Cut(NamedTuple):
 class _Waiting:
     """What was read and is not told yet, oldest first; ``settled`` of ``diag`` were read in an earlier poll."""
 
-    ring: deque[RingEntry | Cut] = field(default_factory=deque)
+    ring: deque[Slot | Cut] = field(default_factory=deque)
     diag: deque[Entry] = field(default_factory=deque)
     settled: int = 0
     polls: int = 0
@@ -79,10 +75,9 @@ class Tail:
         self._clocks: list[tuple[datetime, float]] = []
         self._jumped = False
         self._waiting = _Waiting()
-        self._elapsed = Elapsed()
+        self._elapsed: dict[str, Any] = {}
         self._set_before = False
         self._last = ""
-        self.skipped = Recording()
         self.written = cpu.ring().written
         self.mode: str | None = None
         self._begin()
@@ -102,8 +97,8 @@ class Tail:
         self._waiting.settled = len(self._waiting.diag)
         known = self._read_diag()
         self._read_slots(header)
-        sets = [one for one in self._waiting.ring if isinstance(one, RingEntry) and ring.sets_clock(one)]
-        if any(ring.clock_of(one) >= diag.at >= ring.set_to(one) for one in sets for diag in self._waiting.diag):
+        sets = [one for one in self._waiting.ring if isinstance(one, Slot) and one.sets]
+        if any(one.at >= diag.at >= one.set_to for one in sets for diag in self._waiting.diag):
             # Nobody knows whether the entry of the buffer comes before the clock was set back, or after.
             self._waiting.ring.clear()
             yield self._cut("the clock was set back, and the order of entries about then is not certain")
@@ -126,7 +121,7 @@ class Tail:
         after = self._cpu.clock()
         if al1 is None or after < before or self._cpu.ring().written != self.written:
             return None
-        said = ring.state_of(ob, al1, None)
+        said = state_of(ob, al1)
         return _spelled(before), _spelled(after), {"event": "state", "ob": ob, **said}
 
     def _begin(self) -> None:
@@ -166,7 +161,7 @@ class Tail:
     def _newest(self) -> list[bytes]:
         return self._cpu.newest(_FEW)
 
-    def _read_slots(self, header: RingHeader) -> None:
+    def _read_slots(self, header: Ring) -> None:
         """The entries up to the counter; what was overwritten before it was read is a cut."""
         waiting = self._waiting.ring
         if header.written < self.written:
@@ -192,11 +187,11 @@ class Tail:
             self.written = header.written
         self._complete(header)
 
-    def _complete(self, header: RingHeader) -> None:
+    def _complete(self, header: Ring) -> None:
         """Reads the entries again that wait for their RET_VAL."""
         waiting = self._waiting
         for place, entry in enumerate(waiting.ring):
-            if isinstance(entry, RingEntry) and not entry.done:
+            if isinstance(entry, Slot) and not entry.done:
                 (read,) = self._cpu.slots(header, entry.number, entry.number)
                 if read.number == entry.number and read.done:
                     (read,) = self._cpu.slots(header, entry.number, entry.number)
@@ -222,17 +217,17 @@ class Tail:
                 waiting.ring.popleft()
                 yield from self._of_ring(head)
 
-    def _is_before(self, diag: Entry, entry: RingEntry) -> bool:
+    def _is_before(self, diag: Entry, entry: Slot) -> bool:
         """Of one millisecond, a restart is before the entries of the ring, and RUN before those of no startup OB."""
-        at = ring.clock_of(entry)
+        at = entry.at
         if diag.at < self._last:  # behind a setting of the clock that the ring has yet to tell of
             return False
         change = diag.change
         if diag.at == at and change is not None:
-            return change[1] == "STARTUP" or (change[1] == "RUN" and entry.caller not in ring.STARTUP_OBS)
+            return change[1] == "STARTUP" or (change[1] == "RUN" and not entry.startup)
         return diag.at < at
 
-    def _waits_for_kind(self, head: RingEntry | None) -> bool:
+    def _waits_for_kind(self, head: Slot | None) -> bool:
         """Whether the oldest entry of the buffer begins a restart whose kind a later entry will tell."""
         change = self._waiting.diag[0].change
         if change is None or change[1] != "STARTUP" or self.mode == "STARTUP":
@@ -241,7 +236,7 @@ class Tail:
         ended = any(one.change is not None for one in list(self._waiting.diag)[1:])
         return told is None and head is None and not ended
 
-    def _of_diag(self, entry: Entry, head: RingEntry | None) -> Iterator[Event | Cut]:
+    def _of_diag(self, entry: Entry, head: Slot | None) -> Iterator[Event | Cut]:
         if entry.at < self._last:
             yield self._cut("the clock was set back, by whom and when is not known")
         change = entry.change
@@ -250,42 +245,42 @@ class Tail:
             self.mode = "STOP"
         elif change is not None and change[1] != self.mode:
             yield from self._change(entry, head, *change)
-        yield self._told(entry.event, None)
+        yield self._told(entry.event)
 
-    def _change(self, entry: Entry, head: RingEntry | None, old: str | None, new: str | None) -> Iterator[Event | Cut]:
+    def _change(self, entry: Entry, head: Slot | None, old: str | None, new: str | None) -> Iterator[Event | Cut]:
         """The line of a change of the mode; a cut where the entries do not tell it."""
         event = _told_with([entry, *self._waiting.diag])
-        if event is None and (old, new) == ("STOP", "STARTUP") and head is not None and ring.begins_restart(head):
-            restart = ring.restart_of(head)
-            event = {"event": restart["event"], "at": entry.at, **restart}
+        if event is None and (old, new) == ("STOP", "STARTUP") and head is not None and head.restart:
+            event = {"event": "restart", "at": entry.at, **head.restart}
         if event is None or old not in (None, self.mode):
             yield self._cut("a change of the mode is missing, or its kind is not told")
         else:
-            yield self._told(event, None)
+            yield self._told(event)
         self.mode = new
 
-    def _of_ring(self, entry: RingEntry) -> Iterator[Event | Cut]:
+    def _of_ring(self, entry: Slot) -> Iterator[Event | Cut]:
         try:
-            events = ring.events_of(entry, self._elapsed, self.skipped)
+            told = events_of([entry], self._elapsed)
         except SourceError as error:
             yield self._cut(str(error))
             return
-        if self._elapsed.jumped:
+        self._elapsed = told.elapsed
+        if told.jumped:
             yield self._cut("the clock was set, by whom and when is not known")
-        for event, _ in events:
+        for event in told.events:
             before, after = _MODES.get(event["event"], (None, None))
             if after is not None and after == self.mode:
                 continue  # the diagnostic buffer has told it
             if self.mode != before if before else self.mode in ("STOP", "HOLD"):
                 yield self._cut("a change of the mode is missing")
-                self.mode = before or ("STARTUP" if entry.caller in ring.STARTUP_OBS else "RUN")
-            yield self._told(event, entry.caller)
+                self.mode = before or ("STARTUP" if entry.startup else "RUN")
+            yield self._told(event, entry.begins)
             self.mode = after or self.mode
             self._last = event.get("to", self._last)
 
-    def _told(self, event: dict[str, Any], caller: int | None) -> Event:
+    def _told(self, event: dict[str, Any], begins: bool = False) -> Event:
         self._last = event["at"]
-        return Event(event, self.mode, caller)
+        return Event(event, self.mode, begins)
 
     def _cut(self, reason: str) -> Cut:
         self._last = ""

@@ -7,7 +7,6 @@ from time import monotonic
 from typing import Any, Generic, TypeVar
 
 from s7check.importing.sources.live import NoAnswerError
-from s7check.importing.sources.ring import MODES_AT_BEGIN
 from s7check.live.connection import Connection
 from s7check.live.log import GrowingLog
 from s7check.live.tail import Cut, Event, Tail
@@ -121,7 +120,7 @@ class Watch:
 
     def _begin(self, one: Event) -> bool:
         """Whether a log can begin before the event."""
-        if one.mode != "STOP" and one.caller not in MODES_AT_BEGIN:
+        if one.mode != "STOP" and not one.begins:
             return False
         self._partial = one.mode != "STOP"
         records = [*self._given.get("records", []), *_OF_THE_CPU]

@@ -16,12 +16,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from s7check import cli
-from s7check.importing.asking import log_of_recording
-from s7check.importing.elapsed import Elapsed
+from s7check.importing.asking import Imported, events_of, log_of, slots_of
 from s7check.importing.errors import SourceError
-from s7check.importing.recording import Recording
-from s7check.importing.sources import ring
-from s7check.importing.sources.ring_layout import RingEntry, RingHeader
 
 INSTRUMENTATION = Path(cli.__file__).parents[2] / "instrumentation" / "scl"
 SOURCE = (INSTRUMENTATION / "s7log.scl").read_text(encoding="ascii")
@@ -82,14 +78,14 @@ def dump(*entries: dict[str, Any], capacity: int = 20, later: int = 0) -> bytes:
     return header + double(written) + double(max(0, written - capacity)) + b"".join(slots)
 
 
-def events(recording: Recording) -> list[dict[str, Any]]:
-    """The events, which have to be those of a usable log."""
-    return log_of_recording(recording, {"cpu": "S7-400", "obs": [1]}).log[1:]
+def read(content: bytes, entries: str | None = None) -> Imported:
+    """The log of a dump."""
+    return log_of(content, "ring", {"cpu": "S7-400", "obs": [1]}, entries=entries)
 
 
 def imported(*entries: dict[str, Any], **options: Any) -> list[dict[str, Any]]:
     """The events of entries without their times."""
-    found = events(ring.convert(dump(*entries, **options)))
+    found = read(dump(*entries, **options)).log[1:]
     return [{name: value for name, value in event.items() if name not in ("at", "up")} for event in found]
 
 
@@ -177,59 +173,57 @@ def test_start_information(written: dict[str, Any], info: dict[str, Any]) -> Non
 def test_restart_and_run() -> None:
     """A startup OB proves a restart, the first cycle of OB 1 proves RUN."""
     for ob, number, kind, first in ((100, 0x81, "warm", 1), (101, 0x83, "hot", 2), (102, 0x85, "cold", 4)):
-        recording = ring.convert(
+        header, *events = read(
             dump(begins(ob, 1, number), entry(201, 2, ob, ob=ob), begins(1, 3, first, 1), begins(1, 4, 3, 1))
-        )
-        assert recording.header["mode"] == "STOP"
-        assert [event["event"] for event in events(recording)] == ["restart", "start", "end", "run", "start", "start"]
-        assert events(recording)[0]["type"] == kind
+        ).log
+        assert header["mode"] == "STOP"
+        assert [event["event"] for event in events] == ["restart", "start", "end", "run", "start", "start"]
+        assert events[0]["type"] == kind
 
 
 def test_clock_that_was_not_set() -> None:
     """A refused SET_CLK changes nothing and is counted."""
-    recording = ring.convert(dump(entry(30, 1, ob=10), entry(0, 2, ret=-32639)))
-    assert len(events(recording)) == 1
-    assert recording.skipped == {"SET_CLK that did not set the clock": 1}
+    told = read(dump(entry(30, 1, ob=10), entry(0, 2, ret=-32639))).told
+    assert told[:2] == ["2 entries read, 1 skipped; 1 events written", "1 skipped: SET_CLK that did not set the clock"]
 
 
 def test_state_that_was_not_read() -> None:
     """A system list that is still being read, or an index that the CPU refuses, is counted."""
-    recording = ring.convert(dump(entry(30, 1, ob=10), entry(51, 2, ob=20, done=0), entry(51, 3, ob=20, ret=-32637)))
-    assert len(events(recording)) == 1
-    assert recording.skipped == {"RDSYSST that did not answer": 2}
+    told = read(dump(entry(30, 1, ob=10), entry(51, 2, ob=20, done=0), entry(51, 3, ob=20, ret=-32637))).told
+    assert told[:2] == ["3 entries read, 2 skipped; 1 events written", "2 skipped: RDSYSST that did not answer"]
 
 
 def test_overwritten() -> None:
     """A full ring holds the newest entries; how many are lost is said."""
-    recording = ring.convert(dump(*(entry(30, second, ob=10 + second) for second in range(8)), capacity=5))
-    assert [event["ob"] for event in events(recording)] == [13, 14, 15, 16, 17]
-    assert (recording.read, recording.skipped, recording.header["mode"]) == (5, {}, "RUN")
-    assert "3 older entries were overwritten in the ring" in recording.remarks
+    made = read(dump(*(entry(30, second, ob=10 + second) for second in range(8)), capacity=5))
+    assert [event["ob"] for event in made.log[1:]] == [13, 14, 15, 16, 17]
+    assert (made.told[0], made.log[0]["mode"]) == ("5 entries read, 0 skipped; 5 events written", "RUN")
+    assert "note: 3 older entries were overwritten in the ring" in made.told
 
 
 def test_written_while_read() -> None:
     """Entries that came after the header was read are left for the next dump, so are those they overwrote."""
-    recording = ring.convert(dump(*(entry(30, second, ob=10 + second) for second in range(8)), capacity=5, later=2))
-    assert [event["ob"] for event in events(recording)] == [13, 14, 15]
+    made = imported(*(entry(30, second, ob=10 + second) for second in range(8)), capacity=5, later=2)
+    assert [event["ob"] for event in made] == [13, 14, 15]
 
 
 def test_begin_in_the_middle_of_an_ob() -> None:
     """Before the first entry of OB 1 or a startup OB it is unknown what is interrupted."""
-    recording = ring.convert(dump(entry(41, 1, 35), entry(201, 2, 35, ob=35), entry(30, 3, ob=10)))
-    assert [event["event"] for event in events(recording)] == ["ACT_TINT"]
-    assert recording.skipped == {"before the first entry of OB 1 or a startup OB": 2}
-    recording = ring.convert(dump(entry(41, 1, 35), entry(30, 2, 100, ob=10), begins(1, 3, 1, 1)))
-    assert recording.header["mode"] == "STARTUP"
-    recording = ring.convert(dump(begins(1, 3, 1, 1)))
-    assert (recording.header["mode"], events(recording)[0]["event"]) == ("STARTUP", "run")
+    made = read(dump(entry(41, 1, 35), entry(201, 2, 35, ob=35), entry(30, 3, ob=10)))
+    assert [event["event"] for event in made.log[1:]] == ["ACT_TINT"]
+    assert "2 skipped: before the first entry of OB 1 or a startup OB" in made.told
+    made = read(dump(entry(41, 1, 35), entry(30, 2, 100, ob=10), begins(1, 3, 1, 1)))
+    assert made.log[0]["mode"] == "STARTUP"
+    made = read(dump(begins(1, 3, 1, 1)))
+    assert (made.log[0]["mode"], made.log[1]["event"]) == ("STARTUP", "run")
 
 
 def test_entries() -> None:
     """--entries takes a part of the ring by the entries' numbers."""
     content = dump(*(entry(30, second, ob=10 + second) for second in range(8)), capacity=5)
-    recording = ring.convert(content, range(6, 8))
-    assert [event["ob"] for event in events(recording)] == [15, 16]
-    assert recording.skipped == {"outside --entries": 3}
+    made = read(content, "6-7")
+    assert [event["ob"] for event in made.log[1:]] == [15, 16]
+    assert "3 skipped: outside --entries" in made.told
 
 
 GOOD = dump(entry(30, 1, ob=10), entry(30, 2, ob=11))
@@ -260,7 +254,7 @@ def changed(at: int, content: bytes, source: bytes = GOOD) -> bytes:
 def test_ring_that_cannot_be_read(content: bytes, message: str) -> None:
     """One message: the entry, what was expected."""
     with pytest.raises(SourceError) as error:
-        ring.convert(content)
+        read(content)
     assert str(error.value).startswith(message)
 
 
@@ -297,8 +291,22 @@ def test_command(tmp_path: Path, form: bytes, capsys: pytest.CaptureFixture[str]
 )
 def test_elapsed(steps: list[tuple[int, int]], up: list[int]) -> None:
     """Elapsed time is that of a clock that nobody sets."""
-    elapsed = Elapsed()
-    assert [elapsed.up(moment(clock), tick, False) for clock, tick in steps] == up
+    assert ups(*(called(moment(clock), tick) for clock, tick in steps)) == up
+
+
+def called(at: str, tick: int) -> dict[str, Any]:
+    """A call at that reading of the clock and of TIME_TCK."""
+    return entry(30, 0, ob=10) | {"clk": bcd(at), "tick": tick}
+
+
+def restarted(at: str, tick: int) -> dict[str, Any]:
+    """OB 100 begins then."""
+    return begins(100, 1) | {"clk": bcd(at), "tick": tick}
+
+
+def ups(*entries: dict[str, Any]) -> list[int]:
+    """The elapsed times of entries."""
+    return [event["up"] for event in read(dump(*entries)).log[1:] if event["event"] != "restart"]
 
 
 def moment(milliseconds: int) -> str:
@@ -310,22 +318,22 @@ def moment(milliseconds: int) -> str:
 
 def test_elapsed_over_a_restart_of_a_set_clock() -> None:
     """The clock was set before the CPU stopped: the jump is no time that passes."""
-    elapsed = Elapsed()
-    assert elapsed.up("2026-11-21T05:59:00.000", 1000, False) == 0
-    elapsed.set_clock("2026-11-21T07:00:00.000")
-    assert elapsed.up("2026-11-21T07:00:04.000", 5, True) == 4000
-    assert not elapsed.jumped
-    assert elapsed.up("2026-11-21T09:00:00.000", 1005, False) == 5000
-    assert elapsed.jumped
+    entries = [
+        entry(0, 0, stamp=bcd("2026-11-21T07:00:00.000")) | {"tick": 1000},
+        restarted("2026-11-21T07:00:04.000", 5),
+        called("2026-11-21T09:00:00.000", 1005),
+    ]
+    assert ups(*entries) == [0, 4000, 5000]
+    slots = slots_of(b"".join(packed(number, one) for number, one in enumerate(entries, 1)))
+    first = events_of(slots[:2], {})
+    assert (first.jumped, events_of(slots[2:], first.elapsed).jumped) == (False, True)
 
 
 def test_elapsed_over_a_restart() -> None:
     """A restart sets TIME_TCK to 0; then the clock is all there is, as far as it goes on."""
-    elapsed = Elapsed()
-    assert elapsed.up(moment(0), 70_000, False) == 0
-    assert elapsed.up(moment(5000), 12, True) == 5000
-    assert elapsed.up(moment(5010), 22, False) == 5010
-    assert elapsed.up(moment(0), 10, True) == 5010
+    before = called(moment(0), 70_000)
+    after = [restarted(moment(5000), 12), called(moment(5010), 22), restarted(moment(0), 10)]
+    assert ups(before, *after) == [0, 5000, 5010, 5010]
 
 
 @given(st.lists(st.binary(min_size=44, max_size=44), max_size=4), st.binary(max_size=60))
@@ -334,7 +342,7 @@ def test_any_bytes(slots: list[bytes], tail: bytes) -> None:
     numbered = [double(number) + slot[4:] for number, slot in enumerate(slots, 1)]
     header = word(0x5337) + word(1) + word(max(1, len(slots))) + word(44) + bytes(4) + double(len(slots)) + bytes(4)
     with suppress(SourceError):
-        events(ring.convert(header + b"".join(numbered) + tail))
+        read(header + b"".join(numbered) + tail)
 
 
 # The source itself, as far as that can be checked without a compiler for it.
@@ -361,9 +369,7 @@ DB = members(SOURCE.partition("DATA_BLOCK DB101")[2])
 
 
 def test_layout_of_the_source() -> None:
-    """The members of UDT 100 and DB 101 lie where the reader and the README have them."""
-    assert [name for name, _ in UDT] == list(RingEntry._fields)
-    assert [name for name, _ in DB[:-1]] == list(RingHeader._fields)
+    """The members of UDT 100 and DB 101 lie where the README has them, after which dumps are packed here."""
     assert DB[-1] == ("entry", "ARRAY[0..179] OF UDT100")
     *of_entry, size = offsets([type_ for _, type_ in UDT])
     *of_header, entries = offsets([type_ for _, type_ in DB[:-1]])

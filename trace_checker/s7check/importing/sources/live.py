@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
+from s7check.importing.asking import ring_of
 from s7check.importing.errors import SourceError, shown
-from s7check.importing.sources.ring_layout import HEADER_LENGTH, read_header
 from s7check.log.errors import printable
 
 if TYPE_CHECKING:
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 SCHEME = "snap7://"
 ISO_ON_TCP = 102
+RING_HEADER = 20
+"""Bytes of a ring before its slots."""
+
 INSTALL = 'pip install "python-snap7>=3.3"'
 
 _ADDRESS = re.compile(r"snap7://([^:/\s]+):([0-9]{1,2}):([0-9]{1,2})")
@@ -66,9 +69,9 @@ def read_ring(address: Address, db: int) -> bytes:
     The header is read first: an entry that it counts is complete when the slots are read.
     """
     with _connected(address) as cpu:
-        start = bytes(cpu.db_read(db, 0, HEADER_LENGTH))
-        header = read_header(start)
-        return start + bytes(cpu.db_read(db, HEADER_LENGTH, header.length - HEADER_LENGTH))
+        start = bytes(cpu.db_read(db, 0, RING_HEADER))
+        header = ring_of(start)
+        return start + bytes(cpu.db_read(db, RING_HEADER, header.length - RING_HEADER))
 
 
 class NoAnswerError(SourceError):

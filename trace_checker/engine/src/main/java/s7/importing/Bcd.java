@@ -27,6 +27,13 @@ final class Bcd {
     return parts != null && exists(parts) ? Days.spelled(parts) : null;
   }
 
+  /** Milliseconds since 1990 of one that exists. */
+  static long milliseconds(byte[] raw, int at) {
+    int[] parts = parts(raw, at);
+    long minutes = (Days.to(parts[0], parts[1], parts[2]) * 24L + parts[3]) * 60 + parts[4];
+    return (minutes * 60 + parts[5]) * 1000 + parts[6];
+  }
+
   static boolean exists(int... parts) {
     return parts[0] >= 1
         && parts[1] >= 1

@@ -20,7 +20,7 @@ record Diagnostics(List<Entry> entries, int empty) {
   /** In the place of the priority class: the OB could not be started. */
   private static final int NOT_STARTED = 0xFE;
 
-  /** Its events. The clock must not be set back between two entries, since nothing tells when and from which reading. */
+  /** Its events. The clock must not be set back between two entries: nothing tells when and from which reading. */
   Recording convert(Recording.Span chosen) {
     var recording = new Recording();
     List<Entry> kept = recording.select(entries, Entry::number, chosen);

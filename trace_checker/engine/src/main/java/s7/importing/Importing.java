@@ -19,14 +19,17 @@ import s7.log.Unusable;
  *   <li>{@code kind}: which {@code kind} of source they are, told by their beginning: {@code step7}, {@code szl} or
  *       {@code ring}, null for none; and {@code what} that is, in words.
  *   <li>{@code import} with {@code kind}, the fields {@code given} of the header, which count more than what the source
- *       tells, {@code entries} such as {@code 5-20}, {@code dates} as {@link Step7Text#read} has
- *       it, the {@code map} of a {@link Table}, whose bytes are in UTF-8, and {@code remarks} on the source: the {@code log}, objects, and {@code told}, lines for people. Of what was
- *       read elsewhere there is a {@code recording} in place of bytes.
+ *       tells, {@code entries} such as {@code 5-20}, {@code dates} as {@link Step7Text#read} has it, the {@code map} of
+ *       a {@link Table}, whose bytes are in UTF-8, and {@code remarks} on the source: the {@code log}, objects, and
+ *       {@code told}, lines for people.
  *   <li>{@code entries}: what records of the diagnostic buffer, oldest first, tell one by one: their {@code event}; old
  *       and new mode of a {@code change}; the event {@code told} of the mode, as far as these records tell it; and
  *       whether the {@code power} came back.
  *   <li>{@code mode} with {@code number}: the {@code mode} that a half-byte of the CPU stands for.
- *   <li>{@code start info} with {@code ob}, {@code number}, {@code info1}, {@code info2}: its fields.
+ *   <li>{@code ring}: its {@code capacity}, {@code size}, {@code written} and {@code length}, by its header; {@code
+ *       slots}: what each tells, as {@link Slot#told} has it; {@code ring events} with {@code elapsed}, empty or as the
+ *       answer before had it: the {@code events} of slots, and whether the clock has {@code jumped} before the last.
+ *   <li>{@code state} with {@code ob} and {@code al1}, a word of SZL 16#0222: the fields of that line.
  * </ul>
  */
 public final class Importing {
@@ -34,10 +37,6 @@ public final class Importing {
 
   /** Required fields of the header, and the options that give them. */
   private static final List<String> REQUIRED = List.of("cpu", "obs", "mode");
-
-  /** The first four bytes of a ring. */
-  private static final int RING = 0x53370001;
-
   private static final Map<String, String> KINDS =
       Map.of(
           "step7", "the text of a diagnostic buffer",
@@ -56,8 +55,11 @@ public final class Importing {
       case "import" -> log(json, content, format, file);
       case "entries" -> new Fields().put("entries", entries(content));
       case "mode" -> new Fields().put("mode", Modes.ofNibble(json.number("number")));
-      case "start info" ->
-          StartInfo.of(json.number("ob"), json.number("number"), json.number("info1"), json.number("info2"));
+      case "ring" -> Ring.of(content).told();
+      case "slots" ->
+          new Fields().put("slots", Slot.all(content, 0, content.length).stream().map(Slot::told).toList());
+      case "ring events" -> ringEvents(content, Elapsed.of(json.object("elapsed")));
+      case "state" -> Slot.state(json.number("ob"), json.number("al1"), null);
       default -> throw new IllegalArgumentException("an unknown message: " + message);
     };
   }
@@ -68,8 +70,7 @@ public final class Importing {
     }
     try {
       byte[] raw = Octets.decoded(begin);
-      boolean isRing = raw.length >= 4 && Octets.doubleWord(raw, 0) == RING;
-      return isRing ? "ring" : Szl.hasRecord(raw) ? "szl" : null;
+      return Ring.begins(raw) ? "ring" : Szl.hasRecord(raw) ? "szl" : null;
     } catch (Unusable wrong) {
       return null;
     }
@@ -77,10 +78,7 @@ public final class Importing {
 
   private static Fields log(Fields json, byte[] content, Format format, ProfileFile file) {
     Recording.Span chosen = Recording.Span.of(json.text("entries"));
-    Recording recording =
-        json.has("recording")
-            ? Recording.of(json.object("recording"))
-            : recording(json, content, chosen);
+    Recording recording = recording(json, content, chosen);
     json.list("remarks").forEach(remark -> recording.remarks.add((String) remark));
     Fields header = new Fields().put("format", LOG_FORMAT).with(recording.header).with(json.object("given"));
     complete(header);
@@ -96,6 +94,10 @@ public final class Importing {
     return switch (kind) {
       case "step7" -> Step7Text.read(content, json.text("dates")).convert(chosen);
       case "szl" -> Szl.read(Octets.decoded(content)).convert(chosen);
+      case "ring" -> {
+        byte[] raw = Octets.decoded(content);
+        yield Ring.of(raw).convert(raw, chosen);
+      }
       case "csv" -> Table.of(json.text("map")).convert(new String(content, StandardCharsets.UTF_8), chosen);
       default -> throw new IllegalArgumentException("an unknown kind: " + kind);
     };
@@ -131,6 +133,15 @@ public final class Importing {
         throw wrong.of(i == 0 ? "header" : recording.events.get(i - 1).place());
       }
     }
+  }
+
+  private static Fields ringEvents(byte[] slots, Elapsed elapsed) {
+    var recording = new Recording();
+    Slot.all(slots, 0, slots.length).forEach(slot -> slot.addTo(recording, elapsed));
+    return new Fields()
+        .put("events", recording.events.stream().map(Recording.Placed::event).toList())
+        .put("elapsed", elapsed.asFields())
+        .put("jumped", elapsed.jumped());
   }
 
   private static List<Fields> entries(byte[] records) {

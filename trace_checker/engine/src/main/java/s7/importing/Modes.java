@@ -11,8 +11,8 @@ import s7.log.Fields;
 /**
  * The operating mode, as far as entries of class 4 tell of it.
  *
- * <p>Byte 3 of such an entry holds the old and the new mode. Where only the event ID is known, some IDs name one of them
- * or both. What stays ambiguous gives no event and makes the recording of modes incomplete; so does an entry whose old
+ * <p>Byte 3 of such an entry holds the old and the new mode. Where only the event ID is known, some IDs name one or
+ * both. What stays ambiguous gives no event and makes the recording of modes incomplete; so does an entry whose old
  * mode is not the new mode of the one before.
  *
  * @param first the mode before the entries; null if they do not tell it

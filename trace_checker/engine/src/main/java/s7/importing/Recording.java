@@ -28,7 +28,7 @@ final class Recording {
       }
       Matcher parts = WRITTEN.matcher(text);
       if (!parts.matches() || text.equals("-")) {
-        throw new Unusable("numbers of entries such as 5-20, 5- or -20", Quoting.inMarks(text));
+        throw new Unusable("numbers of entries such as 5-20, 5- or -20", Quoting.inMarks(text)).of("--entries");
       }
       String last = parts.group(2);
       return new Span(Long.parseLong("0" + parts.group(1)), last.isEmpty() ? Long.MAX_VALUE : Long.parseLong(last));
@@ -53,22 +53,6 @@ final class Recording {
   final Map<Integer, String> started = new LinkedHashMap<>();
 
   final Map<Integer, String> missing = new LinkedHashMap<>();
-
-  /** What was read elsewhere. */
-  static Recording of(Fields json) {
-    var recording = new Recording();
-    recording.header.with(json.object("header"));
-    recording.read = json.number("read");
-    for (Object placed : json.list("events")) {
-      recording.add((String) ((List<?>) placed).get(0), (Fields) ((List<?>) placed).get(1));
-    }
-    Fields skipped = json.object("skipped");
-    for (int i = 0; i < skipped.size(); i++) {
-      recording.skip(skipped.name(i), ((Number) skipped.value(i)).intValue());
-    }
-    json.list("remarks").forEach(remark -> recording.remarks.add((String) remark));
-    return recording;
-  }
 
   void add(String place, Fields event) {
     events.add(new Placed(place, event));

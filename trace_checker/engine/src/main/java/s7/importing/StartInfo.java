@@ -6,8 +6,8 @@ import java.util.Set;
 import s7.log.Fields;
 
 /**
- * The start information of an OB, bytes 1 and 4 to 11, as the fields of {@code info}. Its layout is that of table 7.2 of
- * the requirements. Bytes whose meaning no source tells are left out.
+ * The start information of an OB, bytes 1 and 4 to 11, as the fields of {@code info}, by table 7.2 of the requirements.
+ * Bytes whose meaning no source tells are left out.
  */
 final class StartInfo {
   /** OBs beside 80 to 88 of which byte 1 is a fault id. */

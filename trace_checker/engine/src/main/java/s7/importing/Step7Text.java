@@ -17,8 +17,8 @@ import s7.log.Unusable;
  * The diagnostic buffer as STEP 7 V5 saves it as text (Module Information, Diagnostic Buffer, Save As).
  *
  * <p>What counts is the same in every language: the line that begins an entry, the event ID in it or in a line of its
- * own, as TIA Portal shows it, the coding in parentheses, the line that ends with time and date. The descriptions between
- * them are not read.
+ * own, as TIA Portal shows it, the coding in parentheses, the line that ends with time and date. The descriptions
+ * between them are not read.
  */
 final class Step7Text {
   private static final String EVENT = "(?:Event|Ereignis|.v.nement|Evento)";
@@ -50,7 +50,8 @@ final class Step7Text {
 
   private static final Pattern TIME =
       pattern(
-          ".*?\\b(\\d{1,2}):(\\d{2}):(\\d{2})[.:,](\\d{3})\\s*([AP]M)?\\s+(\\d{1,4})([./-])(\\d{1,2})\\7(\\d{1,4})\\s*");
+          ".*?\\b(\\d{1,2}):(\\d{2}):(\\d{2})[.:,](\\d{3})\\s*([AP]M)?"
+              + "\\s+(\\d{1,4})([./-])(\\d{1,2})\\7(\\d{1,4})\\s*");
 
   private static final String AN_ID = "an event ID such as \"Event ID 16# 4302\"";
 

@@ -24,7 +24,7 @@ public final class Days {
   }
 
   /** The days from 1990-01-01 to a date that exists. */
-  static int to(int year, int month, int day) {
+  public static int to(int year, int month, int day) {
     // From 1990 to 2089 each fourth year is a leap year, 1992 the first.
     int days = 365 * (year - FIRST_YEAR) + (year - FIRST_YEAR + 1) / 4 + day - 1;
     for (int before = 1; before < month; before++) {

@@ -47,7 +47,7 @@ public final class Unusable extends RuntimeException {
     return this;
   }
 
-  /** The error as an object: {@code expected}, {@code found}, and {@code field}, {@code line}, {@code place} if known. */
+  /** The error as an object: {@code expected}, {@code found}; {@code field}, {@code line}, {@code place} if known. */
   public Fields asJson() {
     var json = new Fields();
     json.put("expected", expected);

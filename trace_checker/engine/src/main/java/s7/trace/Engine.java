@@ -120,7 +120,7 @@ public final class Engine {
       case "program" -> print(object(message, spec.format()::program));
       case "program of" -> print(object(message, log -> spec.format().programOf(log, file(message))));
       case "offer" -> print(object(message, spec.format()::offer));
-      case "kind", "import", "entries", "mode", "start info" ->
+      case "kind", "import", "entries", "mode", "ring", "slots", "ring events", "state" ->
           print(object(message, source -> Importing.answer(kind, message, source, spec.format(), file(message))));
       case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
       case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
