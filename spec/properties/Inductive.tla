@@ -67,18 +67,18 @@ IsPoint(p) == p = Never \/ p \in 0..LastMinute
 \* @type: (Int, Int) => Bool;
 IsRun(from, to) == 0 <= from /\ from <= to /\ to <= LastMinute
 
-(* [TINT-30] [TINT-33] [AMB-14] The data of a setting. *)
+(* [TINT-30] [TINT-33] [AMB-14] The data of a setting, by the clock. *)
 SettingDataInv ==
     \A o \in TodObs :
       /\ tod[o].start \in 0..LastMinute
-      /\ tod[o].offset = 0
+      /\ tod[o].offset = 0 /\ tod[o].zone = 0
       /\ tod[o].period \in Periods
       /\ IsPoint(tod[o].next)
       /\ tod[o].period = Once => tod[o].next \in {tod[o].start, Never}
       /\ \A i \in tod[o].served \cup tod[o].merged : IsRun(i.from, i.to)
       /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
                                     /\ i.start \in 0..LastMinute
-                                    /\ i.period \in Periods
+                                    /\ i.period \in Periods /\ i.zone = 0
       /\ tod[o].repeatTo >= -1
       /\ tod[o].held => /\ mode \in {"HOLD", "STOP"}
                         /\ tod[o].active /\ tod[o].next # Never
