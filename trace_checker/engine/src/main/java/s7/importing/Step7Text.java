@@ -56,7 +56,10 @@ final class Step7Text {
   private static final String AN_ID = "an event ID such as \"Event ID 16# 4302\"";
 
   /** Letters that end a line, beside the pair of carriage return and line feed. */
-  private static final String ENDS = "\n\r\u000B\f\u001C\u001D\u001E\u0085\u2028\u2029";
+  private static final String ENDS = "\n\r\u000B\f\u001C\u001D\u001E\u2028\u2029";
+
+  /** The one more that ends a line; a string of C cannot have it. */
+  private static final char NEXT_LINE = 0x85;
 
   private static final String BY_YEAR = "YMD";
 
@@ -153,7 +156,7 @@ final class Step7Text {
     var lines = new ArrayList<Line>();
     int begin = 0;
     for (int at = 0; at < text.length(); at++) {
-      if (ENDS.indexOf(text.charAt(at)) >= 0) {
+      if (text.charAt(at) == NEXT_LINE || ENDS.indexOf(text.charAt(at)) >= 0) {
         lines.add(Line.of(text.substring(begin, at)));
         if (text.startsWith("\r\n", at)) {
           at++;
