@@ -55,25 +55,39 @@ public final class Clocks {
    * as it was given it becomes {@code counter}.
    */
   void stamp(Fields event) {
-    long at = (Long) event.get(Events.AT);
+    int placeOfAt = -1;
+    int placeOfUp = -1;
+    Object to = null;
+    for (int i = 0; i < event.size(); i++) {
+      String name = event.name(i);
+      if (name.length() == Events.AT.length()) {
+        placeOfAt = name.equals(Events.AT) ? i : placeOfAt;
+        placeOfUp = name.equals(Events.UP) ? i : placeOfUp;
+        to = name.equals("to") ? event.value(i) : to;
+      }
+    }
+    long at = (Long) event.value(placeOfAt);
     long passed = at - clock;
     if (passed < 0 && jumpsLogged) {
       throw new Unusable("no time before " + Days.iso(clock) + ", the clock's last reading", Days.iso(at), Events.AT);
     }
-    if (!(event.get(Events.UP) instanceof Long counter)) {
+    if (placeOfUp < 0) {
       // Where its settings are not logged, a clock that runs backward was set.
       elapsed += Math.max(passed, 0);
-    } else if (counter < up) {
-      throw new Unusable("no number below " + up + ", the last one", String.valueOf(counter), Events.UP);
+      event.add(Events.UP, Moment.of(elapsed));
     } else {
+      long counter = (Long) event.value(placeOfUp);
+      if (counter < up) {
+        throw new Unusable("no number below " + up + ", the last one", String.valueOf(counter), Events.UP);
+      }
       up = counter;
       event.add("counter", Moment.of(up));
       // Lines without `up` may have counted further than the next line with it.
       elapsed = Math.max(elapsed, up);
+      event.set(placeOfUp, Moment.of(elapsed));
     }
-    clock = event.get("to") instanceof Moment to ? to.inMilliseconds() : at;
-    event.put(Events.AT, Moment.of(at));
-    event.put(Events.UP, Moment.of(elapsed));
+    clock = to instanceof Moment set ? set.inMilliseconds() : at;
+    event.set(placeOfAt, Moment.of(at));
     ended = event.get(Events.EVENT).equals(Events.DONE);
   }
 }

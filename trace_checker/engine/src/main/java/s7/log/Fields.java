@@ -25,16 +25,19 @@ public final class Fields {
     return copy;
   }
 
+  /** Whether it differs in dates alone from an object for which {@link #note} keeps something. */
+  public boolean hasExample() {
+    return example != null;
+  }
+
   /** What somebody has noted about an object like this one, which differs in dates alone; null if nobody has. */
   public Object noted() {
     return example == null ? null : example.noted;
   }
 
-  /** Notes something about all objects like this one; forgotten if there is none. */
+  /** Notes something about all objects like this one. */
   public void note(Object what) {
-    if (example != null) {
-      example.noted = what;
-    }
+    example.noted = what;
   }
 
   /**
@@ -112,6 +115,11 @@ public final class Fields {
       values[place] = value;
     }
     return this;
+  }
+
+  /** Gives the field at a place its value. */
+  void set(int place, Object value) {
+    values[place] = value;
   }
 
   /** Adds a field that is known to be new. */

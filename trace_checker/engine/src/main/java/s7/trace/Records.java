@@ -38,6 +38,8 @@ final class Records {
     private final Map<String, Integer> places = new HashMap<>();
     private final Template[] inner;
     private final boolean[] isTime;
+    private final int minutes;
+    private final int milliseconds;
 
     Template(RecordValue record) {
       record.normalize();
@@ -48,8 +50,10 @@ final class Records {
         String name = record.names[i].toString();
         places.put(name, i);
         inner[i] = record.values[i] instanceof RecordValue values ? new Template(values) : null;
-        isTime[i] = Contract.TIMES.contains(name) || inner[i] != null && inner[i].places.containsKey(Contract.MINUTES);
+        isTime[i] = Contract.TIMES.contains(name) || inner[i] != null && inner[i].minutes >= 0;
       }
+      minutes = places.getOrDefault(Contract.MINUTES, -1);
+      milliseconds = places.getOrDefault(Contract.MILLISECONDS, -1);
     }
 
     RecordValue with(Value... values) {
@@ -58,8 +62,8 @@ final class Records {
 
     RecordValue moment(Moment moment) {
       var values = new Value[2];
-      values[places.get(Contract.MINUTES)] = IntValue.gen(moment.minutes());
-      values[places.get(Contract.MILLISECONDS)] = IntValue.gen(moment.milliseconds());
+      values[minutes] = IntValue.gen(moment.minutes());
+      values[milliseconds] = IntValue.gen(moment.milliseconds());
       return with(values);
     }
 
@@ -84,26 +88,35 @@ final class Records {
     }
   }
 
-  private record Known(Records of, Shaped.Example example, Value[] values) {}
+  private record Known(Shaped.Example example, Value[] values) {}
 
-  /** The values with the dates of an event. */
-  private Value[] dated(Value[] values, Fields event) {
-    for (int i = 0; i < event.size(); i++) {
-      Object value = event.value(i);
-      if (value instanceof Moment || value instanceof Fields) {
-        Integer place = template.places.get(event.name(i));
-        if (place != null) {
-          values[place] = value(template, place, value);
-        }
+  /** What is known of all events that differ from one in dates alone: the places of those fields that may have dates. */
+  private record Dated(Records of, Shaped.Example example, Value[] values, int... places) {}
+
+  private void note(Fields event, Shaped.Example example, Value... values) {
+    var places = new int[event.size()];
+    for (int i = 0; i < places.length; i++) {
+      boolean hasDate = event.value(i) instanceof Moment || event.value(i) instanceof Fields;
+      places[i] = hasDate ? template.places.getOrDefault(event.name(i), -1) : -1;
+    }
+    event.note(new Dated(this, example, values, places));
+  }
+
+  private RecordValue of(Dated known, Fields event) {
+    Value[] values = known.values.clone();
+    for (int i = 0; i < known.places.length; i++) {
+      int place = known.places[i];
+      if (place >= 0) {
+        values[place] = value(template, place, event.value(i));
       }
     }
-    return values;
+    return known.example.with(values);
   }
 
   /** The record of an event. */
   RecordValue of(Fields event) {
-    if (event.noted() instanceof Known known && known.of == this) {
-      return known.example.with(dated(known.values.clone(), event));
+    if (event.noted() instanceof Dated known && known.of == this) {
+      return of(known, event);
     }
     hash = 0;
     Value[] values = values(template, event);
@@ -112,10 +125,12 @@ final class Records {
       if (examples.size() == MOST) {
         examples.clear();
       }
-      like = new Known(this, new Shaped.Example(template.with(values)), values);
+      like = new Known(new Shaped.Example(template.with(values)), values);
       examples.put(hash, like);
     }
-    event.note(new Known(this, like.example, values));
+    if (event.hasExample()) {
+      note(event, like.example, values);
+    }
     return like.example.with(values);
   }
 
