@@ -112,7 +112,7 @@ final class Explanation {
   private boolean partial;
   private boolean widened;
 
-  /** Whether states meet early, and on the way through a moment: definite facts alone are no way out. */
+  /** Whether so many states are followed that definite facts alone are no way out. */
   private boolean crowded;
 
   private int fewest = MANY_STATES;
@@ -345,7 +345,7 @@ final class Explanation {
       List<State> late = stuck.isEmpty() ? states : stuck;
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
-    List<State> ready = crowded ? few(closure(few(arrived), event)) : closure(arrived, event);
+    List<State> ready = meets() ? few(closure(few(arrived), event)) : closure(arrived, event);
     List<State> after = new ArrayList<>(ready.size());
     work(ready.size(), ready.size());
     for (State state : ready) {
@@ -393,9 +393,14 @@ final class Explanation {
     return distinct(few);
   }
 
+  /** Whether states meet early, and on the way through a moment: it has been necessary before, and is told. */
+  private boolean meets() {
+    return crowded || widened;
+  }
+
   /** So many states are left as they are. */
   private int most() {
-    return lines - met < SOON && crowded ? Math.min(fewest, SOME_STATES) : fewest;
+    return lines - met < SOON && meets() ? Math.min(fewest, SOME_STATES) : fewest;
   }
 
   /** The states by the places where they can meet. */
@@ -512,7 +517,7 @@ final class Explanation {
           closed.add(next.get(k));
         }
       }
-      if (seen != null && closed.size() > ahead && most == Integer.MAX_VALUE && crowded) {
+      if (seen != null && closed.size() > ahead && most == Integer.MAX_VALUE && meets()) {
         List<State> left = new ArrayList<>();
         i = meetOnTheWay(closed, i + 1, seen, left) - 1;
         closed = left;
