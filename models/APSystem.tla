@@ -189,7 +189,7 @@ Remembering(t, s, e) ==
     \/ StateWith(ServedAs(t, s), t, 1, 1)
     \/ StateWith(SetAnewAfter(t, e), t, 1, 1)
 
-AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(3)}, e \in {Gen(4)} :
+AnySetting == /\ \E t \in {Gen(2)}, s \in {Gen(5)}, e \in {Gen(6)} :
                    Remembering(t, s, e)
               /\ SettingDataInv
               /\ 0 <= clock.min /\ clock.min <= LastMinute

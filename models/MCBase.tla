@@ -111,6 +111,7 @@ ProvedProp ==
         /\ Cardinality(requests) <= 4
         /\ Len(stack) <= 9
         /\ \A o \in TodObs : /\ Cardinality(tod[o].served) <= 2
+                             /\ Cardinality(tod[o].merged) <= 2
                              /\ Cardinality(tod[o].earlier) <= 2 ]_vars
 
 -----------------------------------------------------------------------------
