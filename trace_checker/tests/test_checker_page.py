@@ -237,6 +237,19 @@ def test_a_form_begins_with_a_call_that_is_taken_and_old_answers_go(page: Page) 
     assert call.locator(".answers button").count() == 0
 
 
+def test_set_tintl_takes_true_and_false(page: Page) -> None:
+    """A call of the S7-1500; by local time its start may be past."""
+    paste(page, json.dumps(HEADER | {"cpu": "S7-1500", "obs": [1, 10, 100], "zone": 60}))
+    call = page.locator("details.call", has_text="SET_TINTL")
+    call.locator("summary").click()
+    expect(call.locator(".answers")).to_contain_text("ret=W#16#0000")
+    call.locator("[name=period]").fill("0")
+    call.locator("[name=local]").fill("true")
+    expect(call.locator(".answers")).to_contain_text("ret=W#16#80A1")
+    call.locator("[name=local]").fill("false")
+    expect(call.locator(".answers")).to_contain_text("ret=W#16#0000")
+
+
 def test_the_time_of_the_next_line_stays_open(page: Page) -> None:
     """Once the list is opened; the field for any other time is there without it."""
     page.select_option("#new [name=execution]", "none")

@@ -95,7 +95,7 @@ function call(name, here) {
     const number = ++asked;
     answers.replaceChildren("…"); // the buttons of other operands are gone at once
     const event = { event: name, at };
-    for (const input of inputs) event[input.name] = /^-?\d+$/.test(input.value) ? Number(input.value) : input.value;
+    for (const input of inputs) event[input.name] = meant(input.value);
     const made = await page.desk.answers(after, event).then(
       (lines) => (lines.length ? lines.map(offer) : ["not possible now"]),
       (error) => [error.message],
@@ -122,6 +122,12 @@ function call(name, here) {
   );
   box.append(...inputs.map((input) => h("label", {}, `${input.name} `, input)), answers);
   return box;
+}
+
+/** What somebody has written: a number, true or false, or a text. */
+function meant(text) {
+  if (/^-?\d+$/.test(text)) return Number(text);
+  return text === "true" || text === "false" ? text === "true" : text;
 }
 
 /** The line that a form begins with: its answer is 0 and its OB is loaded, as far as there is one. */
