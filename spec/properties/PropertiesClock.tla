@@ -199,7 +199,7 @@ MemoryStaysProp ==
              /\ \A i \in tod[o].served :
                   \/ \E j \in tod'[o].served : j.from <= i.from /\ i.to <= j.to
                   \/ \E j \in tod'[o].earlier :
-                       /\ j.from = i.from /\ j.to = i.to
+                       /\ j.from <= i.from /\ i.to <= j.to
                        /\ j.start = tod[o].start
                        /\ j.period = tod[o].period ]_vars
 
