@@ -15,6 +15,7 @@
 (***************************************************************************)
 EXTENDS Calendar, Requests
 
+\* @type: $tod;
 NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, zone |-> 0,
                offset |-> 0, period |-> Once, next |-> Never, served |-> {},
                merged |-> {}, earlier |-> {}, repeatTo |-> -1,
