@@ -11,6 +11,7 @@ from s7check.engine import pool
 from s7check.judging.decisions import decisions_of
 from s7check.kit.collection import UnreadableProgramError, programs_of
 from s7check.kit.program import Program
+from s7check.log.calls import WITHOUT_NUMBER
 from s7check.names import logs_of
 from s7check.output import deliver, output_option
 from s7check.report.progress import ProgressBar
@@ -76,7 +77,9 @@ def _total(names: list[str], programs: list[Program]) -> report.Total:
             found.append(measure(name, engine))
             progress.done()
     outcomes = [Guard.of(one, outcome) for one in decisions.guards().values() for outcome in (True, False)]
-    answers = frozenset((call, ret & 0xFFFF) for call, rets in choices.answers for ret in rets)
+    answers = frozenset(
+        (call, ret & 0xFFFF) for call, rets in choices.answers if call != WITHOUT_NUMBER for ret in rets
+    )
     return report.Total(
         together(found), decisions.requirements, outcomes, answers, frozenset(choices.periods), programs
     )

@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any
 
 from s7check.kit.program import Program, bodies_of, outside_events
-from s7check.kit.scl import SFC, NotForCpuError
+from s7check.kit.scl import NotForCpuError, sfc
 from s7check.log.values import instant, iso
 
 _STATES = {"RUN": 1, "STARTUP": 5, "STOP": 0}
@@ -139,7 +139,7 @@ def _step(step: dict[str, Any]) -> bytes:
         return _STEP.pack(_SET_CLK, 0, 0, 0, 0, _bcd(step["to"]))
     given = _bcd(step["sdt"]) if "sdt" in step else struct.pack(">ii", step.get("dtime", 0), 0)
     word = step.get("period", step.get("sign", 0)) & 0xFFFF
-    return _STEP.pack(SFC[step["call"]], step.get("mode", 0), step.get("ob", 0), word, 0, given)
+    return _STEP.pack(sfc(step["call"]), step.get("mode", 0), step.get("ob", 0), word, 0, given)
 
 
 def _bcd(date: str) -> bytes:

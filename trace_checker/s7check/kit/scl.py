@@ -9,12 +9,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from s7check.kit.program import Body, Program, bodies_of
-from s7check.log.calls import OPERANDS
+from s7check.log.calls import OPERANDS, WITHOUT_NUMBER
 
-_NO_SFC = "SET_TINTL"
-"""A call of the S7-1500."""
-
-SFC = dict(zip((name for name in OPERANDS if name != _NO_SFC), (*range(28, 35), *range(39, 43)), strict=True))
+_SFC: dict[str, int] = dict(
+    zip((name for name in OPERANDS if name != WITHOUT_NUMBER), (*range(28, 35), *range(39, 43)), strict=True)
+)
 """The SFCs in the order of their numbers."""
 
 _PARAMETERS = {"ob": "OB_NR", "sdt": "SDT", "period": "PERIOD", "dtime": "DTIME", "sign": "SIGN", "mode": "MODE"}
@@ -25,6 +24,13 @@ _RUNS = "DB110"
 
 class NotForCpuError(Exception):
     """The program has a step that SCL cannot say; the text says which."""
+
+
+def sfc(call: str) -> int:
+    """The number of a call. Raises NotForCpuError."""
+    if call == WITHOUT_NUMBER:
+        raise NotForCpuError(f"{call}: S7-300/400 have no such SFC")
+    return _SFC[call]
 
 
 def to_scl(program: Program) -> str:
@@ -141,12 +147,10 @@ def _statements(body: Body) -> Iterator[str]:
 
 def _call(step: dict[str, Any]) -> str:
     name = step["call"]
-    if name == _NO_SFC:
-        raise NotForCpuError(f"{name}: S7-300/400 have no such SFC")
     operands = [f"{_PARAMETERS[field]} := {_value(field, step[field])}" for field in OPERANDS[name]]
     if name in ("QRY_TINT", "QRY_DINT"):
         operands.append("STATUS := status")
-    return f"ret := FC{100 + SFC[name]}({', '.join(operands)});"
+    return f"ret := FC{100 + sfc(name)}({', '.join(operands)});"
 
 
 def _value(field: str, value: Any) -> str:

@@ -16,9 +16,10 @@ OPERANDS: dict[str, tuple[str, ...]] = {
     "DIS_AIRT": (),
     "EN_AIRT": (),
 }
-"""SFC -> its operands, without RET_VAL and STATUS; in the order of their numbers, 28 to 34 and 39 to 42.
+"""Call -> its operands, without RET_VAL and STATUS; SFCs in the order of their numbers, 28 to 34 and 39 to 42."""
 
-SET_TINTL is a call of the S7-1500 and has no number."""
+WITHOUT_NUMBER = "SET_TINTL"
+"""A call of the S7-1500: S7-300/400 have no such SFC."""
 
 MODES = {"stop": "STOP", "restart": "STARTUP", "run": "RUN", "hold": "HOLD", "release": "RUN"}
 """Line of the kind ``mode`` -> the mode that it says the CPU is in."""
