@@ -40,11 +40,11 @@ Bounded == /\ delay = 0
 Nested == /\ delay <= 2
           /\ Waiting(2)
           /\ mode = "STOP" => clock \in PowerOnMoments
-(* In their place where local time is 61 minutes ahead: starts by the      *)
-(* clock and by local time, also at the end of a day.                      *)
+(* In their place where local time is 61 minutes ahead. The starts are     *)
+(* 06:01, and 07:02, which is 06:01 where it is local time.                *)
 ClockAndLocal == {0, 61}
 LocalSdts == {Date(1), [Date(2) EXCEPT !.hour = 7]}
-LocalPeriods == {Once, Daily}
+LocalPeriods == {Once, Daily, EndOfMonth}
 LocalMoments == {Moment(0, 55000), Moment(1, 0), Moment(1, 15000)}
 JustOb10 == {10}
 LocalRetVals == {OK, PastStart, NotSet}
