@@ -55,7 +55,7 @@ OfThePause(past) ==
          /\ \A j \in DOMAIN past : past[j].event = "release" => j < i
     THEN "T15-120" ELSE "T15-119"
 
-(* The OB has been set by local time, or could have been.                  *)
+(* An interrupt counts by local time; or none does, though that differs.   *)
 \* @type: Set(Str);
 OfItsBase ==
     CASE \E o \in DOMAIN tod : tod[o].zone # 0 -> {"T15-20"}

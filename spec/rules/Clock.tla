@@ -102,6 +102,8 @@ RanOnce(o, to) ==
     IN  IF t.active \/ (t.set /\ t.served = {}) \/ mode = "STOP" THEN {}
         ELSE { i \in runs : \A j \in runs : j.from <= i.from }
 
+(* The setting of an OB that serves its points again. One that is still    *)
+(* held stays.                                                             *)
 \* @type: (Int, $moment, $cpu, Bool) => $tod;
 Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},

@@ -44,7 +44,7 @@ VARIABLES
     (* sure; repeatTo, the last minute that the clock had reached before it *)
     (* was set back, -1 if it was not; overTo, the same since this setting  *)
     (* was made. held: the next point passed in HOLD, and the clock was set *)
-    (* back [AMB-83], or in STOP before a hot restart [AMB-26].             *)
+    (* back [AMB-83], or in STOP before a restart [AMB-26] [T15-120].       *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
