@@ -247,6 +247,16 @@ WaitingAs(r) ==
 \* @type: Int => <<Int, Int>>;
 WaitedFor(c) == <<c, waiting[c]>>
 
+(* [OBS-52] [OBS-54] What a hot restart brings back: OBs that go on, with  *)
+(* their delay count, start events, delays.                                *)
+BroughtBack ==
+    [ running |-> resume.stack,
+      delay   |-> resume.delay,
+      pending |-> { r.ob : r \in { q \in resume.requests : Outlives(q) } },
+      dint    |-> IF HotRestartKeepsSettings
+                  THEN { o \in DOMAIN resume.dint : resume.dint[o].started }
+                  ELSE {} ]
+
 (* Modes, clock, running and waiting OBs, blocks, settings and jobs. *)
 Situation ==
     [ mode     |-> mode,
@@ -258,6 +268,7 @@ Situation ==
       silenced |-> { o \in Blockable : Silenced(o) },
       stop     |-> stopCause,
       latency  |-> terms.latency,
+      kept     |-> BroughtBack,
       waited   |-> { WaitedFor(c) : c \in DOMAIN waiting },
       pending  |-> { WaitingAs(r) : r \in requests },
       tod      |-> { [ ob |-> o,

@@ -4,8 +4,10 @@ from typing import Any
 
 import msgspec
 
+from s7check.engine.answer import Situation
 from s7check.engine.client import Engine
 from s7check.log.calls import OPERANDS
+from s7check.report import words
 
 HEADER: dict[str, Any] = {
     "format": "s7-interrupt-log/1",
@@ -24,6 +26,7 @@ OVER_A_POINT = {"event": "clock", "at": AT, "to": "2026-11-21T06:00:30.000"}
 class _Answer(msgspec.Struct):
     look: dict[str, Any] = {}
     lines: Any = None
+    situations: list[Situation] = []
     refusal: dict[str, Any] | None = None
 
 
@@ -55,6 +58,25 @@ def test_a_step_looks_at_one_line_of_a_call_with_operands(real_engine: Engine) -
     calls = {text.partition(" ret=")[0] for text in texts(look["possible"]) if text.partition(" ")[0].isupper()}
     assert sorted(call.partition(" ")[0] for call in calls) == sorted(OPERANDS.keys() - {"SET_TINTL"})
     assert len(look["times"]) > 1
+
+
+def test_what_a_hot_restart_brings_back(real_engine: Engine) -> None:
+    """After a STOP, in both spellings of the words; an S7-300 keeps nothing."""
+    log: list[dict[str, Any]] = [
+        {"event": "SRT_DINT", "ob": 20, "dtime": 5000, "sign": 0, "at": AT, "ret": 0},
+        DELAYED,
+        {"event": "interrupt", "ob": 40, "at": AT},
+        {"event": "stop", "at": AT},
+    ]
+    said = "brings back OB 1 (class 1); 1 DIS_AIRT not taken back; OB 40 pending; OB 20 started"
+    header = HEADER | {"obs": [1, 20, 40]}
+    del header["step7"]
+    (situation,) = ask(real_engine, "look", header, log).look["situations"]
+    assert ["hot restart", said] in situation
+    state = real_engine.ask({"message": "situations", "session": "look", "most": 1}, _Answer).situations[0]
+    assert [list(one) for one in words.situation(state)] == situation
+    (situation,) = ask(real_engine, "look", header | {"cpu": "S7-300"}, log).look["situations"]
+    assert "hot restart" not in dict(situation)
 
 
 def test_when_time_has_passed(real_engine: Engine) -> None:

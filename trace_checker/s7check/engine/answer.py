@@ -92,6 +92,15 @@ class Delay(msgspec.Struct, frozen=True):
     sign: int = 0
 
 
+class BroughtBack(msgspec.Struct, frozen=True):
+    """What a hot restart brings back: OBs that go on, their delay count, OBs that wait, OBs whose delays run."""
+
+    running: list[Frame] = []
+    delay: int = 0
+    pending: list[int] = []
+    dint: list[int] = []
+
+
 class Situation(msgspec.Struct, frozen=True):
     """The CPU before a line, ``Situation`` of the specification.
 
@@ -109,6 +118,7 @@ class Situation(msgspec.Struct, frozen=True):
     stop: int = -1
     latency: int = 0
     waited: list[tuple[int, int]] = []
+    kept: BroughtBack = BroughtBack()
     pending: list[Pending] = []
     tod: list[TimeOfDay] = []
     dint: list[Delay] = []
@@ -138,6 +148,14 @@ class Unusable(msgspec.Struct, frozen=True):
         return UnusableLogError(self.expected, self.found, self.field, self.line)
 
 
+class OtherHeader(msgspec.Struct, frozen=True):
+    """A header beside that of a log: what of it is another, in words and as choices in its place."""
+
+    kind: Literal["cpu", "profile", "letter"]
+    change: str
+    chosen: dict[str, Any]
+
+
 class Content(msgspec.Struct, frozen=True):
     """The content of a log: its header and its events, normalised, up to what is ``unusable``.
 
@@ -147,6 +165,7 @@ class Content(msgspec.Struct, frozen=True):
     header: dict[str, Any] | None = None
     events: list[dict[str, Any]] = []
     unusable: Unusable | None = None
+    others: list[OtherHeader] = []
 
 
 class Answer(msgspec.Struct, frozen=True):

@@ -4,7 +4,7 @@ import re
 
 from msgspec.structs import replace
 
-from s7check.engine.answer import Candidate, Moment, Pending, Situation
+from s7check.engine.answer import BroughtBack, Candidate, Frame, Moment, Pending, Situation
 from s7check.log.errors import ranges
 from s7check.log.values import MS_PER_MINUTE, iso
 
@@ -39,7 +39,7 @@ def moment(at: Moment) -> str:
 
 def situation(state: Situation) -> list[tuple[str, str]]:
     """The statements about a situation, each with its topic; empty ones are left out, but for the running OBs."""
-    said = [("mode", f"{state.mode}, clock {moment(state.clock)}"), ("running", _running(state))]
+    said = [("mode", f"{state.mode}, clock {moment(state.clock)}"), ("running", _running(state.running))]
     if state.delay:
         said.append(("delayed", f"{state.delay} DIS_AIRT not taken back"))
     said += [("pending", _pending(request, state)) for request in state.pending]
@@ -60,8 +60,23 @@ def situation(state: Situation) -> list[tuple[str, str]]:
     if state.stop != _NO_CAUSE:
         cause = f" for 16#{state.stop:04X}" if state.stop else ""
         said.append(("STOP", f"must come{cause}"))
+    if back := _brought_back(state.kept):
+        said.append(("hot restart", f"brings back {back}"))
     said.append(("loaded", f"OB {ranges(state.loaded)}"))
     return said
+
+
+def _brought_back(kept: BroughtBack) -> str:
+    return "; ".join(
+        said
+        for there, said in (
+            (kept.running, _running(kept.running)),
+            (kept.delay, f"{kept.delay} DIS_AIRT not taken back"),
+            (kept.pending, f"OB {ranges(kept.pending)} pending"),
+            (kept.dint, f"OB {ranges(kept.dint)} started"),
+        )
+        if there
+    )
 
 
 def in_hexadecimal(one: Candidate) -> Candidate:
@@ -93,10 +108,10 @@ def _as_word(number: re.Match[str]) -> str:
     return f"16#{int(number[0]) & 0xFFFF:04X}"
 
 
-def _running(state: Situation) -> str:
-    if not state.running:
+def _running(frames: list[Frame]) -> str:
+    if not frames:
         return "nothing"
-    *below, top = state.running
+    *below, top = frames
     text = f"OB {top.ob} (class {top.class_})"
     if below:
         text += ", interrupting " + ", ".join(f"OB {frame.ob} (class {frame.class_})" for frame in reversed(below))

@@ -46,8 +46,28 @@ final class InWords {
     if (stop != NO_CAUSE) {
       said.add(List.of("STOP", "must come" + (stop == 0 ? "" : " for " + Spelled.hex(stop, 4))));
     }
+    String back = broughtBack(state.object("kept"));
+    if (!back.isEmpty()) {
+      said.add(List.of("hot restart", "brings back " + back));
+    }
     said.add(List.of("loaded", "OB " + ranges(state.list("loaded"))));
     return said;
+  }
+
+  private static String broughtBack(Fields kept) {
+    var said = new ArrayList<String>();
+    if (!kept.list("running").isEmpty()) {
+      said.add(running(kept.list("running")));
+    }
+    if (kept.number("delay") > 0) {
+      said.add(kept.number("delay") + " DIS_AIRT not taken back");
+    }
+    for (var how : List.of("pending", "dint")) {
+      if (!kept.list(how).isEmpty()) {
+        said.add("OB " + ranges(kept.list(how)) + (how.equals("dint") ? " started" : " pending"));
+      }
+    }
+    return String.join("; ", said);
   }
 
   private static List<Fields> objects(Collection<?> list) {
