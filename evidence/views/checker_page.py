@@ -10,7 +10,9 @@ from typing import Any
 import msgspec
 
 from evidence.views.site.chapters import homes_of, read_chapters
+from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
+from s7check.judging.decisions import decisions_of
 from s7check.report.clauses import all_clauses, event_texts, requirements
 from s7check.report.why import sentences
 from s7check.resources import CHECKOUT, ENGINE, GALLERY, PAGE
@@ -49,6 +51,7 @@ def _contents() -> str:
         "tree": _packed(_parsed().read_bytes()),
         "clauses": _packed(msgspec.json.encode(_clauses())),
         "texts": _packed(msgspec.json.encode(why_texts())),
+        "decidable": _decidable(),
         "gallery": _gallery(),
     }
     return msgspec.json.encode(contents).decode().replace("<", "\\u003c")
@@ -63,6 +66,12 @@ def _clauses() -> list[dict[str, Any]]:
 def why_texts() -> dict[str, Any]:
     """The words of the sentences that say why a line is not possible, as the engine's message ``texts`` has them."""
     return {"sentences": {one.id: sentences(one.text) for one in all_clauses()}, "events": event_texts()}
+
+
+def _decidable() -> dict[str, list[int]]:
+    """The outcomes by which a log shows that a requirement has decided something."""
+    with Engine(jvm_command) as engine:
+        return {name: sorted(outcomes) for name, outcomes in decisions_of(engine).shown.items()}
 
 
 def _as_classic(module: str) -> str:

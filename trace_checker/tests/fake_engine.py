@@ -66,7 +66,7 @@ CANDIDATE = {
     "place": "Airt:30",
     "requirements": ["AIRT-07"],
 }
-ALTERNATIVES = {
+ALTERNATIVES: Answer = {
     "families": ["S7-300", "S7-400"],
     "profiles": ["2006"],
     "choices": [["AMB-01", ["a", "c"]], ["AMB-12", ["a", "b"]]],
@@ -197,6 +197,17 @@ def header_of(data: bytes, chosen: dict[str, Any]) -> dict[str, Any]:
     return HEADER | {"readings": list(map(list, readings.items()))}
 
 
+def others(readings: dict[str, str]) -> list[Answer]:
+    """The headers beside one with these readings."""
+    own = dict(ALTERNATIVES["defaults"]) | readings
+    letters = [(name, letter) for name, letters in ALTERNATIVES["letters"] for letter in letters if letter != own[name]]
+    return [
+        {"kind": "cpu", "change": "cpu S7-300", "chosen": {"cpu": "S7-300"}},
+        {"kind": "profile", "change": "profile 2006", "chosen": {"profile": "2006"}},
+        *({"kind": "letter", "change": f"{n} {a}", "chosen": {"readings": {n: a}}} for n, a in letters),
+    ]
+
+
 def main() -> None:
     """Serves logs until the end of the input."""
     print(json.dumps({"engine": "ready", "tlc": "none"}), flush=True)
@@ -215,7 +226,8 @@ def main() -> None:
             case "kind":
                 print(json.dumps({"object": {"kind": None, "what": None}}), flush=True)
             case "read":
-                print(json.dumps({"header": header_of(data, entry.get("chosen", {}))}), flush=True)
+                header = header_of(data, entry.get("chosen", {}))
+                print(json.dumps({"header": header, "others": others(dict(header["readings"]))}), flush=True)
             case "begin":
                 log = Log(entry)
             case "bytes":

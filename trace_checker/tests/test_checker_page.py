@@ -18,7 +18,7 @@ from s7check.explore_command import page_with
 from s7check.kit.program import read_program
 from s7check.resources import PAGE
 from s7check.simulating.simulation import Simulation
-from tests.shipped import CASES
+from tests.shipped import CASES, log_of
 
 pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
 
@@ -98,6 +98,33 @@ def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
     assert "EN_AIRT" in page.locator("#edit textarea").input_value()
     page.click("text=Report as text")
     expect(page.locator("#as-text")).to_contain_text("pasted.ndjson:4: rejected")
+
+
+def test_the_report_is_that_of_the_command(page: Page, tmp_path: Path) -> None:
+    """Saved as a page of its own: the situation, why, the rules and the readings of `s7check trace --format html`."""
+    text = log_of("AMB-12-lost-once-still-active").read_text()
+    log, report, kept = (tmp_path / name for name in ("pasted.ndjson", "command.html", "kept.html"))
+    log.write_text(text, encoding="utf-8")
+    assert cli.main(["trace", "--format", "html", "--output", str(report), str(log)]) == 1
+    paste(page, text)
+    expect(page.locator("#readings li").first).to_contain_text("AMB-12 b")
+    with page.expect_download() as download:
+        page.click("#save-report")
+    assert download.value.suggested_filename == "pasted.html"
+    download.value.save_as(kept)
+    said = []
+    for file in (report, kept):
+        page.goto(file.as_uri())
+        expect(page.locator("main")).to_contain_text("QRY_TINT cannot give STATUS 16#0016 here.")
+        rows = page.locator("table tr").evaluate_all("all => all.map(row => row.cells[0].textContent)")
+        situation = page.locator("tr", has_text="every minute").or_(page.locator("tr", has_text="clock 2026"))
+        passing = page.locator("h3", has_text="would pass with").locator("+ ul li").all_inner_texts()
+        said.append((set(rows), situation.all_inner_texts(), [one[:8] for one in passing]))
+        assert Axe().run(page).response["violations"] == []
+    (rows, *theirs), (our_rows, *ours) = said
+    assert {one for one in rows if "(" not in one} <= our_rows, "the formulas are a list here"
+    assert theirs == ours
+    expect(page.locator(".timeline .wrong")).to_contain_text("QRY_TINT")
 
 
 def test_explore_opens_a_log_at_a_line(page: Page, tmp_path: Path) -> None:
@@ -187,6 +214,25 @@ def test_what_an_import_lacks_is_told_in_its_form(page: Page, tmp_path: Path) ->
     expect(page.locator("#refused")).to_contain_text("header: field mode: expected it")
     page.click("#import >> text=Cancel")
     expect(page.locator("#problem")).to_contain_text("a.txt: unusable: line 1: expected a JSON object")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_in_the_form_of_an_import(page: Page, scheme: Literal["light", "dark"]) -> None:
+    """While it is open."""
+    page.emulate_media(color_scheme=scheme)
+    page.set_input_files("#file", SOURCES / "events.csv")
+    expect(page.locator("#import form")).to_be_visible()
+    assert Axe().run(page).response["violations"] == []
+
+
+def test_on_paper_there_is_what_was_found(page: Page) -> None:
+    """The report, the timeline and the situation, without what is for clicking."""
+    paste(page, REJECTED)
+    expect(page.locator("#timeline .wrong")).to_be_visible()
+    page.emulate_media(media="print")
+    for there in ("#verdict", "#explained", "#timeline .wrong", "#situation"):
+        expect(page.locator(there)).to_be_visible()
+    assert page.locator("input:visible, select:visible, #tools:visible, #possible:visible").count() == 0
 
 
 def test_a_failed_begin_changes_nothing(page: Page) -> None:
@@ -286,7 +332,7 @@ def test_a_link_holds_all_branches(page: Page) -> None:
     page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
     page.click("#branch")
     expect(page.locator("#branches .tab")).to_have_count(2)
-    page.wait_for_function("history.state.position === 2")
+    expect(page.locator("#link")).to_be_enabled()
     address = page.url
     page.goto("about:blank")
     page.goto(address)
@@ -490,9 +536,10 @@ def test_the_engine_starts_anew_when_it_was_stopped(page: Page) -> None:
 
 
 def test_only_what_is_in_view_is_drawn(page: Page) -> None:
-    """A long log has as many elements as a short one."""
-    paste(page, "\n".join([json.dumps(HEADER), *[json.dumps({"event": "DIS_AIRT", "ret": None, "at": AT})] * 3000]))
-    expect(page.locator("#verdict")).to_contain_text("accepted")
+    """A long log has as many elements as a short one; of too many explanations there is no verdict."""
+    text = "\n".join([json.dumps(HEADER), *[json.dumps({"event": "DIS_AIRT", "ret": None, "at": AT})] * 3000])
+    page.set_input_files("#file", {"name": "long.ndjson", "mimeType": "text/plain", "buffer": text.encode()})
+    expect(page.locator("#verdict")).to_contain_text("no verdict too many explanations")
     assert page.locator("#lines button, #timeline button").count() < 100
 
 

@@ -49,7 +49,7 @@ def decide_command(file: Path | None, logs: tuple[str, ...]) -> int:
     try:
         with Engine() as engine:
             for name, replay in replays.items():
-                if not replay.header(engine):
+                if not replay.others(engine):
                     raise click.ClickException(
                         f"{click.format_filename(name)}: expected a log (`s7check trace` says more)"
                     )

@@ -113,12 +113,19 @@ class Engine:
             self._decisions = self.ask({"message": "decisions"}, _Decisions).decisions
         return self._decisions
 
-    def read(self, data: bytes, folder: Path = HERE, chosen: Mapping[str, Any] | None = None) -> Content:
-        """The content of a log, in UTF-8; not while a log is at work. ``chosen`` and ``folder`` as in ``begin``."""
+    def read(
+        self, data: bytes, folder: Path = HERE, chosen: Mapping[str, Any] | None = None, others: bool = False
+    ) -> Content:
+        """The content of a log, in UTF-8; not while a log is at work. ``chosen`` and ``folder`` as in ``begin``.
+
+        With ``others`` it has the headers beside the log's own.
+        """
         file = profile_file(header_line(data) or data, folder)
         message: dict[str, Any] = {"message": "read", "count": len(data), **({"file": file} if file else {})}
         if chosen:
             message["chosen"] = chosen
+        if others:
+            message["others"] = True
         return self.ask(message, Content, data)
 
     def checked(self, kind: Literal["program", "offer"], text: bytes) -> dict[str, Any]:

@@ -61,14 +61,15 @@ class Decisions:
             for name in one.requirements:
                 if not name.startswith(_QUESTIONS):
                     shown[name] |= telling
-        self._shown = {name: frozenset(outcomes) for name, outcomes in sorted(shown.items()) if outcomes}
-        self.requirements = tuple(self._shown)
+        self.shown = {name: frozenset(outcomes) for name, outcomes in sorted(shown.items()) if outcomes}
+        """The outcomes of which one shows that a requirement decided something."""
+        self.requirements = tuple(self.shown)
         """Those that a log can show to decide something."""
 
     def requirements_of(self, outcomes: Collection[int]) -> list[str]:
         """The requirements that decided something, in their order."""
         met = frozenset(outcomes)
-        return [name for name, shown in self._shown.items() if not shown.isdisjoint(met)]
+        return [name for name, shown in self.shown.items() if not shown.isdisjoint(met)]
 
     def guards(self) -> Mapping[int, Decision]:
         """The conditions in actions, by the number of their decision."""

@@ -1,12 +1,11 @@
 """A log judged again: under other headers, or for the steps between its lines."""
 
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-from s7check.engine.answer import Alternatives, Answer
+from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
@@ -36,19 +35,17 @@ class Replay:
         self._data = b"\n".join(lines) + b"\n" if name == "-" else _bytes_of(name)
         self._folder = folder_of(name)
         self._chosen = chosen
-        self._header: dict[str, Any] | None = None
 
     @property
     def lines(self) -> list[bytes]:
         """The lines of the log."""
         return self._data.removesuffix(b"\n").split(b"\n")
 
-    def header(self, engine: Engine) -> dict[str, Any]:
-        """The normalised header with what was chosen; empty if it cannot be read."""
-        if self._header is None:
-            content = engine.read(header_line(self._data) or self._data, self._folder, self._chosen.message())
-            self._header = content.header or {}
-        return self._header
+    def others(self, engine: Engine) -> list[tuple[Reading, Chosen]]:
+        """The headers beside the log's own with what was chosen; none if that cannot be read."""
+        header = header_line(self._data) or self._data
+        found = engine.read(header, self._folder, self._chosen.message(), others=True).others
+        return [(Reading(one.kind, one.change, "no verdict"), Chosen.of(one.chosen)) for one in found]
 
     def judge(
         self,
@@ -89,10 +86,9 @@ def with_readings(report: Report, engine: Engine, replay: Replay, until: float |
     A letter on which nothing in the log depends leaves the verdict as it is. Of the others those that bear on the rule
     that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
     """
-    header = replay.header(engine)
-    if not header:
+    all_changes = replay.others(engine)
+    if not all_changes:
         return report
-    all_changes = list(_changes(header, engine.alternatives()))
     tried: dict[str, Reading | None] = {}
     for reading, changes in sorted(all_changes, key=lambda pair: _distance(pair[0], report)):
         tried[reading.change] = (
@@ -130,23 +126,6 @@ def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:
     last = report.line if report.verdict != "accepted" else None
     answer = replay.judge(engine, last=last, follow=FOLLOWED)
     return replace(report, lines=replay.lines, steps=answer.steps)
-
-
-def _changes(header: dict[str, Any], others: Alternatives) -> Iterable[tuple[Reading, Chosen]]:
-    for family in others.families:
-        if family != header["cpu"]:
-            yield Reading("cpu", f"cpu {family}", "no verdict"), Chosen(cpu=family)
-    for profile in ["", *others.profiles]:
-        if profile != header["profile"]:
-            change = f"profile {profile}" if profile else "no profile"
-            yield Reading("profile", change, "no verdict"), Chosen(profile)
-    named = dict(header["readings"])
-    defaults = dict(others.defaults)
-    for ambiguity, letters in others.letters:
-        own = named.get(ambiguity, None if header["profile"] else defaults.get(ambiguity))
-        for letter in letters:
-            if letter != own:
-                yield Reading("letter", f"{ambiguity} {letter}", "no verdict"), Chosen(letters={ambiguity: letter})
 
 
 def _bytes_of(name: str) -> bytes:

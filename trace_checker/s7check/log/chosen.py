@@ -21,6 +21,11 @@ class Chosen:
         profile = self.profile if other.profile is None else other.profile
         return Chosen(profile, {**self.letters, **other.letters}, other.cpu or self.cpu)
 
+    @classmethod
+    def of(cls, message: Mapping[str, Any]) -> "Chosen":
+        """The choices of such a message."""
+        return cls(message.get("profile"), message.get("readings", {}), message.get("cpu"))
+
     def message(self) -> dict[str, Any]:
         """The choices as the engine takes them."""
         return {

@@ -6,9 +6,9 @@ import { Engine, unusable } from "./engine.js";
 import { imported } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
-import { showReport, whyNot } from "./report.js";
+import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
-import { busy, button, fields, inSite, page, problem, requirement, requirements, safely, step } from "./shown.js";
+import { busy, button, fields, inSite, page, problem, requirement, requirements, safely, step, table } from "./shown.js";
 import { Timeline, read, zoom } from "./timeline.js";
 
 const LONGEST_LINK = 60_000;
@@ -32,6 +32,7 @@ const rows = new Rows($("lines"));
 async function refresh(when = null) {
   const number = ++page.asked;
   const one = page.model.branch;
+  $("link").disabled = true; // the address is the old one until it is shown
   remember();
   page.desk.progress = (at, all) => all > 10_000 && busy(`${one.name}: ${at} of ${all} lines`);
   const { explained, refused } = await page.desk.bring(one);
@@ -52,7 +53,8 @@ async function refresh(when = null) {
   showLines();
   showPossible();
   showImpossible();
-  await timeline.show([one.header, ...one.lines], one.shown, explained, refused ? explained + 1 : -1, one.numbers);
+  const wrong = refused ? explained + 1 : -1;
+  await timeline.show([one.header, ...one.lines], one.shown, explained, wrong, one.numbers, refused?.before);
   showSides(number);
   await showLink();
   const sides = page.sides.map((side) => JSON.stringify(side.chosen));
@@ -107,11 +109,7 @@ function showBranches() {
 function showSituation() {
   const tables = page.view.look.situations.map((lines, i) => [
     page.view.look.situations.length > 1 ? h("h3", {}, `explanation ${i + 1} of ${page.view.look.states}`) : null,
-    h(
-      "table",
-      {},
-      ...lines.map(([topic, text]) => h("tr", {}, h("td", { className: "key" }, topic), h("td", {}, text))),
-    ),
+    table(lines),
   ]);
   $("situation").replaceChildren(...tables.flat().filter(Boolean));
 }
@@ -183,9 +181,25 @@ async function open(name, bytes, line = null, told = []) {
     );
   const at = line ?? answer.line;
   const shown = at ? one.numbers.filter((number) => number <= at).length - 1 : one.lines.length;
-  page.verdict = { verdict: answer.verdict, header: one.header, lines: one.lines, told };
+  page.verdict = { ...judgement(answer), answer, header: one.header, lines: one.lines, told };
   await begin({ ...one, shown: Math.max(0, shown) });
   $("verdict").focus({ preventScroll: true });
+  const judged = page.verdict;
+  await tryReadings(engine, judged, bytes, () => page.verdict === judged);
+}
+
+/** The verdict that an answer stands for, with its message. */
+function judgement(answer) {
+  const open = answer.verdict === "accepted" && answer.loose && !answer.partial;
+  if (!open) return { verdict: answer.verdict, loosened: loosened(answer), met: met(answer, contents.decidable) };
+  const message = `too many explanations${loosened(answer)}; choose readings in the header`;
+  return { verdict: "no verdict", message };
+}
+
+/** The report of what is shown as a page of its own. */
+async function saveReport() {
+  const { name } = page.model.branch;
+  download(`${fileName(name)}.html`, asPage(name, await timeline.still()));
 }
 
 function closed(name, kind, message) {
@@ -268,6 +282,7 @@ function wire() {
   $("stop").onclick = () => engine.stop();
   $("save").onclick = () => download(`${fileName(page.model.branch.name)}.ndjson`, ndjson(page.model.branch));
   $("program").onclick = safely(program);
+  $("save-report").onclick = safely(saveReport);
   $("narrower").onclick = safely(() => scale(0.8));
   $("wider").onclick = safely(() => scale(1.25));
   $("link").onclick = safely(async () => {

@@ -1,7 +1,11 @@
-// The verdict of the opened log, why its line is rejected, and the report as text.
+// The verdict of the opened log, why its line is rejected, and the report as text and as a file.
 import { $, h, numberOf } from "./elements.js";
-import { button, page, requirement, requirements, step } from "./shown.js";
+import { button, page, requirement, requirements, said, step, table } from "./shown.js";
 import { read } from "./timeline.js";
+
+const LONGEST_JUDGED = 4 * 1024 * 1024; // bytes of a log that is judged by other readings
+const BUDGET = 5000; // milliseconds for all of them
+const MOST_EXPECTED = 12;
 
 /** The verdict of the opened log, and why its line is rejected. */
 export function showReport() {
@@ -9,32 +13,86 @@ export function showReport() {
   const { refused, explained } = page.view;
   const judged = page.verdict;
   const same = judged && judged.lines === one.lines && judged.header === one.header;
-  const said = same
+  const now = same
     ? judged
     : refused
       ? { verdict: refused.unusable ? "unusable" : "rejected" }
       : { verdict: "accepted" };
   const line = numberOf(one.numbers, explained + 1);
   const words = {
-    accepted: `the specification explains every line (${explained} events)`,
+    accepted: `the specification explains every line (${explained} events${now.met ?? ""})`,
     rejected: refused?.late
       ? `something had to come before line ${line}`
       : `no behaviour of the specification explains line ${line}`,
-    unusable: refused?.unusable ?? said.message,
-    "no verdict": said.message,
-  }[said.verdict];
+    unusable: refused?.unusable,
+    "no verdict": now.message,
+  }[now.verdict];
+  const loosened = now.loosened ?? "";
   $("report").hidden = false;
   $("verdict").replaceChildren(
-    h("span", { className: `verdict ${said.verdict === "no verdict" ? "none" : said.verdict}` }, said.verdict),
-    ` ${words}`,
+    h("span", { className: `verdict ${now.verdict === "no verdict" ? "none" : now.verdict}` }, now.verdict),
+    ` ${words}${loosened}`,
   );
-  $("explained").replaceChildren(...(refused && !refused.unusable ? explanation(refused, one, explained) : []));
+  $("explained").replaceChildren(...(refused && !refused.unusable ? explanation(refused, one, explained, line) : []));
+  $("readings").replaceChildren(...((same && judged.readings) || []));
   $("told").replaceChildren(...(same ? judged.told : []).map((line) => h("li", {}, line)));
-  $("as-text").textContent = asText(said.verdict, words, one, refused, line);
+  $("as-text").textContent = asText(now.verdict, words + loosened, one, refused, line);
 }
 
-function explanation(refused, one, index) {
-  const texts = refused.requirements.map((id) => h("li", {}, requirement(id), ` ${page.clauses.get(id)?.text ?? ""}`));
+/** From which line on the engine has told less apart. */
+export const loosened = ({ loose, wide }) =>
+  loose
+    ? `; from line ${loose} on only definite facts are checked`
+    : wide
+      ? `; too many explanations: from line ${wide} on start events that wait are not all told apart`
+      : "";
+
+/** How many requirements have decided something on the way of every explanation. */
+export function met({ outcomes = [] }, decidable) {
+  const there = new Set(outcomes);
+  const all = Object.values(decidable);
+  return `; ${all.filter((each) => each.some((one) => there.has(one))).length} of ${all.length} requirements decided something`;
+}
+
+/** Judges a rejected log by other CPUs, editions and letters, as long as `wanted` says so, and shows what comes of it. */
+export async function tryReadings(engine, judged, bytes, wanted) {
+  const { answer } = judged;
+  if (answer.verdict !== "rejected" || bytes.length > LONGEST_JUDGED) return;
+  const { others = [] } = await engine.ask({ message: "read", count: bytes.length, others: true }, bytes);
+  const [passing, further, untried] = [[], [], []];
+  const end = performance.now() + BUDGET;
+  for (const { kind, change, chosen } of others) {
+    if (kind === "letter" && answer.asked && !answer.asked.includes(change.split(" ")[0])) continue; // it is as before
+    if (performance.now() > end) {
+      untried.push(change);
+      continue;
+    }
+    const { verdict, line } = await engine.judge(bytes, { chosen });
+    if (!wanted()) return;
+    if (verdict === "accepted") passing.push(change);
+    else if (line > answer.line) further.push(`${change} at line ${line}`);
+  }
+  const items = passing.map((change) => {
+    const { text, letters } = page.clauses.get(change.split(" ")[0]) ?? {};
+    return h("li", {}, ...linked(change), text ? `: ${text} ${letters[change.split(" ")[1]]}` : "");
+  });
+  const list = (title, all) =>
+    all.length ? h("p", {}, `${title}: `, ...linked(all.slice(0, MOST_EXPECTED).join(", "))) : null;
+  judged.readings = [
+    h("h3", {}, "Would pass with"),
+    items.length ? h("ul", {}, ...items) : h("p", {}, "No other reading that was tried."),
+    list("Would get further with", further),
+    list("Not tried for lack of time", untried),
+  ].filter(Boolean);
+  showReport();
+}
+
+function explanation(refused, one, index, line) {
+  const texts = refused.requirements.map((id) => [requirement(id), said(id)]);
+  const situations = refused.situations.flatMap((rows, i) => [
+    h("h3", {}, `The CPU before the line${refused.states > 1 ? ` (${i + 1} of ${refused.states})` : ""}`),
+    table(rows),
+  ]);
   const choices = refused.instead.map((each, i) => instead(each, refused.expected[i], index, one.lines[index]));
   return [
     h("pre", { className: "quote" }, one.lines[index]),
@@ -46,9 +104,40 @@ function explanation(refused, one, index) {
       ...(choices.length ? choices : ["nothing"]),
     ),
     h("h3", {}, "Requirements that decide"),
-    h("ul", {}, ...texts),
+    table(texts),
+    ...situations,
     because(refused),
+    h("p", { className: "origin" }, `The shortest prefix that fails: lines 1 to ${line}.`),
   ].filter(Boolean);
+}
+
+/** The report with its timeline, nodes, as the text of a page that needs nothing else. */
+export function asPage(title, timeline) {
+  const report = $("report").cloneNode(true);
+  report.querySelectorAll(".live").forEach((one) => one.remove());
+  const main = h("main", {}, h("h1", {}, title), report, ...timeline);
+  const named = new Set();
+  for (const one of main.querySelectorAll("button")) {
+    const id = one.classList.contains("id") ? one.textContent : null;
+    if (id) named.add(id);
+    const { className, textContent } = one;
+    const plain = id ? h("a", { href: `#${id}` }, id) : h("span", { className }, textContent);
+    if (one.dataset.index) plain.dataset.index = one.dataset.index;
+    plain.style.cssText = one.style.cssText;
+    one.replaceWith(plain);
+  }
+  const rows = [...named].sort().map((id) => [h("span", { id }, id), said(id)]);
+  if (rows.length) main.append(h("section", {}, h("h2", {}, "Requirements and readings"), table(rows)));
+  const head = h(
+    "head",
+    {},
+    h("meta", { charset: "utf-8" }),
+    h("title", {}, title),
+    document.querySelector("style").cloneNode(true),
+  );
+  head.firstChild.setAttribute("charset", "utf-8");
+  const body = h("body", {}, document.querySelector(".patterns").cloneNode(true), main);
+  return `<!DOCTYPE html>\n${h("html", { lang: "en" }, head, body).outerHTML}\n`;
 }
 
 function asText(name, words, one, refused, line) {
@@ -118,6 +207,6 @@ const because = (refused) =>
         "details",
         {},
         h("summary", {}, "Formulas"),
-        h("ul", { className: "because" }, ...refused.because.map((one) => h("li", {}, formula(one)))),
+        h("ul", { className: "because" }, ...refused.because.map((one) => h("li", {}, ...linked(formula(one))))),
       )
     : null;

@@ -56,14 +56,24 @@ export const button = (text, work, properties = {}) =>
 export const requirement = (id) => h("button", { type: "button", className: "id", onclick: () => tell(id) }, id);
 export const requirements = (ids) => h("span", { className: "ids" }, ...ids.flatMap((id) => [" ", requirement(id)]));
 
-function tell(id) {
+/** What a rule says, with its letters and where it comes from. */
+export function said(id) {
   const clause = page.clauses.get(id) ?? { text: "" };
-  const [title, text, origin] = $("clause").children;
-  const letters = Object.entries(clause.letters ?? {}).map(([letter, said]) => ` (${letter}) ${said}`);
+  const letters = Object.entries(clause.letters ?? {}).map(([letter, answer]) => ` (${letter}) ${answer}`);
+  const origin = [clause.source, clause.confidence].filter(Boolean).join("; ");
+  return h("span", {}, clause.text, ...letters, " ", h("span", { className: "origin" }, origin));
+}
+
+/** A table of pairs. */
+export const table = (rows) =>
+  h("table", {}, ...rows.map(([key, text]) => h("tr", {}, h("td", { className: "key" }, key), h("td", {}, text))));
+
+function tell(id) {
+  const [title, text, book] = $("clause").children;
+  const { home } = page.clauses.get(id) ?? {};
   title.textContent = id;
-  text.replaceChildren(clause.text, ...letters);
-  origin.textContent = [clause.source, clause.confidence].filter(Boolean).join("; ");
-  if (inSite && clause.home) origin.append(" ", h("a", { href: clause.home }, "in the book"));
+  text.replaceChildren(said(id));
+  book.replaceChildren(...(inSite && home ? [h("a", { href: home }, "in the book")] : []));
   $("clause").showModal();
 }
 

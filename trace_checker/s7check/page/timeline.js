@@ -1,5 +1,5 @@
 // The timeline: a button for each line, and below it what runs and waits; only what is in view is drawn.
-import { h, numberOf } from "./elements.js";
+import { $, h, numberOf } from "./elements.js";
 
 const USUAL = 116;
 let column = USUAL; // the width of a line
@@ -7,6 +7,7 @@ const HEAD = 70;
 const LANE = 58;
 const STRIP = 20;
 const SPARE = 4;
+const REPORTED = 80; // lines of a report
 
 const s = (tag, attributes, text) => {
   const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
@@ -46,9 +47,9 @@ function runs(states, value) {
 
 const hexByte = (value) => (value & 0xff).toString(16).toUpperCase().padStart(2, "0");
 
-/** The lanes of the lines in view; `states` are the situations after them. */
-function lanes(states, lines) {
-  const all = states.filter(Boolean);
+/** The lanes of the lines in view; `states` are the situations after them, `before` that before the rejected line. */
+function lanes(states, lines, wrong, before) {
+  const all = [...states, before].filter(Boolean);
   const classes = [
     ...new Set([1, ...all.flatMap((one) => [...one.running, ...one.pending].map((frame) => frame.class))]),
   ].sort((a, b) => b - a);
@@ -57,6 +58,10 @@ function lanes(states, lines) {
     ...(all.some((one) => one.delay) ? ["delayed"] : []),
     ...(all.some((one) => one.blocked.length) ? ["blocked"] : []),
   ];
+  const classOf = new Map(
+    all.flatMap((one) => [...one.running, ...one.pending].map((frame) => [frame.ob, frame.class])),
+  );
+  const lane = (ob) => classOf.get(ob) ?? 1;
   const top = HEAD + strips.length * STRIP + 8;
   const height = top + classes.length * LANE + 8;
   const svg = s("svg", { width: states.length * column, height, "aria-hidden": "true" });
@@ -80,6 +85,9 @@ function lanes(states, lines) {
     );
     svg.append(s("text", { x: 4, y: y(number) + 54, class: "label small" }, `class ${number}`));
   });
+  lines.forEach((line, i) => {
+    if (line.event === "clock") svg.append(s("rect", { x: i * column, y: 0, width: column, height, class: "jump" }));
+  });
   const strip = (name, value, style) => {
     for (const [text, first, count] of runs(states, value))
       box(first * column, HEAD + strips.indexOf(name) * STRIP, count, STRIP - 4, `${style} ${text}`, text, "on");
@@ -89,7 +97,7 @@ function lanes(states, lines) {
   if (strips.includes("blocked"))
     strip("blocked", (one) => (one.blocked.length ? `blocked OB ${one.blocked.join(" ")}` : ""), "block");
   for (const ob of new Set(all.flatMap((one) => one.running.map((frame) => frame.ob)))) {
-    const number = all.flatMap((one) => one.running).find((frame) => frame.ob === ob).class;
+    const number = lane(ob);
     const how = (one) =>
       one.running.at(-1)?.ob === ob ? "runs" : one.running.some((frame) => frame.ob === ob) ? "interrupted" : "";
     for (const [style, first, count] of runs(states, how))
@@ -119,7 +127,31 @@ function lanes(states, lines) {
         }),
       );
   });
+  lines.forEach((line, i) => {
+    const lost = comeToNothing(line, states[i - 1], states[i]);
+    for (const number of new Set(lost.map(({ ob }) => lane(ob)))) {
+      const text = lost
+        .filter(({ ob }) => lane(ob) === number)
+        .map(({ why }) => why)
+        .join(", ");
+      const [x, at] = [i * column, y(number) + 49];
+      svg.append(s("path", { d: `M${x - 4} ${at - 4}l8 8m0 -8l-8 8`, class: "lost" }));
+      svg.append(s("text", { x: x + 8, y: at + 4, class: "small nothing" }, text.slice(0, Math.floor(column / 6))));
+    }
+  });
+  for (const request of (before?.pending ?? []).filter(({ ready, missing }) => ready && !missing))
+    box(wrong * column, y(request.class) + 6, 1, 20, "ghost", `OB ${request.ob} due`, "due");
   return { svg, height };
+}
+
+/** OBs whose start events neither wait nor have started after the line, and the words for it. */
+function comeToNothing(line, before, after) {
+  if (!before || !after) return [];
+  const kept = new Set([...after.pending, ...after.running].map(({ ob }) => ob));
+  const lost = new Set(before.pending.filter(({ ob, open }) => !open && !kept.has(ob)).map(({ ob }) => ob));
+  const none =
+    line.event === "interrupt" && !kept.has(line.ob) ? [{ ob: line.ob, why: `OB ${line.ob}: no effect` }] : [];
+  return [...Array.from(lost, (ob) => ({ ob, why: `OB ${ob} gone` })), ...none];
 }
 
 /** Makes the lines of all timelines wider by a factor. */
@@ -145,9 +177,12 @@ export class Timeline {
     });
   }
 
-  /** Shows these lines, texts, of which `current` is chosen; `explained` have a situation, `wrong` is rejected. */
-  show(texts, current, explained, wrong, numbers) {
-    Object.assign(this, { texts, current, explained, wrong, numbers });
+  /**
+   * Shows these lines, texts, of which `current` is chosen; `explained` have a situation, `wrong` is rejected, and
+   * `before` is the situation before it.
+   */
+  show(texts, current, explained, wrong, numbers, before) {
+    Object.assign(this, { texts, current, explained, wrong, numbers, before });
     this.wide.style.width = `${texts.length * column}px`;
     const left = current * column;
     if (left < this.box.scrollLeft || left + column > this.box.scrollLeft + this.box.clientWidth) {
@@ -161,12 +196,36 @@ export class Timeline {
     const number = ++this.drawn;
     const first = Math.max(0, Math.floor(this.box.scrollLeft / column) - SPARE);
     const end = Math.min(this.texts.length, first + Math.ceil(this.box.clientWidth / column) + 2 * SPARE);
-    const last = Math.min(end - 1, this.explained);
-    const states = first > last ? [] : await this.states(first, last);
+    const made = await this.picture(first, end);
     if (number !== this.drawn) return;
-    const lines = this.texts.slice(first, end).map((text) => read(text));
     const focused = document.activeElement?.dataset?.index;
     const inside = this.box.contains(document.activeElement);
+    this.wide.style.height = `${made.height}px`;
+    this.wide.replaceChildren(made.svg, ...made.buttons);
+    if (inside)
+      made.buttons.find((one) => one.dataset.index === String(this.moved ?? focused))?.focus({ preventScroll: true });
+    this.moved = undefined;
+  }
+
+  /** The lines that a report shows, nodes that no longer change. */
+  async still() {
+    const end = Math.min(this.texts.length, (this.wrong < 0 ? this.current : this.wrong) + 3);
+    const first = Math.max(0, end - REPORTED);
+    const { svg, buttons, height } = await this.picture(first, end);
+    const style = `position:relative;height:${height}px;width:${end * column}px;margin-left:${-first * column}px`;
+    const lines = h("div", { style }, svg, ...buttons);
+    return [
+      h("h2", {}, `Lines ${first + 1} to ${end} of ${this.texts.length}`),
+      h("div", { className: "scroll timeline" }, lines),
+      $("marks").cloneNode(true),
+    ];
+  }
+
+  /** The lines from `first` up to `end`, a button each, above what runs and waits. */
+  async picture(first, end) {
+    const last = Math.min(end - 1, this.explained);
+    const states = first > last ? [] : await this.states(first, last);
+    const lines = this.texts.slice(first, end).map((text) => read(text));
     const buttons = lines.map((line, i) => {
       const index = first + i;
       const style = index === this.wrong ? "wrong" : index === this.current ? "current" : "";
@@ -187,13 +246,11 @@ export class Timeline {
     const { svg, height } = lanes(
       Array.from(lines, (_, i) => states[i] ?? null),
       lines,
+      this.wrong - first,
+      this.wrong >= first && this.wrong < end ? this.before : null,
     );
     svg.style.left = `${first * column}px`;
-    this.wide.style.height = `${height}px`;
-    this.wide.replaceChildren(svg, ...buttons);
-    if (inside)
-      buttons.find((one) => one.dataset.index === String(this.moved ?? focused))?.focus({ preventScroll: true });
-    this.moved = undefined;
+    return { svg, buttons, height };
   }
 }
 

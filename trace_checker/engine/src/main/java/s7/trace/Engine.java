@@ -31,7 +31,8 @@ import tlc2.value.impl.RecordValue;
  *       {"verdict":"open"}}; if it is, its verdict has been printed.
  *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
- *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is {@code unusable}.
+ *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is
+ *       {@code unusable}; with {@code "others":true} also the headers beside it ({@link OtherHeaders}).
  *   <li>{@code {"message":"program","count":N}} has a program of the kit checked, of which N bytes follow: the answer
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
@@ -181,6 +182,9 @@ public final class Engine {
               @Override
               public void header(Fields header) {
                 answer.put("header", chosen(header, message));
+                if (message.has("others")) {
+                  answer.put("others", OtherHeaders.of(spec.alternatives(), answer.object("header")));
+                }
               }
 
               @Override

@@ -152,7 +152,8 @@ final class Sessions {
 
   private void inWords(Fields answer, Explanation.Refusal refusal, byte[] line) {
     if (refusal != null) {
-      answer.put("refusal", why.refusal(refusal, Fields.of(line)));
+      Object before = refusal.situations().stream().findFirst().orElse(null);
+      answer.put("refusal", why.refusal(refusal, Fields.of(line)).put("before", before));
     }
   }
 
