@@ -166,7 +166,10 @@ def test_the_search_answers_a_newcomer(site: Path) -> None:
         "retentive": "Restart",
         "unblock": "SFC 40 EN_IRT",
         "CAN_TINT waits": "Cancelled while it waits",
+        "CAN_TINT running": "Cancelled inside its OB",
+        "SRT_DINT waiting": "SRT_DINT while its OB waits",
         "DIS_AIRT clock set EN_AIRT": "A skipped point under DIS_AIRT",
+        "OB 35": "OBS",
         "ACT_TINT date passed": "Activated after its start point",
     }
     with sync_playwright() as playwright:

@@ -23,13 +23,23 @@ const SAME = [
   [/\bpriorit(y|ies)\b/g, "$& class"],
   [/\b(unblock(ed)?|enabled?)\b/g, "en_irt ends block"],
 ];
-const NUMBERED = /\b(ob|sfc|fc|cpu)s?[ -]?(\d+)(?:(?: to | and | or |, |\/)(\d+))?\b/g;
+const NUMBERED = /\b(ob|sfc|fc|cpu)s?[ -]?(\d+)(?:( to | and | or |, |[-/])(\d+))?\b/g;
 const WORD = /[a-z]\w{1,3}-\d+|[\p{L}\p{N}_]+/gu;
 
-/** The words of a text: an ID is one, OB 80 is one. */
+/** OB 80 as one word, OB 30 to 38 as a word for each. */
+function numbered(_, block, from, link, to = from) {
+  const all = Math.max(1, / to |-/.test(link) ? to - from + 1 : 1);
+  const numbers = Array.from({ length: Math.min(all, 40) }, (_, i) => Number(from) + i);
+  return [...numbers, to].map((one) => block + one).join(" ");
+}
+
+/** "Waits", "waiting" and "waited" as one word. */
+const stem = (word) =>
+  /^\p{L}{4,}$/u.test(word) ? word.replace(/(?<=...)(ing|ed|e?s)$/, "").replace(/(.)\1$/, "$1") : word;
+/** The words of a text: an ID is one. */
 const words = (text) =>
-  text.toLowerCase().replace(NUMBERED, (_, block, from, to) => `${block}${from} ${to ? block + to : ""}`)
-    .match(WORD)?.filter((word) => !SMALL.has(word)) ?? [];
+  text.toLowerCase().replace(NUMBERED, numbered)
+    .match(WORD)?.filter((word) => !SMALL.has(word)).map(stem) ?? [];
 /** In the index EN_AIRT stands beside its parts. */
 const parts = (text) => words(text).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : [word]));
 
