@@ -18,7 +18,7 @@ OPTIONS = ("JDK_JAVA_OPTIONS", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS")
 
 _PATIENCE = 60
 _SHOWN = 300
-_VERSION = re.compile(r'version "(?:1\.)?([0-9]+)')
+_VERSION = r'version "(?:1\.)?([0-9]+)'
 
 
 class JavaMissingError(Exception):
@@ -77,7 +77,7 @@ def check_java(java: str) -> None:
         # Such as a wrong option in JDK_JAVA_OPTIONS.
         words = printable(" ".join(f"{error.stdout} {error.stderr}".split()), _SHOWN) or f"exit code {error.returncode}"
         raise JavaMissingError(f"{java} -version failed ({words}): {limits.advice() or _ADVICE}") from error
-    match = _VERSION.search(said.stderr)
+    match = re.search(_VERSION, said.stderr)
     if match is None or int(match[1]) < LEAST_JAVA:
         version = match[1] if match else "of an unknown version"
         raise JavaMissingError(f"{java} is Java {version}: {_ADVICE}")

@@ -14,14 +14,14 @@ import msgspec
 from s7check.log.errors import ranges
 from s7check.resources import RULES
 
-_NAMED = re.compile(r"\b[A-Z]+[0-9]*-[0-9]{2,}\b")
-_ANCHOR = re.compile(r'<a id="([A-Z]+\d*-\d+)">')
-_REQUIREMENT = re.compile(r'^- <a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$', re.MULTILINE)
-_QUESTION = re.compile(r'^<a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)', re.MULTILINE)
-_LETTER = re.compile(r"^- \(([a-d])\) (.*)$", re.MULTILINE)
-_EVENT_IDS = re.compile(r"^### [\d.]+ Event IDs$(.*?)^### ", re.MULTILINE | re.DOTALL)
-_EVENT = re.compile(r"^\| ([0-9A-F]{4}) \| ([^|]+?) +\|", re.MULTILINE)
-_BREAK = re.compile(r"(?<=.)\n *(?=[^\n -])")
+_NAMED = r"\b[A-Z]+[0-9]*-[0-9]{2,}\b"
+_ANCHOR = r'<a id="([A-Z]+\d*-\d+)">'
+_REQUIREMENT = r'^- <a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*) \*\((.*); (.*)\)\*$'
+_QUESTION = r'^<a id="([A-Z]+\d*-\d+)"></a>\*\*\1\*\* (.*)\n\n((?:- \(.\) .*\n)+)'
+_LETTER = r"^- \(([a-d])\) (.*)$"
+_EVENT_IDS = r"^### [\d.]+ Event IDs$(.*?)^### "
+_EVENT = r"^\| ([0-9A-F]{4}) \| ([^|]+?) +\|"
+_BREAK = r"(?<=.)\n *(?=[^\n -])"
 """Where a sentence goes on in the next line."""
 
 
@@ -54,21 +54,24 @@ def page_of(name: str) -> str:
 
 def requirements_of(page: str) -> list[Clause]:
     """The entries of the text of requirements.md. Raises ValueError for an anchor without one."""
-    text = _BREAK.sub(" ", page)
-    return _entries(text, [Clause(*found) for found in _REQUIREMENT.findall(text)])
+    text = re.sub(_BREAK, " ", page)
+    return _entries(text, [Clause(*found) for found in re.findall(_REQUIREMENT, text, re.MULTILINE)])
 
 
 def questions_of(page: str) -> list[Clause]:
     """The entries of the text of readings.md. Raises ValueError for an anchor without one."""
-    text = _BREAK.sub(" ", page)
-    found = [Clause(name, asked, letters=dict(_LETTER.findall(said))) for name, asked, said in _QUESTION.findall(text)]
-    return _entries(text, found)
+    text = re.sub(_BREAK, " ", page)
+    found = re.findall(_QUESTION, text, re.MULTILINE)
+    letters = [dict(re.findall(_LETTER, said, re.MULTILINE)) for _, _, said in found]
+    return _entries(
+        text, [Clause(name, asked, letters=its) for (name, asked, _), its in zip(found, letters, strict=True)]
+    )
 
 
 def _entries(text: str, clauses: list[Clause]) -> list[Clause]:
     """The clauses, if there is one for each anchor of the page."""
     ids = [clause.id for clause in clauses]
-    for name in _ANCHOR.findall(text):
+    for name in re.findall(_ANCHOR, text):
         if name not in ids:
             raise ValueError(f"{name}: expected an entry like the others behind the anchor")
         if ids.count(name) > 1:
@@ -103,8 +106,8 @@ def clause(name: str) -> Clause:
 def event_texts() -> dict[str, str]:
     """What the event IDs mean, by their four digits."""
     page = (RULES / "requirements.md").read_text(encoding="utf-8")
-    found = _EVENT_IDS.search(page)
-    return {} if found is None else dict(_EVENT.findall(found[1]))
+    found = re.search(_EVENT_IDS, page, re.MULTILINE | re.DOTALL)
+    return {} if found is None else dict(re.findall(_EVENT, found[1], re.MULTILINE))
 
 
 def event_text(number: int) -> str:
@@ -114,7 +117,7 @@ def event_text(number: int) -> str:
 
 def named(text: str) -> list[str]:
     """The IDs in a text that stand for a clause, each once."""
-    return [name for name in dict.fromkeys(_NAMED.findall(text)) if name in _clauses()]
+    return [name for name in dict.fromkeys(re.findall(_NAMED, text)) if name in _clauses()]
 
 
 def requirements() -> list[str]:

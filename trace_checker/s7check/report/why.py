@@ -14,10 +14,10 @@ from s7check.log.calls import OPERANDS
 from s7check.report.clauses import clause, event_text
 from s7check.report.expected import format_value, spelled_value
 
-_SENTENCE = re.compile(r"(?:[^.(]|\([^)]*\)|[.](?! |$))+[.]?")
+_SENTENCE = r"(?:[^.(]|\([^)]*\)|[.](?! |$))+[.]?"
 _MOST = 6
-_CODE = re.compile(r"\b(?:16#)?([0-9A-F]{4})\b")
-_NAMED_ID = re.compile(r"\b(?:id|cause)=16#([0-9A-F]{4})\b")
+_CODE = r"\b(?:16#)?([0-9A-F]{4})\b"
+_NAMED_ID = r"\b(?:id|cause)=16#([0-9A-F]{4})\b"
 _LINES = {
     "start": "OB {ob} cannot start",
     "end": "OB {ob} cannot end",
@@ -58,7 +58,7 @@ def why_not(event: bytes, late: Sequence[str], expected: Sequence[Allowed], requ
 
 def sentences(text: str) -> list[str]:
     """The sentences of a requirement's text."""
-    return [one.strip() for one in _SENTENCE.findall(text)]
+    return [one.strip() for one in re.findall(_SENTENCE, text)]
 
 
 def _claim(line: dict[str, Any], field: str, instead: str) -> tuple[str, str]:
@@ -85,14 +85,14 @@ def _claim(line: dict[str, Any], field: str, instead: str) -> tuple[str, str]:
 
 def _entry(number: str) -> str:
     """Such as ``16#4568 (STOP: OB 80 missing)``."""
-    found = _CODE.search(number)
+    found = re.search(_CODE, number)
     text = event_text(int(found[1], 16)) if found else ""
     return f"{number} ({text})" if text else number
 
 
 def _with_words(said: str) -> str:
     """What had to come, with the words of an event ID that it names."""
-    return _NAMED_ID.sub(lambda named: named[0].replace(f"16#{named[1]}", _entry(f"16#{named[1]}")), said)
+    return re.sub(_NAMED_ID, lambda named: named[0].replace(f"16#{named[1]}", _entry(f"16#{named[1]}")), said)
 
 
 def _given(line: dict[str, Any], field: str) -> str:
@@ -110,9 +110,9 @@ def _rule(name: str, about: Sequence[str] = ()) -> str:
     0000 stands in many rules, also as a PERIOD: it counts last.
     """
     said = sentences(clause(name).text)
-    codes = sorted((code for text in about for code in _CODE.findall(text)), key=lambda code: code == "0000")
+    codes = sorted((code for text in about for code in re.findall(_CODE, text)), key=lambda code: code == "0000")
     for code in codes:
-        if found := next((one for one in said if code in _CODE.findall(one)), ""):
+        if found := next((one for one in said if code in re.findall(_CODE, one)), ""):
             return _cited(found, name)
     return _cited((said or [""])[0], name)
 

@@ -22,13 +22,13 @@ _PERIODS = {
 """In words, for people; which codes there are, and when each comes round, the specification says."""
 _NO_CAUSE = -1
 
-_ABOUT_WORDS = re.compile(r"\b(?:ret|status|period|sign)\b")
-_CALL = re.compile(r"(Set|Can|Act|Qry|Srt|Dis|En)(Tint|Dint|Irt|Airt)\((.*)\)")
+_ABOUT_WORDS = r"\b(?:ret|status|period|sign)\b"
+_CALL = r"(Set|Can|Act|Qry|Srt|Dis|En)(Tint|Dint|Irt|Airt)\((.*)\)"
 _TWO_WORDS = frozenset({"SetTint", "SrtDint", "QryTint", "QryDint"})
 """Actions of calls whose last two arguments are words: PERIOD or SIGN and RET_VAL, RET_VAL and STATUS."""
-_VALUES = re.compile(r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})")
+_VALUES = r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})"
 """In the values of a condition those of its operands; numbers within an operand stay as the formula has them."""
-_NUMBER = re.compile(r"\d+")
+_NUMBER = r"\d+"
 
 
 def moment(at: Moment) -> str:
@@ -84,13 +84,13 @@ def in_hexadecimal(one: Candidate) -> Candidate:
     16#0001, delay - 1 = 16#0000``.
     """
     action, values = one.action, one.values
-    if call := _CALL.fullmatch(action):
+    if call := re.fullmatch(_CALL, action):
         name, operands = call[1] + call[2], call[3].split(", ")
         words = 2 if name in _TWO_WORDS else 1
-        operands[-words:] = [_NUMBER.sub(_as_word, each) if each.isdigit() else each for each in operands[-words:]]
+        operands[-words:] = [re.sub(_NUMBER, _as_word, each) if each.isdigit() else each for each in operands[-words:]]
         action = f"{name}({', '.join(operands)})"
-    if _ABOUT_WORDS.search(one.conjunct):
-        values = _VALUES.sub(lambda value: _NUMBER.sub(_as_word, value[0]), values)
+    if re.search(_ABOUT_WORDS, one.conjunct):
+        values = re.sub(_VALUES, lambda value: re.sub(_NUMBER, _as_word, value[0]), values)
     return replace(one, action=action, values=values)
 
 
