@@ -1,13 +1,15 @@
 -------------------------------- MODULE MCLog --------------------------------
 (***************************************************************************)
 (* The explanations of small logs: a header, then lines in any order, at   *)
-(* few moments. Between two lines explanations may be merged: what they    *)
-(* allowed before, they allow after it (Merging).                          *)
+(* few moments. Between two lines explanations may be merged or reduced to *)
+(* definite facts: what they allowed before, they allow after it           *)
+(* (Merging). An explanation meets one without a start event of its own,   *)
+(* or with two of them in the other order.                                 *)
 (*                                                                         *)
-(* Left out: merging of several explanations; what a merge allows some     *)
-(* lines later.                                                            *)
+(* Left out: other explanations to meet; what a merge allows some lines    *)
+(* later; logs that leave kinds out.                                       *)
 (***************************************************************************)
-EXTENDS Trace, Merging
+EXTENDS PartialLogs, Merging
 
 VARIABLES
     (* The line that time elapses to; NoEvent between two lines.           *)
@@ -31,22 +33,31 @@ Of(m, settings) ==
                       !.clock = AtMinute(0, 30000), !.mode = m,
                       !.latency = 10, !.step7 = settings, !.records = Kinds ]
 
-(* The points of a minute interrupt come; or the CPU must stop.            *)
+(* The points of a minute interrupt come; or the CPU must stop; or OB 40   *)
+(* and OB 41 of one class are requested.                                   *)
+Interrupted == [ Of("RUN", {}) EXCEPT !.cpu = "S7-400",
+                                      !.priority = {<<41, 16>>},
+                                      !.obs = {1, 40, 41, 80, 85, 100} ]
 Headers == { Of("RUN", {Each(10, "minute", FALSE)}),
-             Of("STARTUP", {Each(10, "minute", TRUE)}) }
+             Of("STARTUP", {Each(10, "minute", TRUE)}), Interrupted }
 
 (* Lines at the beginning, and some minutes later.                         *)
 Later == AtMinute(10, 30000)
 \* @type: (Str, Int, Int) => $event;
 Line(event, o, ret) ==
     [NoEvent EXCEPT !.event = event, !.ob = o, !.ret = ret]
-Lines == { Line("DIS_AIRT", 0, 1), Line("EN_AIRT", 0, 0), Line("stop", 0, -1),
-           Line("run", 0, -1), Line("done", 0, -1) }
-           \cup { Line(event, o, -1) : event \in {"start", "end"},
-                                       o \in {10, 80, 100} }
-LinesAt(m) == { [ e EXCEPT !.at = m, !.up = Shifted(At(0),
-                                              AtMinute(0, 30000), m) ]
-                : e \in Lines }
+Lines == { Line("DIS_AIRT", 0, 1), Line("EN_AIRT", 0, 0), Line("stop", 0, -1) }
+           \cup IF cpu.step7[10].active
+                THEN { Line(event, 0, -1) : event \in {"run", "done"} }
+                       \cup { Line(event, o, -1) : event \in {"start", "end"},
+                                                  o \in {10, 80, 100} }
+                ELSE { Line(event, o, -1)
+                       : event \in {"interrupt", "start"}, o \in {40, 41} }
+                       \cup { Line("end", 40, -1) }
+\* @type: ($event, $moment) => $event;
+ToBeAt(e, m) == [ e EXCEPT !.at = m,
+                          !.up = Shifted(At(0), AtMinute(0, 30000), m) ]
+LinesAt(m) == { ToBeAt(e, m) : e \in Lines }
 
 logVars == <<cpuVars, entered, terms, pace, up, waiting, eventVars, reports>>
 LogVars == <<logVars, line, lines>>
@@ -66,7 +77,35 @@ Hides == /\ line # NoEvent /\ Arrived(line)
 Explains == /\ line # NoEvent /\ Arrived(line)
             /\ Shows(line) /\ NextPace(line)
             /\ line' = NoEvent /\ lines' = lines + 1
-Merges == Between /\ Crowd /\ UNCHANGED <<line, lines>>
+
+(* Another explanation of the same lines: without r, or with r and s in    *)
+(* each other's place.                                                     *)
+\* @type: $request => $waits;
+Without(r) ==
+    LET left == Close(requests \ {r})
+    IN  [ Waits EXCEPT
+            !.requests = left,
+            !.arrivals = [ q \in { AsItCame(t) : t \in left } |-> @[q] ],
+            !.waiting  = [ c \in DOMAIN @ \ ({r.class, r.class + 100}
+                                   \ { WaitsAs(q) : q \in left }) |-> @[c] ] ]
+\* @type: ($request, $request) => $waits;
+Exchanged(r, s) ==
+    [ Waits EXCEPT !.requests = (@ \ {r, s}) \cup
+                                  { [r EXCEPT !.rank = s.rank],
+                                    [s EXCEPT !.rank = r.rank] } ]
+FromOutside == IF cpu.step7[10].active THEN {}
+               ELSE { r \in requests : Outside(r) }
+Twins == { Without(r) : r \in FromOutside }
+           \cup UNION { { Exchanged(r, s)
+                          : s \in { q \in FromOutside :
+                                     /\ q.class = r.class
+                                     /\ q.rank = r.rank + 1 } }
+                        : r \in FromOutside }
+
+Merges == /\ Between /\ lines < 4 /\ lines' = 4 /\ UNCHANGED line
+          /\ \/ Crowd
+             \/ ~terms.loose /\ \E w \in Twins \ {Waits} : Meet({Waits, w})
+             \/ LastResort
 
 LogNext == Opens \/ Takes \/ Elapses \/ Hides \/ Explains \/ Merges
 LogSpec == LogInit /\ [][LogNext]_LogVars
@@ -78,10 +117,14 @@ BeginsDueProp ==
     [][ Opens /\ stopCause' # NoCause => StopDuty \in DOMAIN waiting' ]_LogVars
 
 (* Every line of this moment that was allowed is allowed after a merge, as *)
-(* is that time elapses.                                                   *)
+(* is that time elapses. By definite facts alone a call may answer any     *)
+(* count of delays; TLC takes seconds to say so.                           *)
 MergingProp ==
     [][ Merges =>
-          /\ \A e \in LinesAt(clock) : ENABLED Shows(e) => (ENABLED Shows(e))'
-          /\ \A e \in LinesAt(Later) :
-               ENABLED Towards(e) => (ENABLED Towards(e))' ]_LogVars
+          /\ \A e \in LinesAt(clock) :
+               \/ terms'.loose /\ e.event \in CallEvents
+               \/ ENABLED Observe(e) => (ENABLED Observe(e))'
+          /\ LET e == ToBeAt(Line("stop", 0, -1), Later)
+             IN  ENABLED (Elapse(e) /\ up' # up) => (ENABLED Elapse(e))'
+    ]_LogVars
 =============================================================================

@@ -207,11 +207,14 @@ OnlyFacts(records) ==
     /\ waiting' = [c \in {} |-> 0] /\ reports' = {}
     /\ first' = "unknown" /\ overruns' = 0 /\ changes' = {}
     /\ arrivals' = [r \in {} |-> up]
-    /\ stack' = IF mode = "STOP" THEN <<>>
-                ELSE IF Unseen("ob") \/ stack = <<>>
-                THEN << IF mode = "STARTUP" THEN Frame(100, StartupClass)
-                        ELSE Frame(CycleOb, 1) >>
-                ELSE [stack EXCEPT ![Len(stack)].error = 0]
+    /\ LET seen == IF Unseen("ob") \/ stack = <<>> THEN <<>>
+                   ELSE [stack EXCEPT ![Len(stack)].error = 0]
+       IN  stack' = IF mode = "STOP" THEN <<>>
+                    ELSE IF /\ seen # <<>>
+                            /\ seen[1].ob \in {CycleOb} \cup StartupObs
+                    THEN seen
+                    ELSE << IF mode = "STARTUP" THEN Frame(100, StartupClass)
+                            ELSE Frame(CycleOb, 1) >> \o seen
     /\ resume' = [ resume EXCEPT !.dint = NoJobs, !.requests = {},
                                 !.due = FALSE ]
     /\ NothingEntered
