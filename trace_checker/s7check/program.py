@@ -1,5 +1,6 @@
 """A program of several commands: each is imported when it is asked for, and every end has its exit code."""
 
+import gc
 import sys
 from collections.abc import Mapping
 from importlib import import_module
@@ -35,7 +36,13 @@ class Commands(click.Group):
         if place is None:
             return super().get_command(ctx, cmd_name)
         module, attribute = place.split(":")
-        command: click.Command = getattr(import_module(module), attribute)
+        if module not in sys.modules:
+            # What is imported stays: no collection looks for garbage in it, nor does the end of the process.
+            gc.disable()
+            import_module(module)
+            gc.freeze()
+            gc.enable()
+        command: click.Command = getattr(sys.modules[module], attribute)
         return command
 
 
