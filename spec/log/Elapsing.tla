@@ -29,7 +29,9 @@ CallDuty == 98
 \* @type: $request => Int;
 WaitsAs(r) == IF r.open THEN r.class + 100 ELSE r.class
 
-Awaited == { WaitsAs(r) : r \in { q \in requests : MayStart(q) } }
+MayStartNow == { r \in requests : MayStart(r) }
+
+Awaited == { WaitsAs(r) : r \in MayStartNow }
              \cup (IF StopIsDue THEN {StopDuty} ELSE {})
              \cup (IF ErrorObIsDue THEN {CallDuty} ELSE {})
 
@@ -39,17 +41,20 @@ MayGoOnWaiting(r) ==
     \/ MayStart(r)
     \/ ~DelayBeginsWaitsAnew /\ ModeAllows(r) /\ Foremost(r)
 
+(* The requests that may. Without a delay what is foremost may start.      *)
+MayGoOn == IF Undelayed THEN MayStartNow
+           ELSE { r \in requests : MayGoOnWaiting(r) }
+
 (* The waits that go on in this step: those of OBs and of a STOP. The next *)
 (* OB of a class begins to wait when the one before it is withdrawn.       *)
 WaitsGoOn ==
     LET keys == DOMAIN waiting
-        waited == { AsItCame(r) : r \in { q \in requests :
-                      WaitsAs(q) \in keys /\ MayGoOnWaiting(q) } }
-        \* @type: $request => Bool;
-        waits(r) == AsItCame(r) \in waited /\ MayGoOnWaiting(r)'
+        waited == { AsItCame(r) : r \in { q \in MayGoOn :
+                                            WaitsAs(q) \in keys } }
     IN  IF keys = {} THEN {}
         ELSE keys \cap
-               ( { WaitsAs(r) : r \in { q \in requests' : waits(q) } }
+               ( { WaitsAs(r) : r \in { q \in MayGoOn' :
+                                          AsItCame(q) \in waited } }
                    \cup (IF stopCause' = NoCause \/ ( DelayBeginsWaitsAnew
                                                        /\ ~StopIsDue' )
                          THEN {} ELSE {StopDuty}) )
@@ -442,7 +447,7 @@ MissingMayWait(e) ==
         /\ clock = e.at \/ PassesNoOther(e.at)
         /\ Jobs = {} \/ Before(e.up, NextDelayOver)
         /\ InTime(d)
-        /\ \A q \in requests : MayStart(q) => old(q) \/ ~ages(q)
+        /\ \A q \in MayStartNow : old(q) \/ ~ages(q)
 
 (* One step towards line e.                                                *)
 \* @type: $event => Bool;

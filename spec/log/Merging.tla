@@ -67,11 +67,11 @@ Others == { r \in requests : ~Outside(r) }
 
 (* Two explanations can meet if these values are equal. *)
 MeetingPlace ==
-    << cpu.readings, loaded, mode, startup, resume, clock, tod, dint, irt,
+    LET came == { [of |-> AsItCame(r), r |-> r] : r \in Others }
+    IN << cpu.readings, loaded, mode, startup, resume, clock, tod, dint, irt,
        stack, delay, stopCause, up, first, overruns, changes, terms, pace,
-       { << [r EXCEPT !.rank = 0],
-            Cardinality({ s \in Others : AsItCame(s) = AsItCame(r) }) >>
-         : r \in Others },
+       { << [c.r EXCEPT !.rank = 0],
+            Cardinality({ d \in came : d.of = c.of }) >> : c \in came },
        DOMAIN waiting \cap
          (UNION { {r.class, r.class + 100} : r \in Others }
           \cup {StopDuty, CallDuty}) >>
@@ -83,9 +83,11 @@ Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
 (* A request without its place, and its number among equal requests. *)
 \* @type: (Set($request), $request) => $tag;
 Tag(q, r) ==
-    [ of  |-> AsItCame(r),
-      nth |-> Cardinality({ s \in q : /\ AsItCame(s) = AsItCame(r)
-                                     /\ s.rank <= r.rank }) ]
+    LET of == AsItCame(r)
+    IN  [ of  |-> of,
+          nth |-> Cardinality({ s \in q : /\ s.since = of.since
+                                         /\ s.rank <= r.rank
+                                         /\ AsItCame(s) = of }) ]
 
 \* @type: Set($request) => Set({ tag: $tag, r: $request });
 Tagged(q) == { [tag |-> Tag(q, r), r |-> r] : r \in q }
@@ -111,14 +113,15 @@ Far(below) ==
 \* @type: Set(Set({ tag: $tag, r: $request })) => ($tag -> Int);
 Places(queues) ==
     LET tags  == UNION { { t.tag : t \in q } : q \in queues }
+        parts == [ c \in { g.of.class : g \in tags } |->
+                     { { t \in q : t.r.class = c } : q \in queues } ]
         (* @type: (Set({ tag: $tag, r: $request }),                        *)
         (*         { tag: $tag, r: $request }) => Set($tag);               *)
-        upTo(q, u) == { t.tag : t \in { v \in q : /\ v.r.class = u.r.class
-                                                 /\ v.r.rank <= u.r.rank } }
+        upTo(q, u) == { t.tag : t \in { v \in q : v.r.rank <= u.r.rank } }
         once  == [ g \in tags |->
                      UNION { UNION { upTo(q, u)
                                      : u \in { t \in q : t.tag = g } }
-                             : q \in queues } ]
+                             : q \in parts[g.of.class] } ]
         all   == Far(Far(once))
     IN  [ g \in tags |-> Cardinality(all[g]) ]
 

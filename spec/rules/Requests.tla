@@ -227,13 +227,16 @@ StopsUncalled(r) ==
     /\ r.ob = ProgramErrorOb /\ StopsTheCpu(r) /\ MissingOb85StopsAtOnce
     /\ Undelayed \/ StopIsNotDelayed
 
-(* [OBS-02] [TINT-12] No request before it holds it back. A request that   *)
-(* the mode holds back does not count. Within a place the numbers of the   *)
-(* OBs may decide [AMB-29].                                                *)
+(* [OBS-02] [TINT-12] The requests that may hold others back: neither open *)
+(* ones nor those that the mode holds back.                                *)
+Definite == { q \in requests : ~q.open /\ ModeAllows(q) }
+
+(* [OBS-02] [TINT-12] No request before it holds it back. Within a place   *)
+(* the numbers of the OBs may decide [AMB-29].                             *)
 \* @type: $request => Bool;
 InTurn(r) ==
-    { q \in requests :
-        /\ q.class = r.class /\ ~q.open /\ ModeAllows(q)
+    { q \in Definite :
+        /\ q.class = r.class
         /\ \/ q.rank < r.rank
            \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
 
