@@ -193,7 +193,7 @@ final class Actions {
     return f -> {
       Value values = set.eval(f);
       if (next[variable] != null) {
-        if (values.member(next[variable])) {
+        if (Builtins.member(next[variable], values)) {
           then.run(f);
         }
         return;

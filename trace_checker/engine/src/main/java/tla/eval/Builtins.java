@@ -17,6 +17,9 @@ import util.UniqueString;
 
 /** The operators of TLA+ and of its standard modules on TLC's values. */
 final class Builtins {
+  /** So many elements are compared one after the other. */
+  private static final int FEW = 32;
+
   private Builtins() {}
 
   static boolean equal(Value a, Value b) {
@@ -29,7 +32,38 @@ final class Builtins {
     if (a instanceof StringValue x && b instanceof StringValue y) {
       return x.val.equals(y.val);
     }
+    if (a instanceof RecordValue x && b instanceof RecordValue y) {
+      return equal(x, y);
+    }
     return a.equals(b);
+  }
+
+  /** As TLC has it, whose own comparison guards each value against exceptions, which costs more than it compares. */
+  private static boolean equal(RecordValue a, RecordValue b) {
+    a.normalize();
+    b.normalize();
+    if (a.names.length != b.names.length) {
+      return false;
+    }
+    for (int i = 0; i < a.names.length; i++) {
+      if (a.names[i] != b.names[i] || !equal(a.values[i], b.values[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether a set has an element. */
+  static boolean member(Value element, Value set) {
+    if (!(set instanceof SetEnumValue s) || s.elems.size() > FEW) {
+      return set.member(element);
+    }
+    for (int i = 0; i < s.elems.size(); i++) {
+      if (equal(s.elems.elementAt(i), element)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The elements of a finite set, in TLC's order and each once. */
@@ -72,7 +106,7 @@ final class Builtins {
   static boolean subset(Value a, Value b) {
     ValueVec elements = elements(a);
     for (int i = 0; i < elements.size(); i++) {
-      if (!b.member(elements.elementAt(i))) {
+      if (!member(elements.elementAt(i), b)) {
         return false;
       }
     }

@@ -40,6 +40,7 @@ final class Compiler {
   private final Machine machine;
   private final Facts.Collector facts;
   private final Map<Shared, Expr> memos = new HashMap<>();
+  private final Map<OpDefNode, Memo.Values> values = new HashMap<>();
   private final Map<Shared, Called> calls = new HashMap<>();
 
   /** An operator in the current state or in the next one. */
@@ -79,17 +80,17 @@ final class Compiler {
         var key = new Shared((OpDefNode) apply.getOperator(), scope.primed);
         Expr known = memos.get(key);
         if (known == null) {
-          known = memo(its, node, scope.primed);
+          known = memo(its, node, scope.primed, values.computeIfAbsent(key.operator, k -> new Memo.Values()));
           memos.put(key, known);
         }
         return known;
       }
-      return memo(its, node, scope.primed);
+      return memo(its, node, scope.primed, new Memo.Values());
     }
     return plain(node, scope);
   }
 
-  private Expr memo(Facts its, SemanticNode node, boolean primed) {
+  private Expr memo(Facts its, SemanticNode node, boolean primed, Memo.Values values) {
     var slots = new Scope.Slots();
     Expr body = plain(node, Scope.empty(slots, primed));
     return new Memo(
@@ -97,7 +98,8 @@ final class Compiler {
         its.asks ? machine.asked : null,
         primed ? machine.next : machine.now,
         its.variables.stream().toArray(),
-        f -> body.eval(new Object[slots.count()]));
+        f -> body.eval(new Object[slots.count()]),
+        values);
   }
 
   private Expr plain(SemanticNode node, Scope scope) {

@@ -149,6 +149,7 @@ public final class Evaluator {
   }
 
   private List<State> states(OpDefNode operator, Use use, State state, Value... arguments) {
+    BitSet asked = machine.asked.collection();
     try {
       Program program = program(operator, use);
       if (program.act != null) {
@@ -157,7 +158,7 @@ public final class Evaluator {
             : program.successors(state, arguments);
       }
     } catch (RuntimeException e) {
-      failed(e);
+      failed(e, asked);
     }
     return null;
   }
@@ -170,6 +171,7 @@ public final class Evaluator {
 
   /** The value of a state function; null if TLC has to find it. */
   public Value value(OpDefNode operator, State state, Value... arguments) {
+    BitSet asked = machine.asked.collection();
     try {
       Program program = program(operator, Use.VALUE);
       if (program.expr != null) {
@@ -178,13 +180,14 @@ public final class Evaluator {
             : program.value(state, arguments);
       }
     } catch (RuntimeException e) {
-      failed(e);
+      failed(e, asked);
     }
     return null;
   }
 
   /** TLC names the error, but not of a state with recorded integers, which it does not know. */
-  private void failed(RuntimeException e) {
+  private void failed(RuntimeException e, BitSet asked) {
+    machine.asked.drop(asked);
     if (machine.isRecording()) {
       throw e;
     }

@@ -59,7 +59,7 @@ final class Machine {
   }
 
   boolean member(Value element, Value set) {
-    return recording == null ? set.member(element) : recording.member(element, set);
+    return recording == null ? Builtins.member(element, set) : recording.member(element, set);
   }
 
   boolean inDomain(Value function, Value x) {

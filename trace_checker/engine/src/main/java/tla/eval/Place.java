@@ -2,6 +2,7 @@ package tla.eval;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 
 import tla.tree.ExprOrOpArgNode;
@@ -30,6 +31,7 @@ public final class Place {
 
   /** The value of an expression; null if it has none, or if it refers to the next state. */
   public Value value(SemanticNode node) {
+    BitSet asked = evaluator.machine.asked.collection();
     try {
       if (evaluator.compiler.primes(node)) {
         return null;
@@ -38,6 +40,7 @@ public final class Place {
       evaluator.machine.load(state);
       return expr.eval(frame());
     } catch (RuntimeException e) {
+      evaluator.machine.asked.drop(asked);
       return null;
     }
   }
