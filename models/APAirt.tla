@@ -16,7 +16,10 @@ APBlockable == {10, 40}
 APInit ==
     /\ cpu = [ family |-> "S7-300", priority |-> [o \in {} |-> 0],
                step7 |-> [o \in TodObs |-> Activated("minute", 0)],
-               readings |-> [a \in {} |-> ""] ]
+               readings |-> [a \in {} |-> ""],
+               classes |-> [o \in {} |-> 0],
+               queues |->
+                 [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
     /\ loaded = {1, 10, 40, 80, 85}
     /\ mode = "RUN"
     /\ startup = "none"

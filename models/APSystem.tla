@@ -104,7 +104,7 @@ Executions == { "none", "once", "minute", "hourly", "daily", "weekly",
 \* @type: (Str, Int, Bool, Bool) => $step7;
 Setting(execution, start, active, deselected) ==
     [ execution |-> execution, start |-> start, active |-> active,
-      deselected |-> deselected ]
+      deselected |-> deselected, zone |-> 0 ]
 
 (* [OBS-05] A class that an OB can be given; 0 deselects it [OBS-06].      *)
 \* @type: Int => Bool;
@@ -129,7 +129,9 @@ ChosenCpu ==
              step7 |-> [ o \in TodObs |-> IF o = 10 THEN Setting(x, s, a, m)
                                                    ELSE Setting(y, t, b, n) ],
              readings |-> [ r \in shown |-> IF r = "AMB-11" THEN u
-                              ELSE IF r = "AMB-56" THEN v ELSE w ] ]
+                              ELSE IF r = "AMB-56" THEN v ELSE w ],
+             classes |-> [o \in {} |-> 0],
+             queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
 
 AnyConstants ==
     /\ ChosenCpu

@@ -14,8 +14,9 @@ BookSetting == [NoSetting EXCEPT !.set = TRUE, !.active = TRUE, !.next = 1,
 
 BookInit ==
     /\ cpu \in [ family : FamilyNames, priority : Priorities,
-                 step7 : {[o \in TodObs |-> NoParameters]},
-                 readings : ReadingSets ]
+                 step7 : {[o \in OldTodObs |-> NoParameters]},
+                 readings : ReadingSets, classes : ObClasses,
+                 queues : Queues ]
     /\ loaded \in {{}, {10, 20}}
     /\ mode \in {"STARTUP", "RUN"}
     /\ clock = At(0)

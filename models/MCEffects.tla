@@ -104,8 +104,8 @@ BlockingAgrees ==
     /\ Holds("AMB-21", "a", {"a"}, Meant(1, 20) = 20..23)
     /\ Holds("AMB-21", "a", {"b"}, Meant(1, 20) = {ClassMark(20)})
     /\ Holds("AMB-76", "a", {"b"}, {128, 129, 130} \subseteq EnModes)
-    /\ Holds("AMB-42", "a", {"b"}, IrtAfterEnIrt(1, 20).blocked # {})
-    /\ IrtAfterEnIrt(2, 20).blocked = {}
+    /\ Holds("AMB-42", "a", {"b"}, IrtAfterEnIrt(1, {20}).blocked # {})
+    /\ IrtAfterEnIrt(2, {20}).blocked = {}
     /\ \A o \in {1, 10, 17, 20, 23, 30, 47, 61, 73, 80, 87, 88, 90, 100, 122} :
          IrtErrors(7, o, DisModes) = {BadMode}
     /\ IrtErrors(7, 24, DisModes) = {BadMode, BadOb}

@@ -36,7 +36,9 @@ Holding == TRUE
 \* @type: (Str, $step7) => $cpu;
 Cpu(family, step7) ==
     [ family |-> family, priority |-> [o \in {} |-> 0],
-      step7 |-> [o \in TodObs |-> step7], readings |-> [a \in {} |-> ""] ]
+      step7 |-> [o \in TodObs |-> step7], readings |-> [a \in {} |-> ""],
+      classes |-> [o \in {} |-> 0],
+      queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
 
 (* CPUs with their loaded OBs. *)
 Cpus == { <<Cpu("S7-300", Activated("once", 0)), {10, 40, 80, 85}>>,

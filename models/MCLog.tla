@@ -26,7 +26,7 @@ AtMinute(m, ms) == [min |-> Begun + m, ms |-> ms]
 \* @type: (Int, Str, Bool) => $obStep7;
 Each(o, execution, deselected) ==
     [ ob |-> o, execution |-> execution, start |-> Begun, active |-> TRUE,
-      deselected |-> deselected ]
+      deselected |-> deselected, local |-> FALSE ]
 \* @type: (Str, Set($obStep7)) => $header;
 Of(m, settings) ==
     [ NoHeader EXCEPT !.cpu = "S7-300", !.obs = {1, 10, 80, 85, 100},

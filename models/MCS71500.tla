@@ -52,4 +52,55 @@ LocalRetVals == {OK, PastStart, NotSet}
 StopMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 5000)}
 StopTargets == {Moment(0, 30000), Moment(0, 55000)}
 AnyStop == delay = 0 /\ Waiting(2)
+(* In its place where OBs have numbers from 123 on: a time-of-day OB and a *)
+(* hardware OB.                                                            *)
+NumberedTods == {10} \cup Numbered(10)
+NumberedClasses == {[o \in {123, 124} |-> IF o = 123 THEN 10 ELSE 40]}
+NumberedLoads == {{10, 80, 123, 124}}
+NumberedStep7 == {[o \in {10, 123} |-> NotConfigured]}
+AnyNumberedStep7 == {[o \in {10, 123, 124} |-> NotConfigured]}
+NumberedCalls == {10, 123, 124}
+NumberedBlocks == {10, 123, 124}
+NumberedSdts == {Date(1)}
+NumberedPeriods == {Minutely}
+NumberedEvents == {<<124, 0>>}
+NumberedMoments == {Moment(0, 55000), Moment(1, 0)}
+NumberedRetVals == {OK, BadOb, NotSet}
+OneClassOrOb == {1, 2}
+LettersOfClasses ==
+    { [ a \in DOMAIN l \cup {"A15-21", "A15-24"} |->
+          CASE a = "A15-21" -> m [] a = "A15-24" -> "a" [] OTHER -> l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b"} }
+NumberedBounded == delay = 0 /\ Waiting(1)
+                     /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In its place where the queue of OB 40 has parameters. OB 41 is above it. *)
+Queue40 ==
+    { [o \in {40} |-> [size |-> p[1], limit |-> p[2], told |-> 1]]
+      : p \in {<<1, 1>>, <<2, 0>>, <<2, 1>>, <<2, 2>>} }
+QueueLoads == {{40, 41, 80, 100}, {40, 41, 100}}
+QueueEvents == {<<40, 0>>, <<41, 0>>}
+QueueClasses == {[o \in {41} |-> 23]}
+LettersOfQueues ==
+    { [ a \in DOMAIN l \cup {"A15-07", "A15-15"} |->
+          CASE a = "A15-07" -> m [] a = "A15-15" -> n [] OTHER -> l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b"}, n \in {"a", "c"} }
+QueueBounded == /\ delay = 0 /\ Waiting(4)
+                /\ Cardinality({ r \in requests : r.ob \in {41, 80} }) <= 1
+                /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In its place where a delay runs under DIS_AIRT.                         *)
+DelayObs == {20}
+DelayLoads == {{20, 80}}
+DelayTime == {20000}
+DelaySigns == {1}
+DelayMoments == {Moment(0, 55000), Moment(1, 5000), Moment(1, 15000)}
+DelayRetVals == {0, 1, NotDelayed}
+LettersOfDelays ==
+    { [ a \in DOMAIN l \cup {"A15-04"} |->
+          IF a = "A15-04" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b"} }
+DelayBounded == delay <= 1 /\ Waiting(1)
+                  /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* Daily by local time, at 06:01 of the clock.                             *)
+DailyByLocal ==
+    {[o \in TodObs |-> [Activated("daily", 62) EXCEPT !.zone = 61]]}
 =============================================================================

@@ -12,7 +12,7 @@ EXTENDS MCEffects
 
 MCLoads == {{}}
 MCStep7Settings ==
-    { [ o \in TodObs |-> [NotConfigured EXCEPT !.deselected = (o = 17)] ] }
+    { [ o \in OldTodObs |-> [NotConfigured EXCEPT !.deselected = (o = 17)] ] }
 MCPriorities == { [o \in {57} |-> 0] }
 MCPowerOnMoments == {Moment(0, 30000)}
 \* @type: Set(Str);
@@ -33,14 +33,14 @@ Digits == {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}
 Numbers == { p \o d \o e : p \in {"AMB-", "A15-"}, d, e \in Digits }
 
 (* 88 questions and 24 about the S7-1500, a row each, of which no formula  *)
-(* asks four and ten. A default is                                         *)
+(* asks four and four. A default is                                        *)
 (* a letter that a header may name. A profile names a letter where the     *)
 (* default rejects what its edition prints.                                *)
 LettersAgree ==
     /\ Cardinality(Questions) = 88 + 24
     /\ Cardinality({ q[1] : q \in Questions }) = 88 + 24
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 9
+    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 4
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -62,6 +62,7 @@ ModernAgrees ==
              /\ f.openCodes <=> isS71500
              /\ f.timeAlone <=> isS71500
              /\ f.setsLocal <=> isS71500
+             /\ f.holdsStartup <=> isS71500
              /\ f.missesInStop <=> isS71500
              /\ isS71500 <=> f.unknown # {}
              /\ isS71500 <=> f.letters # {}
@@ -317,6 +318,13 @@ ModernInv ==
     /\ Holds("A15-02", "c", {"a"}, LeapDayIsTaken)
     /\ Holds("A15-02", "c", {"b"}, LeapDayIsRefused)
     /\ Holds("A15-03", "b", {"b"}, OverflowMayCallOb80)
+    /\ Holds("A15-04", "a", {"b"}, DelaysStandStill)
+    /\ Holds("A15-06", "c", {"a"}, OverflowIsEnteredOnce)
+    /\ Holds("A15-07", "a", {"a"}, RunningEventCountsNot)
+    /\ Holds("A15-07", "a", {"b"}, RunningEventCounts)
+    /\ Holds("A15-16", "a", {"a"}, CaughtUpIsOfTheClock)
+    /\ Holds("A15-18", "c", {"a"}, FirstAloneIsSecondTime)
+    /\ Holds("A15-18", "c", {"b"}, EachIsSecondTime)
     /\ Holds("A15-05", "c", {"b"}, WithItsHardware(cpu) # cpu)
     /\ Holds("A15-08", "d", {"a"}, EachSkippedObIsCaughtUp)
     /\ Holds("A15-08", "d", {"b"}, OnlyFirstSkippedIsCaughtUp)
@@ -333,7 +341,10 @@ ModernInv ==
     /\ Holds("A15-19", "d", {"a"}, CallTakesTimeAlone)
     /\ Holds("A15-19", "d", {"b"}, CallTakesTheDate)
     /\ Holds("A15-19", "d", {"c"}, CallRefusesOtherDays)
-    /\ Holds("A15-21", "b", {"a"}, Mode8xIsKnown)
+    /\ Holds("A15-21", "f", {"a"}, NumberedHaveAClass)
+    /\ Holds("A15-21", "f", {"b"}, NumberedHaveNoClass)
+    /\ Holds("A15-21", "f", {"d"}, Mode8xIsKnown)
+    /\ Holds("A15-21", "f", {"e"}, Mode8xIsUnknown)
     /\ Holds("A15-22", "c", {"a"}, Period1202IsRefused)
     /\ Holds("A15-22", "c", {"b"}, Period1202IsWeekly)
     /\ Holds("A15-23", "c", {"a"}, LowErrorObRunsAtOnce)

@@ -55,8 +55,10 @@ EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
 
 BYTES = ("mode", "flt_id", "strt_info")
 WORDS = ("ret", "status", "period", "sign", "cause", "id", "ev", "error_info")
-INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob")
+INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob", "event_count", "csg_ob", "csg_priority")
 MOMENTS = ("at", "to", "time")
+FLAGS = ("active", "deselected", "local")
+QUEUE = ("events", "threshold", "overflow")
 _JSON = {"true": True, "false": False, "null": None}
 
 _BYTES_OF_FILE: dict[str, Callable[[bytes], bytes]] = {
@@ -293,6 +295,10 @@ def _merge(header: dict[str, Any], line: str) -> None:
             header["readings"] = {**header.get("readings", {}), name: value}
         elif group == "priority":
             header[group] = {**header.get(group, {}), ob: _number(name, value, 10)}
+        elif group == "classes":
+            header[group] = {**header.get(group, {}), ob: value}
+        elif group == "queue":
+            header[group] = {**header.get(group, {}), ob: _queue(name, value)}
         elif group == "step7":
             kind, given = "dint" if ob.startswith("2") else "tod", header.get(group, {})
             header[group] = {**given, kind: {**given.get(kind, {}), ob: _parameters(value)}}
@@ -311,11 +317,17 @@ def _merge(header: dict[str, Any], line: str) -> None:
 
 
 def _parameters(value: str) -> dict[str, object]:
-    """STEP 7's parameters of one interrupt: ``EXECUTION,START``, ``active``, ``deselected``."""
+    """STEP 7's parameters of one interrupt: ``EXECUTION,START``, ``active``, ``deselected``, ``local``."""
     made: dict[str, object] = {}
     for word in value.split(","):
-        made |= {word: True} if word in ("active", "deselected") else {"start" if "T" in word else "execution": word}
+        made |= {word: True} if word in FLAGS else {"start" if "T" in word else "execution": word}
     return made
+
+
+def _queue(name: str, value: str) -> dict[str, object]:
+    """The parameters of a queue: ``EVENTS,THRESHOLD,OVERFLOW``, as far as they are given; ``-`` is one that is not."""
+    given = zip(QUEUE, value.split(","), strict=False)
+    return {field: _JSON[text] if text in _JSON else _number(name, text, 10) for field, text in given if text != "-"}
 
 
 def _event(words: list[str], header: dict[str, Any]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from textwrap import wrap
 from typing import Any
 
-from evidence.common.cases import BYTES, EVENTS, INTEGERS, MOMENTS, WORDS
+from evidence.common.cases import BYTES, EVENTS, INTEGERS, MOMENTS, QUEUE, WORDS
 
 WIDTH = 110
 """Columns of a line."""
@@ -37,8 +37,11 @@ def _fields(header: Mapping[str, Any]) -> Iterator[str]:
     for name, value in header.items():
         if name == "readings":
             yield from (f"{question}={letter}" for question, letter in value.items())
-        elif name == "priority":
-            yield from (f"priority.{ob}={number}" for ob, number in value.items())
+        elif name in ("priority", "classes"):
+            yield from (f"{name}.{ob}={one}" for ob, one in value.items())
+        elif name == "queue":
+            for ob, one in value.items():
+                yield f"queue.{ob}={','.join(str(one.get(each, '-')).lower() for each in QUEUE)}"
         elif name == "step7":
             for obs in value.values():
                 yield from (f"step7.{ob}={_parameters(one)}" for ob, one in obs.items())

@@ -29,7 +29,7 @@ ANCHOR = re.compile(r'<a id="([^"]+)">')
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 FOLDERS = "bench|docs|evidence|examples|gallery|instrumentation|kit|models|spec|traces|trace_checker"
 PLACE = re.compile(rf"`((?:{FOLDERS})/[\w./*-]*)`")
-SETTLED = re.compile(r"Default ([a-e]): .*?Specification: (?:constant \(([a-e, ]+)\))?")
+SETTLED = re.compile(r"Default ([a-f]): .*?Specification: (?:constant \(([a-f, ]+)\))?")
 """Of a question in readings.md the default, and the letters that are constants."""
 EXAMPLES = {"models/MCName.tla", "models/MCName.cfg"}
 """Names that stand for others."""

@@ -7,7 +7,7 @@
 (* NoMoment.  The trace checker's engine fills the records from the log.   *)
 (* `up' of an event is the time that has elapsed since the log began;      *)
 (* `counter' is what the line itself gives as `up'. `step' is the unit in  *)
-(* which `at' is written, in ms. In `state' lines 0 is false, 1 is true.   *)
+(* which `at' is written, in ms. 0 is false, 1 is true.                    *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, the fields of header and events;   *)
 (* fine points 1, 2 and 9.                                                 *)
@@ -25,10 +25,13 @@ EXTENDS Cpu
 (*                       unsure: Set(Int),                                 *)
 (*                       early: Set({ ob: Int, since: $moment }) };        *)
 (* @typeAlias: obStep7 = { ob: Int, execution: Str, start: Int,            *)
-(*                         active: Bool, deselected: Bool };               *)
+(*                         active: Bool, deselected: Bool, local: Bool };  *)
 (* @typeAlias: header = { cpu: Str, obs: Set(Int), clock: $moment,         *)
 (*                        mode: Str, latency: Int, zone: Int, cycle: Bool, *)
 (*                        priority: Set(<<Int, Int>>),                     *)
+(*                        classes: Set(<<Int, Int>>),                      *)
+(*                        queue: Set({ ob: Int, events: Int,               *)
+(*                                     threshold: Int, overflow: Int }),   *)
 (*                        step7: Set($obStep7),                            *)
 (*                        readings: Set(<<Str, Str>>), profile: Str,       *)
 (*                        records: Set(Str) };                             *)
@@ -37,7 +40,9 @@ EXTENDS Cpu
 (* @typeAlias: info = { strt_info: Int, flt_id: Int, priority: Int,        *)
 (*                      period: Int, sign: Int, dtime: Int,                *)
 (*                      error_info: Int, ev: Int, ev_ob: Int,              *)
-(*                      time: $moment };                                   *)
+(*                      time: $moment, caught_up: Int, second_time: Int,   *)
+(*                      event_count: Int, csg_ob: Int,                     *)
+(*                      csg_priority: Int };                               *)
 (* @typeAlias: event = { event: Str, at: $moment, step: Int, up: $moment,  *)
 (*                       counter: $moment, ob: Int, sdt: $date,            *)
 (*                       period: Int, local: Int, activate: Int,           *)
@@ -64,7 +69,9 @@ NoDate == [ year |-> 0, month |-> 0, day |-> 0, hour |-> 0, minute |-> 0,
 \* @type: $info;
 NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
             sign |-> -1, dtime |-> -1, error_info |-> -1, ev |-> -1,
-            ev_ob |-> -1, time |-> NoMoment ]
+            ev_ob |-> -1, time |-> NoMoment, caught_up |-> -1,
+            second_time |-> -1, event_count |-> -1, csg_ob |-> -1,
+            csg_priority |-> -1 ]
 
 \* @type: $event;
 NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
@@ -87,12 +94,15 @@ Given(value, possible) == IF value = -1 THEN possible ELSE {value}
 \* @type: $header;
 NoHeader == [ cpu |-> "", obs |-> {}, clock |-> NoMoment, mode |-> "",
               latency |-> 0, zone |-> 0, cycle |-> FALSE,
-              priority |-> {}, step7 |-> {},
+              priority |-> {}, classes |-> {}, queue |-> {}, step7 |-> {},
               readings |-> {}, profile |-> "", records |-> {} ]
+
+\* @type: $queue;
+NoQueue == [size |-> 1, limit |-> 0, told |-> 0]
 
 (* STEP 7 has set nothing.                                                 *)
 NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
-                  deselected |-> FALSE ]
+                  deselected |-> FALSE, zone |-> 0 ]
 
 -----------------------------------------------------------------------------
 (* The state of an explanation *)
@@ -149,7 +159,8 @@ NoPace == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
 
 (* A request without the fields that change while it waits.                *)
 \* @type: $request => $request;
-AsItCame(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
+AsItCame(r) == [ r EXCEPT !.rank = 0, !.open = FALSE,
+                          !.late = IF HasQueue(r.ob) THEN {} ELSE @ ]
 
 -----------------------------------------------------------------------------
 (* Kinds of event that the log has completely *)

@@ -20,15 +20,22 @@ EXTENDS Calendar, Requests, LogState
 (* Table 7.5. Parameters decide which of the four hardware events leads to *)
 (* which of OB 40 to 47.                                                   *)
 \* @type: Int => Set(Int);
-EventsOf(o) == CASE o \in 10..17 -> {\h1111 + o - 10}
-                 [] o \in 20..23 -> {\h1121 + o - 20}
-                 [] o \in 30..38 -> {\h1131 + o - 30}
-                 [] o \in 40..47 -> \h1141..\h1144
-                 [] OTHER        -> {}
-EventsOfInterrupts == UNION { EventsOf(o) : o \in 10..47 }
+EventsByNumber(o) ==
+    CASE o \in 10..17 -> {\h1111 + o - 10}
+      [] o \in 20..23 -> {\h1121 + o - 20}
+      [] o \in 30..38 -> {\h1131 + o - 30}
+      [] o \in 40..47 -> \h1141..\h1144
+      [] OTHER        -> {}
+(* [T15-133] An OB from 123 on has event F of its class, a hardware        *)
+(* interrupt of an S7-1500 always the first.                               *)
+\* @type: Int => Set(Int);
+EventsOf(o) == IF Family.byKind /\ Kin(o) \in 40..47 THEN {\h1141}
+               ELSE IF o \in NumberedObs THEN {\h110F + (Kin(o) \div 10) * 16}
+               ELSE EventsByNumber(o)
+EventsOfInterrupts == UNION { EventsByNumber(o) : o \in 10..47 }
 (* Events of the OBs whose interrupts calls set. Only the CPU makes the    *)
 (* errors of these events: such an error does not come from outside.       *)
-EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
+EventsOfCalls == UNION { EventsByNumber(o) : o \in 10..23 }
 
 (* The table names no event for the other OBs. The events of interrupts    *)
 (* are not theirs.                                                         *)
@@ -36,6 +43,10 @@ EventsOfCalls == UNION { EventsOf(o) : o \in 10..23 }
 FitsEvent(given, o) ==
     given = -1 \/ IF EventsOf(o) = {} THEN given \notin EventsOfInterrupts
                                      ELSE given \in EventsOf(o)
+
+(* [T15-133] The number of an OB in a byte.                                *)
+\* @type: Int => Int;
+InByte(o) == IF o > 254 THEN 255 ELSE o
 
 \* @type: (Int, Int) => Bool;
 FitsNumber(given, o) ==
@@ -119,12 +130,13 @@ FitsFault(fault, value) ==
 \* @type: ($request, $info) => Bool;
 FitsCause(r, i) ==
     \/ /\ r.cause = 0
-       /\ r.fault = CycleTimeExceeded => Fits(i.ev_ob, r.during)
+       /\ r.fault = CycleTimeExceeded => Fits(i.ev_ob, InByte(r.during))
        /\ r.fault \in FaultsOfStart => i.ev \notin EventsOfCalls
     \/ /\ r.cause # 0
        /\ FitsEvent(i.ev, r.cause)
-       /\ Fits(i.ev_ob, IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
-                        THEN r.during ELSE r.cause)
+       /\ Fits(i.ev_ob,
+               InByte(IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
+                      THEN r.during ELSE r.cause))
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
 
@@ -134,6 +146,13 @@ FitsMask(r, given) ==
     r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
                                         ELSE given \in {-1} \cup (1..255)
 
+(* [T15-132] The OB that was being processed, and its priority.            *)
+\* @type: ($request, $info) => Bool;
+FitsRunning(r, i) ==
+    /\ Fits(i.csg_ob, r.during)
+    /\ r.during > 0 => Fits(i.csg_priority, ClassOf(r.during))
+    /\ r.during = 0 => Fits(i.csg_priority, 0)
+
 (* The fields that the start information and the entry of an error share. *)
 \* @type: ($request, $info) => Bool;
 FitsError(r, i) ==
@@ -142,12 +161,44 @@ FitsError(r, i) ==
     /\ FitsFault(r.fault, i.strt_info)
     /\ FitsCause(r, i)
     /\ FitsMask(r, i.error_info)
+    /\ FitsRunning(r, i)
 
 -----------------------------------------------------------------------------
+
+(* [T15-90] [T15-131] [A15-16] What CaughtUp may tell of a run: 1, true.   *)
+\* @type: $request => Set(Int);
+CaughtUps(r) ==
+    CASE r.follows = SkippedByClock -> {1}
+      [] r.follows = SkippedInHold \/ ~CaughtUpIsOfTheClock -> {0, 1}
+      [] OTHER -> {0}
+
+(* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
+(* point that the OB serves again has it.                                  *)
+\* @type: $request => Set(Int);
+SecondTimes(r) ==
+    LET t     == tod[r.ob]
+        point == r.since.min
+        again == t.repeatTo < t.overTo /\ point <= t.overTo
+        begins == ~\E i \in t.served \cup t.merged : i.from < point
+    IN  IF r.since = NoMoment THEN {0, 1}
+        ELSE IF ~again THEN {0}
+        ELSE IF begins \/ EachIsSecondTime THEN {1}
+        ELSE IF FirstAloneIsSecondTime THEN {0} ELSE {0, 1}
+
+(* [T15-71] [T15-131] *)
+\* @type: ($request, $info) => Bool;
+FitsTags(r, i) ==
+    IF r.ob \in TodObs
+    THEN /\ i.caught_up # -1 => i.caught_up \in CaughtUps(r)
+         /\ i.second_time # -1 => i.second_time \in SecondTimes(r)
+         /\ i.event_count = -1
+    ELSE /\ i.caught_up = -1 /\ i.second_time = -1
+         /\ r.ob \in DintObs => i.event_count = -1
 
 (* [DINT-03] *)
 \* @type: ($request, $info) => Bool;
 FitsInterrupt(r, i) ==
+    /\ FitsTags(r, i)
     /\ Fits(i.priority, r.class)
     /\ FitsNumber(i.strt_info, r.ob)
     /\ r.ob \in TodObs => FitsPeriod(i.period, r.word)
@@ -282,6 +333,11 @@ EntriesLate(d) ==
                            /\ r.entry.id \in DemandedEntries
                            /\ r.age + d > terms.latency }
 
+(* [T15-72] The entry of an overflow may come with the end of the OB.      *)
+\* @type: $report => Bool;
+MayComeLate(r) == /\ r.entry.id = ErrorEntry + BufferOverflow
+                  /\ r.entry.open /\ HasQueue(r.entry.of.cause)
+
 (* The entries grow older. An entry that need not come is forgotten after  *)
 (* the latency.                                                            *)
 \* @type: Int => Set($report);
@@ -289,7 +345,7 @@ ReportsAfter(d) ==
     IF reports = {} \/ ~DiagRecorded THEN reports
     ELSE { IF WaitsWithStop(r) THEN r ELSE [r EXCEPT !.age = @ + d]
            : r \in { q \in reports : \/ q.age + d <= terms.latency
-                                    \/ WaitsWithStop(q) } }
+                                    \/ WaitsWithStop(q) \/ MayComeLate(q) } }
 
 -----------------------------------------------------------------------------
 

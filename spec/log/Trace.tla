@@ -18,7 +18,9 @@ EXTENDS Lines
 Init ==
     /\ cpu = [ family |-> "", priority |-> [o \in {} |-> 0],
                step7 |-> [o \in {} |-> NoParameters],
-               readings |-> [a \in {} |-> ""] ]
+               readings |-> [a \in {} |-> ""],
+               classes |-> [o \in {} |-> 0],
+               queues |-> [o \in {} |-> NoQueue] ]
     /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ resume = NothingKept
     /\ clock = At(0)
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
@@ -43,7 +45,12 @@ ReadingsOf(h) ==
 (* have class 0, also on a CPU whose classes are fixed.                      *)
 \* @type: $header => Set(Int);
 OffBy(h) ==
-    { s.ob : s \in { q \in h.step7 : q.ob \in DintObs /\ q.deselected } }
+    { s.ob : s \in { q \in h.step7 : q.ob \in OldDintObs /\ q.deselected } }
+
+(* [T15-10] *)
+\* @type: $header => Set(Int);
+TodObsOf(h) ==
+    OldTodObs \cup { c[1] : c \in { d \in h.classes : d[2] = 10 } }
 
 \* @type: $header => $cpu;
 CpuOf(h) ==
@@ -53,12 +60,21 @@ CpuOf(h) ==
                        ELSE (CHOOSE p \in h.priority : p[1] = o)[2] ],
       readings |-> [ a \in { r[1] : r \in ReadingsOf(h) } |->
                        (CHOOSE r \in ReadingsOf(h) : r[1] = a)[2] ],
-      step7    |-> [ o \in TodObs |->
+      classes  |-> [ o \in { c[1] : c \in h.classes } |->
+                       (CHOOSE c \in h.classes : c[1] = o)[2] ],
+      queues   |-> [ o \in { q.ob : q \in h.queue } |->
+                       LET q == CHOOSE p \in h.queue : p.ob = o
+                       IN  [ size |-> IF Kinds \subseteq h.records
+                                      THEN q.events ELSE 0,
+                             limit |-> q.threshold,
+                             told |-> q.overflow ] ],
+      step7    |-> [ o \in TodObsOf(h) |->
                        IF \E p \in h.step7 : p.ob = o
                        THEN LET s == CHOOSE p \in h.step7 : p.ob = o
                             IN  [ execution |-> s.execution,
                                   start |-> s.start, active |-> s.active,
-                                  deselected |-> s.deselected ]
+                                  deselected |-> s.deselected,
+                                  zone |-> IF s.local THEN h.zone ELSE 0 ]
                        ELSE NoParameters ] ]
 
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
@@ -87,20 +103,21 @@ LooseBy(h) == \/ ~({"call", "mode", "clock"} \subseteq h.records)
 \* @type: $header => Bool;
 Begin(h) ==
     /\ cpu' \in UNION { UNION { CpusByHardware(d) : d \in CpusByReference(c) }
-                        : c \in CpusByLeapDay(CpuOf(h)) }
+                        : c \in UNION { CpusByDelays(b)
+                                        : b \in CpusByLeapDay(CpuOf(h)) } }
     /\ loaded' = h.obs
     /\ mode'   = IF "mode" \in h.records THEN h.mode ELSE "RUN"
     /\ startup' \in IF h.mode = "STARTUP" THEN {"warm", "cold"} ELSE {"none"}
-    /\ resume'   = NothingKept
+    /\ resume'   = NothingKept'
     /\ clock'  = h.clock
     /\ \E called \in IF h.mode = "RUN" /\ h.clock.ms = 0 THEN {0, 1} ELSE {0},
           set \in SettingsByStep7' :
-         tod' = [ o \in TodObs |->
+         tod' = [ o \in TodObs' |->
                     IF /\ h.mode = "STOP"
                        /\ ~(HotRestartExists \/ Family.missesInStop)'
                     THEN NoSetting
                     ELSE TodAtBegin(h, set[o], called)' ]
-    /\ dint' = NoJobs
+    /\ dint' = NoJobs'
     /\ irt' = NoneBlocked
     /\ requests' = IF h.mode # "STARTUP" THEN {} ELSE RestartRequests'
     /\ stack'  = IF mode' = "RUN" THEN <<Frame(CycleOb, 1)>>

@@ -88,8 +88,11 @@ ModeProp ==
                             \/ loaded \cap StartupObs = {}
                             \/ StartupOb(startup) \notin loaded
         /\ mode # "RUN" /\ mode' = "RUN" => Did("run") \/ Did("release")
-        /\ Did("hold") => mode = "RUN" /\ mode' = "HOLD"
-        /\ Did("release") => mode = "HOLD" /\ mode' = "RUN"
+        /\ Did("hold") => /\ mode' = "HOLD"
+                          /\ \/ mode = "RUN"
+                             \/ mode = "STARTUP" /\ Family.holdsStartup
+        /\ Did("release") => mode = "HOLD" /\ mode' = IF startup = "none"
+                                                      THEN "RUN" ELSE "STARTUP"
         /\ mode # "HOLD" /\ mode' = "HOLD" => Did("hold")
         /\ step'.event \in {"stop", "switch"} =>
              /\ mode # "STOP" /\ mode' = "STOP"

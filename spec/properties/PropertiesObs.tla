@@ -63,7 +63,8 @@ StartupInv ==
          \A i \in DOMAIN stack :
            stack[i].ob \in StartupObs \cup AsyncErrorObs \cup SyncErrorObs
     /\ mode = "RUN" => \A o \in StartupObs : ~OnStack(o)
-    /\ mode = "STARTUP" <=> startup # "none"
+    /\ mode # "HOLD" => (mode = "STARTUP" <=> startup # "none")
+    /\ mode = "HOLD" => startup = "none" \/ Family.holdsStartup
 
 (* [OBS-07] The queue of a class has places 1, 2, ... without gaps. *)
 QueueInv ==

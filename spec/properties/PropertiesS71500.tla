@@ -24,10 +24,10 @@ KindInv ==
           c == stack[i].class
       IN  IF o \in DOMAIN cpu.priority THEN c = cpu.priority[o]
           ELSE /\ o \in {1, 100} => c = 1
-               /\ o \in 10..17 => c = 2
+               /\ o \in (10..17) \cup {123} => c = 2
                /\ o \in 20..23 => c = 3
                /\ o = 35 => c = 13
-               /\ o \in 40..47 => c \in {16, 18}
+               /\ o \in (40..47) \cup {124} => c \in {16, 18}
                /\ o = 80 => c = 22
                /\ o = 82 => c = 5
                /\ o = 83 => c = 6
@@ -126,6 +126,90 @@ SetLocalProp ==
                    /\ t.active /\ t.period # Once =>
                         IsFirst(t.start, t.period, t.next + t.zone,
                                 t.zone + Ahead) ]_vars
+
+(* [T15-10] [T15-11] A call takes an OB from 123 on that has its event     *)
+(* class, here OB 123, and no other. [T15-54] [A15-21] What a class number *)
+(* means of them is the CPU's to say; a number means its OB.               *)
+NumberedProp ==
+    [][ LET o == step'.ob
+            blocks == { b \in {123, 124} : b \in irt'.blocked }
+            mine == IF o = 10 THEN {123} ELSE {124}
+        IN  /\ step'.event \in {"SET_TINT", "ACT_TINT", "CAN_TINT"} =>
+                 (step'.value = \h8090 <=> o \notin {10, 123})
+            /\ Did("DIS_IRT") /\ step'.value = 0 =>
+                 /\ step'.operand = 2 => o \in irt'.blocked
+                 /\ step'.operand = 1 /\ cpu.readings["A15-21"] = "a" =>
+                      mine \subseteq blocks
+                 /\ step'.operand = 1 /\ cpu.readings["A15-21"] = "b" =>
+                      irt.blocked \cap {123, 124} = blocks ]_vars
+
+(* The events of OB o, and those of them that wait.                        *)
+\* @type: (Set($request), Int) => Int;
+WaitingNow(q, o) == Cardinality({ r \in q : r.ob = o /\ ~r.open })
+\* @type: Int => Int;
+ThereNow(o) == WaitingNow(requests, o) + (IF OnStack(o) THEN 1 ELSE 0)
+
+(* [T15-68] [T15-69] [T15-76] [A15-07] One more event of OB 40 waits, or   *)
+(* it is dropped where its queue is full.                                  *)
+QueueSizeProp ==
+    [][ Did("interrupt") /\ step'.ob = 40 /\ mode \in {"RUN", "STARTUP"} =>
+          LET size == cpu.queues[40].size
+              held == IF cpu.readings["A15-07"] = "b" THEN ThereNow(40)
+                      ELSE WaitingNow(requests, 40)
+          IN  WaitingNow(requests', 40) - WaitingNow(requests, 40)
+                = IF held < size THEN 1 ELSE 0 ]_vars
+
+(* [T15-73] [T15-74] [A15-15] An event calls OB 80 if as many are there as *)
+(* the threshold says; of an overload that OB 80 was called for already,   *)
+(* perhaps; as where nothing waits that could tell. [T15-72] Each dropped  *)
+(* event, or the first, may be entered.                                    *)
+ThresholdProp ==
+    [][ Did("interrupt") /\ step'.ob = 40 /\ mode \in {"RUN", "STARTUP"} =>
+          LET limit == cpu.queues[40].limit
+              told  == \E r \in requests : r.ob = 40 /\ 2 \in r.late
+              ran   == \E i \in DOMAIN stack :
+                         stack[i].ob = 40 /\ 2 \in stack[i].told
+              calls == IF 80 \in loaded
+                       THEN \E e \in Fresh : e.ob = 80 /\ e.fault = 2
+                       ELSE \h3502 \in EnteredNow
+          IN  /\ calls => limit > 0 /\ ThereNow(40) >= limit
+              /\ /\ limit > 0 /\ ThereNow(40) = limit /\ ~told /\ ~ran
+                 /\ WaitingNow(requests', 40) > 0
+                 => calls
+              /\ \h3502 \in EnteredNow => calls /\ ~told /\ ~ran
+              /\ (told \/ ran) /\ cpu.readings["A15-15"] = "a" => ~calls
+              /\ \h3507 \in EnteredNow =>
+                   WaitingNow(requests', 40) = WaitingNow(requests, 40) ]_vars
+
+(* [T15-72] [T15-73] What was told is forgotten when the OB is idle, and   *)
+(* not before: the last event of an overload still tells of it.            *)
+ToldProp ==
+    [][ LET told(q, s) == UNION { r.late : r \in { p \in q : p.ob = 40 } }
+                            \cup UNION { s[i].told : i \in DOMAIN s }
+        IN  mode \in {"RUN", "STARTUP"} /\ mode' = mode =>
+              IF WaitingNow(requests', 40) > 0 \/ (OnStack(40))'
+              THEN told(requests, stack) \subseteq told(requests', stack')
+              ELSE told(requests', stack') = {} ]_vars
+
+(* [T15-39] [A15-04] Under (b) a delay stands still while DIS_AIRT holds.  *)
+StandsStillProp ==
+    [][ Did("time") => \A o \in DintObs : dint[o].started =>
+          dint'[o].left = IF delay > 0 /\ cpu.readings["A15-04"] = "b"
+                          THEN dint[o].left
+                          ELSE dint[o].left - Span(clock, clock') ]_vars
+
+(* [T15-121] HOLD goes back to where it came from.                         *)
+HoldReturnsProp ==
+    [][ Did("release") => mode' = IF startup = "none" THEN "RUN"
+                                                      ELSE "STARTUP" ]_vars
+
+(* [T15-20] What STEP 7 sets by local time counts by it.                   *)
+LocalByStep7Prop ==
+    [][ Did("restart") => \A o \in TodObs : tod'[o].active =>
+          /\ tod'[o].zone = cpu.step7[o].zone
+          /\ IsFirst(tod'[o].start, tod'[o].period,
+                     tod'[o].next + tod'[o].zone,
+                     tod'[o].zone + FirstMinute(tod'[o], clock)) ]_vars
 
 (* [T15-117] In STARTUP OB 80 does not run. *)
 HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars

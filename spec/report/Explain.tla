@@ -47,6 +47,13 @@ AnswersOfCalls ==
 
 (* The numbers that a log can give to an OB. *)
 ObNumbersOfLogs == 1..122
+(* [T15-10] Those of OBs with an event class of their own; each class,     *)
+(* its first OB and how many OBs of it a CPU has at most.                  *)
+FirstNumbered == 123
+LastNumbered  == 32767
+EventClasses ==
+    { <<"tod", 10, 20>>, <<"dint", 20, 20>>, <<"cyclic", 30, 20>>,
+      <<"hardware", 40, 50>> }
 
 \* @type: (Int, Int) => <<Int, Int>>;
 WithClass(o, class) == <<o, class>>
@@ -54,7 +61,8 @@ WithClass(o, class) == <<o, class>>
 (* The words of a log, by which the reader takes lines or refuses them. Of *)
 (* a header: families, those whose priority classes can be set, these      *)
 (* classes, the OBs that it lacks and its default classes; profiles; the   *)
-(* letters of each question; families with SET_TINTL. Of lines: OBs by     *)
+(* letters of each question; families with SET_TINTL, and with numbered    *)
+(* OBs and parameters of queues [T15-68], and their OBs. Of lines: OBs by  *)
 (* their kind, the startup OB of each restart.                             *)
 Words ==
     [ families |-> FamilyNames,
@@ -70,6 +78,10 @@ Words ==
                                  : o \in Blockable \cup SyncErrorObs }>>
                      : f \in KnownFamilies },
       obs      |-> ObNumbersOfLogs,
+      numbered |-> { f.name : f \in { g \in KnownFamilies : g.byKind } },
+      numbers  |-> {FirstNumbered, LastNumbered},
+      events   |-> EventClasses,
+      queued   |-> OldTodObs \cup (30..38) \cup (40..47),
       tod_obs  |-> TodObs,
       dint_obs |-> DintObs,
       external |-> ExternalObs \cup SyncErrorObs,
@@ -135,15 +147,15 @@ EventOf(o) == IF EventsOf(o) = {} THEN -1 ELSE Least(EventsOf(o))
 RightError(r, e) ==
     LET i == e.info
         right(field, fits, value) == Right(e, r.ob, field, fits, value)
-        during == IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
-                  THEN r.during ELSE r.cause
+        during == InByte(IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
+                         THEN r.during ELSE r.cause)
     IN  right("flt_id", FitsFault(r.fault, i.flt_id), r.fault)
           \cup right("strt_info", FitsFault(r.fault, i.strt_info), r.fault)
           \cup right("error_info", FitsMask(r, i.error_info),
                      LateMask(r.late))
           \cup (IF FitsCause(r, i) THEN {}
                 ELSE IF r.cause = 0
-                THEN right("ev_ob", Fits(i.ev_ob, r.during), r.during)
+                THEN right("ev_ob", Fits(i.ev_ob, InByte(r.during)), r.during)
                 ELSE right("ev", FitsEvent(i.ev, r.cause), EventOf(r.cause))
                        \cup right("ev_ob", Fits(i.ev_ob, during), during)
                        \cup right("error_info", Fits(i.error_info, r.word),

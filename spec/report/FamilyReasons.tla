@@ -7,7 +7,7 @@
 (* No action uses this module.                                             *)
 (* Source: the requirement IDs.                                            *)
 (***************************************************************************)
-EXTENDS Calendar, LogState
+EXTENDS Calendar, LogState, Readings
 
 (* A requirement of S7-300/400, and that of the S7-1500 in its place. *)
 \* @type: Set(<<Str, Str>>);
@@ -26,8 +26,8 @@ InPlace ==
 OfItsClass(o) ==
     CASE o \in TodObs       -> "T15-30"
       [] o \in DintObs      -> "T15-35"
-      [] o \in 30..38       -> "T15-66"
-      [] o \in 40..47       -> "T15-65"
+      [] Kin(o) \in 30..38  -> "T15-66"
+      [] Kin(o) \in 40..47  -> "T15-65"
       [] o = TimeErrorOb    -> "T15-61"
       [] o \in AsyncErrorObs -> "T15-62"
       [] o \in SyncErrorObs -> "T15-63"
@@ -62,6 +62,28 @@ OfItsBase ==
       [] terms.zone # 0                       -> {"T15-99"}
       [] OTHER                                -> {}
 
+(* Of its start information.                                               *)
+\* @type: $event => Set(Str);
+OfTheInfo(e) ==
+    LET i == e.info
+        tags ==
+          (IF i.caught_up = -1 THEN {} ELSE {"T15-131", "T15-90"})
+            \cup (IF i.second_time = -1 THEN {} ELSE {"T15-131", "T15-94"})
+            \cup (IF i.event_count = -1 THEN {} ELSE {"T15-71"})
+            \cup (IF i.csg_ob = -1 /\ i.csg_priority = -1 THEN {}
+                  ELSE {"T15-132"})
+            \cup (IF i.strt_info # -1
+                     /\ (e.ob \in NumberedObs \/ Kin(e.ob) \in 40..47)
+                  THEN {"T15-133"} ELSE {})
+    IN  IF tags = {} THEN {"OBS-10"} ELSE tags
+
+(* Of a queue whose parameters are known.                                  *)
+\* @type: Str => Set(Str);
+OfTheQueue(id) ==
+    CASE id = "OBS-30" -> {"T15-73"}
+      [] id = "OBS-08" -> {"T15-72"}
+      [] OTHER         -> {"T15-68", "T15-69"}
+
 \* @type: ($event, Seq($event), Str) => Set(Str);
 Instead(e, past, id) ==
     CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} -> OfTheJump(past)
@@ -70,6 +92,15 @@ Instead(e, past, id) ==
                       THEN OfTheJump(past) ELSE {})
       [] id = "OBS-46" -> {OfThePause(past)}
       [] id = "TINT-32" -> {id} \cup OfItsBase
+      [] id \in {"TINT-01", "DINT-05"} /\ e.ob > 122 ->
+           {"T15-10", "T15-11"}
+      [] id = "OBS-10" /\ e.event = "start" -> OfTheInfo(e)
+      [] /\ id \in {"OBS-02", "OBS-07", "OBS-08", "OBS-30"}
+         /\ DOMAIN cpu.queues # {} -> OfTheQueue(id)
+      [] id = "OBS-40" /\ mode = "HOLD" /\ startup # "none" -> {"T15-121"}
+      [] id = "AIRT-02" \/ (id = "DINT-06" /\ DelaysStandStill) ->
+           {id, "T15-39"}
+      [] id \in {"IRT-07", "IRT-11"} /\ NumberedObs # {} -> {"T15-54"}
       [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
            {id, OfItsClass(e.ob)}
              \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})

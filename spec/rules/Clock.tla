@@ -102,18 +102,24 @@ RanOnce(o, to) ==
     IN  IF t.active \/ (t.set /\ t.served = {}) \/ mode = "STOP" THEN {}
         ELSE { i \in runs : \A j \in runs : j.from <= i.from }
 
-(* The setting of an OB that serves its points again. One that is still    *)
-(* held stays.                                                             *)
+(* [T15-94] The last point that the OB served, and will serve again.       *)
+\* @type: $tod => Int;
+ServedUntil(t) ==
+    LET ends == { i.to : i \in t.served }
+    IN  IF ends = {} THEN -1 ELSE CHOOSE p \in ends : \A q \in ends : q <= p
+
+(* The setting of an OB that serves its points again: those up to overTo.  *)
+(* One that is still held stays.                                           *)
 \* @type: (Int, $moment, $cpu, Bool) => $tod;
 Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
-                             !.repeatTo = -1, !.overTo = -1,
+                             !.repeatTo = -1, !.overTo = ServedUntil(tod[o]),
                              !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
         i == CHOOSE i \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
         THEN Armed([ t EXCEPT !.set = TRUE, !.active = TRUE,
                               !.start = i.start, !.zone = i.zone,
-                              !.period = i.period ], to, c)
+                              !.period = i.period, !.overTo = i.to ], to, c)
         ELSE IF ~t.active \/ t.held \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
         ELSE Armed(t, to, c)
 

@@ -14,9 +14,22 @@ Family == FamilyOf(cpu.family)
 -----------------------------------------------------------------------------
 (* OBs *)
 
+(* [T15-10] [T15-11] The OBs from 123 on that the CPU at hand has, and     *)
+(* those of them in the event class of OB `first'.                         *)
+NumberedObs == DOMAIN cpu.classes
+\* @type: Int => Set(Int);
+Numbered(first) == { o \in NumberedObs : cpu.classes[o] = first }
+(* The OB whose rules such an OB shares; another has its own.              *)
+\* @type: Int => Int;
+Kin(o) == IF o \in NumberedObs THEN cpu.classes[o] ELSE o
+
 (* [TINT-01] [DINT-01] [AMB-64] Offered by every CPU; models use fewer. *)
-TodObs  == 10..17
-DintObs == 20..23
+OldTodObs  == 10..17
+OldDintObs == 20..23
+TodObs  == IF NumberedObs = {} THEN OldTodObs
+                               ELSE OldTodObs \cup Numbered(10)
+DintObs == IF NumberedObs = {} THEN OldDintObs
+                               ELSE OldDintObs \cup Numbered(20)
 
 CycleOb   == 1
 TimeErrorOb == 80
@@ -29,8 +42,10 @@ AsyncErrorObs == 80..87
 SyncErrorObs == {121, 122}
 StartupObs == {100, 101, 102}
 (* Start events from outside. *)
-ExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
-                 \cup AsyncErrorObs
+OldExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
+                    \cup AsyncErrorObs
+ExternalObs == IF NumberedObs = {} THEN OldExternalObs
+               ELSE OldExternalObs \cup Numbered(30) \cup Numbered(40)
 
 \* @type: Str => Int;
 StartupOb(type) == CASE type = "warm" -> 100
@@ -76,7 +91,7 @@ DefaultClassOf(f, o) ==
       [] OTHER             -> 27
 
 \* @type: Int => Int;
-DefaultClass(o) == DefaultClassOf(Family, o)
+DefaultClass(o) == DefaultClassOf(Family, Kin(o))
 
 (* [OBS-05] *)
 \* @type: Int => Int;
@@ -91,15 +106,19 @@ StartupClass == IF Family.byKind THEN 1 ELSE 27
 Deselected(o) == \/ o \in TodObs /\ cpu.step7[o].deselected
                  \/ ClassOf(o) = 0
 
+(* [T15-68] The parameters of its queue are known, and so is what waits.   *)
+\* @type: Int => Bool;
+HasQueue(o) == o \in DOMAIN cpu.queues /\ cpu.queues[o].size > 0
+
 -----------------------------------------------------------------------------
 (* SFC 39/40: blocked OBs *)
 
 (* [IRT-11] The class number of an OB; not its priority class. *)
 \* @type: Int => Int;
-ClassNumber(o) == IF o \in 55..57 THEN 50 ELSE (o \div 10) * 10
+ClassNumber(o) == IF o \in 55..57 THEN 50 ELSE (Kin(o) \div 10) * 10
 
 (* [IRT-11] The OBs that can be blocked; models use fewer. *)
-Blockable == (10..17) \cup (20..23) \cup ExternalObs
+Blockable == TodObs \cup DintObs \cup ExternalObs
 
 (* [AMB-21] (b) Beside OBs, irt has marks: one for each class, one for     *)
 (* everything.                                                             *)
@@ -130,7 +149,7 @@ TakesEvents(o) == ~Deselected(o) /\ ~Blocked(o)
 (* The stack *)
 
 \* @type: (Int, Int) => $frame;
-Frame(o, class) == [ob |-> o, class |-> class, error |-> 0]
+Frame(o, class) == [ob |-> o, class |-> class, error |-> 0, told |-> {}]
 
 NoFrame == Frame(0, 0)
 

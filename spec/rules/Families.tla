@@ -15,7 +15,7 @@ EXTENDS Integers
 (*                        inherits: Bool, stops: Bool, heldBack: Set(Int), *)
 (*                        keeps: Bool, missesInStop: Bool, jump: Int,      *)
 (*                        queues: Bool, openCodes: Bool, timeAlone: Bool,  *)
-(*                        setsLocal: Bool,                                 *)
+(*                        setsLocal: Bool, holdsStartup: Bool,             *)
 (*                        unknown: Set(Int),                               *)
 (*                        letters: Set(<<Str, Str>>) };                    *)
 (***************************************************************************)
@@ -41,9 +41,10 @@ EXTENDS Integers
 (* queues: how many start events of a time-of-day OB wait is a parameter   *)
 (* [T15-68]. openCodes: no text of some calls was found [T15-143].         *)
 (* timeAlone: at the end of a month, the date of a start does not count    *)
-(* [T15-22]. setsLocal: there is SET_TINTL [T15-08]. unknown: OBs that no  *)
-(* program of the family has [T15-12]. letters: questions about the others *)
-(* that its texts decide.                                                  *)
+(* [T15-22]. setsLocal: there is SET_TINTL [T15-08]. holdsStartup: HOLD    *)
+(* comes in STARTUP, too [T15-121]. unknown: OBs that no program of the    *)
+(* family has [T15-12]. letters: questions about the others that its texts *)
+(* decide.                                                                 *)
 \* @type: Set($family);
 KnownFamilies ==
   { [ name       |-> "S7-300",
@@ -64,6 +65,7 @@ KnownFamilies ==
       openCodes  |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
+      holdsStartup |-> FALSE,
       unknown    |-> {},
       letters    |-> {} ],
     [ name       |-> "S7-400",
@@ -84,6 +86,7 @@ KnownFamilies ==
       openCodes  |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
+      holdsStartup |-> FALSE,
       unknown    |-> {},
       letters    |-> {} ],
     [ name       |-> "CPU 318",
@@ -104,6 +107,7 @@ KnownFamilies ==
       openCodes  |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
+      holdsStartup |-> FALSE,
       unknown    |-> {},
       letters    |-> {} ],
     [ name       |-> "S7-1500",
@@ -124,6 +128,7 @@ KnownFamilies ==
       openCodes  |-> TRUE,
       timeAlone  |-> TRUE,
       setsLocal  |-> TRUE,
+      holdsStartup |-> TRUE,
       unknown    |-> {60, 65, 70, 72, 73, 81, 84, 85, 87, 88, 90, 101, 102},
       letters    |-> { <<"AMB-27", "a">>, <<"AMB-55", "a">>,
                        <<"AMB-56", "a">>, <<"AMB-65", "b">> } ] }

@@ -11,12 +11,14 @@ EXTENDS Calls, Errors
 
 (* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
 Lacking == IF LackingObsAreRefused THEN Family.lacks ELSE {}
-ObNumbersOfIrt == ((10..17) \cup (20..23) \cup ExternalObs) \ Lacking
+ObNumbersOfIrt ==
+    (OldTodObs \cup OldDintObs \cup ExternalObs \cup NumberedObs) \ Lacking
 ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 
 (* The numbers of all OBs of these CPUs. *)
-ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup (10..17) \cup (20..23)
+ObNumbersInUse == {1, 73, 88, 90, 121, 122} \cup OldTodObs \cup OldDintObs
                     \cup (61..65) \cup (100..102) \cup ExternalObs
+                    \cup NumberedObs
 
 (* [IRT-06] [IRT-07] [IRT-08] MODE names everything, a class or an OB;     *)
 (* with 80 to 82 nothing is entered in the diagnostic buffer either        *)
@@ -37,7 +39,10 @@ NumberFits(m, o) ==
       [] OTHER        -> o \in ObNumbersOfIrt
 
 (* [T15-58] [A15-21] MODE 80 to 82 may be unknown.                         *)
-Mode8xAnswers == IF Mode8xIsKnown THEN {} ELSE {BadMode}
+\* @type: (Int, Set(Int)) => Set(Int);
+WithMode8x(m, answers) ==
+    IF ~(Family.openCodes /\ WithoutEntries(m)) \/ Mode8xIsKnown THEN answers
+    ELSE IF Mode8xIsUnknown THEN {BadMode} ELSE answers \cup {BadMode}
 
 (* [IRT-12] [AMB-63] With a bad MODE, 8090 is answered only for a number   *)
 (* that no OB has.                                                         *)
@@ -49,9 +54,7 @@ IrtErrors(m, o, modes) ==
 
 \* @type: (Int, Int) => Set(Int);
 DisIrtAnswers(m, o) ==
-    OpenCodes(Usual(IrtErrors(m, o, DisModes))
-                \cup (IF Family.openCodes /\ WithoutEntries(m)
-                      THEN Mode8xAnswers ELSE {}))
+    OpenCodes(WithMode8x(m, Usual(IrtErrors(m, o, DisModes))))
 
 \* @type: (Int, Int) => Set(Int);
 EnIrtAnswers(m, o) == Usual(IrtErrors(m, o, EnModes))
@@ -63,6 +66,14 @@ Meant(m, o) ==
     ELSE IF BlocksHaveLevels
     THEN { IF Level(m) = 0 THEN AllMark ELSE ClassMark(o) }
     ELSE { b \in Blockable : Level(m) = 0 \/ ClassNumber(b) = o }
+
+(* [T15-54] [A15-21] A class may leave out the OBs from 123 on.            *)
+\* @type: (Int, Int) => Set(Set(Int));
+Meanings(m, o) ==
+    IF NumberedObs = {} \/ Level(m) # 1 THEN {Meant(m, o)}
+    ELSE (IF NumberedHaveNoClass THEN {} ELSE {Meant(m, o)})
+           \cup (IF NumberedHaveAClass THEN {}
+                 ELSE {Meant(m, o) \ NumberedObs})
 
 (* [IRT-16] Flags, not counters; the last call wins, also for entries. *)
 \* @type: (Set(Int), Bool) => $irt;
@@ -100,24 +111,26 @@ DisIrt(m, o, ret) ==
     /\ Called
     /\ ret \in DisIrtAnswers(m, o)
     /\ IF ret = OK
-       THEN /\ irt'      = BlockedWith(Meant(m, o), WithoutEntries(m))
-            /\ requests' = RequestsAfterDisIrt(Meant(m, o))
-            /\ entered'  = EntriesOfDisIrt(m)
+       THEN \E marks \in Meanings(m, o) :
+              /\ irt'      = BlockedWith(marks, WithoutEntries(m))
+              /\ requests' = RequestsAfterDisIrt(marks)
+              /\ entered'  = EntriesOfDisIrt(m)
        ELSE irt' = irt /\ requests' = requests /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, stopCause, runVars>>
 
 (* [AMB-42] Under (b) MODE 1 blocks. *)
-\* @type: (Int, Int) => $irt;
-IrtAfterEnIrt(m, o) ==
-    IF Level(m) = 1 /\ EnIrtMode1Blocks THEN BlockedWith(Meant(m, o), FALSE)
-                                        ELSE BlockedWithout(Meant(m, o))
+\* @type: (Int, Set(Int)) => $irt;
+IrtAfterEnIrt(m, marks) ==
+    IF Level(m) = 1 /\ EnIrtMode1Blocks THEN BlockedWith(marks, FALSE)
+                                        ELSE BlockedWithout(marks)
 
 (* [IRT-13] [IRT-14] [IRT-24] *)
 \* @type: (Int, Int, Int) => Bool;
 EnIrt(m, o, ret) ==
     /\ Called
     /\ ret \in EnIrtAnswers(m, o)
-    /\ irt' = IF ret = OK THEN IrtAfterEnIrt(m, o) ELSE irt
+    /\ irt' \in IF ret # OK THEN {irt}
+               ELSE { IrtAfterEnIrt(m, marks) : marks \in Meanings(m, o) }
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, tod, dint, outcomeVars,
                    runVars>>

@@ -50,6 +50,7 @@ Configured(s, monthly) ==
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
                             !.start  = StartByStep7(s),
+                            !.zone   = s.zone,  \* [T15-20]
                             !.period = PeriodOf(s, monthly) ]
 
 (* [OBS-56] STEP 7 has set and activated a one-shot interrupt with its     *)
@@ -58,7 +59,7 @@ Configured(s, monthly) ==
 PastOnce(o) ==
     LET s == cpu.step7[o]
     IN  /\ s.execution = "once" /\ s.active
-        /\ IsPast(At(s.start), clock)
+        /\ IsPast(At(s.start - s.zone), clock)
         /\ ~Deselected(o)
 
 SettingsByStep7 ==
@@ -96,7 +97,8 @@ Reconfigure(kept) ==
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
-                         !.since = At(cpu.step7[o].start), !.word = Once,
+                         !.since = At(cpu.step7[o].start - cpu.step7[o].zone),
+                         !.word = Once,
                          !.dtime = clock.min ]
       : o \in { p \in TodObs : PastOnce(p) } }
 
@@ -148,9 +150,9 @@ Run ==
     /\ UNCHANGED <<deviceVars, clock, settingVars, stopCause>>
 
 (* [OBS-45] Nothing runs in HOLD and delays stand still [DINT-19]; the     *)
-(* clock goes on.                                                          *)
+(* clock goes on. [T15-121] It may interrupt STARTUP.                      *)
 Hold ==
-    /\ mode = "RUN"
+    /\ mode = "RUN" \/ (mode = "STARTUP" /\ Family.holdsStartup)
     /\ mode' = "HOLD"
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, startup, resume, clock, settingVars,
@@ -175,7 +177,7 @@ RearmPassed(equal) ==
 (* equals the clock may have passed, or is reached after HOLD [AMB-83].    *)
 Release ==
     /\ mode = "HOLD"
-    /\ mode' = "RUN"
+    /\ mode' = IF startup = "none" THEN "RUN" ELSE "STARTUP"
     /\ \E equal \in SUBSET PointsAtClock :
          LET skipped == SkippedBy(clock) \cup Held \cup equal
          IN  /\ IF skipped = {} THEN Nothing

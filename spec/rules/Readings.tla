@@ -133,7 +133,7 @@ Questions ==
     <<"A15-18", "c", ABC>>,
     <<"A15-19", "d", ABCD>>,
     <<"A15-20", "c", ABC>>,
-    <<"A15-21", "b", AB>>,
+    <<"A15-21", "f", ABCD \cup {"e", "f"}>>,
     <<"A15-22", "c", ABC>>,
     <<"A15-23", "c", ABC>>,
     <<"A15-24", "b", AB>> }
@@ -141,8 +141,7 @@ Questions ==
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
 NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78",
-              "A15-01", "A15-04", "A15-06", "A15-07", "A15-10",
-              "A15-16", "A15-17", "A15-18", "A15-20" }
+              "A15-01", "A15-10", "A15-17", "A15-20" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -480,17 +479,28 @@ LeapDayIsTaken   == Reading("A15-02") = "a"
 LeapDayIsRefused == Reading("A15-02") = "b"
 (* [A15-03] An overflow of the queue may call OB 80, too.                  *)
 OverflowMayCallOb80 == Reading("A15-03") # "a"
+(* [A15-04] Under DIS_AIRT the delays of an S7-1500 stand still. A CPU     *)
+(* keeps to it.                                                            *)
+DelaysStandStill == Reading("A15-04") = "b"
+\* @type: $cpu => Set($cpu);
+CpusByDelays(c) == Turned(c, "A15-04", "c", {"a", "b"})
 (* [A15-05] Hardware interrupts have class 16; or 18. A CPU keeps to it.   *)
 \* @type: $cpu => $cpu;
 WithItsHardware(c) ==
     IF ReadingOf(c, "A15-05") # "b" THEN c
     ELSE [ c EXCEPT !.priority =
-             [ o \in DOMAIN c.priority \cup (40..47) |->
+             [ o \in DOMAIN c.priority \cup (40..47)
+                        \cup { p \in DOMAIN c.classes : c.classes[p] = 40 } |->
                  IF o \in DOMAIN c.priority THEN c.priority[o] ELSE 18 ] ]
 \* @type: $cpu => Set($cpu);
 CpusByHardware(c) ==
     IF ~FamilyOf(c.family).byKind THEN {c}
     ELSE { WithItsHardware(d) : d \in Turned(c, "A15-05", "c", {"a", "b"}) }
+(* [A15-06] 3507 is entered once until the queue is empty.                 *)
+OverflowIsEnteredOnce == Reading("A15-06") = "a"
+(* [A15-07] The event that runs takes a place of its queue; or it does not. *)
+RunningEventCounts    == Reading("A15-07") = "b"
+RunningEventCountsNot == Reading("A15-07") = "a"
 (* [A15-08] After OB 80 with 05 or 06 each skipped OB is caught up; or the *)
 (* first alone; or the first of each class; else some of them.             *)
 EachSkippedObIsCaughtUp    == Reading("A15-08") = "a"
@@ -520,13 +530,22 @@ QueueIsUnknown == Reading("A15-14") = "b"
 (* [A15-15] OB 80 reports an overload once; or each event of it.           *)
 OverloadIsReportedOnce  == Reading("A15-15") = "a"
 OverloadIsReportedAgain == Reading("A15-15") = "b"
+(* [A15-16] CaughtUp tells a clock that was set forward, nothing else.     *)
+CaughtUpIsOfTheClock == Reading("A15-16") = "a"
+(* [A15-18] SecondTime is told of the first repeated run alone; or of each. *)
+FirstAloneIsSecondTime == Reading("A15-18") = "a"
+EachIsSecondTime       == Reading("A15-18") = "b"
 (* [A15-19] An end-of-month interrupt that a call sets: the date does not  *)
 (* count; or the first end of a month from SDT on; or 8091.                *)
 CallTakesTimeAlone == Reading("A15-19") = "a"
 CallTakesTheDate   == Reading("A15-19") = "b"
 CallRefusesOtherDays == Reading("A15-19") = "c"
-(* [A15-21] DIS_IRT takes the MODEs 80 to 82.                              *)
-Mode8xIsKnown == Reading("A15-21") = "a"
+(* [A15-21] A class of SFC 39 and 40 has the OBs from 123 on; or it has    *)
+(* not. DIS_IRT takes the MODEs 80 to 82; or it refuses them.              *)
+NumberedHaveAClass  == Reading("A15-21") = "a"
+NumberedHaveNoClass == Reading("A15-21") = "b"
+Mode8xIsKnown   == Reading("A15-21") = "d"
+Mode8xIsUnknown == Reading("A15-21") = "e"
 (* [A15-22] PERIOD 1202 is refused; or it is weekly.                       *)
 Period1202IsRefused == Reading("A15-22") = "a"
 Period1202IsWeekly  == Reading("A15-22") = "b"

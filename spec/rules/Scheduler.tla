@@ -58,12 +58,16 @@ RequestsAfterCall(r) ==
 -----------------------------------------------------------------------------
 (* Start and end *)
 
+\* @type: $request => $frame;
+FrameOf(r) == [ Frame(r.ob, r.class) EXCEPT
+                  !.told = IF HasQueue(r.ob) THEN r.late ELSE {} ]
+
 (* [OBS-01] [OBS-02] [OBS-03] The OB of request r starts. *)
 \* @type: $request => Bool;
 Start(r) ==
     /\ MayStart(r)
     /\ r.ob \in loaded
-    /\ stack'    = Append(stack, Frame(r.ob, r.class))
+    /\ stack'    = Append(stack, FrameOf(r))
     /\ requests' = RequestsAfterCall(r)
     /\ tod'      \in TodsAfterStart(r)
     /\ NothingEntered

@@ -128,6 +128,90 @@ WithOneLateRun(new) ==
 OverlapWithOneLateRun(new) ==
     \E kept \in WithOneLateRun(new) : Overlap(new, StillRunning, kept)
 
+-----------------------------------------------------------------------------
+(* Queues whose parameters are known: an S7-1500 *)
+
+\* @type: Int => Set($request);
+WaitingOf(o) == { r \in requests : r.ob = o /\ ~r.open }
+
+(* [T15-72] [T15-73] The faults of this overload that were reported, until *)
+(* all its events are worked off.                                          *)
+\* @type: Int => Set(Int);
+ToldOf(o) ==
+    LET runs == { i \in DOMAIN stack : stack[i].ob = o }
+    IN  UNION { r.late : r \in WaitingOf(o) }
+          \cup UNION { stack[i].told : i \in runs }
+
+(* [T15-73] The events of the OB that wait or run.                         *)
+\* @type: Int => Int;
+EventsOfOb(o) == Cardinality(WaitingOf(o)) + (IF OnStack(o) THEN 1 ELSE 0)
+
+(* [T15-68] [T15-76] [A15-07] Whether the queue is full.                   *)
+\* @type: Int => Set(Bool);
+QueueIsFull(o) ==
+    LET full(events) == {events >= cpu.queues[o].size}
+    IN  (IF RunningEventCounts THEN {} ELSE full(Cardinality(WaitingOf(o))))
+          \cup (IF RunningEventCountsNot THEN {} ELSE full(EventsOfOb(o)))
+
+(* A queue without a place beside the running event: nothing waits that    *)
+(* could tell of the overload.                                             *)
+\* @type: (Int, Bool) => Bool;
+NothingTells(o, full) == full /\ WaitingOf(o) = {}
+
+(* [T15-73] [A15-15] Whether one more event calls OB 80.                   *)
+\* @type: (Int, Bool) => Set(Bool);
+ReachesThreshold(o, full) ==
+    LET limit == cpu.queues[o].limit
+    IN  IF limit = 0 \/ EventsOfOb(o) < limit THEN {FALSE}
+        ELSE IF StillRunning \notin ToldOf(o) /\ ~NothingTells(o, full)
+        THEN {TRUE}
+        ELSE (IF OverloadIsReportedAgain THEN {} ELSE {FALSE})
+               \cup (IF OverloadIsReportedOnce THEN {} ELSE {TRUE})
+
+(* [T15-72] [A15-06] The entry 3507 of an event that is dropped.           *)
+\* @type: $request => Set($entry);
+EntriesOfDropped(new) ==
+    LET told  == cpu.queues[new.ob].told
+        entry == EntryOf(TimeError(BufferOverflow, {}, new.ob, new.word))
+        again == BufferOverflow \in ToldOf(new.ob)
+                   \/ NothingTells(new.ob, TRUE)
+    IN  IF told = 0 \/ (BufferOverflow \in ToldOf(new.ob)
+                          /\ OverflowIsEnteredOnce) THEN {}
+        ELSE {[entry EXCEPT !.open = again \/ told # 1]}
+
+(* [T15-68] [T15-69] [T15-73] One more event of an OB that waits or runs:  *)
+(* it waits, or the queue is full and drops it; OB 80 may be called.       *)
+\* @type: $request => Bool;
+QueuesUp(new) ==
+    \E full \in QueueIsFull(new.ob) :
+    \E calls \in ReachesThreshold(new.ob, full) :
+      LET error == [ TimeError(StillRunning, {new.ob}, new.ob, new.word)
+                     EXCEPT !.since = new.since ]
+          told  == ToldOf(new.ob) \cup (IF calls THEN {StillRunning} ELSE {})
+                     \cup (IF full THEN {BufferOverflow} ELSE {})
+          kept  == IF full
+                   THEN { IF r.ob = new.ob THEN [r EXCEPT !.late = told] ELSE r
+                          : r \in requests }
+                   ELSE Enter(requests, [new EXCEPT !.late = told])
+      IN  /\ requests' \in IF calls
+                           THEN RequestsAfterTimeError(kept, kept, error)
+                           ELSE {kept}
+          /\ UNCHANGED stopCause
+          /\ entered' =
+               (IF calls /\ StillRunning \notin ToldOf(new.ob)
+                THEN IF NothingTells(new.ob, full) THEN OpenEntries({error})
+                     ELSE EntriesOf(error)
+                ELSE {})
+                 \cup (IF full THEN EntriesOfDropped(new) ELSE {})
+
+(* [T15-27] [A15-03] The queue of a time-of-day OB overflows: OB 80, too.  *)
+\* @type: $request => Bool;
+DropCallsOb80(new) ==
+    /\ new.ob \in TodObs /\ OverflowMayCallOb80 /\ TRUE \in QueueIsFull(new.ob)
+    /\ Overlap(new, BufferOverflow, requests)
+
+-----------------------------------------------------------------------------
+
 (* [T15-26] [T15-27] [T15-73] As many runs wait as the queue holds: one,   *)
 (* with the parameters of a migrated program [A15-14].                     *)
 \* @type: $request => Bool;
@@ -139,7 +223,8 @@ PointWhileFull(new) ==
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs. *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
-    CASE Family.queues /\ QueueIsUnknown -> AnyEffect(new)
+    CASE /\ Family.queues
+         /\ QueueIsUnknown \/ new.ob \in DOMAIN cpu.queues -> AnyEffect(new)
       [] Family.queues /\ PendingIn(requests, new.ob) -> PointWhileFull(new)
       [] EveryPointRunsLater ->
            Overlap(new, StillRunning, Enter(requests, LateRun(new)))
@@ -202,11 +287,13 @@ AgainWhileRunning(new) ==
 Occurs(new) ==
     IF Deselected(new.ob) THEN Nothing
     ELSE IF Blocked(new.ob) THEN Lost(new.ob)
+    ELSE IF HasQueue(new.ob) /\ EventsOfOb(new.ob) > 0
+    THEN QueuesUp(new) \/ DropCallsOb80(new)
     ELSE IF OnStack(new.ob) THEN AgainWhileRunning(new)
     ELSE IF PendingIn(requests, new.ob) THEN AgainWhilePending(new)
     ELSE IF OpenIn(requests, new.ob) THEN AgainWhileOpen(new)
     ELSE \/ Ordinary(new)
-         \/ new.ob \in ExternalObs /\ Overflows(new)
+         \/ new.ob \in ExternalObs /\ ~HasQueue(new.ob) /\ Overflows(new)
 
 -----------------------------------------------------------------------------
 (* Start events from outside *)
@@ -219,6 +306,9 @@ KeptInStartup == mode = "STARTUP" /\ Family.keeps
 \* @type: $request => Bool;
 OutsideRun(new) ==
     IF OutsideRunEventsAreLost /\ ~KeptInStartup THEN Nothing
+    ELSE IF /\ KeptInStartup /\ OpenIn(requests, new.ob)  \* since HOLD
+            /\ ~PendingIn(requests, new.ob)
+    THEN AgainWhileOpen(new)
     ELSE LET again  == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
              errors == { e \in ErrorsOf(new) :
                            \/ again
@@ -274,7 +364,8 @@ Comes(new) ==
     ELSE IF Blocked(new.ob)
     THEN IF new.fault = 0 THEN Lost(new.ob) ELSE ErrorLost(new)
     ELSE IF MissingInHold(new) THEN ErrorInHold(new)
-    ELSE IF KeptFromRunning(new.ob) THEN OutsideRun(new)
+    ELSE IF KeptFromRunning(new.ob) /\ ~(KeptInStartup /\ HasQueue(new.ob))
+    THEN OutsideRun(new)
     ELSE IF new.ob \in AsyncErrorObs THEN ErrorOccurs(new)
     ELSE Occurs(new)
 

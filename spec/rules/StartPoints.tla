@@ -55,7 +55,8 @@ PassesItsPoint(o) ==
 (* In STARTUP one run is deferred [AMB-35]. *)
 \* @type: Int => Bool;
 RunIsDeferred(o) ==
-    mode = "STARTUP" /\ PendingIn(requests, o) /\ TakesEvents(o)
+    /\ mode = "STARTUP" /\ PendingIn(requests, o) /\ TakesEvents(o)
+    /\ ~HasQueue(o)
 
 (* [TINT-09] [TINT-14] The clock reaches the next point of an active       *)
 (* interrupt.                                                              *)
@@ -261,7 +262,7 @@ Skip(fault, now, skipped) ==
                         ELSE IF SkipOfMissingObIsSilent THEN skipped \ loaded
                         ELSE {}
               late == (skipped \ unsaid) \ absent
-              runs == CatchUps(fault, caught, absent)
+              runs == CatchUps(fault, caught, IF quiet THEN {} ELSE absent)
               kept == WithCatchUps(RequestsMerged(merged), runs)
           IN  IF late = {} THEN RequestsBecome(kept)
               ELSE TimeErrorOccurs(kept, requests,

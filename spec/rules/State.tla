@@ -10,8 +10,13 @@ VARIABLES
     (* The CPU at hand. family: its name in module Families; priority:      *)
     (* the classes that differ from the default [OBS-05]; step7: the STEP 7 *)
     (* parameters of the time-of-day interrupts; readings: the letters that *)
-    (* differ from the default. It never changes, with one exception: where *)
-    (* the default is "either", the CPU may show its letter later.          *)
+    (* differ from the default; classes: for each OB from 123 on the first  *)
+    (* OB of its event class [T15-11], 10, 20, 30 or 40; queues: for OBs    *)
+    (* whose parameters are known [T15-68], how many events wait (0: a log  *)
+    (* may miss some), by how many there OB 80 is called (0: by none), and  *)
+    (* whether what is beyond is entered as 3507 (1, 0; -1 is not known).   *)
+    (* It never changes, with one exception: where the default is "either", *)
+    (* the CPU may show its letter later.                                   *)
     \* @type: $cpu;
     cpu,
     (* The OBs that are loaded. *)
@@ -43,8 +48,9 @@ VARIABLES
     (* came while the OB waited or ran, and had no run of their own for     *)
     (* sure; repeatTo, the last minute that the clock had reached before it *)
     (* was set back, -1 if it was not; overTo, the same since this setting  *)
-    (* was made. held: the next point passed in HOLD, and the clock was set *)
-    (* back [AMB-83], or in STOP before a restart [AMB-26] [T15-120].       *)
+    (* was made; alone, the last point that is served again [T15-94]. held: *)
+    (* the next point passed in HOLD, and the clock was set back [AMB-83],  *)
+    (* or in STOP before a restart [AMB-26] [T15-120].                      *)
     \* @type: Int -> $tod;
     tod,
     (* The time-delay interrupts: the job of SFC 32, if it is started, with *)
@@ -61,6 +67,7 @@ VARIABLES
     requests,
     (* The running OB is the last one; the others it has interrupted.       *)
     (* error: the error OB that it calls and that has not started, else 0.  *)
+    (* told: see `late' in module Requests.                                 *)
     \* @type: Seq($frame);
     stack,
     (* [AIRT-03] The delay count of SFC 41/42. *)
@@ -80,9 +87,11 @@ VARIABLES
 
 (***************************************************************************)
 (* @typeAlias: step7 = { execution: Str, start: Int, active: Bool,         *)
-(*                       deselected: Bool };                               *)
+(*                       deselected: Bool, zone: Int };                    *)
 (* @typeAlias: cpu = { family: Str, priority: Int -> Int,                  *)
-(*                     step7: Int -> $step7, readings: Str -> Str };       *)
+(*                     step7: Int -> $step7, readings: Str -> Str,         *)
+(*                     classes: Int -> Int, queues: Int -> $queue };       *)
+(* @typeAlias: queue = { size: Int, limit: Int, told: Int };               *)
 (* @typeAlias: run = { from: Int, to: Int };                               *)
 (* @typeAlias: tod = { set: Bool, active: Bool, start: Int, zone: Int,     *)
 (*                  offset: Int, period: Int, next: Int,                   *)
@@ -101,7 +110,7 @@ VARIABLES
 (*                         late: Set(Int), cause: Int, during: Int,        *)
 (*                         follows: Int, open: Bool };                     *)
 (* @typeAlias: entry = { id: Int, of: $request, open: Bool };              *)
-(* @typeAlias: frame = { ob: Int, class: Int, error: Int };                *)
+(* @typeAlias: frame = { ob: Int, class: Int, error: Int, told: Set(Int) };*)
 (* @typeAlias: step = { event: Str, ob: Int, value: Int, sdt: $date,       *)
 (*                      operand: Int, sign: Int };                         *)
 (***************************************************************************)

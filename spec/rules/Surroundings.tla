@@ -12,15 +12,23 @@ EXTENDS Calendar, Cpu
 Families == FamilyNames
 \* @type: Set(Int -> $step7);
 Step7Settings ==
-    [ TodObs -> [ execution : {"none", "once", "minute", "hourly", "daily",
+    [ OldTodObs -> [ execution : {"none", "once", "minute", "hourly", "daily",
                                "weekly", "monthly", "yearly", "end_of_month"},
                   start : 0..LastMinute, active : BOOLEAN,
-                  deselected : BOOLEAN ] ]
+                  deselected : BOOLEAN, zone : {0} ] ]
 Loads == SUBSET (TodObs \cup ExternalObs \cup StartupObs)
 
 (* Priority classes other than the defaults [OBS-05]; none. *)
 \* @type: Set(Int -> Int);
 Priorities == { [o \in {} |-> 0] }
+
+(* [T15-11] OBs from 123 on with their event class; none. *)
+\* @type: Set(Int -> Int);
+ObClasses == { [o \in {} |-> 0] }
+
+(* [T15-68] OBs whose queue has known parameters; none. *)
+\* @type: Set(Int -> $queue);
+Queues == { [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] }
 
 (* Readings other than the defaults; none. *)
 \* @type: Set(Str -> Str);

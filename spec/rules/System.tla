@@ -38,7 +38,8 @@ Seen(event, ob, value) == step' = Step(event, ob, value)
 
 Init ==
     /\ cpu \in [ family : Families, priority : Priorities,
-                 step7 : Step7Settings, readings : ReadingSets ]
+                 step7 : Step7Settings, readings : ReadingSets,
+                 classes : ObClasses, queues : Queues ]
     /\ loaded \in Loads
     /\ mode = "STOP"
     /\ startup = "none"

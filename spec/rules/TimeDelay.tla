@@ -16,8 +16,9 @@ NoJobs == [o \in DintObs |-> NoJob]
 (* still started.                                                          *)
 Gone == -1
 
-(* The jobs whose delay is running. *)
-Jobs == IF Watching
+(* The jobs whose delay is running. Perhaps none does under a delay of     *)
+(* interrupts [T15-39] [A15-04].                                           *)
+Jobs == IF Watching /\ ~(delay > 0 /\ Family.byKind /\ DelaysStandStill)
         THEN { o \in DintObs : dint[o].started /\ dint[o].left >= 0 }
         ELSE {}
 

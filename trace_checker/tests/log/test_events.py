@@ -136,7 +136,7 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     (event("DIS_IRT", mode=256, ob=10, ret=0), "mode"),
     (event("DIS_IRT", mode=-1, ob=10, ret=0), "mode"),
     (START | {"ob": 0}, "ob"),
-    (START | {"ob": 123}, "ob"),
+    (START | {"ob": 32768}, "ob"),
     (START | {"info": None}, "info"),
     (START | {"info": {"flt": 1}}, "info.flt"),
     (START | {"info": {"time": "2026-02-30T06:00"}}, "info.time"),

@@ -17,6 +17,8 @@ def test_defaults() -> None:
         "latency": 10,
         "zone": 0,
         "cycle": False,
+        "classes": [],
+        "queue": [],
         "priority": [],
         "step7": [],
         "readings": [],
@@ -49,8 +51,8 @@ def test_everything_given() -> None:
     assert normalised["records"] == ["diag"]
     assert normalised["priority"] == [[20, 3], [10, 0]]
     assert normalised["step7"] == [
-        {"ob": 11, "execution": "daily", "start": BEGIN, "active": True, "deselected": False},
-        {"ob": 12, "execution": "none", "start": -1, "active": False, "deselected": True},
+        {"ob": 11, "execution": "daily", "start": BEGIN, "active": True, "deselected": False, "local": False},
+        {"ob": 12, "execution": "none", "start": -1, "active": False, "deselected": True, "local": False},
     ]
     assert normalised["readings"] == [["AMB-02", "a"]]
 

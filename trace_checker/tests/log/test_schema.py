@@ -77,13 +77,13 @@ def test_words(real_engine: Engine) -> None:
 
     for family, some in words.classes:
         if family in words.settable:
-            classes = {ob: taken("priority", range(-1, 31), str(ob), cpu=family, obs=[1]) for ob in range(256)}
+            classes = {ob: taken("priority", range(-1, 31), str(ob), cpu=family, obs=[1]) for ob in range(123)}
             assert {ob: levels for ob, levels in classes.items() if levels} == dict(some)
     for family, lacking in words.unknown:
         others = [ob for ob in range(1, 123) if not refuses(HEADER | {"cpu": family, "obs": [ob]})]
         assert others == [ob for ob in words.obs if ob not in lacking]
     letters = {
-        name: taken("readings", "abcde", name) for name in (f"{a}-{n:02}" for a in ("AMB", "A15") for n in range(100))
+        name: taken("readings", "abcdefg", name) for name in (f"{a}-{n:02}" for a in ("AMB", "A15") for n in range(100))
     }
     assert {name: some for name, some in letters.items() if some} == words.readings
     properties = SCHEMA_OF_LINES["header"]["properties"]

@@ -1,5 +1,7 @@
 package s7.log;
 
+import java.util.Set;
+
 /**
  * The two clocks of a log: the CPU's, which can be set, and elapsed time, which cannot.
  *
@@ -7,8 +9,10 @@ package s7.log;
  * out. All times are milliseconds.
  */
 public final class Clocks {
-  /** The family of the CPU, which decides what a line may have. */
-  final String cpu;
+  /** What of the CPU decides what a line may have. */
+  record Cpu(String family, Set<?> numberedObs) {}
+
+  final Cpu cpu;
 
   private final boolean jumpsLogged;
   private long clock;
@@ -20,9 +24,8 @@ public final class Clocks {
    * The clocks when a log begins.
    *
    * @param jumpsLogged whether every setting of the clock is in the log
-   * @param cpu the family of the CPU
    */
-  Clocks(Moment clock, boolean jumpsLogged, String cpu) {
+  Clocks(Moment clock, boolean jumpsLogged, Cpu cpu) {
     this.cpu = cpu;
     this.clock = clock.inMilliseconds();
     this.jumpsLogged = jumpsLogged;

@@ -46,20 +46,29 @@ final class Events {
               "error_info", Spellings.WORD,
               "ev", Spellings.WORD,
               "ev_ob", Spellings.BYTE,
-              "time", MOMENT));
+              "time", MOMENT,
+              "caught_up", Spellings.TRUTH_NUMBER,
+              "second_time", Spellings.TRUTH_NUMBER,
+              "event_count", Spellings.WORD,
+              "csg_ob", Spellings.integer(0, Short.MAX_VALUE),
+              "csg_priority", Spellings.BYTE));
 
   private final Map<String, Table> tables = new HashMap<>();
   private final Map<String, Map<String, Reader>> required = new LinkedHashMap<>();
   private final Set<Long> faulty;
   private final Map<String, TreeSet<String>> restarts;
   private final List<String> local;
+  private final String obs;
+  private final long lastOb;
 
   Events(Words words) {
     faulty = words.faultyObs;
     restarts = words.restarts;
     local = words.local;
     Map<String, Reader> none = Map.of();
-    Map<String, Reader> block = Table.of(OB, Spellings.integer(words.obs.first(), words.obs.last()));
+    obs = Quoting.ranges(words.obs);
+    lastOb = words.obs.last();
+    Map<String, Reader> block = Table.of(OB, Spellings.integer(words.obs.first(), words.numbers.last()));
     Map<String, Reader> info = Table.of("info", INFO);
     Map<String, Reader> status = Table.of(STATUS, Spellings.WORD);
     Reader word = Spellings.WORD;
@@ -91,7 +100,7 @@ final class Events {
     kind("stop", none, Table.of("cause", word));
     kind("hold", none, none);
     kind("release", none, none);
-    kind("interrupt", Table.of(OB, external(words.externalObs)), Table.of(FAULT, Spellings.BYTE));
+    kind("interrupt", Table.of(OB, external(words.externalObs, words.numbers.first())), Table.of(FAULT, Spellings.BYTE));
     kind("load", block, none);
     kind("delete", block, none);
     kind(
@@ -117,10 +126,10 @@ final class Events {
     return required.keySet().stream().filter(name -> required.get(name).containsKey(RET)).toList();
   }
 
-  private static Reader external(Set<Long> obs) {
+  private static Reader external(Set<Long> obs, long firstNumbered) {
     String expected = "an OB " + Quoting.ranges(obs);
     return value -> {
-      if (value instanceof Long ob && obs.contains(ob)) {
+      if (value instanceof Long ob && (obs.contains(ob) || ob >= firstNumbered)) {
         return value;
       }
       throw new Unusable(expected, Quoting.quote(value));
@@ -145,9 +154,9 @@ final class Events {
    * since 1990-01-01T00:00, and {@code sdt}, which is its components. {@code step} is the unit in which {@code at} is
    * written, if that is not a millisecond.
    *
-   * @param cpu the family of the log's CPU
+   * @param cpu the log's CPU
    */
-  Fields read(Fields raw, String cpu) {
+  Fields read(Fields raw, Clocks.Cpu cpu) {
     Object name = raw.get(EVENT);
     Table fields = name instanceof String ? tables.get(name) : null;
     if (fields == null) {
@@ -158,13 +167,16 @@ final class Events {
     if (unit > 1) {
       event.add("step", unit);
     }
-    if (name.equals(SET_LOCAL) && !local.contains(cpu)) {
-      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu, EVENT);
+    if (name.equals(SET_LOCAL) && !local.contains(cpu.family())) {
+      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu.family(), EVENT);
+    }
+    if (!event.has(RET) && event.get(OB) instanceof Long ob && ob > lastOb && !cpu.numberedObs().contains(ob)) {
+      throw new Unusable("an OB " + obs + " or one of the header's \"classes\"", String.valueOf(ob), OB);
     }
     if (name.equals("interrupt")) {
       checkFault(event);
     } else if (name.equals("restart")) {
-      checkHot(event.get("type"), cpu);
+      checkHot(event.get("type"), cpu.family());
     } else if (((String) name).startsWith("QRY") && event.get(RET).equals(0) && !event.has(STATUS)) {
       throw new Unusable("where \"ret\" is 0", "none", STATUS);
     }

@@ -42,7 +42,7 @@ public final class Format {
   }
 
   /** The normalised event of a line's object, before the clocks have gone on to it. */
-  Fields event(Fields line, String cpu) {
+  Fields event(Fields line, Clocks.Cpu cpu) {
     return events.read(line, cpu);
   }
 
@@ -69,6 +69,6 @@ public final class Format {
   /** The clocks of a log with this normalised header, at its begin. */
   public static Clocks clocksOf(Fields header) {
     boolean jumpsLogged = ((List<?>) header.get("records")).contains("clock");
-    return new Clocks((Moment) header.get("clock"), jumpsLogged, (String) header.get(Header.CPU));
+    return new Clocks((Moment) header.get("clock"), jumpsLogged, Header.cpu(header));
   }
 }

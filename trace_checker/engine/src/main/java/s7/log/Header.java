@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
@@ -32,6 +33,14 @@ final class Header {
 
   private static final String DESELECTED = "deselected";
   private static final String ZONE = "zone";
+  private static final String LOCAL = "local";
+  private static final String CLASSES = "classes";
+  private static final String CYCLIC = "cyclic";
+  private static final String QUEUE = "queue";
+  private static final String EVENTS = "events";
+  private static final String THRESHOLD = "threshold";
+  private static final String OVERFLOW = "overflow";
+  private static final int LONGEST_QUEUE = 12;
 
   /** Minutes by which local time may be behind or ahead of system time. */
   private static final int WEST = -720;
@@ -56,11 +65,20 @@ final class Header {
               "active",
               Spellings.TRUTH,
               DESELECTED,
+              Spellings.TRUTH,
+              LOCAL,
               Spellings.TRUTH));
+
+  private static final Table QUEUE_OF_ONE =
+      new Table(
+          "a queue",
+          Table.of(EVENTS, Spellings.integer(1, LONGEST_QUEUE)),
+          Table.of(THRESHOLD, Spellings.integer(1, LONGEST_QUEUE), OVERFLOW, Spellings.TRUTH_NUMBER));
 
   private static final Table TIME_DELAY =
       new Table("a time-delay interrupt", Map.of(), Table.of(DESELECTED, Spellings.TRUTH));
 
+  private final Words words;
   private final List<String> settable;
   private final List<String> local;
   private final Map<String, TreeSet<Long>> unknown;
@@ -68,16 +86,35 @@ final class Header {
   private final Map<String, TreeMap<Long, TreeSet<Long>>> classes;
 
   Header(Words words) {
+    this.words = words;
     settable = words.settable;
     local = words.local;
     unknown = words.unknown;
     classes = words.classes;
     for (String family : words.families) {
-      headers.put(family, header(words, classes.get(family)));
+      headers.put(family, header(words, classes.get(family), Map.of()));
     }
   }
 
-  private static Table header(Words words, TreeMap<Long, TreeSet<Long>> classes) {
+  /**
+   * @param settable OB -> the priority classes it can be given
+   * @param numbered the OBs from 123 on -> their event class
+   */
+  private static Table header(Words words, Map<Long, TreeSet<Long>> settable, Map<Long, String> numbered) {
+    var classes = new TreeMap<>(settable);
+    var timeOfDay = new TreeSet<>(words.timeOfDayObs);
+    var queued = new TreeSet<>(words.queuedObs);
+    numbered.forEach(
+        (ob, name) -> {
+          long first = words.eventClasses.get(name).get(0);
+          classes.put(ob, settable.get(first));
+          if (words.timeOfDayObs.contains(first)) {
+            timeOfDay.add(ob);
+          }
+          if (words.queuedObs.contains(first)) {
+            queued.add(ob);
+          }
+        });
     return new Table(
             "header",
             Table.of(
@@ -86,7 +123,7 @@ final class Header {
                 CPU,
                 Spellings.choice(words.families),
                 "obs",
-                Table.list(Spellings.integer(words.obs.first(), words.obs.last())),
+                Table.list(obs(words, numbered.keySet())),
                 "clock",
                 (Reader) Spellings::moment),
             Table.of(
@@ -100,6 +137,10 @@ final class Header {
                 Table.list(Spellings.choice(KINDS)),
                 "cycle",
                 Spellings.TRUTH,
+                CLASSES,
+                (Reader) value -> value,
+                QUEUE,
+                queues(queued),
                 PRIORITY,
                 priorities(classes),
                 "step7",
@@ -107,13 +148,104 @@ final class Header {
                     "the fields tod and dint",
                     Map.of(
                         "tod",
-                        parameters(words.timeOfDayObs, TIME_OF_DAY),
+                        parameters(timeOfDay, TIME_OF_DAY),
                         "dint",
                         parameters(words.timeDelayObs, TIME_DELAY))),
                 READINGS,
                 readings(words.letters),
                 PROFILE,
                 Spellings.choice(words.profiles)));
+  }
+
+  private static Reader obs(Words words, Set<Long> numbered) {
+    Reader usual = Spellings.integer(words.obs.first(), words.obs.last());
+    return value -> numbered.contains(value) ? value : usual.read(value);
+  }
+
+  private static Reader queues(TreeSet<Long> obs) {
+    var readers = new LinkedHashMap<String, Reader>();
+    obs.forEach(ob -> readers.put(String.valueOf(ob), value -> queue(QUEUE_OF_ONE.read(value))));
+    return Table.mapping("an OB " + Quoting.ranges(obs), readers);
+  }
+
+  /** The queue of one OB; threshold 0: none, overflow -1: not known. */
+  private static Object queue(Fields given) {
+    long events = (Long) given.get(EVENTS);
+    if (given.has(THRESHOLD) && (Long) given.get(THRESHOLD) > events) {
+      throw new Unusable("1.." + events + ", as many as wait", String.valueOf(given.get(THRESHOLD)), THRESHOLD);
+    }
+    return new Fields()
+        .put(EVENTS, events)
+        .put(THRESHOLD, or(given, THRESHOLD, 0))
+        .put(OVERFLOW, or(given, OVERFLOW, -1));
+  }
+
+  /** The OBs from 123 on of a header's line, each with its event class. */
+  private TreeMap<Long, String> numbered(Fields line) {
+    var numbered = new TreeMap<Long, String>();
+    if (!(line.get(CLASSES) instanceof Fields given)) {
+      if (line.has(CLASSES)) {
+        throw new Unusable("an object", Quoting.quote(line.get(CLASSES)), CLASSES);
+      }
+      return numbered;
+    }
+    Reader name = Spellings.choice(words.eventClasses.keySet());
+    for (int i = 0; i < given.size(); i++) {
+      if (!given.name(i).startsWith(Table.OWN)) {
+        try {
+          numbered.put(number(given.name(i)), (String) name.read(given.value(i)));
+        } catch (Unusable wrong) {
+          throw wrong.inside(given.name(i)).inside(CLASSES);
+        }
+      }
+    }
+    words.eventClasses.forEach(
+        (each, bounds) -> {
+          long count = numbered.values().stream().filter(each::equals).count();
+          if (count > bounds.get(1)) {
+            throw new Unusable("at most " + bounds.get(1) + " OBs " + Quoting.quote(each), count + "", CLASSES);
+          }
+        });
+    return numbered;
+  }
+
+  private long number(String name) {
+    long first = words.numbers.first();
+    long last = words.numbers.last();
+    if (name.matches("[1-9][0-9]{2,4}") && Long.parseLong(name) >= first && Long.parseLong(name) <= last) {
+      return Long.parseLong(name);
+    }
+    throw new Unusable("an OB " + first + ".." + last, "another name");
+  }
+
+  /** An OB whose default class no field of the header tells has one of its own. */
+  private void requireClasses(Map<Long, String> numbered, Fields given) {
+    numbered.forEach(
+        (ob, name) -> {
+          if (name.equals(CYCLIC) && !(given.get(PRIORITY) instanceof Fields set && set.has(String.valueOf(ob)))) {
+            throw new Unusable("for the cyclic OB " + ob + ", whose interval is not known", "none", PRIORITY);
+          }
+        });
+  }
+
+  private static void only(List<String> families, Fields given, String field, boolean isThere) {
+    if (isThere && !families.contains(given.get(CPU))) {
+      throw new Unusable("on " + String.join(" and ", families) + " only", "on " + given.get(CPU), field);
+    }
+  }
+
+  private static boolean isLocal(Fields given) {
+    return given.get("step7") instanceof Fields kinds && step7(kinds).stream()
+        .anyMatch(one -> Boolean.TRUE.equals(((Fields) one).get(LOCAL)));
+  }
+
+  /** What the lines of a log depend on, of its normalised header. */
+  static Clocks.Cpu cpu(Fields header) {
+    var numbered = new TreeSet<Object>();
+    for (Object pair : (List<?>) header.get(CLASSES)) {
+      numbered.add(((Number) ((List<?>) pair).get(0)).longValue());
+    }
+    return new Clocks.Cpu((String) header.get(CPU), numbered);
   }
 
   private static Reader priorities(Map<Long, TreeSet<Long>> settable) {
@@ -153,6 +285,7 @@ final class Header {
     normalised.put(START, or(given, START, NO_START));
     normalised.put("active", or(given, "active", false));
     normalised.put(DESELECTED, or(given, DESELECTED, false));
+    normalised.put(LOCAL, or(given, LOCAL, false));
     if (!normalised.get(EXECUTION).equals(NEVER) && !given.has(START)) {
       throw new Unusable("with execution " + Quoting.quote(normalised.get(EXECUTION)), "none", START);
     }
@@ -174,14 +307,20 @@ final class Header {
     if (!raw.has("format") && raw.has(Events.EVENT)) {
       throw new Unusable("the header in the first line", "the event " + Quoting.quote(raw.get(Events.EVENT)));
     }
+    TreeMap<Long, String> numbered = numbered(raw);
     Object family = raw.get(CPU);
-    Fields given = headers.getOrDefault(family instanceof String name ? name : "", headers.get(settable.get(0))).read(raw);
-    if (given.has(PRIORITY) && !settable.contains(given.get(CPU))) {
-      throw new Unusable("on " + String.join(" and ", settable) + " only", "on " + given.get(CPU), PRIORITY);
-    }
-    if (given.has(ZONE) && !local.contains(given.get(CPU))) {
-      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + given.get(CPU), ZONE);
-    }
+    String known = family instanceof String name && headers.containsKey(name) ? name : settable.get(0);
+    Table table =
+        numbered.isEmpty() || !words.numbered.contains(known)
+            ? headers.get(known)
+            : header(words, classes.get(known), numbered);
+    Fields given = table.read(raw);
+    only(settable, given, PRIORITY, given.has(PRIORITY));
+    only(local, given, ZONE, given.has(ZONE));
+    only(local, given, "step7", isLocal(given));
+    only(words.numbered, given, CLASSES, given.has(CLASSES));
+    only(words.numbered, given, QUEUE, given.has(QUEUE));
+    requireClasses(numbered, given);
     for (Object ob : (List<?>) given.get("obs")) {
       if (unknown.get(given.get(CPU)).contains(ob)) {
         throw new Unusable("an OB that an " + given.get(CPU) + " has", "OB " + ob, "obs");
@@ -195,6 +334,9 @@ final class Header {
     normalised.put("latency", or(given, "latency_ms", DEFAULT_LATENCY));
     normalised.put(ZONE, or(given, ZONE, 0));
     normalised.put("cycle", or(given, "cycle", false));
+    normalised.put(CLASSES, numbered.entrySet().stream()
+        .map(each -> List.of((Object) each.getKey(), words.eventClasses.get(each.getValue()).get(0))).toList());
+    normalised.put(QUEUE, records(given.get(QUEUE), new ArrayList<>()));
     normalised.put(PRIORITY, pairs(given.get(PRIORITY), true));
     normalised.put("step7", step7(given.get("step7")));
     normalised.put(READINGS, pairs(given.get(READINGS), false));
@@ -218,15 +360,22 @@ final class Header {
     var records = new ArrayList<Object>();
     if (kinds instanceof Fields step7) {
       for (int n = 0; n < step7.size(); n++) {
-        var fields = (Fields) step7.value(n);
-        for (int i = 0; i < fields.size(); i++) {
-          var record = new Fields().put("ob", Integer.valueOf(fields.name(i)));
-          var parameters = (Fields) fields.value(i);
-          for (int k = 0; k < parameters.size(); k++) {
-            record.put(parameters.name(k), parameters.value(k));
-          }
-          records.add(record);
+        records(step7.value(n), records);
+      }
+    }
+    return records;
+  }
+
+  /** Adds a record for each OB of a map, with its {@code ob}. */
+  private static List<Object> records(Object map, List<Object> records) {
+    if (map instanceof Fields fields) {
+      for (int i = 0; i < fields.size(); i++) {
+        var record = new Fields().put("ob", Integer.valueOf(fields.name(i)));
+        var parameters = (Fields) fields.value(i);
+        for (int k = 0; k < parameters.size(); k++) {
+          record.put(parameters.name(k), parameters.value(k));
         }
+        records.add(record);
       }
     }
     return records;
@@ -275,13 +424,18 @@ final class Header {
             .stream()
                 .filter(pair -> settable.contains(family) && isClass((List<?>) pair, classes))
                 .toList());
-    TreeSet<Long> gone = unknown.getOrDefault(family, new TreeSet<>());
+    TreeSet<Long> gone = new TreeSet<>(unknown.getOrDefault(family, new TreeSet<>()));
+    if (!words.numbered.contains(family)) {
+      ((List<?>) normalised.get(CLASSES)).forEach(pair -> gone.add((Long) ((List<?>) pair).get(0)));
+      normalised.put(CLASSES, List.of()).put(QUEUE, List.of());
+    }
     normalised.put("obs", ((List<?>) normalised.get("obs")).stream().filter(ob -> !gone.contains(ob)).toList());
   }
 
-  private static boolean isClass(List<?> pair, TreeMap<Long, TreeSet<Long>> classes) {
-    TreeSet<Long> those = classes.get(((Number) pair.get(0)).longValue());
-    return those != null && those.contains(((Number) pair.get(1)).longValue());
+  private boolean isClass(List<?> pair, TreeMap<Long, TreeSet<Long>> classes) {
+    long ob = ((Number) pair.get(0)).longValue();
+    TreeSet<Long> those = classes.get(ob);
+    return ob >= words.numbers.first() || those != null && those.contains(((Number) pair.get(1)).longValue());
   }
 
   /**

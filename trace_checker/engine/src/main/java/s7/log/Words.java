@@ -39,6 +39,18 @@ final class Words {
   /** The families that have SET_TINTL, and with it local time. */
   final List<String> local;
 
+  /** The families with OBs from 123 on, and with parameters of queues. */
+  final List<String> numbered;
+
+  /** The first and the last number of such an OB. */
+  final TreeSet<Long> numbers;
+
+  /** Name of an event class -> its first OB and the most OBs that a CPU has of it. */
+  final TreeMap<String, List<Long>> eventClasses = new TreeMap<>();
+
+  /** The OBs whose queue has parameters. */
+  final TreeSet<Long> queuedObs;
+
   Words(Fields words) {
     families = list(words.get("families"));
     settable = list(words.get("settable"));
@@ -55,6 +67,12 @@ final class Words {
     }
     unknown = map(words.get("unknown"));
     local = list(words.get("local"));
+    numbered = list(words.get("numbered"));
+    numbers = new TreeSet<>(Words.<Long>list(words.get("numbers")));
+    for (List<Object> row : Words.<List<Object>>list(words.get("events"))) {
+      eventClasses.put((String) row.get(0), List.of((Long) row.get(1), (Long) row.get(2)));
+    }
+    queuedObs = new TreeSet<>(Words.<Long>list(words.get("queued")));
   }
 
   @SuppressWarnings("unchecked")
