@@ -35,6 +35,7 @@ verify: setup  ## the main job: models of the CI lane, the soft PLC run live, al
 test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
 test-checker: setup $(AWLSIM)
+	@command -v firefox-esr firefox >/dev/null || echo "not run: the page in Firefox, for lack of it"
 	$(BIN)/python -m pytest -q -n logical --dist loadfile --durations=20 trace_checker/tests
 
 test-evidence: setup

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import base64
+import os
 import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
@@ -24,6 +28,23 @@ _PATIENCE_MS = 120_000
 def chromium() -> str | None:
     """Its program."""
     return next(filter(None, map(shutil.which, _NAMES)), None)
+
+
+def firefox() -> str | None:
+    """Its program."""
+    return shutil.which("firefox-esr") or shutil.which("firefox")
+
+
+@contextmanager
+def in_firefox() -> Iterator[Browser]:
+    """Firefox as it is installed, by WebDriver BiDi; pages have its own colour scheme and medium."""
+    options = os.environ.get("NODE_OPTIONS", "")
+    os.environ["NODE_OPTIONS"] = f"{options} --require {Path(__file__).with_name('without_media.cjs')}"
+    try:
+        with sync_playwright() as playwright:
+            yield playwright.firefox.launch(channel="moz-firefox", executable_path=firefox())
+    finally:
+        os.environ["NODE_OPTIONS"] = options
 
 
 def missing() -> str:

@@ -17,7 +17,12 @@ const answers = {
   },
 };
 
-self.onmessage = async ({ data }) => {
+let turn = Promise.resolve(); // a question waits until the engine is open
+self.onmessage = ({ data }) => {
+  turn = turn.then(() => answer(data));
+};
+
+async function answer(data) {
   try {
     self.postMessage({ id: data.id, answers: await answers[data.kind](data) });
   } catch (error) {
@@ -27,4 +32,4 @@ self.onmessage = async ({ data }) => {
       failed: deep ? "a depth that the browser does not allow" : String(error.message ?? error),
     });
   }
-};
+}
