@@ -41,7 +41,7 @@ REFUSED: list[tuple[str, object, str]] = [
     ("outside.3.flt_id", None, "outside.3.flt_id"),
     ("outside.3.every", 0, "outside.3.every"),
     ("bodies.1.run", 0, "bodies.1.run"),
-    ("bodies.1.ob", 200, "bodies.1.ob"),
+    ("bodies.1.ob", 40000, "bodies.1.ob"),
     ("bodies.1.steps.1.call", "SET_TIME", "bodies.1.steps.1.call"),
     ("bodies.1.steps.1.sdt", "soon", "bodies.1.steps.1.sdt"),
     ("bodies.1.steps.1.period", None, "bodies.1.steps.1.period"),
