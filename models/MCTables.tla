@@ -315,9 +315,12 @@ BlocksInv ==
     /\ Holds("AMB-76", "a", {"b"}, EnIrtTakesMode8x)
 
 ModernInv ==
-    /\ Holds("A15-02", "c", {"a"}, LeapDayIsTaken)
-    /\ Holds("A15-02", "c", {"b"}, LeapDayIsRefused)
-    /\ Holds("A15-03", "b", {"b"}, OverflowMayCallOb80)
+    /\ Holds("A15-02", "f", {"b"}, LateDaysAreTaken)
+    /\ Holds("A15-02", "f", {"c"}, LateDaysHaveSomeCode)
+    /\ Holds("A15-02", "f", {"d"}, LeapDayIsTaken)
+    /\ Holds("A15-02", "f", {"e"}, LeapDayIsRefused)
+    /\ Holds("A15-03", "c", {"a"}, OverflowIsEnteredAlone)
+    /\ Holds("A15-03", "c", {"b"}, OverflowCallsOb80)
     /\ Holds("A15-04", "a", {"b"}, DelaysStandStill)
     /\ Holds("A15-06", "c", {"a"}, OverflowIsEnteredOnce)
     /\ Holds("A15-07", "a", {"a"}, RunningEventCountsNot)
@@ -349,7 +352,7 @@ ModernInv ==
     /\ Holds("A15-22", "c", {"b"}, Period1202IsWeekly)
     /\ Holds("A15-23", "c", {"a"}, LowErrorObRunsAtOnce)
     /\ Holds("A15-23", "c", {"b"}, LowErrorObAwaitsItsTurn)
-    /\ Holds("A15-24", "b", {"b"}, CodesAreOpen)
+    /\ Holds("A15-24", "c", {"b", "c"}, CodesAreOpen)
 
 ReadingsInv == /\ SettingsInv /\ ClockInv /\ DispatchInv /\ BlocksInv
                /\ ModernInv

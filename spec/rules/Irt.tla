@@ -52,12 +52,19 @@ IrtErrors(m, o, modes) ==
     THEN {BadMode} \cup (IF o \in ObNumbersInUse THEN {} ELSE {BadOb})
     ELSE IF NumberFits(m, o) THEN {} ELSE {BadOb}
 
-\* @type: (Int, Int) => Set(Int);
-DisIrtAnswers(m, o) ==
-    OpenCodes(WithMode8x(m, Usual(IrtErrors(m, o, DisModes))))
+(* [T15-12] [T15-147] An OB that the S7-1500 does not know may be refused. *)
+\* @type: (Int, Int, Set(Int)) => Set(Int);
+WithUnknownOb(m, o, answers) ==
+    IF Family.openCodes /\ Level(m) = 2 /\ o \in Family.lacks /\ OK \in answers
+    THEN answers \cup {BadOb} ELSE answers
 
 \* @type: (Int, Int) => Set(Int);
-EnIrtAnswers(m, o) == Usual(IrtErrors(m, o, EnModes))
+DisIrtAnswers(m, o) ==
+    OpenCodes(WithMode8x(m, WithUnknownOb(m, o,
+                              Usual(IrtErrors(m, o, DisModes)))))
+
+\* @type: (Int, Int) => Set(Int);
+EnIrtAnswers(m, o) == WithUnknownOb(m, o, Usual(IrtErrors(m, o, EnModes)))
 
 (* [AMB-21] One flag for each OB; under (b) one for each of three levels.  *)
 \* @type: (Int, Int) => Set(Int);

@@ -19,6 +19,7 @@ EXTENDS State, Profiles, Families
 AB   == {"a", "b"}
 ABC  == {"a", "b", "c"}
 ABCD == {"a", "b", "c", "d"}
+AToF == ABCD \cup {"e", "f"}
 
 (* A row for each question: its default letter, which holds where neither  *)
 (* a header nor a model names another, and the letters of its answers,     *)
@@ -114,8 +115,8 @@ Questions ==
     <<"AMB-87", "c", ABC>>,
     <<"AMB-88", "c", ABC>>,
     <<"A15-01", "a", ABC>>,
-    <<"A15-02", "c", ABC>>,
-    <<"A15-03", "b", AB>>,
+    <<"A15-02", "f", AToF>>,
+    <<"A15-03", "c", ABC>>,
     <<"A15-04", "a", ABC>>,
     <<"A15-05", "c", ABC>>,
     <<"A15-06", "c", ABC>>,
@@ -133,10 +134,10 @@ Questions ==
     <<"A15-18", "c", ABC>>,
     <<"A15-19", "d", ABCD>>,
     <<"A15-20", "c", ABC>>,
-    <<"A15-21", "f", ABCD \cup {"e", "f"}>>,
+    <<"A15-21", "f", AToF>>,
     <<"A15-22", "c", ABC>>,
     <<"A15-23", "c", ABC>>,
-    <<"A15-24", "b", AB>> }
+    <<"A15-24", "c", ABC>> }
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
@@ -474,11 +475,15 @@ ErrorTakesClassOfRun == Reading("AMB-88") = "b"
 -----------------------------------------------------------------------------
 (* The answers about an S7-1500                                            *)
 
-(* [A15-02] Yearly on February 29: taken; or refused.                      *)
-LeapDayIsTaken   == Reading("A15-02") = "a"
-LeapDayIsRefused == Reading("A15-02") = "b"
-(* [A15-03] An overflow of the queue may call OB 80, too.                  *)
-OverflowMayCallOb80 == Reading("A15-03") # "a"
+(* [A15-02] Monthly from day 29 on is taken; or refused by some code.      *)
+(* Yearly on February 29 is taken; or refused.                             *)
+LateDaysAreTaken     == Reading("A15-02") = "b"
+LateDaysHaveSomeCode == Reading("A15-02") = "c"
+LeapDayIsTaken       == Reading("A15-02") = "d"
+LeapDayIsRefused     == Reading("A15-02") = "e"
+(* [A15-03] An overflow of the queue is an entry alone; or it calls OB 80. *)
+OverflowIsEnteredAlone == Reading("A15-03") = "a"
+OverflowCallsOb80      == Reading("A15-03") = "b"
 (* [A15-04] Under DIS_AIRT the delays of an S7-1500 stand still. A CPU     *)
 (* keeps to it.                                                            *)
 DelaysStandStill == Reading("A15-04") = "b"

@@ -232,20 +232,25 @@ StopsUncalled(r) ==
 (* ones nor those that the mode holds back.                                *)
 Definite == { q \in requests : ~q.open /\ ModeAllows(q) }
 
-(* [OBS-02] [TINT-12] No request before it holds it back. Within a place   *)
-(* the numbers of the OBs may decide [AMB-29].                             *)
+(* [OBS-02] [TINT-12] No request before it holds it back; a run that waits *)
+(* for its OB 80 does not hold that back, whose class it may have on an    *)
+(* S7-1500 [T15-91]. Within a place the numbers of the OBs may decide      *)
+(* [AMB-29].                                                               *)
 \* @type: $request => Bool;
 InTurn(r) ==
     { q \in Definite :
         /\ q.class = r.class
+        /\ ~(r.ob = TimeErrorOb /\ q.follows # 0 /\ q.ob \in r.late)
         /\ \/ q.rank < r.rank
            \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
 
-(* [TINT-15] [CLK-03] A late run comes after the OB 80 that reports it. *)
+(* [TINT-15] [CLK-03] [T15-91] A late run comes after the OB 80 that       *)
+(* reports it, which its class may be above on an S7-1500.                 *)
 \* @type: $request => Bool;
 Reported(r) ==
     r.follows # 0 =>
-      \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
+      /\ \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
+      /\ ~InTimeErrorOb
 
 (* [AMB-44] (a) A missing OB is noticed although it could not start.       *)
 \* @type: $request => Bool;

@@ -179,11 +179,16 @@ EntriesOfDropped(new) ==
                           /\ OverflowIsEnteredOnce) THEN {}
         ELSE {[entry EXCEPT !.open = again \/ told # 1]}
 
+(* [T15-27] [A15-03] Where an overflow calls OB 80, it is no entry alone.  *)
+\* @type: $request => Set(Bool);
+DropsBesideOb80(new) ==
+    IF OverflowCallsOb80 /\ new.ob \in TodObs THEN {TRUE} ELSE {}
+
 (* [T15-68] [T15-69] [T15-73] One more event of an OB that waits or runs:  *)
 (* it waits, or the queue is full and drops it; OB 80 may be called.       *)
 \* @type: $request => Bool;
 QueuesUp(new) ==
-    \E full \in QueueIsFull(new.ob) :
+    \E full \in QueueIsFull(new.ob) \ DropsBesideOb80(new) :
     \E calls \in ReachesThreshold(new.ob, full) :
       LET error == [ TimeError(StillRunning, {new.ob}, new.ob, new.word)
                      EXCEPT !.since = new.since ]
@@ -207,18 +212,26 @@ QueuesUp(new) ==
 (* [T15-27] [A15-03] The queue of a time-of-day OB overflows: OB 80, too.  *)
 \* @type: $request => Bool;
 DropCallsOb80(new) ==
-    /\ new.ob \in TodObs /\ OverflowMayCallOb80 /\ TRUE \in QueueIsFull(new.ob)
+    /\ new.ob \in TodObs /\ TRUE \in QueueIsFull(new.ob)
+    /\ ~OverflowIsEnteredAlone
     /\ Overlap(new, BufferOverflow, requests)
 
 -----------------------------------------------------------------------------
+
+(* [T15-27] [A15-03] The queue overflows, and there may be an entry.       *)
+\* @type: $request => Bool;
+MayEnterOverflow(new) ==
+    LET error == TimeError(BufferOverflow, {}, new.ob, new.word)
+    IN  UNCHANGED outcomeVars /\ entered' = OpenEntries({error})
 
 (* [T15-26] [T15-27] [T15-73] As many runs wait as the queue holds: one,   *)
 (* with the parameters of a migrated program [A15-14].                     *)
 \* @type: $request => Bool;
 PointWhileFull(new) ==
-    \/ ~OverloadIsReportedAgain /\ Nothing
+    \/ /\ ~OverloadIsReportedAgain /\ ~OverflowCallsOb80
+       /\ MayEnterOverflow(new)
     \/ ~OverloadIsReportedOnce /\ Overlap(new, StillRunning, requests)
-    \/ OverflowMayCallOb80 /\ Overlap(new, BufferOverflow, requests)
+    \/ ~OverflowIsEnteredAlone /\ Overlap(new, BufferOverflow, requests)
 
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs. *)
 \* @type: $request => Bool;

@@ -58,12 +58,14 @@ ValidPeriods ==
 
 (* [T15-23] [A15-02] *)
 OpenLeapDay == Family.openCodes /\ LeapDayIsRefused
+OpenLateDays == Family.openCodes /\ LateDaysAreTaken
 
 (* [TINT-18] [TINT-39] [AMB-05] [AMB-38] [AMB-39] *)
 \* @type: ($date, Int) => Bool;
 ValidSdt(sdt, period) ==
     /\ ValidMinute(sdt)
-    /\ period = Monthly /\ MonthlyEndsWithDay28 => sdt.day <= 28
+    /\ period = Monthly /\ MonthlyEndsWithDay28 /\ ~OpenLateDays =>
+         sdt.day <= 28
     /\ period = Yearly /\ (YearlyNotOnLeapDay \/ OpenLeapDay) =>
          sdt.month # 2 \/ sdt.day # 29
     /\ period = EndOfMonth
@@ -102,8 +104,8 @@ SetErrors(o, sdt, zone, period) ==
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
       \cup (IF StartIsPast(sdt, zone, period) THEN {PastStart} ELSE {})
 
-(* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, and yearly on        *)
-(* February 29, may be refused.                                            *)
+(* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, yearly on February   *)
+(* 29, and monthly from day 29 on may be refused.                          *)
 \* @type: (Int, $date, Int, Set(Int)) => Set(Int);
 OpenErrors(o, sdt, period, errors) ==
     IF ~Family.openCodes THEN {}
@@ -111,7 +113,9 @@ OpenErrors(o, sdt, period, errors) ==
     THEN SettingAnswers(o, errors \cup {BadPeriod})
     ELSE IF /\ period = Yearly /\ sdt.month = 2 /\ sdt.day = 29
             /\ ~LeapDayIsTaken
-    THEN SettingAnswers(o, errors \cup {BadSdt}) ELSE {}
+    THEN SettingAnswers(o, errors \cup {BadSdt})
+    ELSE IF period = Monthly /\ sdt.day > 28 /\ LateDaysHaveSomeCode
+    THEN \h8080..\h80FF ELSE {}
 
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)

@@ -88,7 +88,7 @@ def of_logs(engine: Engine, ambiguity: str, pair: tuple[str, str]) -> Separation
 def _logs(engine: Engine, ambiguity: str) -> Iterator[Prefix]:
     with TemporaryDirectory(prefix="s7check-") as folder:
         for case in sorted(all_cases(), key=lambda case: case.file):
-            if case.name.startswith(f"{ambiguity}-"):
+            if case.name.startswith(f"{ambiguity}-") or ambiguity in case.requirements:
                 yield read_prefix(engine, str(case.put(Path(folder))))
 
 

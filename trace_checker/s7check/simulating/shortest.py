@@ -10,7 +10,7 @@ from typing import Any
 
 from s7check.asking.line_text import as_line
 from s7check.asking.session import Session
-from s7check.asking.variants import Variant
+from s7check.asking.variants import Variant, fitted
 from s7check.engine.answer import Moment
 from s7check.engine.client import Engine
 from s7check.kit.from_log import program_of
@@ -134,7 +134,7 @@ def anywhere(
 ) -> tuple[Separation | None, list[Bound]]:
     """A log behind one of the two headers that one of the sides allows and the other does not."""
     tried: list[Bound] = []
-    for header, allowed, refused in product((STANDARD, WITH_POINTS), *[(first, second)] * 2):
+    for header, allowed, refused in product(_headers(engine, first), *[(first, second)] * 2):
         if allowed == refused:
             continue
         lines, bounds = bounded(engine, header, [], allowed, refused, pairs)
@@ -143,6 +143,15 @@ def anywhere(
             program = program_behind(engine, header, lines, "found", "Found by search.")
             return separation_behind(engine, program, header, lines, allowed, refused), bounds
     return None, tried
+
+
+def _headers(engine: Engine, side: Variant) -> list[dict[str, Any]]:
+    """STANDARD and WITH_POINTS; for a question about the S7-1500 on that."""
+    if not any(name.startswith("A15-") for name, _ in side.letters):
+        return [STANDARD, WITH_POINTS]
+    words = engine.alternatives()
+    other = [name for name in words.families if name not in words.classic]
+    return [fitted(header, name, words) for name in other for header in (STANDARD, WITH_POINTS)]
 
 
 def program_behind(
