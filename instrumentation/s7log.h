@@ -76,7 +76,7 @@ struct s7log_dt {
     int year, month, day, hour, minute, second, ms;
 };
 
-enum s7log_cpu { S7LOG_S7_300, S7LOG_S7_400, S7LOG_CPU_318 };
+enum s7log_cpu { S7LOG_S7_300, S7LOG_S7_400, S7LOG_CPU_318, S7LOG_S7_1500 };
 enum s7log_mode { S7LOG_STOP, S7LOG_STARTUP, S7LOG_RUN };
 enum s7log_restart_type { S7LOG_WARM, S7LOG_COLD, S7LOG_HOT };
 
@@ -512,6 +512,17 @@ static inline void s7log_note(struct s7log *l, const char *name, const char *tex
 
 /* ---- header -------------------------------------------------------------------------------- */
 
+/* [T15-30, T15-35, T15-60 to T15-66]: on S7-1500. */
+static inline bool s7log__may_have_priority(int ob, int priority)
+{
+    int low = ob >= 61 && ob <= 64 ? 16 : 2;
+    int high = ob <= 38 || (ob >= 55 && ob <= 57) ? 24 : 26;
+    bool settable = (ob >= 10 && ob <= 17) || (ob >= 20 && ob <= 23) || (ob >= 30 && ob <= 38) ||
+                    (ob >= 40 && ob <= 47) || (ob >= 55 && ob <= 57) || (ob >= 61 && ob <= 64) ||
+                    ob == 82 || ob == 83 || ob == 86 || ob == 121 || ob == 122;
+    return settable && priority >= low && priority <= high;
+}
+
 /* [OBS-05]: the classes that may be assigned to an OB, on S7-400 and CPU 318. */
 static inline bool s7log__may_have_class(int ob, int priority)
 {
@@ -546,7 +557,8 @@ static inline void s7log__priorities(struct s7log *l, const struct s7log_header 
     s7log__text(l, ",\"priority\":{");
     for (size_t i = 0; i < h->priority_count; i++) {
         const struct s7log_priority *p = &h->priorities[i];
-        s7log__require(l, s7log__may_have_class(p->ob, p->priority));
+        s7log__require(l, h->cpu == S7LOG_S7_1500 ? s7log__may_have_priority(p->ob, p->priority)
+                                                  : s7log__may_have_class(p->ob, p->priority));
         s7log__text(l, i > 0 ? ",\"" : "\"");
         s7log__int(l, p->ob);
         s7log__text(l, "\":");
@@ -609,10 +621,10 @@ static inline void s7log__readings(struct s7log *l, const struct s7log_header *h
 
 static inline enum s7log_result s7log_header(struct s7log *l, const struct s7log_header *h)
 {
-    static const char *const cpus[] = {"S7-300", "S7-400", "CPU 318"};
+    static const char *const cpus[] = {"S7-300", "S7-400", "CPU 318", "S7-1500"};
     static const char *const modes[] = {"STOP", "STARTUP", "RUN"};
     enum s7log_result result;
-    if (h->cpu > S7LOG_CPU_318 || h->mode > S7LOG_RUN)
+    if (h->cpu > S7LOG_S7_1500 || h->mode > S7LOG_RUN)
         return S7LOG_RANGE;
     l->length = 0;
     l->result = l->has_header ? S7LOG_ORDER : S7LOG_OK;

@@ -18,7 +18,7 @@ SCENARIOS = sorted(path.stem for path in (FOLDER / "scenarios").glob("*.json"))
 REAL_TIME = "real_time"
 """The scenario that takes as long as it says."""
 
-FAMILIES = ["S7-300", "S7-400", "318"]
+FAMILIES = ["S7-300", "S7-400", "318", "S7-1500"]
 
 FAULTS = {
     "airt-flag": "nested_delay",

@@ -217,7 +217,8 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
 {
     static const enum s7log_cpu cpus[] = {[S7CPU_S7_300] = S7LOG_S7_300,
                                           [S7CPU_S7_400] = S7LOG_S7_400,
-                                          [S7CPU_CPU_318] = S7LOG_CPU_318};
+                                          [S7CPU_CPU_318] = S7LOG_CPU_318,
+                                          [S7CPU_S7_1500] = S7LOG_S7_1500};
     static const enum s7log_mode modes[] = {[S7CPU_STOP] = S7LOG_STOP,
                                             [S7CPU_STARTUP] = S7LOG_STARTUP,
                                             [S7CPU_RUN] = S7LOG_RUN};

@@ -40,7 +40,7 @@ static void usage(FILE *out)
           "  --state         read the state of OBs now and then, with a random program\n"
           "  --random SEED   run a random program instead of a file\n"
           "  --events N      end after N events\n"
-          "  --cpu FAMILY    S7-300, S7-400 or 318, with --random\n"
+          "  --cpu FAMILY    S7-300, S7-400, 318 or S7-1500, with --random\n"
           "  --choose N=V    a behaviour that the requirements leave open; repeatable; `help` lists\n"
           "                  them\n"
           "  --fault NAME    make this deliberate mistake; repeatable; `help` lists them\n"
@@ -86,14 +86,14 @@ static bool add_choice(const char *text, struct options *o)
 
 static bool set_family(const char *name, struct options *o)
 {
-    static const char *const names[] = {"S7-300", "S7-400", "318"};
-    for (int i = 0; i < 3; i++)
+    static const char *const names[] = {"S7-300", "S7-400", "318", "S7-1500"};
+    for (int i = 0; i < 4; i++)
         if (name != NULL && strcmp(name, names[i]) == 0) {
             o->family = (enum s7cpu_family)i;
             o->family_given = true;
             return true;
         }
-    return wrong("--cpu", "S7-300, S7-400 or 318");
+    return wrong("--cpu", "S7-300, S7-400, 318 or S7-1500");
 }
 
 /* Options without a value; false where it is none of them. */

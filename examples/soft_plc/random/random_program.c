@@ -27,6 +27,11 @@ static bool percent(struct random_program *r, int n)
     return below(r, 100) < n;
 }
 
+static bool is_s7_1500(const struct s7cpu_config *c)
+{
+    return c->family == S7CPU_S7_1500;
+}
+
 /* Mostly OB 10 to 13, so that calls meet each other; now and then a number that is wrong. */
 static int draw_ob_nr(struct random_program *r)
 {
@@ -60,7 +65,7 @@ static int64_t draw_dtime(struct random_program *r)
 }
 
 /* MODE and OB_NR of SFC 39 and 40. Single OBs mostly, as a block for all hides everything. */
-static void draw_irt(struct random_program *r, struct step *step)
+static void draw_irt(struct random_program *r, const struct s7cpu *cpu, struct step *step)
 {
     static const int modes[] = {0x02, 0x82, 0x02, 0x82, 0x02, 0x01, 0x81, 0x00, 0x80};
     static const int wrong_modes[] = {0x03, 0x7F, 0x83, 0xFF};
@@ -76,6 +81,9 @@ static void draw_irt(struct random_program *r, struct step *step)
         step->ob = classes[below(r, 8)];
     else if ((step->mode & 0x0F) != 0 || percent(r, 10))
         step->ob = obs[below(r, 16)];
+    if (is_s7_1500(&cpu->config) && (step->mode & 0x0F) == 2 && step->ob >= 60 && step->ob <= 90 &&
+        !s7cpu_ob_exists(cpu->config.family, step->ob))
+        step->ob = 80; /* of others this CPU and the specification differ: README.md */
 }
 
 static int64_t clamp(int64_t t)
@@ -147,13 +155,16 @@ static int64_t draw_move(struct random_program *r)
     return percent(r, 50) ? by : -by;
 }
 
-static void draw_clock_change(struct random_program *r, int64_t now, int64_t *to)
+static void draw_clock_change(struct random_program *r, const struct s7cpu *cpu, int64_t *to)
 {
     if (percent(r, 15)) {
         *to = draw_instant(r);
         return;
     }
-    int64_t t = now + draw_move(r);
+    int64_t by = draw_move(r);
+    if (is_s7_1500(&cpu->config) && percent(r, 60)) /* around its 20 s [T15-90 to T15-95] */
+        by = between(r, -25, 25) * INT64_C(1000);
+    int64_t t = s7cpu_clock(cpu) + by;
     *to = clamp(t - t % 1000); /* [CLK-17] */
 }
 
@@ -249,10 +260,10 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         break;
     case STEP_DIS_IRT:
     case STEP_EN_IRT:
-        draw_irt(r, step);
+        draw_irt(r, cpu, step);
         break;
     case STEP_SET_CLOCK:
-        draw_clock_change(r, s7cpu_clock(cpu), &step->ms);
+        draw_clock_change(r, cpu, &step->ms);
         break;
     default: /* SFC 41 and 42 have no operands */
         break;
@@ -288,6 +299,8 @@ static int draw_interrupt_ob(struct random_program *r)
 static void draw_interrupt(struct random_program *r, const struct s7cpu *cpu, struct action *a)
 {
     static const int time_errors[] = {0x01, 0x03, 0x08, 0x09, 0x0A, 0x0B};
+    static const int newer[] = {0x01, 0x08, 0x09, 0x0B};
+    const bool is_newer = is_s7_1500(&cpu->config);
     a->kind = ACTION_INTERRUPT;
     a->ob = draw_interrupt_ob(r);
     if (!s7cpu_is_loaded(cpu, 35) && percent(r, 30)) {
@@ -295,10 +308,13 @@ static void draw_interrupt(struct random_program *r, const struct s7cpu *cpu, st
         a->ob = 35;
         return;
     }
-    if (!s7cpu_is_loaded(cpu, a->ob) && !percent(r, 15))
+    if (is_newer && percent(r, 5))
+        a->ob = between(r, 121, 122); /* [T15-63, T15-111] */
+    if (!s7cpu_ob_exists(cpu->config.family, a->ob) ||
+        (!s7cpu_is_loaded(cpu, a->ob) && !percent(r, 15)))
         a->ob = 35;
     if (a->ob == 80)
-        a->flt_id = time_errors[below(r, 6)];
+        a->flt_id = is_newer ? newer[below(r, 4)] : time_errors[below(r, 6)];
     if (a->ob == 85)
         a->flt_id = 0xA3;
 }
@@ -315,15 +331,20 @@ static int64_t draw_pause(struct random_program *r)
 static void draw_block(struct random_program *r, const struct s7cpu *cpu, struct action *a)
 {
     static const int obs[] = {80, 85, 10, 11, 12, 20, 21, 35};
+    const bool lacks_85 = s7cpu_ob_exists(cpu->config.family, 85) && !s7cpu_is_loaded(cpu, 85);
     a->ob = obs[below(r, 8)];
-    if (!s7cpu_is_loaded(cpu, 80) || !s7cpu_is_loaded(cpu, 85))
+    if (!s7cpu_is_loaded(cpu, 80) || lacks_85)
         a->ob = s7cpu_is_loaded(cpu, 80) ? 85 : 80;
+    else if (!s7cpu_ob_exists(cpu->config.family, a->ob))
+        a->ob = 80;
     a->kind = s7cpu_is_loaded(cpu, a->ob) ? ACTION_DELETE : ACTION_LOAD;
 }
 
 /* warm: percent of the restarts that are not hot. */
-static enum action_kind draw_restart(struct random_program *r, int warm)
+static enum action_kind draw_restart(struct random_program *r, const struct s7cpu *cpu, int warm)
 {
+    if (!s7cpu_restart_exists(cpu->config.family, S7CPU_COLD))
+        return ACTION_RESTART_WARM;
     if (r->hot && percent(r, 40))
         return ACTION_RESTART_HOT;
     return percent(r, warm) ? ACTION_RESTART_WARM : ACTION_RESTART_COLD;
@@ -342,9 +363,9 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
     r->next_action = s7cpu_up(cpu) + draw_pause(r);
     if (s7cpu_mode(cpu) == S7CPU_STOP && n < 100) {
         action->kind = ACTION_SET_CLOCK;
-        draw_clock_change(r, s7cpu_clock(cpu), &action->ms);
+        draw_clock_change(r, cpu, &action->ms);
     } else if (s7cpu_mode(cpu) == S7CPU_STOP) {
-        action->kind = draw_restart(r, 80);
+        action->kind = draw_restart(r, cpu, 80);
     } else if (s7cpu_mode(cpu) == S7CPU_HOLD) {
         action->kind = ACTION_RELEASE;
     } else if (n < 10) {
@@ -353,14 +374,14 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
         draw_interrupt(r, cpu, action);
     } else if (n < 980) {
         action->kind = ACTION_SET_CLOCK;
-        draw_clock_change(r, s7cpu_clock(cpu), &action->ms);
+        draw_clock_change(r, cpu, &action->ms);
     } else if (n < 985) {
         action->kind = ACTION_STOP;
     } else if (n < 993) {
         action->kind = ACTION_HOLD; /* long enough for start points to pass */
         r->next_action = s7cpu_up(cpu) + between(r, 1000, 200000);
     } else {
-        action->kind = draw_restart(r, 50);
+        action->kind = draw_restart(r, cpu, 50);
     }
     return true;
 }
@@ -391,6 +412,8 @@ static void draw_priorities(struct random_program *r, struct s7cpu_config *c)
         if (!s7cpu_class_range(c->family, obs[i], &low, &high) || percent(r, 60))
             continue;
         c->priority[obs[i]] = percent(r, 50) ? shared : between(r, low, high);
+        if (is_s7_1500(c) && is_tod(obs[i]) && c->priority[obs[i]] > 21)
+            c->priority[obs[i]] = 21; /* above it this CPU and the specification differ: README.md */
     }
 }
 
@@ -400,13 +423,13 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
     static const int always[] = {1, 10, 11, 12, 20, 21, 35, 80, 85, 100, 102};
     static const int often[] = {13, 14, 15, 22, 23, 30, 32, 38, 40, 41, 47, 55, 57, 60, 70, 72,
                                 81, 82, 83, 84, 86, 87};
-    c->family = (enum s7cpu_family)below(r, 3);
+    c->family = (enum s7cpu_family)below(r, 4);
     if (family != NULL)
         c->family = *family;
     for (unsigned i = 0; i < sizeof always / sizeof always[0]; i++)
-        c->loaded[always[i]] = true;
+        c->loaded[always[i]] = s7cpu_ob_exists(c->family, always[i]);
     for (unsigned i = 0; i < sizeof often / sizeof often[0]; i++)
-        c->loaded[often[i]] = percent(r, 75);
+        c->loaded[often[i]] = percent(r, 75) && s7cpu_ob_exists(c->family, often[i]);
     c->clock = draw_instant(r);
     c->mode = percent(r, 50) ? S7CPU_RUN : percent(r, 70) ? S7CPU_STOP : S7CPU_STARTUP;
     c->buffer = percent(r, 50) ? 64 : between(r, 1, 3);
@@ -416,7 +439,9 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
                                                                    : S7CPU_HOURLY,
                                        .active = true,
                                        .start = c->clock - c->clock % S7CPU_HOUR};
-    c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
+    c->loaded[121] = c->loaded[122] = is_s7_1500(c) && percent(r, 75);
+    if (!is_s7_1500(c)) /* which deselects none */
+        c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
     r->hot = c->family == S7CPU_S7_400; /* [OBS-57] */
     c->loaded[101] = r->hot && percent(r, 75);
 }

@@ -12,6 +12,8 @@ int s7_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
 {
     if (!is_offered(ob_nr))
         return RET_BAD_OB;
+    if (s7_family(cpu)->refuses_missing && !cpu->loaded[ob_nr])
+        return RET_BAD_OB;
     if (dtime < 1 || dtime > DTIME_MAX)
         return RET_BAD_DTIME; /* [DINT-04] */
     if (cpu->config.choices.waiting_delay_is_withdrawn)

@@ -8,12 +8,27 @@ static struct s7cpu_request error(const struct s7cpu *cpu, int ob, int flt_id)
     return r;
 }
 
+/* The cause of a time error: the OB that was requested; on an S7-1500 the OB that was being processed
+ * and no event [T15-132] (AMB-27). */
+static void blame(const struct s7cpu *cpu, struct s7cpu_request *r, int ob)
+{
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    if (!s7_family(cpu)->names_running) {
+        r->info.ev = s7_ob_start_event(ob);
+        r->info.ev_ob = ob;
+    } else if (top != NULL) {
+        r->info.ev_ob = top->ob;
+    }
+}
+
 void s7_error_overlap(struct s7cpu *cpu, int ob, int z1)
 {
     struct s7cpu_request r = error(cpu, 80, FLT_OVERLAP);
+    if (s7_family(cpu)->one_event_waits && cpu->overloaded[ob])
+        return; /* [T15-73], A15-15, reading a */
+    cpu->overloaded[ob] = true;
     r.info.error_info = z1;
-    r.info.ev = s7_ob_start_event(ob);
-    r.info.ev_ob = ob; /* AMB-27: the OB that was requested */
+    blame(cpu, &r, ob);
     s7_time_error(cpu, &r);
 }
 
@@ -29,9 +44,10 @@ void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
 void s7_error_overflow(struct s7cpu *cpu, int ob)
 {
     struct s7cpu_request r = error(cpu, 80, FLT_OVERFLOW);
-    r.rank = r.info.priority = 28; /* AMB-13, reading d */
-    r.info.ev = s7_ob_start_event(ob);
-    r.info.ev_ob = ob;
+    if (s7_family(cpu)->one_event_waits)
+        return; /* A15-03, reading a; "report event overflow" is off [T15-72] */
+    blame(cpu, &r, ob);
+    r.rank = r.info.priority = s7_family(cpu)->upper_class; /* AMB-13, reading d */
     s7_time_error(cpu, &r);
 }
 
@@ -41,9 +57,11 @@ bool s7_missing_is_noticed(const struct s7cpu *cpu)
     return !(s7_airt_delays(cpu) && cpu->config.choices.stop_waits_for_delay);
 }
 
-void s7_error_missing_async(struct s7cpu *cpu, int ob)
+void s7_error_missing_async(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
-    switch (ob) {
+    if (s7_family(cpu)->ignores_missing && r->info.flt_id != FLT_CYCLE_TIME)
+        return;
+    switch (r->ob) {
     case 80:
         s7_stop(cpu, CAUSE_OB80_MISSING);
         break;
@@ -64,6 +82,8 @@ void s7_error_missing_async(struct s7cpu *cpu, int ob)
  * the configuration has started the OB, else A1. */
 static void priority_class_error(struct s7cpu *cpu, int missing)
 {
+    if (!s7cpu_ob_exists(cpu->config.family, 85))
+        return; /* [T15-113] */
     bool by_sfc = s7_ob_kind(missing) == OB_TOD || s7_ob_kind(missing) == OB_DELAY;
     struct s7cpu_request r = error(cpu, 85, by_sfc ? FLT_MISSING_BY_SFC : FLT_MISSING);
     const struct s7cpu_frame *top = s7cpu_top(cpu);
@@ -82,7 +102,7 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
     switch (s7_ob_kind(r->ob)) {
     case OB_ASYNC_ERROR:
-        s7_error_missing_async(cpu, r->ob); /* deleted while it waited (AMB-66) */
+        s7_error_missing_async(cpu, r); /* deleted while it waited (AMB-66) */
         break;
     case OB_REDUNDANCY: /* AMB-75, reading a */
         break;
@@ -96,7 +116,7 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
     }
 }
 
-/* At once, on top of the OB that failed and in its class, whatever SFC 39 and 41 say. AMB-85,
+/* At once, on top of the OB that failed and in its class, or its own (A15-23, reading a), whatever SFC 39 and 41 say. AMB-85,
  * either: inside an error OB the other one is called, the same one stops the CPU (reading a). */
 void s7_error_synchronous(struct s7cpu *cpu, int ob)
 {
@@ -104,11 +124,14 @@ void s7_error_synchronous(struct s7cpu *cpu, int ob)
     if (top == NULL || !s7_time_runs(cpu))
         return; /* no instruction that fails */
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_INTERRUPT, .ob = ob, .flt_id = S7CPU_NONE});
+    if (!cpu->loaded[ob] && ob == 122 && s7_family(cpu)->ignores_missing)
+        return;
     if (!cpu->loaded[ob] || top->ob == ob || cpu->depth == S7CPU_DEPTH) {
         s7_stop(cpu, ob == 121 ? CAUSE_OB121_MISSING : CAUSE_OB122_MISSING);
         return;
     }
     struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
-    r.rank = r.info.priority = top->rank;
+    if (r.rank == 0)
+        r.rank = r.info.priority = top->rank;
     s7_start(cpu, &r);
 }

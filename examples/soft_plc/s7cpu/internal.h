@@ -59,6 +59,27 @@ enum {
 /* Flags of MODE of SFC 39 and 40. */
 enum { SELECT_ALL = 0x00, SELECT_CLASS = 0x01, SELECT_OB = 0x02, NO_ENTRIES = 0x80 };
 
+/* family.c */
+struct s7_family {
+    bool restarts[3];
+    int upper_class; /* of OB 80 to 87 in STARTUP, and for a full buffer; 0: the one that they have */
+    int64_t skips_from;   /* the least step ahead, in ms, that OB 80 reports [CLK-02, T15-90] */
+    int64_t repeats_from; /* the least step back that serves points again [CLK-10, T15-94] */
+    bool serves_uncalled; /* after a lesser one, points that were never served: A15-17, reading b */
+    bool ignores_missing; /* no STOP for an OB that is missing, but for two [T15-110, T15-111] */
+    bool refuses_missing; /* SFC 28, 30 and 32 for such an OB: 8090 (A15-13, reading a) */
+    bool holds_startup; /* HOLD out of STARTUP, which goes on then [T15-121] */
+    bool ob80_waits_for_run; /* in STARTUP [T15-117] */
+    bool one_event_waits; /* of OB 10 to 38; a further one is discarded [T15-68 to T15-73, A15-14] */
+    bool month_end_has_no_date; /* that of STEP 7: only its time of day counts [T15-22] */
+    bool past_once_is_over; /* of STEP 7: nothing is made up for (A15-12, reading a) */
+    bool status_shows_delay; /* STATUS bit 1 is that of SFC 41, not 39 [T15-53] */
+    bool names_running; /* OB 80 names the OB that was being processed [T15-132] */
+    bool takes_1202; /* AMB-01, reading c; A15-22, reading a */
+};
+const struct s7_family *s7_family(const struct s7cpu *cpu);
+int s7_ob_default_class(enum s7cpu_family family, int ob);
+
 /* ob.c */
 enum ob_kind {
     OB_NONE,
@@ -78,7 +99,6 @@ enum ob_kind {
 enum ob_kind s7_ob_kind(int ob);
 /* Class number of SFC 39 and 40 [IRT-11]; 0 where the OB has none. */
 int s7_ob_irt_class(int ob);
-int s7_ob_default_class(enum s7cpu_family family, int ob);
 /* Priority class in the present mode. */
 int s7_ob_class(const struct s7cpu *cpu, int ob);
 /* STRT_INFO of table 8.2, or S7CPU_NONE where the table has none. */
@@ -110,8 +130,11 @@ void s7_queue_withdraw(struct s7cpu *cpu, int ob);
 bool s7_queue_has(const struct s7cpu *cpu, int ob);
 /* Index of the request that goes first of those that may start; -1 where none may. */
 int s7_queue_choose(const struct s7cpu *cpu);
-/* Requests that a class holds: those that wait, and those whose OB is not at its end [OBS-07]. */
-int s7_queue_held(const struct s7cpu *cpu, int rank);
+/* True where a start event from outside is lost. */
+bool s7_queue_is_full(const struct s7cpu *cpu, const struct s7cpu_request *r);
+/* True for fault ids 05 and 06; where OB 80 waits for one. */
+bool s7_is_skip(int flt_id);
+bool s7_queue_has_skip(const struct s7cpu *cpu);
 
 /* tod_sfc.c: SFC 28 to 31 */
 int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period);
@@ -224,7 +247,7 @@ void s7_error_overflow(struct s7cpu *cpu, int ob);
  * OB is missing when it would be called. */
 bool s7_missing_is_noticed(const struct s7cpu *cpu);
 /* An event of OB 80 to 87 whose OB is missing [OBS-23]. */
-void s7_error_missing_async(struct s7cpu *cpu, int ob);
+void s7_error_missing_async(struct s7cpu *cpu, const struct s7cpu_request *r);
 /* The OB of a request is to be called and is missing [TINT-16, OBS-20]. */
 void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r);
 

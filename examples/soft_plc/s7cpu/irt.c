@@ -7,7 +7,7 @@ static bool selects_something(int mode)
 }
 
 /* [IRT-06 to IRT-08, IRT-11]; with MODE 00 OB_NR is ignored (AMB-22, reading a). */
-static bool selected(int mode, int ob_nr, int ob)
+static bool selected(const struct s7cpu *cpu, int mode, int ob_nr, int ob)
 {
     int class = s7_ob_irt_class(ob);
     if (class == 0)
@@ -18,7 +18,7 @@ static bool selected(int mode, int ob_nr, int ob)
     case SELECT_CLASS:
         return class == ob_nr;
     default:
-        return ob == ob_nr;
+        return ob == ob_nr && s7cpu_ob_exists(cpu->config.family, ob);
     }
 }
 
@@ -30,7 +30,7 @@ int s7_irt_disable(struct s7cpu *cpu, int mode, int ob_nr)
     if (!selects_something(mode & ~NO_ENTRIES))
         return RET_BAD_MODE;
     for (int ob = 0; ob < S7CPU_OBS; ob++)
-        if (selected(mode, ob_nr, ob)) {
+        if (selected(cpu, mode, ob_nr, ob)) {
             s7_irt_block(cpu, ob, mode & NO_ENTRIES);
             ret = RET_OK;
         }
@@ -43,7 +43,7 @@ int s7_irt_enable(struct s7cpu *cpu, int mode, int ob_nr)
     if (!selects_something(mode)) /* no MODE 80 to 82 [IRT-13], AMB-76 */
         return RET_BAD_MODE;
     for (int ob = 0; ob < S7CPU_OBS; ob++)
-        if (selected(mode, ob_nr, ob)) {
+        if (selected(cpu, mode, ob_nr, ob)) {
             s7_irt_open(cpu, ob);
             ret = RET_OK; /* also where nothing was blocked [IRT-24] */
         }

@@ -80,7 +80,7 @@ static void resume(struct s7cpu *cpu)
 
 void s7cpu_restart(struct s7cpu *cpu, enum s7cpu_restart type)
 {
-    if (type == S7CPU_HOT && cpu->config.family != S7CPU_S7_400)
+    if (!s7cpu_restart_exists(cpu->config.family, type))
         return;
     s7_stop(cpu, CAUSE_SWITCH);
     cpu->mode = S7CPU_STARTUP;
@@ -112,8 +112,9 @@ void s7_to_run(struct s7cpu *cpu)
 
 void s7cpu_hold(struct s7cpu *cpu)
 {
-    if (cpu->mode != S7CPU_RUN)
+    if (cpu->mode != S7CPU_RUN && !(cpu->mode == S7CPU_STARTUP && s7_family(cpu)->holds_startup))
         return;
+    cpu->held = cpu->mode;
     cpu->mode = S7CPU_HOLD;
     cpu->hold_began = cpu->up;
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_TO_HOLD});
@@ -123,7 +124,7 @@ void s7cpu_release(struct s7cpu *cpu)
 {
     if (cpu->mode != S7CPU_HOLD)
         return;
-    cpu->mode = S7CPU_RUN;
+    cpu->mode = cpu->held;
     s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_RELEASE});
     s7_dint_released(cpu, cpu->up - cpu->hold_began);
     s7_tod_released(cpu);

@@ -1,4 +1,4 @@
-/* The organization blocks: numbers, kinds and priority classes (table 8.1). */
+/* The organization blocks: numbers and kinds (table 8.1), and the class that one has. */
 #include "internal.h"
 
 static bool within(int ob, int low, int high)
@@ -33,11 +33,6 @@ enum ob_kind s7_ob_kind(int ob)
     if (ob == 121 || ob == 122)
         return OB_SYNC_ERROR;
     return OB_NONE;
-}
-
-bool s7cpu_ob_exists(int ob)
-{
-    return s7_ob_kind(ob) != OB_NONE;
 }
 
 bool s7cpu_ob_from_outside(int ob)
@@ -80,58 +75,11 @@ int s7_ob_irt_class(int ob)
     }
 }
 
-int s7_ob_default_class(enum s7cpu_family family, int ob)
-{
-    switch (s7_ob_kind(ob)) {
-    case OB_CYCLE:
-        return 1;
-    case OB_TOD:
-    case OB_DPV1:
-        return 2;
-    case OB_DELAY:
-        return 3 + ob - 20;
-    case OB_CYCLIC:
-        return 7 + ob - 30;
-    case OB_HARDWARE:
-        return 16 + ob - 40;
-    case OB_MULTICOMPUTING:
-        return 25;
-    case OB_REDUNDANCY:
-        return ob == 72 ? 28 : 25;
-    case OB_ASYNC_ERROR: /* [OBS-11]: on S7-400 and CPU 318 OB 80 stands above its fellows */
-        return ob == 80 || family == S7CPU_S7_300 ? 26 : 25;
-    case OB_STARTUP:
-        return 27;
-    default:
-        return 0;
-    }
-}
-
-bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high)
-{
-    if (family == S7CPU_S7_300)
-        return false;
-    *low = 2;
-    if (within(ob, 10, 47)) {
-        *high = 23;
-        return s7_ob_kind(ob) != OB_NONE;
-    }
-    if (ob == 70 || ob == 72) {
-        *high = 28;
-        return true;
-    }
-    if (within(ob, 81, 87)) {
-        *low = ob == 85 ? 24 : 2;
-        *high = 26;
-        return true;
-    }
-    return false;
-}
-
 int s7_ob_class(const struct s7cpu *cpu, int ob)
 {
-    if (cpu->mode == S7CPU_STARTUP && s7_ob_kind(ob) == OB_ASYNC_ERROR)
-        return 28; /* [OBS-31, OBS-43], AMB-13 */
+    const int upper = s7_family(cpu)->upper_class;
+    if (cpu->mode == S7CPU_STARTUP && s7_ob_kind(ob) == OB_ASYNC_ERROR && upper != 0)
+        return upper; /* [OBS-31, OBS-43], AMB-13 */
     if (cpu->config.priority[ob] != 0)
         return cpu->config.priority[ob];
     return s7_ob_default_class(cpu->config.family, ob);

@@ -35,11 +35,11 @@ void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id)
         return;
     if (!cpu->loaded[ob] && s7_ob_kind(ob) == OB_ASYNC_ERROR && cpu->mode != S7CPU_HOLD &&
         s7_missing_is_noticed(cpu))
-        s7_error_missing_async(cpu, ob);
+        s7_error_missing_async(cpu, &r);
     else if (ob == 80 && flt_id == FLT_CYCLE_TIME && s7_cycle_exceeded_again(cpu))
         s7_stop(cpu, CAUSE_OB80_MISSING); /* [OBS-26]; SFC 41 does not delay it [AIRT-11] */
-    else if (ob != 80 && s7_queue_held(cpu, r.rank) >= cpu->config.buffer)
-        s7_error_overflow(cpu, ob); /* [OBS-08]: the new request is lost */
+    else if (s7_queue_is_full(cpu, &r))
+        s7_error_overflow(cpu, ob); /* [OBS-08, T15-69]: the new request is lost */
     else
         s7_queue_put(cpu, &r);
 }

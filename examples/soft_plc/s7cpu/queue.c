@@ -23,10 +23,13 @@ struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
 
 void s7_queue_put(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
-    if (cpu->queue_length == S7CPU_WAITING)
+    if (cpu->queue_length == S7CPU_WAITING) {
         s7_stop(cpu, CAUSE_CLASS_SYSTEM);
-    else
-        cpu->queue[cpu->queue_length++] = *r;
+        return;
+    }
+    if (!s7_queue_has(cpu, r->ob) && !s7_ob_is_running(cpu, r->ob))
+        cpu->overloaded[r->ob] = false; /* all earlier events have been processed */
+    cpu->queue[cpu->queue_length++] = *r;
 }
 
 struct s7cpu_request s7_queue_take(struct s7cpu *cpu, int index)
@@ -79,7 +82,8 @@ int s7_queue_choose(const struct s7cpu *cpu)
     return best;
 }
 
-int s7_queue_held(const struct s7cpu *cpu, int rank)
+/* Requests that a class holds: those that wait, and those whose OB is not at its end [OBS-07]. */
+static int held(const struct s7cpu *cpu, int rank)
 {
     int n = 0;
     for (int i = 0; i < cpu->queue_length; i++)
@@ -87,4 +91,25 @@ int s7_queue_held(const struct s7cpu *cpu, int rank)
     for (int i = 0; i < cpu->depth; i++)
         n += cpu->stack[i].rank == rank;
     return n;
+}
+
+/* [T15-80]: hardware interrupts of several channels are kept. */
+bool s7_queue_is_full(const struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    if (s7_family(cpu)->one_event_waits)
+        return s7_ob_kind(r->ob) == OB_CYCLIC && s7_queue_has(cpu, r->ob);
+    return r->ob != 80 && held(cpu, r->rank) >= cpu->config.buffer;
+}
+
+bool s7_is_skip(int flt_id)
+{
+    return flt_id == FLT_SKIPPED || flt_id == FLT_SKIPPED_IN_HOLD;
+}
+
+bool s7_queue_has_skip(const struct s7cpu *cpu)
+{
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (cpu->queue[i].ob == 80 && s7_is_skip(cpu->queue[i].info.flt_id))
+            return true;
+    return false;
 }

@@ -1,5 +1,5 @@
-/* s7cpu - the interrupt functions of an S7-300, S7-400 or CPU 318 in C11: SFC 28 to 34 and 39 to
- * 42, OB 10 to 17, OB 20 to 23, start events from outside, the settable clock, OB 80, OB 85, the
+/* s7cpu - the interrupt functions of an S7-300, S7-400, CPU 318 or S7-1500 in C11: SFC 28 to 34 and
+ * 39 to 42, OB 10 to 17, OB 20 to 23, start events from outside, the settable clock, OB 80, OB 85, the
  * diagnostic buffer, HOLD, STOP and restart.
  *
  * The library runs no user program and reads no clock. Its caller, an interpreter for the blocks
@@ -42,7 +42,7 @@ enum {
 #define S7CPU_LAST (36525 * S7CPU_DAY - 1) /* 2089-12-31T23:59:59.999 */
 #define S7CPU_NEVER INT64_MAX
 
-enum s7cpu_family { S7CPU_S7_300, S7CPU_S7_400, S7CPU_CPU_318 };
+enum s7cpu_family { S7CPU_S7_300, S7CPU_S7_400, S7CPU_CPU_318, S7CPU_S7_1500 };
 enum s7cpu_mode { S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN, S7CPU_HOLD };
 
 /* ---- dates -------------------------------------------------------------------------------- */
@@ -130,8 +130,8 @@ struct s7cpu_config {
     int buffer; /* start events from outside that a class holds, 1 or more */
 };
 
-/* True where such an OB exists on some CPU. */
-bool s7cpu_ob_exists(int ob);
+/* True where a CPU of this family has such an OB. */
+bool s7cpu_ob_exists(enum s7cpu_family family, int ob);
 /* True where s7cpu_interrupt() takes this OB. */
 bool s7cpu_ob_from_outside(int ob);
 /* The classes that may be assigned to an OB; false where it has a fixed one. */
@@ -190,6 +190,8 @@ struct s7cpu_state {
 };
 
 enum s7cpu_restart { S7CPU_WARM, S7CPU_COLD, S7CPU_HOT };
+/* Only an S7-400 has a hot one [OBS-57], an S7-1500 a warm one alone [T15-115]. */
+bool s7cpu_restart_exists(enum s7cpu_family family, enum s7cpu_restart type);
 
 /* Only the fields that its kind names are set. */
 struct s7cpu_event {
@@ -240,6 +242,7 @@ struct s7cpu_mask {
 struct s7cpu_request {
     int ob;
     int rank; /* the class it is dispatched in */
+    bool after_skip; /* not before OB 80 has reported skipped points [T15-91] */
     int64_t up; /* elapsed time when it occurred */
     bool keeps_time; /* info.time is not the time of the call, whatever the choice of OBS-10 */
     struct s7cpu_info info;
@@ -249,6 +252,7 @@ struct s7cpu_request {
 struct s7cpu_frame {
     int ob;
     int rank;
+    int flt_id;
     uint32_t run; /* how often this OB has been started, this time included */
 };
 
@@ -269,6 +273,7 @@ struct s7cpu {
     int64_t up;
     int64_t offset; /* CPU clock minus elapsed time */
     enum s7cpu_mode mode;
+    enum s7cpu_mode held; /* that HOLD has interrupted */
     int64_t hold_began; /* elapsed time */
     bool loaded[S7CPU_OBS];
     struct s7cpu_tod tod[S7CPU_TODS];
@@ -282,6 +287,7 @@ struct s7cpu {
     uint32_t runs[S7CPU_OBS];
     struct s7cpu_stopped stopped;
     bool resuming; /* the STARTUP of a hot restart */
+    bool overloaded[S7CPU_OBS]; /* OB 80 was called for it, and an event of it still waits or runs */
     bool cycle_exceeded; /* in the cycle of OB 1 that runs, with OB 80 called for it [OBS-26] */
 };
 
@@ -346,8 +352,8 @@ void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state);
 /* A block is loaded into the CPU or deleted. */
 void s7cpu_load(struct s7cpu *cpu, int ob);
 void s7cpu_delete(struct s7cpu *cpu, int ob);
-/* The switch; each does nothing where the mode does not allow it. A restart leads through STOP. Only
- * an S7-400 has a hot one [OBS-57]; it does nothing on other CPUs. */
+/* The switch; each does nothing where the mode does not allow it. A restart leads through STOP; one
+ * that the CPU does not have does nothing. */
 void s7cpu_stop(struct s7cpu *cpu);
 void s7cpu_restart(struct s7cpu *cpu, enum s7cpu_restart type);
 void s7cpu_hold(struct s7cpu *cpu);

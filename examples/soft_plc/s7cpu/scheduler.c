@@ -7,14 +7,25 @@ static bool mode_allows(const struct s7cpu *cpu, const struct s7cpu_request *r)
 {
     if (cpu->mode != S7CPU_STARTUP)
         return cpu->mode == S7CPU_RUN;
+    if (r->ob == 80 && s7_family(cpu)->ob80_waits_for_run)
+        return false;
     return s7_ob_kind(r->ob) == OB_ASYNC_ERROR && (!cpu->resuming || r->rank > 27);
+}
+
+/* A catch-up comes behind the OB 80 that reports it, also where its class is higher [T15-91]. */
+static bool waits_for_report(const struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    bool reports = s7_queue_has_skip(cpu);
+    for (int i = 0; i < cpu->depth; i++)
+        reports |= cpu->stack[i].ob == 80 && s7_is_skip(cpu->stack[i].flt_id);
+    return r->after_skip && reports;
 }
 
 /* Only a strictly higher class interrupts [OBS-01, OBS-02], and nothing a delayed OB. */
 bool s7_may_start(const struct s7cpu *cpu, const struct s7cpu_request *r)
 {
     const struct s7cpu_frame *top = s7cpu_top(cpu);
-    if (!mode_allows(cpu, r))
+    if (!mode_allows(cpu, r) || waits_for_report(cpu, r))
         return false;
     if (top == NULL)
         return true;
@@ -26,10 +37,10 @@ const struct s7cpu_frame *s7cpu_top(const struct s7cpu *cpu)
     return cpu->depth > 0 ? &cpu->stack[cpu->depth - 1] : NULL;
 }
 
-static void push(struct s7cpu *cpu, int ob, int rank)
+static void push(struct s7cpu *cpu, int ob, int rank, int flt_id)
 {
     cpu->stack[cpu->depth++] =
-        (struct s7cpu_frame){.ob = ob, .rank = rank, .run = ++cpu->runs[ob]};
+        (struct s7cpu_frame){.ob = ob, .rank = rank, .flt_id = flt_id, .run = ++cpu->runs[ob]};
     cpu->cycle_exceeded &= ob != 1;
 }
 
@@ -41,12 +52,12 @@ void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
     if (cpu->config.choices.info_has_time_of_call && !r->keeps_time)
         info.time = s7cpu_clock(cpu); /* OBS-10 */
     s7_emit_start(cpu, r->ob, &info);
-    push(cpu, r->ob, r->rank);
+    push(cpu, r->ob, r->rank, info.flt_id);
 }
 
 void s7_enter(struct s7cpu *cpu, int ob)
 {
-    push(cpu, ob, s7_ob_class(cpu, ob));
+    push(cpu, ob, s7_ob_class(cpu, ob), S7CPU_NONE);
 }
 
 /* In STARTUP and HOLD, and between two cycles, there is no cycle time. */

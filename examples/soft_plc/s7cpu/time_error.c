@@ -8,7 +8,7 @@ void s7_time_error(struct s7cpu *cpu, const struct s7cpu_request *r)
     if (s7_irt_blocks(cpu, r->ob))
         return;
     if (!cpu->loaded[r->ob] && s7_missing_is_noticed(cpu))
-        s7_error_missing_async(cpu, r->ob);
+        s7_error_missing_async(cpu, r);
     else
         s7_queue_put(cpu, r);
 }

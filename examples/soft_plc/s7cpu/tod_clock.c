@@ -4,7 +4,7 @@
 /* Points that the clock has passed without reaching them. The catch-ups are entered at once:
  * OB 80 stands above them, and SFC 28 and 29 inside it withdraw them [CLK-04, TINT-54].
  * AMB-54, either: several catch-ups go in ascending order of their OBs (reading b). */
-static void skipped(struct s7cpu *cpu, int flt_id)
+static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
 {
     int64_t now = s7cpu_clock(cpu);
     unsigned late = 0;
@@ -19,7 +19,8 @@ static void skipped(struct s7cpu *cpu, int flt_id)
     }
     /* AMB-53, either: in STARTUP there is no OB 80, the run is deferred to RUN (reading a); but
      * for points that passed in STOP (AMB-26). */
-    if (late != 0 && (cpu->mode == S7CPU_RUN || cpu->resuming))
+    if (late != 0 && reported &&
+        (cpu->mode == S7CPU_RUN || cpu->resuming || s7_family(cpu)->ob80_waits_for_run))
         s7_error_skipped(cpu, flt_id, late); /* one for all of them [OBS-32] */
     for (int k = 0; k < S7CPU_TODS && cpu->mode != S7CPU_STOP; k++)
         if (late & 1u << k)
@@ -36,13 +37,13 @@ static int64_t last_served(const struct s7cpu *cpu, int k)
     return last;
 }
 
-/* [CLK-10]: an S7-300 serves the points again. [CLK-09], AMB-56, either: the others serve again
+/* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step. [CLK-09], AMB-56, either: the others serve again
  * only those after the last one served (reading d), or none before the point that was next (b). */
-static int64_t next_again(const struct s7cpu *cpu, int k)
+static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats)
 {
     int64_t from = s7cpu_clock(cpu);
-    if (cpu->config.family != S7CPU_S7_300) {
-        if (!cpu->config.choices.uncalled_points_are_served)
+    if (!repeats) {
+        if (!cpu->config.choices.uncalled_points_are_served && !s7_family(cpu)->serves_uncalled)
             return cpu->tod[k].next;
         if (last_served(cpu, k) >= from)
             from = last_served(cpu, k) + 1;
@@ -50,13 +51,15 @@ static int64_t next_again(const struct s7cpu *cpu, int k)
     return s7_tod_first_point(cpu, k, from);
 }
 
-static void moved_back(struct s7cpu *cpu)
+static void moved_back(struct s7cpu *cpu, bool repeats)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         struct s7cpu_tod *t = &cpu->tod[k];
         bool used = t->period == PERIOD_ONCE && t->next == S7CPU_NEVER; /* [CLK-12], AMB-71 */
         if (t->active && !used)
-            t->next = next_again(cpu, k);
+            t->next = next_again(cpu, k, repeats);
+        if (repeats)
+            t->served = S7CPU_NONE;
     }
 }
 
@@ -64,15 +67,17 @@ void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before)
 {
     if (cpu->mode == S7CPU_STOP)
         return;
-    if (s7cpu_clock(cpu) < before)
-        moved_back(cpu);
+    const struct s7_family *f = s7_family(cpu);
+    const int64_t ahead = s7cpu_clock(cpu) - before;
+    if (ahead < 0)
+        moved_back(cpu, -ahead >= f->repeats_from);
     else if (cpu->mode != S7CPU_HOLD) /* AMB-53: in HOLD they become part of fault 06 */
-        skipped(cpu, FLT_SKIPPED); /* [CLK-02] */
+        skipped(cpu, FLT_SKIPPED, ahead >= f->skips_from); /* [CLK-02, T15-91], A15-09 (a) */
 }
 
 void s7_tod_released(struct s7cpu *cpu)
 {
-    skipped(cpu, FLT_SKIPPED_IN_HOLD); /* AMB-55, either: caught up as after 05 (reading a) */
+    skipped(cpu, FLT_SKIPPED_IN_HOLD, true); /* AMB-55, either: caught up as after 05 (reading a) */
 }
 
 /* AMB-26, either: reported as skipped, or lost. */
@@ -80,7 +85,7 @@ void s7_tod_resumed(struct s7cpu *cpu)
 {
     const int64_t now = s7cpu_clock(cpu);
     if (cpu->config.choices.points_of_stop_are_reported) {
-        skipped(cpu, FLT_SKIPPED);
+        skipped(cpu, FLT_SKIPPED, true);
         return;
     }
     for (int k = 0; k < S7CPU_TODS; k++)

@@ -8,6 +8,7 @@ static void put(struct s7cpu *cpu, int k, int64_t point, bool keeps_time)
     struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
     r.info.period = cpu->tod[k].period;
     r.keeps_time = keeps_time;
+    r.after_skip = keeps_time && s7_queue_has_skip(cpu);
     if (!s7_queue_has(cpu, r.ob))
         s7_queue_put(cpu, &r);
 }

@@ -33,13 +33,19 @@ static bool is_past(const struct s7cpu *cpu, int64_t start, int period)
     return period == PERIOD_ONCE && start < s7cpu_clock(cpu);
 }
 
+/* Setting and activating may need a loaded OB (A15-13). */
+static bool may_be_set(const struct s7cpu *cpu, int ob_nr)
+{
+    return is_offered(cpu, ob_nr) && (cpu->loaded[ob_nr] || !s7_family(cpu)->refuses_missing);
+}
+
 int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period)
 {
-    if (!is_offered(cpu, ob_nr))
+    if (!may_be_set(cpu, ob_nr))
         return RET_BAD_OB;
     if (!sdt_is_right(cpu, sdt, period))
         return RET_BAD_SDT;
-    if (!s7_period_known(period))
+    if (!s7_period_known(period) || (period == PERIOD_WEEKLY_ALT && !s7_family(cpu)->takes_1202))
         return RET_BAD_PERIOD;
     int64_t start = start_point(sdt);
     if (is_past(cpu, start, period))
@@ -67,7 +73,7 @@ int s7_tod_cancel(struct s7cpu *cpu, int ob_nr)
 
 int s7_tod_activate(struct s7cpu *cpu, int ob_nr)
 {
-    if (!is_offered(cpu, ob_nr))
+    if (!may_be_set(cpu, ob_nr))
         return RET_BAD_OB;
     int k = ob_nr - S7CPU_TOD_FIRST;
     struct s7cpu_tod *t = &cpu->tod[k];

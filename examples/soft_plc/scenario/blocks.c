@@ -239,7 +239,8 @@ static bool read_action(struct reader *r, const struct json *o, struct action *a
         if (!reader_choice(r, o, "type", true, types, "warm, cold or hot", &type))
             return false;
         a->kind = (enum action_kind)(ACTION_RESTART_WARM + type);
-        return true;
+        return s7cpu_restart_exists(r->scenario->config.cpu.family, (enum s7cpu_restart)type) ||
+               reader_fail(r, "type", o, "a restart that this CPU has");
     case 6:
     case 7:
         a->kind = event == 6 ? ACTION_LOAD : ACTION_DELETE;

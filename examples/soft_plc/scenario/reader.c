@@ -94,8 +94,8 @@ bool reader_ob(struct reader *r, const struct json *object, int *ob)
     if (!reader_integer(r, object, "ob", true, 1, S7CPU_OBS - 1, &n))
         return false;
     *ob = (int)n;
-    return s7cpu_ob_exists(*ob) ||
-           reader_fail(r, "ob", json_member(object, "ob"), "the number of an OB");
+    return s7cpu_ob_exists(r->scenario->config.cpu.family, *ob) ||
+           reader_fail(r, "ob", json_member(object, "ob"), "the number of an OB of this CPU");
 }
 
 bool reader_word(struct reader *r, const struct json *object, const char *name, bool needed,

@@ -16,8 +16,8 @@ static bool read_obs(struct reader *r, const struct json *header)
         return reader_fail(r, "obs", obs, "a list of OBs");
     for (const struct json *e = obs->first; e != NULL; e = e->next) {
         if (e->kind != JSON_INTEGER || e->integer < 1 || e->integer >= S7CPU_OBS ||
-            !s7cpu_ob_exists((int)e->integer))
-            return reader_fail(r, "obs", e, "numbers of OBs");
+            !s7cpu_ob_exists(r->scenario->config.cpu.family, (int)e->integer))
+            return reader_fail(r, "obs", e, "numbers of OBs of this CPU");
         if (loaded[e->integer])
             return reader_fail(r, "obs", e, "each OB once");
         loaded[e->integer] = true;
@@ -97,18 +97,20 @@ static bool read_header(struct reader *r, const struct json *header)
 {
     static const char *const names[] = {"cpu",      "obs",   "clock", "mode", "cycle",
                                         "priority", "step7", NULL};
-    static const char *const families[] = {"S7-300", "S7-400", "CPU 318", NULL};
+    static const char *const families[] = {"S7-300", "S7-400", "CPU 318", "S7-1500", NULL};
     static const char *const modes[] = {"STOP", "STARTUP", "RUN", NULL};
     static const enum s7cpu_mode values[] = {S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN};
     struct plc_config *c = &r->scenario->config;
     int family = 0, mode = 0;
     if (!reader_members(r, header, names) ||
-        !reader_choice(r, header, "cpu", true, families, "S7-300, S7-400 or CPU 318", &family) ||
-        !read_obs(r, header) || !reader_dt(r, header, "clock", true, &c->cpu.clock) ||
+        !reader_choice(r, header, "cpu", true, families, "S7-300, S7-400, CPU 318 or S7-1500",
+                       &family))
+        return false;
+    c->cpu.family = (enum s7cpu_family)family;
+    if (!read_obs(r, header) || !reader_dt(r, header, "clock", true, &c->cpu.clock) ||
         !reader_choice(r, header, "mode", false, modes, "STOP, STARTUP or RUN", &mode) ||
         !reader_truth(r, header, "cycle", &c->log.cycle))
         return false;
-    c->cpu.family = (enum s7cpu_family)family;
     c->cpu.mode = values[mode];
     return read_priority(r, header) && read_step7(r, header);
 }

@@ -30,6 +30,7 @@ void test_dint(void);
 void test_irt(void);
 void test_diag(void);
 void test_faults(void);
+void test_s7_1500(void);
 void test_scheduling(void);
 void test_choices(void);
 void test_clock(void);

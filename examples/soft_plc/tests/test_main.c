@@ -133,6 +133,7 @@ int main(void)
     test_choices();
     test_clock();
     test_modes();
+    test_s7_1500();
     test_program();
     test_random_program();
     printf("%d checks, %d failed\n", tally.checks, tally.failed);

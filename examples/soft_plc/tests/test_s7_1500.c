@@ -1,0 +1,109 @@
+/* The same program on an S7-400 and on an S7-1500: how often a piece of the log occurs. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "test.h"
+
+#define LOADED "\nobs 1 10 11 20 35 82 100"
+#define REST "\nclock 2026-11-21T05:59:30\nmode RUN\nduration 5min\n"
+#define EVERY_MINUTE "step7 10 minute 2026-11-21T00:00 active\n"
+#define START_80 "\"ob\":80,\"info\""
+#define START_10 "\"ob\":10,\"info\""
+#define START_20 "\"ob\":20,\"info\""
+#define STOPS "\"stop\""
+
+static const struct {
+    const char *obs, *text, *piece;
+    int s7_400, s7_1500;
+} cases[] = {
+    /* The clock ahead, by less than 20 s and by more [T15-90, T15-91, T15-100]. */
+    {" 80", EVERY_MINUTE "at +20s clock +15s\n", START_80, 1, 0},
+    {" 80", EVERY_MINUTE "at +20s clock +15s\n", START_10, 5, 5},
+    {" 80", EVERY_MINUTE "at +20s clock +20s\n", START_80, 1, 1},
+    {"", EVERY_MINUTE "at +20s clock +15s\n", STOPS, 1, 0},
+    {"", EVERY_MINUTE "at +20s clock +1h\n", STOPS, 1, 0},
+    {"", EVERY_MINUTE "at +20s clock +1h\n", START_10, 0, 6},
+    /* Back [T15-93, T15-94]. */
+    {" 80", EVERY_MINUTE "at +35s clock -10s\n", START_10, 5, 5},
+    {" 80", EVERY_MINUTE "at +35s clock -25s\n", START_10, 5, 6},
+    /* Overload: OB 80 once, one later run [T15-73, T15-110]. */
+    {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_80, 3, 1},
+    {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_10, 3, 3},
+    {"", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", STOPS, 1, 0},
+    {"", "ob 1 run 1 {\nSRT_DINT 20 1s 16#0\n}\n"
+         "ob 20 run 1 {\nSRT_DINT 20 50 16#0\nbusy 200ms\n}\n", START_20, 1, 2},
+    {" 80", "at +1s interrupt 35\nat +2s interrupt 35\nat +3s interrupt 35\n"
+            "ob 1 run 1 {\nDIS_AIRT\nbusy 4s\n}\n", "\"ob\":35,\"info\"", 3, 1},
+    /* HOLD [T15-119]. */
+    {" 80", EVERY_MINUTE "at +20s hold\nat +50s release\n", "16#06", 1, 1},
+    {"", EVERY_MINUTE "at +20s hold\nat +50s release\n", STOPS, 1, 0},
+    {"", "at +1s restart warm\nat +2s hold\nat +3s release\nob 100 {\nbusy 5s\n}\n",
+     "\"release\"", 0, 1},
+    /* Missing OBs [T15-110 to T15-113], A15-13. */
+    {"", "at +1s interrupt 86\n", STOPS, 1, 0},
+    {"", "at +1s interrupt 40\n", STOPS, 1, 0},
+    {"", "at +1s interrupt 122\n", STOPS, 1, 0},
+    {"", "at +1s interrupt 121\n", STOPS, 1, 1},
+    {"", "at +1s interrupt 80 16#09\n", STOPS, 1, 0},
+    {"", "at +1s interrupt 80 16#01\n", STOPS, 1, 1},
+    {"", "ob 1 run 1 {\nSRT_DINT 21 1s 16#0\n}\n", "16#8090", 0, 1},
+    /* Calls [T15-32, T15-53, T15-58]. */
+    {"", "ob 1 run 1 {\nSET_TINT 10 2026-11-21T06:00 16#1202\n}\n", "16#8092", 0, 1},
+    {"", "ob 1 run 1 {\nDIS_AIRT\nQRY_TINT 10\n}\n", "\"16#0012\"", 0, 1},
+    {"", "ob 1 run 1 {\nDIS_IRT 16#02 10\nQRY_TINT 10\n}\n", "\"16#0012\"", 1, 0},
+    {"", "ob 1 run 1 {\nEN_IRT 16#02 85\n}\n", "16#8090", 0, 1},
+    /* STARTUP: OB 82 in its own class, OB 80 waits [T15-62, T15-117]. */
+    {" 80", "at +1s restart warm\nat +2s interrupt 82\nob 100 {\nbusy 5s\n}\n",
+     "05:59:32.000\",\"ob\":82,\"info\":{\"priority\":28", 1, 0},
+    {" 80", "at +1s restart warm\nat +2s interrupt 82\nob 100 {\nbusy 5s\n}\n",
+     "05:59:32.000\",\"ob\":82,\"info\":{\"priority\":5", 0, 1},
+    {" 80", "at +1s restart warm\nat +2s interrupt 80 16#09\nob 100 {\nbusy 5s\n}\n",
+     "05:59:32.000\",\"ob\":80,\"info\"", 1, 0},
+    {" 80", "at +1s restart warm\nat +2s interrupt 80 16#09\nob 100 {\nbusy 5s\n}\n",
+     "05:59:36.000\",\"ob\":80,\"info\":{\"priority\":22", 0, 1},
+    /* OB 121 in a class of its own [T15-63]. */
+    {" 121", "at +1s interrupt 121\n", "\"ob\":121,\"info\":{\"priority\":7", 0, 1},
+    /* Points of STEP 7 that passed in STOP: A15-12. */
+    {" 80", "step7 10 once 2026-11-21T05:00 active\nat +1s restart warm\n", START_10, 1, 0},
+    {" 80", "step7 10 end_of_month 2026-12-31T06:00 active\nat +1s clock 2026-11-30T05:59:30\n",
+     START_10, 0, 1},
+};
+
+static char *run(const char *cpu, unsigned i)
+{
+    char text[500], whole[800];
+    test_join(text, sizeof text, cpu, LOADED);
+    test_join(whole, sizeof whole, text, cases[i].obs);
+    test_join(text, sizeof text, whole, REST);
+    test_join(whole, sizeof whole, text, cases[i].text);
+    return test_run(whole, FAULT_NONE);
+}
+
+/* A catch-up of class 24 comes behind OB 80, which may take it back [T15-91]. */
+static void behind_ob_80(void)
+{
+    char *log = test_run("cpu S7-1500\nobs 1 10 80\npriority 10 24" REST EVERY_MINUTE
+                         "at +20s clock +1h\nob 80 {\nbusy 1s\n}\n", FAULT_NONE);
+    CHECK(test_in_order(log, "\"clock\"", START_80, "\"end\"", START_10, NULL));
+    free(log);
+    log = test_run("cpu S7-1500\nobs 1 10 80\npriority 10 24" REST EVERY_MINUTE
+                   "at +20s clock +1h\nob 80 {\nbusy 1s\nCAN_TINT 10\n}\n", FAULT_NONE);
+    CHECK(test_count(log, START_10) == 0);
+    free(log);
+}
+
+void test_s7_1500(void)
+{
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char *old = run("cpu S7-400", i), *new = run("cpu S7-1500", i);
+        bool shows = test_count(old, cases[i].piece) == cases[i].s7_400 &&
+                     test_count(new, cases[i].piece) == cases[i].s7_1500;
+        if (!shows)
+            fprintf(stderr, "%s%s: %s, %d %d\n%s---\n%s", cases[i].obs, cases[i].text, cases[i].piece,
+                    test_count(old, cases[i].piece), test_count(new, cases[i].piece), old, new);
+        CHECK(shows);
+        free(old);
+        free(new);
+    }
+    behind_ob_80();
+}
