@@ -65,7 +65,7 @@ static int64_t draw_dtime(struct random_program *r)
 }
 
 /* MODE and OB_NR of SFC 39 and 40. Single OBs mostly, as a block for all hides everything. */
-static void draw_irt(struct random_program *r, const struct s7cpu *cpu, struct step *step)
+static void draw_irt(struct random_program *r, struct step *step)
 {
     static const int modes[] = {0x02, 0x82, 0x02, 0x82, 0x02, 0x01, 0x81, 0x00, 0x80};
     static const int wrong_modes[] = {0x03, 0x7F, 0x83, 0xFF};
@@ -81,9 +81,6 @@ static void draw_irt(struct random_program *r, const struct s7cpu *cpu, struct s
         step->ob = classes[below(r, 8)];
     else if ((step->mode & 0x0F) != 0 || percent(r, 10))
         step->ob = obs[below(r, 16)];
-    if (is_s7_1500(&cpu->config) && (step->mode & 0x0F) == 2 && step->ob >= 60 && step->ob <= 90 &&
-        !s7cpu_ob_exists(cpu->config.family, step->ob))
-        step->ob = 80; /* of others this CPU and the specification differ: README.md */
 }
 
 static int64_t clamp(int64_t t)
@@ -260,7 +257,7 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         break;
     case STEP_DIS_IRT:
     case STEP_EN_IRT:
-        draw_irt(r, cpu, step);
+        draw_irt(r, step);
         break;
     case STEP_SET_CLOCK:
         draw_clock_change(r, cpu, &step->ms);
@@ -412,8 +409,6 @@ static void draw_priorities(struct random_program *r, struct s7cpu_config *c)
         if (!s7cpu_class_range(c->family, obs[i], &low, &high) || percent(r, 60))
             continue;
         c->priority[obs[i]] = percent(r, 50) ? shared : between(r, low, high);
-        if (is_s7_1500(c) && is_tod(obs[i]) && c->priority[obs[i]] > 21)
-            c->priority[obs[i]] = 21; /* above it this CPU and the specification differ: README.md */
     }
 }
 
