@@ -152,3 +152,9 @@ void faulty_tod_catch_up(struct s7cpu *cpu, int k)
         move_error_behind(cpu);
 }
 SUBSTITUTES(tod_catch_up);
+
+bool faulty_queue_has_skip(const struct s7cpu *cpu)
+{
+    return !has(cpu, FAULT_CATCH_UP_FIRST) && s7_queue_has_skip(cpu);
+}
+SUBSTITUTES(queue_has_skip);

@@ -50,6 +50,7 @@
 #endif
 #ifndef IN_queue
 #define s7_queue_choose faulty_queue_choose
+#define s7_queue_has_skip faulty_queue_has_skip
 #define s7_queue_put faulty_queue_put
 #endif
 #ifndef IN_scheduler
