@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
+from unittest.mock import patch
 
 import msgspec
 from playwright.sync_api import Browser, Page, sync_playwright
@@ -38,13 +39,9 @@ def firefox() -> str | None:
 @contextmanager
 def in_firefox() -> Iterator[Browser]:
     """Firefox as it is installed, by WebDriver BiDi; pages have its own colour scheme and medium."""
-    options = os.environ.get("NODE_OPTIONS", "")
-    os.environ["NODE_OPTIONS"] = f"{options} --require {Path(__file__).with_name('without_media.cjs')}"
-    try:
-        with sync_playwright() as playwright:
-            yield playwright.firefox.launch(channel="moz-firefox", executable_path=firefox())
-    finally:
-        os.environ["NODE_OPTIONS"] = options
+    hook = f"--require {Path(__file__).with_name('without_media.cjs')}"
+    with patch.dict(os.environ, NODE_OPTIONS=hook), sync_playwright() as playwright:
+        yield playwright.firefox.launch(channel="moz-firefox", executable_path=firefox())
 
 
 def missing() -> str:

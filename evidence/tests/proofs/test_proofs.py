@@ -218,7 +218,7 @@ def test_the_wider_world_has_all_obs(proofs: Proofs) -> None:
     """Those of module Cpu, and the query reads them."""
     spec, models = read_modules(ROOT / "spec"), read_modules(ROOT / "models")
     errors = token(operand(spec["Cpu"].definitions["AsyncErrorObs"], "definition"))
-    wanted = token(operand(spec["Cpu"].definitions["ExternalObs"], "definition")).replace(
+    wanted = token(operand(spec["Cpu"].definitions["OldExternalObs"], "definition")).replace(
         "AsyncErrorObs", f"({errors})"
     )
     given = token(operand(models["APSystem"].definitions["AllExternalObs"], "definition"))
