@@ -131,9 +131,18 @@ CountRequirements(e, past) ==
                     /\ \/ last > 0 /\ LastOf(past, {"end", "run"}) > last
                        \/ delay > 0 /\ ended, {"AIRT-04"})
 
+(* [A15-24] A call without a text may answer any code of a number that no  *)
+(* OB has, of which nothing can be set or started.                         *)
+\* @type: ($event, Int) => Bool;
+IsOfNoOb(e, ret) ==
+    /\ ret # BadOb
+    /\ \/ e.event = "ACT_TINT" /\ e.ob \notin TodObs
+       \/ e.event = "CAN_DINT" /\ e.ob \notin DintObs
+
 \* @type: ($event, Int, Seq($event)) => Set(Str);
 AnswerRequirements(e, ret, past) ==
     CASE IsGeneralError(ret) -> GeneralRequirements(e)
+      [] IsOfNoOb(e, ret)    -> {"A15-24"}
       [] e.event = "SET_TINT" -> SetRequirements(e, ret)
       [] e.event = "SET_TINTL" -> {"T15-141"} \cup SetRequirements(e, ret)
       [] e.event = "CAN_TINT" -> CanRequirements(e, ret, past)

@@ -147,10 +147,11 @@ def _statements(body: Body) -> Iterator[str]:
 
 def _call(step: dict[str, Any]) -> str:
     name = step["call"]
+    number = sfc(name)
     operands = [f"{_PARAMETERS[field]} := {_value(field, step[field])}" for field in OPERANDS[name]]
     if name in ("QRY_TINT", "QRY_DINT"):
         operands.append("STATUS := status")
-    return f"ret := FC{100 + sfc(name)}({', '.join(operands)});"
+    return f"ret := FC{100 + number}({', '.join(operands)});"
 
 
 def _value(field: str, value: Any) -> str:

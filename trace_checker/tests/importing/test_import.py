@@ -504,7 +504,7 @@ COLUMNS = {"columns": {"at": "t", "event": "e", "ob": "o"}}
     [
         ("t,e\n", COLUMNS, 'line 1: expected the heading "o"; found "t,e"'),
         ("t,e,o\n2026-11-21T06:00:00,start\n", COLUMNS, "line 2: expected 3 cells; found another number of them"),
-        ("t,e,o\n2026-11-21T06:00:00,start,ten\n", COLUMNS, 'line 2: field "ob": expected an integer 1..122; found'),
+        ("t,e,o\n2026-11-21T06:00:00,start,ten\n", COLUMNS, 'line 2: field "ob": expected an integer 1..32767; found'),
         ("t,e,o\nsoon,start,10\n", COLUMNS, 'header: field "clock": expected a date and time such as'),
         (
             "t,e,o\nsoon,start,10\n",

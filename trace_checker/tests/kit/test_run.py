@@ -244,7 +244,7 @@ def test_formats(folder: Path) -> None:
     assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
     page = outputs[".html"].read_text(encoding="utf-8")
     assert all(part in page for part in ("AIRT-wrong", "the reduced log", "lines 2 to 2 of 2", "OB had to start"))
-    assert "0 of 2 requirements" in outputs[".svg"].read_text(encoding="utf-8")
+    assert "1 of 3 requirements" in outputs[".svg"].read_text(encoding="utf-8")
     text = outputs[".txt"].read_text(encoding="utf-8")
     assert "AIRT-wrong: failed: rejected" in text
     assert "AIRT-03: AIRT-wrong" in text
