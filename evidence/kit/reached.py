@@ -139,9 +139,12 @@ def _judge(program: Program, ran: Ran, engine: Engine, options: Sequence[str], r
 
 
 def _variants(program: Program, engine: Engine) -> Iterator[Variant]:
-    """The program's CPU by each letter of the questions that the program is about."""
+    """The program's CPU by each letter of the questions that the program is about.
+
+    Not of those about an S7-1500, whose calls may answer any code: to simulate one takes minutes.
+    """
     for name, letters in engine.alternatives().letters:
-        if name in program.requirements:
+        if name in program.requirements and program.header["cpu"] in engine.alternatives().classic:
             yield from (Variant("", None, None, ((name, letter),)) for letter in letters)
 
 
