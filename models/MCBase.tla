@@ -154,21 +154,28 @@ OnceEndsInv ==
 
 (* [AIRT-08] [OBS-02] [OBS-20] Each definite start event that nothing of a *)
 (* higher class and nothing before it in its class keeps from starting can *)
-(* be the next: its OB starts or is missing. A late run waits for its OB   *)
-(* 80.                                                                     *)
+(* be the next: its OB starts or is missing. [T15-91] A late run waits for *)
+(* its OB 80, and keeps nothing from starting as long, whatever its class. *)
 StartableInv ==
-    stopCause = NoCause /\ delay = 0 =>
-      \A r \in requests :
-        /\ mode = "RUN" \/ (mode = "STARTUP" /\ r.ob \in AsyncErrorObs)
-        /\ ~r.open /\ r.class > Top(stack).class
-        /\ \A q \in requests :
-             /\ mode = "RUN" \/ q.ob \in AsyncErrorObs
-             => \/ q.class < r.class
-                \/ q.class = r.class /\ (q.open \/ q.rank >= r.rank)
-        /\ \/ r.follows = 0
-           \/ ~\E q \in requests : q.ob = TimeErrorOb /\ r.ob \in q.late
-        => ENABLED ( /\ Respond /\ step'.ob = r.ob
-                     /\ step'.event \in {"start", "missing"} )
+    LET \* @type: $request => Bool;
+        inMode(r) == \/ mode = "RUN"
+                     \/ mode = "STARTUP"
+                          /\ r.ob \in AsyncErrorObs \ Family.heldBack
+        \* @type: $request => Bool;
+        waits(r) == /\ r.follows # 0
+                    /\ \/ Top(stack).ob = TimeErrorOb
+                       \/ \E q \in requests :
+                            q.ob = TimeErrorOb /\ r.ob \in q.late
+    IN  stopCause = NoCause /\ delay = 0 =>
+          \A r \in requests :
+            /\ inMode(r) /\ ~r.open /\ ~waits(r)
+            /\ r.class > Top(stack).class
+            /\ \A q \in requests :
+                 \/ ~inMode(q) \/ waits(q)
+                 \/ q.class < r.class
+                 \/ q.class = r.class /\ (q.open \/ q.rank >= r.rank)
+            => ENABLED ( /\ Respond /\ step'.ob = r.ob
+                         /\ step'.event \in {"start", "missing"} )
 
 (* [AMB-49] [OBS-23] Under a delay a missing OB 82, 83 or 86 may stop the  *)
 (* CPU at once, whatever waits or runs.                                    *)

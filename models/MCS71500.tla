@@ -100,6 +100,35 @@ LettersOfDelays ==
       : l \in LettersOf1500, m \in {"a", "b"} }
 DelayBounded == delay <= 1 /\ Waiting(1)
                   /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In its place where OB 10 has the class of OB 80, or the next one.       *)
+AboveLoads == {{10, 80, 82}}
+AboveEvents == {<<82, 0>>}
+AboveClasses == { [o \in {10, 82} |-> c] : c \in {22, 23} }
+AboveMoments == {Moment(0, 30000)}
+AboveTargets == {Moment(1, 15000)}
+AboveBounded == /\ delay <= 1 /\ Waiting(3)
+                /\ Cardinality({ r \in requests : r.ob = 82 }) <= 1
+                /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In its place where OB 10 runs from point to point.                      *)
+OverflowMoments == { Moment(m, 0) : m \in 1..3 }
+LettersOfOverflow ==
+    { [ a \in DOMAIN l \cup {"A15-03", "A15-15"} |->
+          CASE a = "A15-03" -> m [] a = "A15-15" -> n [] OTHER -> l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b", "c"}, n \in {"a", "c"} }
+OverflowBounded == /\ delay = 0 /\ Waiting(4)
+                   /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In its place where EN_IRT names OBs that the CPU knows, or not.         *)
+IrtObs == {82, 85}
+JustOneOb == {2}
+
+(* [T15-12] [T15-147] EN_IRT may refuse an OB that the CPU does not know,  *)
+(* and it may take it.                                                     *)
+UnknownObInv ==
+    LET answers(o, ret) == ENABLED ( /\ Call
+                                     /\ step'.event = "EN_IRT"
+                                     /\ step'.ob = o /\ step'.value = ret )
+    IN  Settled /\ Called => /\ answers(82, OK) /\ ~answers(82, BadOb)
+                            /\ answers(85, OK) /\ answers(85, BadOb)
 (* Daily by local time, at 06:01 of the clock.                             *)
 DailyByLocal ==
     {[o \in TodObs |-> [Activated("daily", 62) EXCEPT !.zone = 61]]}

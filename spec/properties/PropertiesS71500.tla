@@ -74,6 +74,17 @@ SomeCatchUpProp ==
         \/ \E o \in TodObs : OnStack(o) \/ \E r \in requests' : r.ob = o
       ]_vars
 
+(* [T15-91] A late run comes after its OB 80, whatever the class of its    *)
+(* OB: it does not interrupt OB 80.                                        *)
+LateRunWaitsProp ==
+    [][ Dispatched =>
+          \E r \in requests :
+            /\ r.ob = step'.ob /\ r.class = step'.value
+            /\ r.follows # 0 =>
+                 /\ Top(stack).ob # TimeErrorOb
+                 /\ ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late
+      ]_vars
+
 (* [T15-93] [T15-94] Set back by less than 20 s, the clock arms no point   *)
 (* that was served; by more, the first point from the new time on.         *)
 SetBackProp ==
@@ -223,6 +234,27 @@ KeptProp ==
 LateRunProp ==
     [][ Did("reached") /\ OnStack(step'.ob) =>
           PendingIn(requests', step'.ob) ]_vars
+
+(* [T15-27] [A15-03] Where a run of the OB waits already, the point is     *)
+(* beyond the queue: an entry 3507 alone under (a), OB 80 with 07 under    *)
+(* (b). [A15-15] (a) OB 80 is not called with 02 again.                    *)
+OverflowCallsProp ==
+    [][ Did("reached") /\ OnStack(step'.ob) /\ 80 \in loaded
+          /\ PendingIn(requests, step'.ob) =>
+          /\ \/ Reports(BufferOverflow) \/ Reports(StillRunning)
+             \/ /\ cpu.readings["A15-03"] # "b"
+                /\ \E n \in entered' : n.id = \h3507
+          /\ cpu.readings["A15-03"] = "a" => ~Reports(BufferOverflow)
+          /\ cpu.readings["A15-15"] = "a" => ~Reports(StillRunning) ]_vars
+
+(* [T15-27] [T15-118] A point of STARTUP whose OB waits already is kept or *)
+(* is an overflow, and OB 80 may come in RUN.                              *)
+StartupPointProp ==
+    [][ Did("reached") /\ mode = "STARTUP" /\ 80 \in loaded
+          /\ PendingIn(requests, step'.ob) =>
+          /\ PendingIn(requests', step'.ob)
+          /\ \h3507 \in { n.id : n \in entered' }
+          /\ Reports(StillRunning) /\ Reports(BufferOverflow) ]_vars
 
 (* [T15-115] *)
 WarmProp == [][ Did("restart") => startup' = "warm" ]_vars

@@ -228,22 +228,6 @@ StopsUncalled(r) ==
     /\ r.ob = ProgramErrorOb /\ StopsTheCpu(r) /\ MissingOb85StopsAtOnce
     /\ Undelayed \/ StopIsNotDelayed
 
-(* [OBS-02] [TINT-12] The requests that may hold others back: neither open *)
-(* ones nor those that the mode holds back.                                *)
-Definite == { q \in requests : ~q.open /\ ModeAllows(q) }
-
-(* [OBS-02] [TINT-12] No request before it holds it back; a run that waits *)
-(* for its OB 80 does not hold that back, whose class it may have on an    *)
-(* S7-1500 [T15-91]. Within a place the numbers of the OBs may decide      *)
-(* [AMB-29].                                                               *)
-\* @type: $request => Bool;
-InTurn(r) ==
-    { q \in Definite :
-        /\ q.class = r.class
-        /\ ~(r.ob = TimeErrorOb /\ q.follows # 0 /\ q.ob \in r.late)
-        /\ \/ q.rank < r.rank
-           \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
-
 (* [TINT-15] [CLK-03] [T15-91] A late run comes after the OB 80 that       *)
 (* reports it, which its class may be above on an S7-1500.                 *)
 \* @type: $request => Bool;
@@ -251,6 +235,25 @@ Reported(r) ==
     r.follows # 0 =>
       /\ \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
       /\ ~InTimeErrorOb
+
+(* [OBS-01] [T15-91] Then it cannot start, and what is not below OB 80     *)
+(* must not wait for OB 80 on its account.                                 *)
+\* @type: $request => Bool;
+AwaitsLowerOb80(r) == ~Reported(r) /\ r.class >= ClassOf(TimeErrorOb)
+
+(* [OBS-02] [TINT-12] The requests that may hold others back: no open ones *)
+(* and none that the mode or a lower OB 80 holds back.                     *)
+Definite == { q \in requests :
+                ~q.open /\ ModeAllows(q) /\ ~AwaitsLowerOb80(q) }
+
+(* [OBS-02] [TINT-12] No request before it holds it back. Within a place   *)
+(* the numbers of the OBs may decide [AMB-29].                             *)
+\* @type: $request => Bool;
+InTurn(r) ==
+    { q \in Definite :
+        /\ q.class = r.class
+        /\ \/ q.rank < r.rank
+           \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
 
 (* [AMB-44] (a) A missing OB is noticed although it could not start.       *)
 \* @type: $request => Bool;

@@ -52,11 +52,12 @@ PassesItsPoint(o) ==
           /\ cpu' = c
           /\ tod' = [tod EXCEPT ![o] = AfterPoint(o, Armed(t, then, c))]
 
-(* In STARTUP one run is deferred [AMB-35]. *)
+(* In STARTUP one run is deferred [AMB-35]. On an S7-1500 the queue takes  *)
+(* its points as in RUN [T15-118]; OB 80 waits [T15-117].                  *)
 \* @type: Int => Bool;
 RunIsDeferred(o) ==
     /\ mode = "STARTUP" /\ PendingIn(requests, o) /\ TakesEvents(o)
-    /\ ~HasQueue(o)
+    /\ ~Family.keeps
 
 (* [TINT-09] [TINT-14] The clock reaches the next point of an active       *)
 (* interrupt.                                                              *)
