@@ -80,7 +80,7 @@ Records ==
              [ Waits(80, 26, 1, FALSE) EXCEPT
                  !.fault = StillRunning, !.late = {10}, !.cause = 10 ] }
 
-Queues == {{}} \cup { {r, s} : r \in Records, s \in Records }
+TwoWaiting == {{}} \cup { {r, s} : r \in Records, s \in Records }
 
 Frames == { Frame(1, 1), Frame(10, 2), Frame(40, 16), Frame(100, 27) }
 Stacks == {<<>>} \cup { <<f>> : f \in Frames }
@@ -99,7 +99,7 @@ IndInit ==
     /\ resume = NothingKept
     /\ stack \in Stacks
     /\ StackInv /\ StartingInv
-    /\ requests \in Queues
+    /\ requests \in TwoWaiting
     /\ QueueInv
     /\ \E c \in ChosenCpus : cpu = c[1] /\ loaded = c[2]
     /\ DeselectedWaitsInv
