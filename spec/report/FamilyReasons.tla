@@ -101,6 +101,7 @@ Instead(e, past, id) ==
       [] id = "AIRT-02" \/ (id = "DINT-06" /\ DelaysStandStill) ->
            {id, "T15-39"}
       [] id \in {"IRT-07", "IRT-11"} /\ NumberedObs # {} -> {"T15-54"}
+      [] id = "IRT-12" /\ e.event = "EN_IRT" -> {id, "T15-147"}
       [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
            {id, OfItsClass(e.ob)}
              \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})
