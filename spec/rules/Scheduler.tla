@@ -161,11 +161,20 @@ ErrorObMissing(r) ==
        /\ stopCause' = StopFor(CauseWithout(r.ob))
        /\ entered' = EntriesWithout(r.ob)
 
+(* [T15-110] [T15-114] OB 80 was deleted before the cycle time called it:  *)
+(* no text says whether the CPU stops.                                     *)
+\* @type: $request => Bool;
+CycleTimeStops(r) ==
+    /\ r.ob = TimeErrorOb /\ r.fault = CycleTimeExceeded
+    /\ requests' = Remove(requests, r)
+    /\ stopCause' = StopFor(NoTimeErrorOb)
+    /\ entered' = EntriesOfStop(NoTimeErrorOb)
+
 \* @type: $request => Bool;
 Missing(r) ==
     /\ MayBeMissed(r)
     /\ IF ~Family.stops  \* [T15-40] [T15-111] [T15-112] [T15-113]
-       THEN RequestsBecome(RequestsAfterCall(r))
+       THEN RequestsBecome(RequestsAfterCall(r)) \/ CycleTimeStops(r)
        ELSE IF r.ob \in AsyncErrorObs \cup {70, 72} THEN ErrorObMissing(r)
                                                     ELSE ObMissing(r)
     /\ tod' = TodAfterMissing(r)
