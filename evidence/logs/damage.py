@@ -10,7 +10,6 @@ from random import Random
 from typing import Any
 
 from evidence.logs.setups import OTHERS, USUAL, execution
-from s7check.asking.variants import fitted
 from s7check.engine.answer import Alternatives
 
 ANSWERS = ("16#0000", "16#0001", "16#0002", "16#8080", "16#8090", "16#8091", "16#8092", "16#80A0", "16#80A1", "16#80A2")
@@ -269,15 +268,6 @@ def ask_for_readings(random: Random, log: Log, words: Alternatives) -> None:
     log.header["readings"] = {
         ambiguity: random.choice(known) for ambiguity, known in random.sample(words.letters, random.randint(1, 4))
     }
-
-
-def take_newer_cpu(random: Random, log: Log, words: Alternatives) -> None:
-    """A CPU of a family with other OBs: an S7-1500, by its own letters. Start information would end most logs soon."""
-    family = random.choice([name for name in words.families if name not in words.classic])
-    plain = {name: value for name, value in log.header.items() if name not in ("readings", "profile")}
-    log.header = fitted(plain, family, words)
-    for event in log.events:
-        event.pop("info", None)
 
 
 def ask_for_profile(random: Random, log: Log, words: Alternatives) -> None:

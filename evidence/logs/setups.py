@@ -36,13 +36,14 @@ _EVER = 36525 * 86_400_000
 """Milliseconds that no program lasts."""
 
 
-def scenario(random: Random, words: Alternatives, events: int | None = None) -> str:
-    """The text of a program: any family, OBs, classes, STEP 7 parameters, a clock close to a turn, so many events.
+def scenario(random: Random, words: Alternatives, families: list[str], events: int | None = None) -> str:
+    """The text of a program: a family, OBs, classes, STEP 7 parameters, a clock close to a turn, so many events.
 
     By default 9 to 59.
     """
-    family = random.choice(words.classic)
-    loaded = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
+    family = random.choice(families)
+    drawn = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
+    loaded = [ob for ob in drawn if ob not in dict(words.unknown)[family]]
     clock = _clock(random)
     header: dict[str, Any] = {
         "cpu": family,
@@ -59,7 +60,7 @@ def scenario(random: Random, words: Alternatives, events: int | None = None) -> 
     own["diag"] = random.random() < 0.35
     if family in words.settable and random.random() < 0.7:
         header["priority"] = _classes(random, words, family)
-    header["step7"] = {"tod": _step7(random, words, clock, loaded)}
+    header["step7"] = {"tod": _step7(random, words, clock, loaded, deselects=family in words.classic)}
     own["random"] = {"seed": random.randrange(1 << 31), "events": events or random.randint(_FEWEST, _MOST)}
     program = {
         "format": FORMAT,
@@ -95,7 +96,8 @@ def _classes(random: Random, words: Alternatives, family: str) -> dict[str, int]
     """Some of them shared."""
     shared = random.randint(2, 23)
     classes, all_settable = {}, dict(dict(words.classes)[family])
-    for ob in random.sample((10, 11, 12, 13, 20, 21, 22, 30, 35, 40, 41, 81, 82, 85), 5):
+    of_family = [ob for ob in (10, 11, 12, 13, 20, 21, 22, 30, 35, 40, 41, 81, 82, 85) if ob in all_settable]
+    for ob in random.sample(of_family, 5):
         settable = [level for level in all_settable[ob] if level]  # 0 deselects
         classes[str(ob)] = shared if random.random() < 0.5 and shared in settable else random.choice(settable)
     return classes
@@ -106,12 +108,14 @@ def execution(random: Random) -> str:
     return random.choices(list(EXECUTIONS), list(EXECUTIONS.values()))[0]
 
 
-def _step7(random: Random, words: Alternatives, clock: datetime, loaded: list[int]) -> dict[str, dict[str, object]]:
+def _step7(
+    random: Random, words: Alternatives, clock: datetime, loaded: list[int], *, deselects: bool
+) -> dict[str, dict[str, object]]:
     """Some time-of-day interrupts with parameters; deselected ones are hardly ever loaded."""
     parameters: dict[str, dict[str, object]] = {}
     for ob in words.tod_obs:
         chance = random.random()
-        if chance < 0.1 and (ob not in loaded or random.random() < 0.1):
+        if chance < 0.1 and deselects and (ob not in loaded or random.random() < 0.1):
             parameters[str(ob)] = {"deselected": True}
         elif chance < 0.35:
             start = clock + timedelta(minutes=random.choice((-1440, -60, -5, 0, 1, 2, 5, 1440)))
