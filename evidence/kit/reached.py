@@ -23,7 +23,7 @@ from s7check.kit.program import Program
 from s7check.log.chosen import NOTHING, Chosen
 from s7check.log.errors import UnusableLogError
 from s7check.report.report import Report
-from s7check.simulating.simulation import Simulation
+from s7check.simulating.simulation import simulated
 
 
 @dataclass
@@ -151,9 +151,7 @@ def _variants(program: Program, engine: Engine) -> Iterator[Variant]:
 def _simulated(program: Program, variant: Variant, engine: Engine) -> list[bytes]:
     """The log of a CPU that keeps the specification by these letters; none if the program cannot run on it."""
     try:
-        simulation = Simulation(engine, program, variant)
-        lines = simulation.run()
-        simulation.close()
+        lines = simulated(engine, program, variant)
     except (EngineError, UnusableLogError):
         return []
     return [msgspec.json.encode(line) for line in lines]

@@ -17,8 +17,9 @@ from s7check.engine.command import jvm_command
 from s7check.explore_command import page_with
 from s7check.kit.program import read_program
 from s7check.resources import PAGE
-from s7check.simulating.simulation import Simulation
+from s7check.simulating.simulation import simulated
 from tests.shipped import CASES, log_of
+from tests.test_simulating import PROGRAM
 
 pytestmark = pytest.mark.skipif(bool(missing()), reason=missing())
 
@@ -377,7 +378,7 @@ def test_a_saved_log_is_the_log(page: Page) -> None:
 
 
 def test_a_saved_program_is_a_program_of_the_kit(page: Page, real_engine: Engine, tmp_path: Path) -> None:
-    """The specification runs it, and its log has the same calls; dropped on the page it is told what to do with it."""
+    """The specification runs it, and its log has the same calls."""
     page.click("#new >> text=Begin")
     page.click("#possible >> text=DIS_AIRT ret=W#16#0001")
     page.click("#possible >> text=EN_AIRT ret=W#16#0000")
@@ -386,11 +387,40 @@ def test_a_saved_program_is_a_program_of_the_kit(page: Page, real_engine: Engine
     file = tmp_path / download.suggested_filename
     download.save_as(file)
     program = read_program(file.read_bytes())
-    calls = [line["event"] for line in Simulation(real_engine, program).run()[1:] if "ret" in line]
+    calls = [line["event"] for line in simulated(real_engine, program)[1:] if "ret" in line]
     assert (file.name, calls) == ("new.json", ["DIS_AIRT", "EN_AIRT"])
-    page.click("#home")
+
+
+def test_a_program_becomes_the_log_of_the_command(
+    page: Page, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It has verdict, timeline and explorer, and is saved as a log."""
+    file = tmp_path / "nested.json"
+    file.write_text(json.dumps(PROGRAM), encoding="utf-8")
     page.set_input_files("#file", file)
-    expect(page.locator("#problem")).to_contain_text("s7check simulate new.json | s7check explore -")
+    expect(page.locator("#told")).to_contain_text("Made from nested.json, a program of the kit")
+    expect(page.locator("#verdict")).to_contain_text("accepted the specification explains every line (5 events")
+    expect(page.locator("#timeline")).to_contain_text("EN_AIRT")
+    expect(page.locator("#possible")).to_contain_text("DIS_AIRT ret=W#16#0001")
+    assert cli.main(["simulate", str(file)]) == 0
+    download = saved(page, "#save")
+    assert download.suggested_filename == "nested.ndjson"
+    made = [json.loads(line) for line in Path(download.path()).read_text().splitlines()]
+    assert made == [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "told"),
+    [
+        ("durations", 5, "field durations: expected"),
+        ("bodies", [{"ob": 1, "steps": [{"wait": "x"}]}], "field bodies.1.steps.1.wait: expected an integer"),
+    ],
+)
+def test_a_bad_program_names_its_field(page: Page, field: str, value: object, told: str) -> None:
+    """An unknown one, or a wrong type; nothing is opened."""
+    paste(page, json.dumps(PROGRAM | {field: value}))
+    expect(page.locator("#problem")).to_contain_text(f"unusable: {told}")
+    expect(page.locator("#start")).to_be_visible()
 
 
 def test_branches_have_timelines_beside_each_other(page: Page) -> None:

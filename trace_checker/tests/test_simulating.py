@@ -4,7 +4,6 @@ import io
 import json
 import sys
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import pytest
@@ -17,9 +16,9 @@ from s7check.kit.collection import programs_of
 from s7check.kit.followed import departure
 from s7check.kit.program import Program, read_program
 from s7check.kit.whole import whole
+from s7check.log.errors import UnusableLogError
 from s7check.resources import KIT
-from s7check.simulating.outcomes import count, outcomes
-from s7check.simulating.simulation import Simulation
+from s7check.simulating.simulation import outcomes, simulated
 
 # Each question about eight OBs that are due in one moment takes seconds (docs/checking/commands.md, limits).
 SOME = [one for one in programs_of([KIT])[::120] if "all-eight" not in one.name]
@@ -41,14 +40,6 @@ def program(**changes: Any) -> Program:
     return read_program(json.dumps(PROGRAM | changes).encode())
 
 
-def run(engine: Engine, one: Program, seed: int | None = None) -> list[dict[str, Any]]:
-    """The log of a program."""
-    simulation = Simulation(engine, one, random=None if seed is None else Random(seed))  # noqa: S311
-    log = simulation.run()
-    simulation.close()
-    return log
-
-
 def told(log: list[dict[str, Any]]) -> list[str]:
     """The events of a log without the date."""
     return [f"{line['at'][17:]} {line['event']} {line.get('ob', line.get('ret', ''))}".strip() for line in log[1:]]
@@ -57,7 +48,7 @@ def told(log: list[dict[str, Any]]) -> list[str]:
 def test_the_end_of_ob_1_that_ends_a_delay_is_told(real_engine: Engine) -> None:
     """Without it the start of OB 35 would not follow from the lines; other boundaries of OB 1 are left out."""
     bodies = [{"ob": 1, "run": 1, "steps": [{"call": "DIS_AIRT"}, {"wait": 2000}]}]
-    assert told(run(real_engine, program(bodies=bodies))) == [
+    assert told(simulated(real_engine, program(bodies=bodies))) == [
         "30.000 DIS_AIRT W#16#0001",
         "31.000 interrupt 35",
         "32.000 end 1",
@@ -70,7 +61,7 @@ def test_the_end_of_ob_1_that_ends_a_delay_is_told(real_engine: Engine) -> None:
 @pytest.mark.parametrize("one", SOME, ids=lambda one: one.name)
 def test_the_log_is_accepted(one: Program, seed: int | None, real_engine: Engine) -> None:
     """Of the programs of the kit, as early as possible and at random; the log is that of the program."""
-    lines = [json.dumps(line).encode() for line in run(real_engine, one, seed)]
+    lines = [json.dumps(line).encode() for line in simulated(real_engine, one, seed=seed)]
     report = check(lines)
     assert report.verdict == "accepted", str(report)
     assert departure(real_engine, one, whole(real_engine, one, Ran(tuple(lines)))) == ""
@@ -83,13 +74,13 @@ def test_what_the_log_leaves_open_is_not_taken(name: str, seed: int | None, real
     A startup OB, whose end no log has to show, goes on while its body does.
     """
     (one,) = (each for each in programs_of([KIT]) if each.name == name)
-    lines = [json.dumps(line).encode() for line in run(real_engine, one, seed)]
+    lines = [json.dumps(line).encode() for line in simulated(real_engine, one, seed=seed)]
     assert check(lines).verdict == "accepted"
 
 
 def test_as_early_as_may_be(real_engine: Engine) -> None:
     """OB 35 waits for the end of the delay, no longer."""
-    assert told(run(real_engine, program())) == [
+    assert told(simulated(real_engine, program())) == [
         "30.000 DIS_AIRT W#16#0001",
         "31.000 interrupt 35",
         "32.000 EN_AIRT W#16#0000",
@@ -101,15 +92,15 @@ def test_as_early_as_may_be(real_engine: Engine) -> None:
 def test_a_burst_ends(real_engine: Engine) -> None:
     """Start events that are not told apart may start their OB any number of times; the run ends."""
     burst = [{"after": 1000 + ms, "event": "interrupt", "ob": 35} for ms in range(16)]
-    lines = told(run(real_engine, program(outside=burst, bodies=[{"ob": 35, "run": 1, "steps": [{"wait": 20}]}])))
+    lines = told(simulated(real_engine, program(outside=burst, bodies=[{"ob": 35, "run": 1, "steps": [{"wait": 20}]}])))
     assert 2 <= sum(line.endswith("start 35") for line in lines) <= len(burst)
 
 
 def test_at_random(real_engine: Engine) -> None:
     """OBs come up to the latency late; a seed chooses alike."""
-    begins = {told(run(real_engine, program(), seed))[3] for seed in range(12)}
+    begins = {told(simulated(real_engine, program(), seed=seed))[3] for seed in range(12)}
     assert len(begins) > 2
-    assert run(real_engine, program(), 5) == run(real_engine, program(), 5)
+    assert simulated(real_engine, program(), seed=5) == simulated(real_engine, program(), seed=5)
 
 
 def test_an_interrupted_wait_goes_on(real_engine: Engine) -> None:
@@ -118,14 +109,14 @@ def test_an_interrupted_wait_goes_on(real_engine: Engine) -> None:
         {"ob": 1, "run": 1, "steps": [{"wait": 2000}, {"call": "EN_AIRT"}]},
         {"ob": 35, "steps": [{"wait": 300}]},
     ]
-    assert told(run(real_engine, program(bodies=bodies)))[-1] == "32.300 EN_AIRT W#16#8080"
+    assert told(simulated(real_engine, program(bodies=bodies)))[-1] == "32.300 EN_AIRT W#16#8080"
 
 
 def test_an_ob_is_loaded(real_engine: Engine) -> None:
     """An OB that the header does not have starts once an event from outside has loaded it."""
     outside = [{"after": 100, "event": "load", "ob": 40}, {"after": 200, "event": "interrupt", "ob": 40}]
     header = PROGRAM["header"] | {"obs": [1, 85]}
-    log = told(run(real_engine, program(header=header, outside=outside, bodies=[])))
+    log = told(simulated(real_engine, program(header=header, outside=outside, bodies=[])))
     assert "30.200 start 40" in log
 
 
@@ -143,7 +134,7 @@ def test_modes(real_engine: Engine) -> None:
         {"ob": 1, "run": 2, "steps": [{"wait": 200}, {"call": "EN_AIRT"}]},
         {"ob": 100, "steps": [{"wait": 50}]},
     ]
-    assert told(run(real_engine, program(outside=outside, bodies=bodies))) == [
+    assert told(simulated(real_engine, program(outside=outside, bodies=bodies))) == [
         "30.100 stop",
         "30.100 restart",
         "30.100 start 100",
@@ -160,7 +151,9 @@ def test_a_stop_by_rule(real_engine: Engine) -> None:
     """It has its cause."""
     step7 = {"execution": "minute", "start": "2026-11-21T05:00", "active": True}
     header = PROGRAM["header"] | {"obs": [1, 10], "step7": {"tod": {"10": step7}}}
-    log = run(real_engine, program(header=header, bodies=[], outside=[{"after": 20, "event": "clock", "by": 90_000}]))
+    log = simulated(
+        real_engine, program(header=header, bodies=[], outside=[{"after": 20, "event": "clock", "by": 90_000}])
+    )
     assert told(log)[-1] == "00.020 stop"
     assert log[-1]["cause"] == "W#16#4568"
 
@@ -170,10 +163,25 @@ def test_all_outcomes(real_engine: Engine) -> None:
     header = PROGRAM["header"] | {"obs": [1, 10, 11, 80, 85]}
     step7 = {"execution": "minute", "start": "2026-11-21T05:00", "active": True}
     header["step7"] = {"tod": {"10": step7, "11": step7}}
-    tree = outcomes(Simulation(real_engine, program(header=header, outside=[], bodies=[], duration=60_000)))
-    ways = {name for name, _ in tree.ways}
+    tree = outcomes(real_engine, program(header=header, outside=[], bodies=[], duration=60_000))
+    ways = {way["choice"] for way in tree["ways"]}
     assert {"start ob=10", "start ob=11"} <= ways
-    assert count(tree) == 1
+    assert tree["outcomes"] == 1
+
+
+@pytest.mark.parametrize("change", [{"durations": 1}, {"header": PROGRAM["header"] | {"obs": "1"}}])
+def test_the_engine_reads_what_it_runs(change: dict[str, Any], real_engine: Engine) -> None:
+    """A program that nobody has checked ends with its field."""
+    text = json.dumps(PROGRAM | change).encode()
+    with pytest.raises(UnusableLogError, match=r"^field \"(durations|header\.obs)\": expected"):
+        real_engine.simulated(text, PROGRAM["header"], 10)
+
+
+def test_a_clock_before_1990(real_engine: Engine) -> None:
+    """It ends with the field that moves it."""
+    outside = [{"after": 10, "event": "clock", "by": -3_000_000_000_000}]
+    with pytest.raises(UnusableLogError, match='field "by": expected a clock that stays in 1990 or later'):
+        simulated(real_engine, program(outside=outside))
 
 
 def test_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -32,9 +32,9 @@ from s7check.log.source import open_log
 from s7check.report.clauses import all_clauses, clause
 from s7check.report.report import clause_text
 from s7check.simulating.comparison import compare_log, compare_program
-from s7check.simulating.outcomes import as_text, outcomes
+from s7check.simulating.outcomes import as_text
 from s7check.simulating.simulate_command import the_program
-from s7check.simulating.simulation import LATENCY, Simulation
+from s7check.simulating.simulation import outcomes, simulated
 
 LONGEST = 12_000
 """Characters of an answer; the rest comes in further parts."""
@@ -137,11 +137,11 @@ def simulate(
     """Run a program without a CPU: the log that the specification makes of it."""
     with _told(), pool.engine() as engine:
         variant = Variant("", cpu, profile, tuple(readings.items()))
-        simulation = Simulation(engine, _program(program), variant, LATENCY)
-        header = msgspec.json.encode(simulation.log[0]).decode()
         if every_outcome:
-            return _part("\n".join([header, *as_text(outcomes(simulation))]), part)
-        return _part("\n".join(msgspec.json.encode(line).decode() for line in simulation.run()), part)
+            tree = outcomes(engine, _program(program), variant)
+            return _part("\n".join([msgspec.json.encode(tree["header"]).decode(), *as_text(tree)]), part)
+        log = simulated(engine, _program(program), variant)
+        return _part("\n".join(msgspec.json.encode(line).decode() for line in log), part)
 
 
 def compare(

@@ -35,10 +35,11 @@ class _Alternatives(msgspec.Struct, frozen=True):
 
 
 class Checked(msgspec.Struct, frozen=True):
-    """The object that was made of a text or of a source, or what is wrong with that."""
+    """The object that was made of a text or of a source, or what is wrong with that, or with the specification."""
 
     object: dict[str, Any] = {}
     unusable: Unusable | None = None
+    error: str = ""
 
 
 class _Decisions(msgspec.Struct, frozen=True):
@@ -140,10 +141,19 @@ class Engine:
         file = profile_file(header_line(log) or log, HERE)
         return self._object({"message": "program of", **({"file": file} if file else {})}, log)
 
+    def simulated(self, program: bytes, header: Mapping[str, Any], latency: int, **how: Any) -> dict[str, Any]:
+        """What comes of a program of the kit under this header; not while a log is at work.
+
+        ``how`` and the answer are those of the message ``simulate``. Raises UnusableLogError.
+        """
+        return self._object({"message": "simulate", "header": header, "latency": latency, **how}, program)
+
     def _object(self, message: dict[str, Any], text: bytes) -> dict[str, Any]:
         answer = self.ask({**message, "count": len(text)}, Checked, text)
         if answer.unusable is not None:
             raise answer.unusable.error()
+        if answer.error:
+            raise EngineError(answer.error)
         return answer.object
 
     def ask(self, message: dict[str, Any], shape: type[_Shape], data: bytes = b"") -> _Shape:

@@ -1,10 +1,19 @@
-// A source that is no log: the user says what it does not tell, and the engine makes a log of it.
+// What is no log, of which the engine makes one: a program, or a source, of which the user says what it does not tell.
 import { $, numbersOf } from "./elements.js";
 
 /** A text in the encoding that a column map names, in UTF-8. */
 function inUtf8(bytes, map) {
   const { encoding = "utf-8" } = JSON.parse(new TextDecoder().decode(map));
   return new TextEncoder().encode(new TextDecoder(encoding.replace(/-sig$/, ""), { fatal: true }).decode(bytes));
+}
+
+/** A log, objects, as its bytes. */
+const asBytes = (log) => new TextEncoder().encode(log.map((line) => `${JSON.stringify(line)}\n`).join(""));
+
+/** The log of one run of a program of the kit, as of a source. Throws NoAnswer. */
+export async function simulated(engine, name, bytes) {
+  const { log } = (await engine.ask({ message: "simulate", count: bytes.length }, bytes)).object;
+  return { bytes: asBytes(log), told: [`Made from ${name}, a program of the kit: the specification ran it.`] };
 }
 
 /** What the form says, as the engine takes it. */
@@ -40,8 +49,7 @@ export async function imported(engine, name, bytes) {
           message.map = Array.from(map, (one) => String.fromCharCode(one)).join("");
         }
         const { log, told } = (await engine.ask({ ...message, count: content.length }, content)).object;
-        const text = log.map((line) => `${JSON.stringify(line)}\n`).join("");
-        resolve({ bytes: new TextEncoder().encode(text), told: [`Made from ${what}.`, ...told] });
+        resolve({ bytes: asBytes(log), told: [`Made from ${what}.`, ...told] });
         $("import").close();
       } catch (error) {
         $("refused").textContent = error.message;

@@ -3,7 +3,7 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
-import { imported } from "./importing.js";
+import { imported, simulated } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
@@ -159,18 +159,28 @@ async function begin(one) {
   await refresh();
 }
 
-/** Judges a log and opens it: at a line of its text, else at the rejected line or its end; `told` is said of it. */
+/**
+ * Judges a log and opens it: at a line of its text, else at the rejected line or its end; `told` is said of it. Of a
+ * program, or a source, it is the log that is made of it.
+ */
 async function open(name, bytes, line = null, told = []) {
   busy(`${name}: is being judged`);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
-  if (isProgram(text))
-    throw new Error(`${name} is a program of the kit: s7check simulate ${name} | s7check explore - shows its log.`);
+  const openMade = (made) => open(`${name.replace(/\.\w+$/, "")}.ndjson`, made.bytes, null, made.told);
+  if (isProgram(text)) {
+    busy(`${name}: is being run on the specification`);
+    const made = await simulated(engine, name, bytes).catch((error) => {
+      if (!error.answer) throw error;
+      closed(name, "unusable", error.message);
+    });
+    return made && openMade(made);
+  }
   const answer = await engine.judge(bytes);
   if (answer.verdict === "error") return closed(name, "no verdict", answer.message);
   if (answer.verdict === "unusable" && !told.length && answer.unusable.line <= one.numbers[0]) {
     const made = await imported(engine, name, bytes);
-    if (made) return open(`${name.replace(/\.\w+$/, "")}.ndjson`, made.bytes, null, made.told);
+    if (made) return openMade(made);
   }
   if (answer.verdict === "unusable") return closed(name, "unusable", unusable(answer.unusable));
   if (one.lines.length > LONGEST)

@@ -12,7 +12,7 @@ from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.kit.program import Program
 from s7check.log.values import instant, iso
-from s7check.simulating.simulation import LATENCY, Simulation
+from s7check.simulating.simulation import LATENCY, simulated
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,7 @@ def separate(engine: Engine, program: Program, allowed: Variant, refused: Varian
 
 def log_of(engine: Engine, program: Program, variant: Variant) -> list[dict[str, Any]]:
     """The log of the program, with a stop behind it: what had to come before is then seen to be missing."""
-    simulation = Simulation(engine, program, variant)
-    log = simulation.run()
-    simulation.close()
+    log = simulated(engine, program, variant)
     end = iso(max(instant(log[-1]["at"] if len(log) > 1 else log[0]["clock"]), _end(log, program)) + 2 * LATENCY)
     if len(log) < 2 or log[-1]["event"] != "stop":
         log = [*log, {"at": end, "event": "stop"}]

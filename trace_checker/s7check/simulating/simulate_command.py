@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import click
@@ -22,8 +21,8 @@ from s7check.kit.program import Program, read_program
 from s7check.letters import EDITION, OneOf, set_option
 from s7check.log.errors import UnusableLogError
 from s7check.output import echo
-from s7check.simulating.outcomes import as_object, as_text, count, outcomes
-from s7check.simulating.simulation import LATENCY, Simulation
+from s7check.simulating.outcomes import as_text
+from s7check.simulating.simulation import LATENCY, outcomes, simulated
 
 _HELP = """Run a program of the kit on the specification.
 
@@ -38,7 +37,7 @@ Exit codes: 0 done, 2 the program cannot be used, 3 the specification could not 
 
 @click.command("simulate", help=_HELP, short_help="Run a program of the kit on the specification.")
 @click.option("--only", metavar="NAME", help="The program with this name, where the file has several.")
-@click.option("--seed", type=click.IntRange(0), help="Choose at random; the same number chooses alike.")
+@click.option("--seed", type=click.IntRange(0, 2**63 - 1), help="Choose at random; the same number chooses alike.")
 @click.option(
     "--latency",
     type=click.IntRange(0, 60_000),
@@ -70,19 +69,14 @@ def simulate_command(
     if whole and seed is not None:
         raise click.UsageError("--all and --seed: expected one of them")
     variant = Variant("", cpu, profile, tuple(letters.items()))
-
-    def begun(engine: Engine, one: Program) -> Simulation:
-        random = None if seed is None else Random(seed)  # noqa: S311 - no secret
-        return Simulation(engine, one, variant, latency, random)
-
     if program == "-":
-        return _adapter(begun)
+        return _adapter(lambda engine, one: simulated(engine, one, variant, latency, seed))
     with ending(program), pool.engine() as engine:
-        simulation = begun(engine, the_program(Path(program), only))
+        one = the_program(Path(program), only)
         if whole:
-            _tree(simulation, output)
+            _tree(outcomes(engine, one, variant, latency), output)
         else:
-            echo("\n".join(_line(line) for line in simulation.run()))
+            echo("\n".join(_line(line) for line in simulated(engine, one, variant, latency, seed)))
     return 0
 
 
@@ -99,25 +93,21 @@ def the_program(file: Path, only: str | None) -> Program:
     return found[0]
 
 
-def _tree(simulation: Simulation, output: str) -> None:
-    begin = simulation.log[0]
-    tree = outcomes(simulation)
+def _tree(tree: dict[str, Any], output: str) -> None:
     if output == "json":
-        echo(_line({"header": begin, "outcomes": count(tree), **as_object(tree)}))
+        echo(_line(tree))
         return
-    number = count(tree)
-    echo("\n".join([_line(begin), *as_text(tree), f"{number} outcome{'s' if number > 1 else ''}"]))
+    number = tree["outcomes"]
+    echo("\n".join([_line(tree["header"]), *as_text(tree), f"{number} outcome{'s' if number > 1 else ''}"]))
 
 
-def _adapter(begun: Callable[[Engine, Program], Simulation]) -> int:
+def _adapter(run: Callable[[Engine, Program], list[dict[str, Any]]]) -> int:
     with pool.engine() as engine:
         for text in sys.stdin.buffer:
             if not text.strip():
                 continue
             try:
-                simulation = begun(engine, read_program(text))
-                lines = [*simulation.run(), {"event": "done"}]
-                simulation.close()
+                lines = [*run(engine, read_program(text)), {"event": "done"}]
             except (UnusableLogError, EngineError) as error:
                 lines = [{"event": "skip", "reason": str(error)}]
             sys.stdout.write("".join(_line(line) + "\n" for line in lines))

@@ -12,7 +12,7 @@ from s7check.cli import main
 from s7check.engine import pool
 from s7check.kit.collection import programs_of
 from s7check.kit.suite import Kit, NotKeptError
-from s7check.simulating.simulation import Simulation
+from s7check.simulating.simulation import simulated
 from tests.test_soft_plc import program as soft_plc
 
 __all__ = ["soft_plc"]
@@ -108,7 +108,7 @@ def test_silence_does_not_pass(tmp_path: Path) -> None:
     with pool.engine() as engine:
         for program in programs_of():
             if program.name in passed:
-                assert Simulation(engine, program).run()[1:] == [], program.name
+                assert simulated(engine, program)[1:] == [], program.name
 
 
 def test_half_of_the_time_does_not_pass(soft_plc: str, tmp_path: Path) -> None:

@@ -46,6 +46,11 @@ public final class Clocks {
     return Days.iso(clock);
   }
 
+  /** The CPU clock after the last line. */
+  public long milliseconds() {
+    return clock;
+  }
+
   /** A line can only follow where the log has not ended. */
   void requireOpen() {
     if (ended) {

@@ -37,6 +37,10 @@ import tlc2.value.impl.RecordValue;
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
  *       the header, duration, events from outside and bodies of its program.
+ *   <li>{@code {"message":"simulate","count":N}} runs a program of the kit, of which N bytes follow; with {@code header},
+ *       {@code latency} and {@code seed} as {@link Simulation} has them. The answer has the {@code object} with its
+ *       {@code log}, or with {@code "all":true} the tree of {@link Outcomes}; or what is {@code unusable}, or an {@code
+ *       error} where the specification cannot be evaluated.
  *   <li>{@code {"message":"import","count":N}} has a log made of a source, and other messages ask about sources, of which
  *       N bytes follow: {@link Importing} has them. The answer has the {@code object} or what is {@code unusable}.
  *   <li>{@code {"message":"alternatives"}} asks, between two logs, which words a log may have.
@@ -120,6 +124,7 @@ public final class Engine {
       case "read" -> print(read(message));
       case "program" -> print(object(message, spec.format()::program));
       case "program of" -> print(object(message, log -> spec.format().programOf(log, file(message))));
+      case "simulate" -> print(object(message, program -> simulated(new Simulation(spec, program, message), message)));
       case "offer" -> print(object(message, spec.format()::offer));
       case "kind", "import", "entries", "mode", "ring", "slots", "ring events", "state" ->
           print(object(message, source -> Importing.answer(kind, message, source, spec.format(), file(message))));
@@ -127,6 +132,10 @@ public final class Engine {
       case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
       default -> print(sessions.answer(kind, message));
     }
+  }
+
+  private static Fields simulated(Simulation simulation, Fields message) {
+    return message.has("all") ? Outcomes.of(simulation) : simulation.run();
   }
 
   private static Fields json(Decisions.Decision decision) {
@@ -214,8 +223,12 @@ public final class Engine {
     var text = new ByteArrayOutputStream();
     input.pass(message.number(COUNT), (bytes, from, to) -> text.write(bytes, from, to - from));
     var answer = new Fields();
-    Unusable wrong = refused(() -> answer.put("object", reader.apply(text.toByteArray())));
-    return wrong == null ? answer : answer.put("unusable", wrong.asJson());
+    try {
+      Unusable wrong = refused(() -> answer.put("object", reader.apply(text.toByteArray())));
+      return wrong == null ? answer : answer.put("unusable", wrong.asJson());
+    } catch (NotCovered | StackOverflowError e) {
+      return answer.put("error", String.valueOf(e.getMessage()));
+    }
   }
 
   private static Unusable refused(Runnable part) {

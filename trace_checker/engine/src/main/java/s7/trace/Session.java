@@ -83,6 +83,11 @@ final class Session {
     return clocks.get(lines()).reading();
   }
 
+  /** The same in milliseconds since 1990-01-01T00:00. */
+  long milliseconds() {
+    return clocks.get(lines()).milliseconds();
+  }
+
   /** Clocks that go on by themselves from the last line. */
   private Clocks next() {
     return new Clocks(clocks.get(lines()));

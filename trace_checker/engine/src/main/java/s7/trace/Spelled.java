@@ -52,14 +52,11 @@ final class Spelled {
     String name = event.text("event");
     if (isCall(name)) {
       // Operands that the engine does not tell, since a line without them has the same number.
-      if (name.endsWith("DINT") && !line.has("ob") || name.endsWith("_TINT") && !line.has("ob")) {
+      if (!name.endsWith("_AIRT") && !line.has("ob")) {
         line.put("ob", 0);
       }
       if (name.equals("SRT_DINT") && !line.has("dtime")) {
         line.put("dtime", -1);
-      }
-      if (name.endsWith("_IRT") && !line.has("ob")) {
-        line.put("ob", 0);
       }
       if (!line.has("ret")) {
         line.put("ret", null);
