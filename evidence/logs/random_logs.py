@@ -81,12 +81,9 @@ class Generator:
         return Generated(_text(random, log), log.header["cpu"], tuple(dict.fromkeys(done)) or (UNCHANGED,))
 
     def written(self, random: Random, events: int | None = None) -> Log:
-        """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`.
-
-        None is of an S7-1500: with kinds left out, the specification refuses answers that its open codes allow.
-        """
+        """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`."""
         options = ["--up"] if random.random() < 0.5 else []
-        program = setups.scenario(random, self._words, self._words.classic, events)
+        program = setups.scenario(random, self._words, self._words.families, events)
         header, *lines = map(json.loads, self._run(*options, "-", stdin=program).splitlines())
         return Log(header, lines)
 

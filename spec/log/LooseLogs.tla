@@ -102,22 +102,31 @@ Either(may, mayNot) == (IF may THEN {TRUE} ELSE {})
 AnyDisAirtAnswer == { CHOOSE r \in DisAirtAnswers(c) : TRUE : c \in 0..32766 }
 AnyEnAirtAnswer  == { CHOOSE r \in EnAirtAnswers(c) : TRUE : c \in 0..32768 }
 
+(* [A15-13] A call that sets or starts an interrupt may find its OB gone.  *)
+\* @type: Int => Set(Int);
+MissingAnswers(o) ==
+    IF Family.stops \/ MissingIsNotRefused \/ ~MayBeMissing(o)
+    THEN {} ELSE {BadOb}
+
 (* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
     LET o == e.ob
         \* @type: Set(Set(Int)) => Set(Int);
         any(errors) == UNION { Answers(o, s) : s \in errors }
+        \* @type: Set(Set(Int)) => Set(Int);
+        open(errors) == OpenCodes(any(errors))
     IN  CASE e.event = "CAN_TINT" /\ o \in TodObs ->
                any({ CanErrorsIf(isSet)
                      : isSet \in Either(MayBeSet(o), MayBeUnset(o)) })
           [] e.event = "ACT_TINT" /\ o \in TodObs ->
-               any({ ActErrorsIf(isSet, isPast)
-                     : isSet  \in Either(MayBeSet(o), MayBeUnset(o)),
-                       isPast \in Either(MayBePast(o), TRUE) })
+               open({ ActErrorsIf(isSet, isPast)
+                      : isSet  \in Either(MayBeSet(o), MayBeUnset(o)),
+                        isPast \in Either(MayBePast(o), TRUE) })
+                 \cup MissingAnswers(o)
           [] e.event = "CAN_DINT" /\ o \in DintObs ->
-               any({ CanDintErrorsIf(started)
-                     : started \in Either(MayBeStarted(o), MayBeOver(o)) })
+               open({ CanDintErrorsIf(started)
+                      : started \in Either(MayBeStarted(o), MayBeOver(o)) })
           [] e.event = "DIS_AIRT" ->
                IF Unseen("call") THEN AnyDisAirtAnswer
                ELSE UNION { DisAirtAnswers(c) : c \in Counts }
@@ -136,7 +145,8 @@ LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
     StatusOf(o, IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
-             { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
+             IF Family.openCodes THEN {0, 2}  \* of DIS_AIRT [T15-53]
+             ELSE { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
              { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
              IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 
@@ -338,7 +348,8 @@ LooseHold == IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
 
 LooseRelease ==
     /\ ModeKnown => mode = "HOLD"
-    /\ mode' = "RUN"
+    /\ mode' = IF ModeKnown /\ startup # "none" THEN "STARTUP"  \* [T15-121]
+                                               ELSE "RUN"
     /\ requests' = IF MayBeDue \cap TodObs # {}
                    THEN requests \cup {Mark(TimeErrorOb, SkippedInHold)}
                    ELSE requests
