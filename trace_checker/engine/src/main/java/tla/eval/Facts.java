@@ -1,9 +1,9 @@
 package tla.eval;
 
+import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collections;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -22,8 +22,8 @@ final class Facts {
   /** The variables of the specification, by their number. */
   final BitSet variables = new BitSet();
 
-  /** Parameters and bound variables from outside; for an {@code @}, the part of its EXCEPT. */
-  final Set<Object> free = Collections.newSetFromMap(new IdentityHashMap<>());
+  /** Parameters and bound variables from outside, each once and few; for an {@code @}, the part of its EXCEPT. */
+  private final List<Object> free = new ArrayList<>(0);
 
   /** Whether it refers to the next state. */
   boolean primes;
@@ -37,6 +37,12 @@ final class Facts {
   /** The number of its nodes, with the operators that it uses written out. */
   int size = 1;
 
+  private final Collector collector;
+
+  private Facts(Collector collector) {
+    this.collector = collector;
+  }
+
   boolean closed() {
     return free.isEmpty() && !primes;
   }
@@ -45,9 +51,15 @@ final class Facts {
     return closed() && variables.isEmpty();
   }
 
+  private void needs(Object outside) {
+    if (!free.contains(outside)) {
+      free.add(outside);
+    }
+  }
+
   private void add(Facts other) {
     variables.or(other.variables);
-    free.addAll(other.free);
+    other.free.forEach(this::needs);
     primes |= other.primes;
     marked |= other.marked;
     asks |= other.asks;
@@ -58,7 +70,6 @@ final class Facts {
   static final class Collector {
     private final Map<OpDeclNode, Integer> variables;
     private final Asked asked;
-    private final Map<SemanticNode, Facts> known = new IdentityHashMap<>();
     private final Set<OpDefNode> underWay = new HashSet<>();
 
     Collector(Map<OpDeclNode, Integer> variables, Asked asked) {
@@ -67,23 +78,28 @@ final class Facts {
     }
 
     Facts of(SemanticNode node) {
-      Facts facts = known.get(node);
+      Facts facts = known(node);
       if (facts == null) {
         facts = collect(node);
-        known.put(node, facts);
+        node.facts = facts;
       }
       return facts;
     }
 
+    /** What this collector has found of a node; null for nothing, whatever another one has. */
+    private Facts known(SemanticNode node) {
+      return node.facts instanceof Facts facts && facts.collector == this ? facts : null;
+    }
+
     private Facts collect(SemanticNode node) {
-      var facts = new Facts();
+      var facts = new Facts(this);
       facts.marked = node.mark != SemanticNode.UNMARKED;
       if (node instanceof OpApplNode apply) {
         application(facts, apply);
       } else if (node instanceof LetInNode let) {
         facts.add(of(let.getBody()));
       } else if (node instanceof AtNode at) {
-        facts.free.add(at.getExceptComponentRef());
+        facts.needs(at.getExceptComponentRef());
       } else if (node instanceof OpArgNode argument) {
         symbol(facts, argument.getOp());
       }
@@ -121,7 +137,7 @@ final class Facts {
       if (symbol instanceof OpDeclNode declared && variables.containsKey(declared)) {
         facts.variables.set(variables.get(declared));
       } else if (symbol instanceof FormalParamNode) {
-        facts.free.add(symbol);
+        facts.needs(symbol);
       } else if (symbol instanceof OpDefNode definition && definition.isDefined()) {
         facts.marked |= definition.mark != SemanticNode.UNMARKED;
         facts.asks |= asked.isWatched(definition);
@@ -131,17 +147,17 @@ final class Facts {
 
     /** The facts of an operator's body, without its parameters. */
     private Facts of(OpDefNode definition) {
-      Facts facts = known.get(definition);
+      Facts facts = known(definition);
       if (facts == null) {
         if (!underWay.add(definition)) {
           throw new Unsupported("recursive operator " + definition.getName());
         }
-        facts = new Facts();
+        facts = new Facts(this);
         facts.add(of(definition.getBody()));
         for (FormalParamNode parameter : definition.getParams()) {
           facts.free.remove(parameter);
         }
-        known.put(definition, facts);
+        definition.facts = facts;
         underWay.remove(definition);
       }
       return facts;

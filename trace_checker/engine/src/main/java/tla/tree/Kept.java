@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.function.Supplier;
-import java.util.zip.CRC32;
 
 import util.UniqueString;
 
@@ -17,7 +16,7 @@ import util.UniqueString;
  */
 public final class Kept {
   /** Another number for each form of such bytes. */
-  static final int FORM = 2;
+  static final int FORM = 3;
 
   static final int DEFINITION = 0;
   static final int PARAMETER = 1;
@@ -116,9 +115,11 @@ public final class Kept {
 
   /** A sum over the bytes from a place on, by which damage shows. */
   static int sum(byte[] bytes, int from) {
-    var sum = new CRC32();
-    sum.update(bytes, from, bytes.length - from);
-    return (int) sum.getValue();
+    int sum = 0;
+    for (int i = from; i < bytes.length; i++) {
+      sum = 31 * sum + bytes[i];
+    }
+    return sum;
   }
 
   private OpDefNode definition() {

@@ -10,6 +10,9 @@ public abstract class SemanticNode {
   /** The number of the mark by which outcomes of this node are told ({@code tla.eval.Marks}). */
   public int mark = UNMARKED;
 
+  /** What an evaluator has found out about this node ({@code tla.eval.Facts}): a map of nodes is slower. */
+  public Object facts;
+
   /** Where a node stands, which few ask. */
   public interface Place {
     Location location();
