@@ -409,6 +409,25 @@ def test_a_program_becomes_the_log_of_the_command(
     assert made == [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
 
+def test_one_of_several_programs_is_chosen(page: Page, tmp_path: Path) -> None:
+    """Cancelled, none is run; a list of programs, or text after one, is refused as a program, not as a log."""
+    file = tmp_path / "two.ndjson"
+    programs = [PROGRAM, PROGRAM | {"name": "other"}]
+    file.write_text("\n".join(map(json.dumps, programs)), encoding="utf-8")
+    page.set_input_files("#file", file)
+    expect(page.locator("#programs")).to_contain_text("two.ndjson: 2 programs of the kit")
+    page.click("#programs >> text=Cancel")
+    expect(page.locator("#problem")).to_contain_text("2 programs of the kit, and none is chosen")
+    paste(page, file.read_text(encoding="utf-8"))
+    page.select_option("#programs select", index=1)
+    page.click("#programs >> text=Run it")
+    expect(page.locator("#told")).to_contain_text("Made from other.json, a program of the kit")
+    page.click("#home")
+    for text in (json.dumps(programs), json.dumps(PROGRAM, indent=1) + "{}"):
+        paste(page, text)
+        expect(page.locator("#problem")).to_contain_text("unusable: expected a JSON object")
+
+
 @pytest.mark.parametrize(
     ("field", "value", "told"),
     [

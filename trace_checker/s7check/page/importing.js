@@ -1,5 +1,5 @@
 // What is no log, of which the engine makes one: a program, or a source, of which the user says what it does not tell.
-import { $, numbersOf } from "./elements.js";
+import { $, h, numbersOf } from "./elements.js";
 
 /** A text in the encoding that a column map names, in UTF-8. */
 function inUtf8(bytes, map) {
@@ -14,6 +14,18 @@ const asBytes = (log) => new TextEncoder().encode(log.map((line) => `${JSON.stri
 export async function simulated(engine, name, bytes) {
   const { log } = (await engine.ask({ message: "simulate", count: bytes.length }, bytes)).object;
   return { bytes: asBytes(log), told: [`Made from ${name}, a program of the kit: the specification ran it.`] };
+}
+
+/** The program of several that the user chooses; null if none. */
+export function chosen(name, programs) {
+  const [title, form] = $("programs").children;
+  title.textContent = `${name}: ${programs.length} programs of the kit`;
+  form.chosen.replaceChildren(...programs.map((one, i) => h("option", { value: i }, `${one.name}: ${one.about}`)));
+  return new Promise((resolve) => {
+    $("programs").returnValue = "";
+    $("programs").onclose = () => resolve($("programs").returnValue ? programs[form.chosen.value] : null);
+    $("programs").showModal();
+  });
 }
 
 /** What the form says, as the engine takes it. */

@@ -3,8 +3,8 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
-import { imported, simulated } from "./importing.js";
-import { Model, branch, fromLink, fromText, inflated, isProgram, layOut, ndjson, toLink } from "./model.js";
+import { chosen, imported, simulated } from "./importing.js";
+import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, programsOf, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
@@ -168,7 +168,13 @@ async function open(name, bytes, line = null, told = []) {
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
   const openMade = (made) => open(`${name.replace(/\.\w+$/, "")}.ndjson`, made.bytes, null, made.told);
-  if (isProgram(text)) {
+  const programs = programsOf(text);
+  if (programs.length > 1) {
+    const program = await chosen(name, programs);
+    if (!program) return closed(name, "not run", `it holds ${programs.length} programs of the kit, and none is chosen`);
+    return open(`${program.name}.json`, new TextEncoder().encode(program.text));
+  }
+  if (programs.length) {
     busy(`${name}: is being run on the specification`);
     const made = await simulated(engine, name, bytes).catch((error) => {
       if (!error.answer) throw error;

@@ -117,12 +117,22 @@ export function layOut(program) {
   return `{\n${fields.join(",\n")}\n}\n`;
 }
 
-/** Whether a text is one program of the kit. */
-export function isProgram(text) {
+/** Programs of the kit that a text holds: one, or one a line; none in any other text. The engine says what is bad. */
+export function programsOf(text) {
+  if (!text.includes("s7-interrupt-program/")) return [];
+  const lines = text.split("\n").filter((line) => line.trim());
+  const several = lines.length > 1 && isProgram(parsed(lines[0]));
+  if (several) return lines.map((line, i) => ({ name: `program ${i + 1}`, about: "", ...parsed(line), text: line }));
+  return isProgram(parsed(text)) || /^[\s[]*\{[^{]*"format"\s*:\s*"s7-interrupt-program\//.test(text) ? [{ text }] : [];
+}
+
+const isProgram = (value) => String(value?.format).startsWith("s7-interrupt-program/");
+
+function parsed(text) {
   try {
-    return String(JSON.parse(text)?.format).startsWith("s7-interrupt-program/");
+    return JSON.parse(text);
   } catch {
-    return false;
+    return null;
   }
 }
 
