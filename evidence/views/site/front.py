@@ -10,6 +10,7 @@ from evidence.common import gallery
 from evidence.common.gallery import Case
 from evidence.views.pictures import log_of_readme
 from evidence.views.site.documents import Document, Section
+from evidence.views.site.linked import with_links
 from evidence.views.site.logs import EXPLORER, address, drawable, picture
 from s7check.engine.client import Engine
 from s7check.report.clauses import clause
@@ -31,11 +32,14 @@ _QUESTIONS = {
         "clock-back-s7-400",
     ),
     "The clock jumps over a point, and there is no OB 80?": ("clock-over-point-without-ob80",),
-    "SRT_DINT for an OB that waits: one run or two?": ("delay-interrupt-started-again-while-it-waits",),
+    "SRT_DINT again, while the delay runs or its OB waits: one run or two?": (
+        "delay-interrupt-started-again",
+        "delay-interrupt-started-again-while-it-waits",
+    ),
     "DIS_IRT for one OB, EN_IRT for its class: is the OB free?": ("blocked-alone-free-by-class",),
     "CAN_TINT while the OB runs, and while it waits?": ("cancelled-inside-its-ob", "cancelled-while-pending"),
     "A warm restart or a hot one: what is left?": ("hot-restart", "restart-forgets-settings"),
-    "ACT_TINT after the date has passed?": ("activated-too-late",),
+    "ACT_TINT after the date has passed?": ("activated-too-late", "once-is-used-up"),
     "Two OBs of one class are due in one millisecond: which is first?": ("one-minute-two-obs",),
 }
 """What people ask, and the edge cases that answer."""
@@ -71,11 +75,11 @@ def _rules(report: Report, to: Callable[[str], str]) -> str:
 
 def _answers(found: dict[str, Case], to: Callable[[str], str]) -> Iterator[str]:
     for question, names in _QUESTIONS.items():
-        yield f"<dt>{html.escape(question)}</dt>"
+        yield f"<dt><strong>{html.escape(question)}</strong></dt>"
         for case in (found[name] for name in names):
             ids = ", ".join(f'<a href="{to(one)}">{one}</a>' for one in case.requirements)
             title = f'<a href="gallery.html#{case.name}">{html.escape(case.title)}</a>'
-            yield f"<dd>{title}: {html.escape(case.told)} {ids}</dd>"
+            yield f"<dd>{title}: {with_links(case.told, to)} {ids}</dd>"
 
 
 def _cards(report: Report, found: dict[str, Case]) -> Iterator[str]:

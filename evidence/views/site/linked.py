@@ -97,5 +97,10 @@ class Linked:
         return TAG.sub(link, _escaped(comment))
 
 
+def with_links(text: str, to: Callable[[str], str]) -> str:
+    """A text as HTML, in which IDs are links; `to` makes the address of an ID."""
+    return TAG.sub(lambda found: f'<a href="{to(found[0])}">{found[0]}</a>', _escaped(text))
+
+
 def _escaped(text: str) -> str:
     return html.escape(text, quote=False)

@@ -27,7 +27,7 @@ from evidence.views.site.chapters import homes_of, problems, read_chapters
 from evidence.views.site.documents import Document, Section, document, page_of, relative
 from evidence.views.site.documents import plain as plain_words
 from evidence.views.site.front import front_page
-from evidence.views.site.linked import TAG, Linked
+from evidence.views.site.linked import TAG, Linked, with_links
 from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
 from evidence.views.site.modules import module_page
 from evidence.views.site.tables import Tables
@@ -192,7 +192,7 @@ def _gallery(engine: Engine, to: Callable[[str], str], topics: Mapping[str, str]
         ids = ", ".join(f'<a href="{to(name)}">{name}</a>' for name in case.requirements)
         title = html.escape(case.title)
         parts.append(
-            f'<section id="{case.name}"><h2>{title}</h2><p>{html.escape(case.told)}</p>'
+            f'<section id="{case.name}"><h2>{title}</h2><p>{with_links(case.told, to)}</p>'
             f'{picture(drawable(log, engine))}<p>{run}{ids}; <a href="{page_of(log)}">log as a file</a></p></section>'
         )
         topic = topics[case.requirements[0]]
