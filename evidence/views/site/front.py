@@ -61,7 +61,8 @@ def front_page(engine: Engine, to: Callable[[str], str], *, explorer: bool) -> D
         f'<p><span class="verdict rejected">rejected</span> {html.escape(report.why)}</p><ul>{_rules(report, to)}</ul>'
         f'<ul class="cards">{"".join(cards)}</ul>'
         f"<h2>Ten questions</h2><dl>{''.join(_answers(found, to))}</dl>"
-        '<p><a href="book.html">The book</a> has every rule with its sources, its formula, its proofs and its logs.</p>'
+        '<p><a href="book.html">The book</a> has every rule with its sources, its formula, its proofs and its logs, '
+        'and a table of <a href="book/restart.html">what each restart keeps</a>.</p>'
         '<p><a href="gallery.html">Edge cases</a>, each by its shortest log; '
         '<a href="rules/review.html">longer ones</a>, told step by step.</p>'
     )

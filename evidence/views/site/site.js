@@ -20,6 +20,9 @@ const SAME = [
   [/\b(simultaneous(ly)?|same time)\b/g, "same minute equal order"],
   [/\b(retained|retentive|remanent|survives?)\b/g, "kept keeps restart"],
   [/\b(expired?|expiry|timeout)\b/g, "elapsed delay over"],
+  [/\b(pending|queued)\b/g, "waits"],
+  [/\bre-?trigger(s|ed)?\b/g, "started again"],
+  [/\b(date|time|point) (has |is )?(past|passed|over)\b|\b(past|too late)\b/g, "after start point"],
   [/\bpriorit(y|ies)\b/g, "$& class"],
   [/\b(unblock(ed)?|enabled?)\b/g, "en_irt ends block"],
 ];
