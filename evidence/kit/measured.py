@@ -53,13 +53,16 @@ def problems(folder: Path = ROOT) -> list[str]:
 
 
 def origin(folder: Path = ROOT) -> str:
-    """The hash of the specification without comments and layout, of the soft PLC, and of the programs."""
+    """The hash of the specification without comments and layout, of the soft PLC, and of the programs.
+
+    What a program is about, and the requirements that it names, change nothing of what it reaches.
+    """
     modules = read_modules(folder / "spec")
     sources = sorted(file for part in _SOFT_PLC for file in (SOFT_PLC / part).glob("*.[ch]"))
     return digest(
         [
             *(f"{name} {module.code}" for name, module in modules.items()),
             *(file.read_text(encoding="utf-8") for file in sources),
-            *map(as_line, programs()),
+            *(as_line(program | {"about": "", "requirements": []}) for program in programs()),
         ]
     )
