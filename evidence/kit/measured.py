@@ -55,7 +55,8 @@ def problems(folder: Path = ROOT) -> list[str]:
 def origin(folder: Path = ROOT) -> str:
     """The hash of the specification without comments and layout, of the soft PLC, and of the programs.
 
-    What a program is about, and the requirements that it names, change nothing of what it reaches.
+    What a program is about, and the requirements that it names, change nothing of what it reaches; the questions that
+    it names do.
     """
     modules = read_modules(folder / "spec")
     sources = sorted(file for part in _SOFT_PLC for file in (SOFT_PLC / part).glob("*.[ch]"))
@@ -63,6 +64,10 @@ def origin(folder: Path = ROOT) -> str:
         [
             *(f"{name} {module.code}" for name, module in modules.items()),
             *(file.read_text(encoding="utf-8") for file in sources),
-            *(as_line(program | {"about": "", "requirements": []}) for program in programs()),
+            *(as_line(program | {"about": "", "requirements": _questions(program)}) for program in programs()),
         ]
     )
+
+
+def _questions(program: Json) -> list[str]:
+    return [name for name in program["requirements"] if name.startswith("AMB-")]

@@ -84,6 +84,8 @@ def name_of(guard: Guard) -> str:
 _FEW = 2
 """Programs that a guard's outcome is named in, the smallest of those that reach it."""
 
+_HOUR = 3_600_000
+
 _OF_A_LOG = 100
 """Lines that cost the engine as much as the beginning and the end of a log."""
 
@@ -141,10 +143,13 @@ def _judge(program: Program, ran: Ran, engine: Engine, options: Sequence[str], r
 def _variants(program: Program, engine: Engine) -> Iterator[Variant]:
     """The program's CPU by each letter of the questions that the program is about.
 
-    Not of those about an S7-1500, whose calls may answer any code: to simulate one takes minutes.
+    Not of those about an S7-1500, whose calls may answer any code, or longer than an hour, in which each point may
+    count in several ways [AMB-56]: to simulate one takes minutes.
     """
+    if program.duration > _HOUR or program.header["cpu"] not in engine.alternatives().classic:
+        return
     for name, letters in engine.alternatives().letters:
-        if name in program.requirements and program.header["cpu"] in engine.alternatives().classic:
+        if name in program.requirements:
             yield from (Variant("", None, None, ((name, letter),)) for letter in letters)
 
 
