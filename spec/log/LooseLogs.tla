@@ -85,8 +85,7 @@ MayBeRequested(o) ==
 
 (* The OBs of time-of-day and time-delay interrupts that may be due.       *)
 MayBeDue == { o \in TodObs \cup DintObs : MayBeRequested(o) }
-MissingMayBeRequested ==
-    \E o \in MayBeDue \cup (ExternalObs \ AsyncErrorObs) :
+MissingMayBeRequested == \E o \in MayBeDue \cup (ExternalObs \ AsyncErrorObs) :
       MayBeRequested(o) /\ MayBeMissing(o)
 
 -----------------------------------------------------------------------------
@@ -127,11 +126,9 @@ LooseAnswers(e) ==
           [] e.event = "CAN_DINT" /\ o \in DintObs ->
                open({ CanDintErrorsIf(started)
                       : started \in Either(MayBeStarted(o), MayBeOver(o)) })
-          [] e.event = "DIS_AIRT" ->
-               IF Unseen("call") THEN AnyDisAirtAnswer
+          [] e.event = "DIS_AIRT" -> IF Unseen("call") THEN AnyDisAirtAnswer
                ELSE UNION { DisAirtAnswers(c) : c \in Counts }
-          [] e.event = "EN_AIRT"  ->
-               IF Unseen("call") THEN AnyEnAirtAnswer
+          [] e.event = "EN_AIRT" -> IF Unseen("call") THEN AnyEnAirtAnswer
                ELSE UNION { EnAirtAnswers(c) : c \in Counts }
           [] OTHER                -> AnswersTo(e)
 
@@ -237,8 +234,7 @@ LooseRequests(e) ==
           : class \in ClassesOf(e.ob, fault), cause \in causes }
 
 \* @type: $event => Bool;
-LooseInterruptStarts(e) ==
-    \E r \in LooseRequests(e) :
+LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
       /\ FitsRequest(r, e)
       /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
       /\ ModeAllows(r)
