@@ -187,11 +187,11 @@ $(ENGINE): trace_checker/engine/pom.xml $(shell find trace_checker/engine/src/ma
 	cd trace_checker/engine && mvn -q -B package -DskipTests
 	@touch $@
 
-# TeaVM's collector asks for the size of what was a free chunk, where an object may lie by now: its identity hash code
-# was taken for the size, and memory behind the table of cards was changed.
+# TeaVM's collector reads the size of each chunk that was free, but an object may lie there by now. It took the identity
+# hash code of that object for the size, and changed memory behind its table of cards.
 COLLECTOR = $(dir $(NATIVE))c/c/o/t/r/GC.c
-SIZE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_size)
-IS_FREE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_classReference) == 0
+CHUNK_SIZE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_size)
+CHUNK_IS_FREE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_classReference) == 0
 
 # The evaluator relies on what TeaVM leaves to these flags: values of other types, and integers that wrap.
 NATIVE_FLAGS := -O2 -w -fno-strict-aliasing -fwrapv -static -s
@@ -199,8 +199,8 @@ $(NATIVE): $(ENGINE) $(wildcard trace_checker/engine/src/main/c/*)
 	@echo "building the engine as an executable"
 	rm -rf $(dir $(NATIVE))c
 	cd trace_checker/engine && mvn -q -B -Pnative process-classes
-	sed -i '/^void meth_otr_GC_storeGapsInCardTable/,/^}/s/$(SIZE)/($(IS_FREE) ? $(SIZE) : 0)/' $(COLLECTOR)
-	grep -q '$(IS_FREE) ?' $(COLLECTOR)
+	sed -i '/^void meth_otr_GC_storeGapsInCardTable/,/^}/s/$(CHUNK_SIZE)/($(CHUNK_IS_FREE) ? $(CHUNK_SIZE) : 0)/' $(COLLECTOR)
+	grep -q '$(CHUNK_IS_FREE) ?' $(COLLECTOR)
 	cd trace_checker/engine && $(CC) $(NATIVE_FLAGS) -I src/main/c -o target/s7-trace-engine target/c/all.c src/main/c/streams.c -lm
 
 $(WASM): $(ENGINE)

@@ -83,12 +83,12 @@ class Generator:
     def written(self, random: Random, events: int | None = None) -> Log:
         """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`."""
         options = ["--up"] if random.random() < 0.5 else []
-        program = setups.scenario(random, self._words, self._words.families, events)
+        program = setups.scenario(random, self._words, events)
         header, *lines = map(json.loads, self._run(*options, "-", stdin=program).splitlines())
         return Log(header, lines)
 
     def _written(self, random: Random) -> tuple[Log, list[str]]:
-        scenario = setups.scenario(random, self._words, self._words.families)
+        scenario = setups.scenario(random, self._words)
         options = ["--up"] if random.random() < 0.4 else []
         done = []
         if random.random() < 0.1:

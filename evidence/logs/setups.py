@@ -36,12 +36,12 @@ _EVER = 36525 * 86_400_000
 """Milliseconds that no program lasts."""
 
 
-def scenario(random: Random, words: Alternatives, families: list[str], events: int | None = None) -> str:
+def scenario(random: Random, words: Alternatives, events: int | None = None) -> str:
     """The text of a program: a family, OBs, classes, STEP 7 parameters, a clock close to a turn, so many events.
 
     By default 9 to 59.
     """
-    family = random.choice(families)
+    family = random.choice(words.families)
     drawn = [ob for ob in USUAL if random.random() < 0.9] + [ob for ob in OTHERS if random.random() < 0.4]
     loaded = [ob for ob in drawn if ob not in dict(words.unknown)[family]]
     clock = _clock(random)

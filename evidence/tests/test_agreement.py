@@ -77,7 +77,7 @@ def test_logs_are_drawn_by_seed(generator: Generator) -> None:
 def test_scenarios_differ() -> None:
     """In family, classes, STEP 7 parameters and terms."""
     words = pool.alternatives()
-    text = "".join(scenario(Random(number), words, words.families) for number in range(200))  # noqa: S311
+    text = "".join(scenario(Random(number), words) for number in range(200))  # noqa: S311
     for setting in ("priority", "step7", "deselected", "end_of_month"):
         assert setting in text
     for setting in ('"diag": true', '"cycle": true', '"latency_ms": 0'):

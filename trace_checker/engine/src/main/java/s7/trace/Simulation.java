@@ -4,7 +4,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -41,9 +40,8 @@ final class Simulation {
   private static final String START = "start";
   private static final String STARTUP = "STARTUP";
 
-  /** The mode that a line says the CPU is in. */
-  private static final Map<String, String> MODES =
-      Map.of(STOP, "STOP", RESTART, STARTUP, "run", "RUN", "hold", "HOLD", "release", "RUN");
+  /** Lines after which the CPU is in another mode. */
+  private static final Set<String> OF_MODE = Set.of(STOP, RESTART, "run", "hold", "release");
 
   private final Fields header;
   private final long duration;
@@ -98,7 +96,7 @@ final class Simulation {
     clock = session.milliseconds();
     work = new Work(raw);
     awaited = session.timeless(awaited(raw));
-    mode = own.has("mode") ? own.text("mode") : "STOP";
+    mode = modeNow();
     if ("RUN".equals(mode)) {
       work.start(Work.CYCLE_OB);
     }
@@ -409,7 +407,13 @@ final class Simulation {
     ahead = null;
     asked = null;
     happened(name, line);
-    mode = MODES.getOrDefault(name, mode);
+    if (OF_MODE.contains(name)) {
+      mode = modeNow();
+    }
+  }
+
+  private String modeNow() {
+    return session.situations(1).iterator().next().text("mode");
   }
 
   private void happened(String name, Fields line) {
