@@ -60,6 +60,7 @@ ModernAgrees ==
              /\ f.jump = IF isS71500 THEN 20000 ELSE 0
              /\ f.queues <=> isS71500
              /\ f.openCodes <=> isS71500
+             /\ f.showsDelay <=> isS71500
              /\ f.timeAlone <=> isS71500
              /\ f.setsLocal <=> isS71500
              /\ f.holdsStartup <=> isS71500

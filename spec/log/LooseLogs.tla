@@ -101,31 +101,24 @@ Either(may, mayNot) == (IF may THEN {TRUE} ELSE {})
 AnyDisAirtAnswer == { CHOOSE r \in DisAirtAnswers(c) : TRUE : c \in 0..32766 }
 AnyEnAirtAnswer  == { CHOOSE r \in EnAirtAnswers(c) : TRUE : c \in 0..32768 }
 
-(* [A15-13] A call that sets or starts an interrupt may find its OB gone.  *)
-\* @type: Int => Set(Int);
-MissingAnswers(o) ==
-    IF Family.stops \/ MissingIsNotRefused \/ ~MayBeMissing(o)
-    THEN {} ELSE {BadOb}
-
 (* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
     LET o == e.ob
         \* @type: Set(Set(Int)) => Set(Int);
         any(errors) == UNION { Answers(o, s) : s \in errors }
-        \* @type: Set(Set(Int)) => Set(Int);
-        open(errors) == OpenCodes(any(errors))
     IN  CASE e.event = "CAN_TINT" /\ o \in TodObs ->
                any({ CanErrorsIf(isSet)
                      : isSet \in Either(MayBeSet(o), MayBeUnset(o)) })
           [] e.event = "ACT_TINT" /\ o \in TodObs ->
-               open({ ActErrorsIf(isSet, isPast)
-                      : isSet  \in Either(MayBeSet(o), MayBeUnset(o)),
-                        isPast \in Either(MayBePast(o), TRUE) })
-                 \cup MissingAnswers(o)
+               OpenCodes(UNION {
+                 SettingAnswersIf(missing, o, ActErrorsIf(isSet, isPast))
+                 : missing \in Either(MayBeMissing(o), MayBeLoaded(o)),
+                   isSet   \in Either(MayBeSet(o), MayBeUnset(o)),
+                   isPast  \in Either(MayBePast(o), TRUE) })
           [] e.event = "CAN_DINT" /\ o \in DintObs ->
-               open({ CanDintErrorsIf(started)
-                      : started \in Either(MayBeStarted(o), MayBeOver(o)) })
+               OpenCodes(any({ CanDintErrorsIf(started)
+                 : started \in Either(MayBeStarted(o), MayBeOver(o)) }))
           [] e.event = "DIS_AIRT" -> IF Unseen("call") THEN AnyDisAirtAnswer
                ELSE UNION { DisAirtAnswers(c) : c \in Counts }
           [] e.event = "EN_AIRT" -> IF Unseen("call") THEN AnyEnAirtAnswer
@@ -142,8 +135,8 @@ LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
     StatusOf(o, IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
-             IF Family.openCodes THEN {0, 2}  \* of DIS_AIRT [T15-53]
-             ELSE { IF b THEN 2 ELSE 0 : b \in LooseBlocked(o) },
+             UNION { BlockedBitIf(b, d) : b \in LooseBlocked(o),
+                                          d \in {TRUE, FALSE} },
              { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
              IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 

@@ -30,14 +30,16 @@ Answers(o, errors) ==
            [] DeselectedIsOrdinary -> Usual(errors)
            [] OTHER                -> Usual(errors) \cup {BadOb}
 
-(* [T15-41] [T15-140] [A15-13] A call that sets or starts an interrupt     *)
-(* whose OB is missing.                                                    *)
-\* @type: (Int, Set(Int)) => Set(Int);
-SettingAnswers(o, errors) ==
-    IF o \in loaded \/ Family.stops THEN Answers(o, errors)
+(* [T15-41] [T15-140] [A15-13] A call that sets or starts an interrupt,    *)
+(* whose OB may be missing.                                                *)
+\* @type: (Bool, Int, Set(Int)) => Set(Int);
+SettingAnswersIf(missing, o, errors) ==
+    IF ~missing \/ Family.stops THEN Answers(o, errors)
     ELSE IF MissingIsRefused THEN {BadOb}
     ELSE IF MissingIsNotRefused THEN Answers(o, errors)
     ELSE Answers(o, errors) \cup {BadOb}
+\* @type: (Int, Set(Int)) => Set(Int);
+SettingAnswers(o, errors) == SettingAnswersIf(o \notin loaded, o, errors)
 
 (* [T15-143] [T15-144] [T15-145] [T15-148] [A15-24] Where no text of a     *)
 (* call was found, an error may have any code.                             *)
@@ -71,12 +73,14 @@ StartupBit(o) ==
     IN  IF ~Deselected(o) THEN {bit}
         ELSE IF Bit0ShowsDeselection THEN {1} ELSE {bit, 1}
 
-(* [TINT-73] *)
+(* [TINT-73] [T15-53] Bit 1 where the OB is blocked, or all are delayed.   *)
+\* @type: (Bool, Bool) => Set(Int);
+BlockedBitIf(blocked, delayed) ==
+    IF Family.showsDelay /\ CodesAreOpen THEN {0, 2}
+    ELSE LET shows == IF Family.showsDelay THEN delayed ELSE blocked
+         IN  {IF shows THEN 2 ELSE 0}
 \* @type: Int => Set(Int);
-BlockedBit(o) ==
-    IF ~Family.openCodes THEN {IF Blocked(o) THEN 2 ELSE 0}
-    ELSE IF CodesAreOpen THEN {0, 2}
-    ELSE {IF delay > 0 THEN 2 ELSE 0}  \* [T15-53]
+BlockedBit(o) == BlockedBitIf(Blocked(o), delay > 0)
 
 (* [TINT-76] *)
 \* @type: Int => Set(Int);

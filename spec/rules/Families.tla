@@ -14,8 +14,9 @@ EXTENDS Integers
 (*                        repeats: Bool, byKind: Bool, raises: Bool,       *)
 (*                        inherits: Bool, stops: Bool, heldBack: Set(Int), *)
 (*                        keeps: Bool, missesInStop: Bool, jump: Int,      *)
-(*                        queues: Bool, openCodes: Bool, timeAlone: Bool,  *)
-(*                        setsLocal: Bool, holdsStartup: Bool,             *)
+(*                        queues: Bool, openCodes: Bool, showsDelay: Bool, *)
+(*                        timeAlone: Bool, setsLocal: Bool,                *)
+(*                        holdsStartup: Bool,                              *)
 (*                        unknown: Set(Int),                               *)
 (*                        letters: Set(<<Str, Str>>) };                    *)
 (***************************************************************************)
@@ -40,11 +41,12 @@ EXTENDS Integers
 (* points again [T15-90] [T15-94]; 0: there is no such limit.              *)
 (* queues: how many start events of a time-of-day OB wait is a parameter   *)
 (* [T15-68]. openCodes: no text of some calls was found [T15-143].         *)
-(* timeAlone: at the end of a month, the date of a start does not count    *)
-(* [T15-22]. setsLocal: there is SET_TINTL [T15-08]. holdsStartup: HOLD    *)
-(* comes in STARTUP, too [T15-121]. unknown: OBs that no program of the    *)
-(* family has [T15-12]. letters: questions about the others that its texts *)
-(* decide.                                                                 *)
+(* showsDelay: bit 1 of STATUS is of DIS_AIRT [T15-53]; else of SFC 39     *)
+(* [TINT-73]. timeAlone: at the end of a month, the date of a start does   *)
+(* not count [T15-22]. setsLocal: there is SET_TINTL [T15-08].             *)
+(* holdsStartup: HOLD comes in STARTUP, too [T15-121]. unknown: OBs that   *)
+(* no program of the family has [T15-12]. letters: questions about the     *)
+(* others that its texts decide.                                           *)
 \* @type: Set($family);
 KnownFamilies ==
   { [ name       |-> "S7-300",
@@ -63,6 +65,7 @@ KnownFamilies ==
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
+      showsDelay |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
       holdsStartup |-> FALSE,
@@ -84,6 +87,7 @@ KnownFamilies ==
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
+      showsDelay |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
       holdsStartup |-> FALSE,
@@ -105,6 +109,7 @@ KnownFamilies ==
       jump       |-> 0,
       queues     |-> FALSE,
       openCodes  |-> FALSE,
+      showsDelay |-> FALSE,
       timeAlone  |-> FALSE,
       setsLocal  |-> FALSE,
       holdsStartup |-> FALSE,
@@ -126,6 +131,7 @@ KnownFamilies ==
       jump       |-> 20000,
       queues     |-> TRUE,
       openCodes  |-> TRUE,
+      showsDelay |-> TRUE,
       timeAlone  |-> TRUE,
       setsLocal  |-> TRUE,
       holdsStartup |-> TRUE,
