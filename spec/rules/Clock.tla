@@ -115,7 +115,7 @@ Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
                              !.repeatTo = -1, !.overTo = ServedUntil(tod[o]),
                              !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
-        i == CHOOSE i \in RanOnce(o, to) : TRUE
+        i == CHOOSE r \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
         THEN Armed([ t EXCEPT !.set = TRUE, !.active = TRUE,
                               !.start = i.start, !.zone = i.zone,

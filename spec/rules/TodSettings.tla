@@ -98,10 +98,11 @@ Joined(t, runs, r) ==
                       i.to < r.from /\ PointFrom(t, i.to + 1) >= r.from }
         after  == { i \in runs :
                       r.to < i.from /\ i.from <= PointFrom(t, r.to + 1) }
-        begin  == IF before = {} THEN r.from
-                  ELSE (CHOOSE i \in before : TRUE).from
-        end    == IF after = {} THEN r.to ELSE (CHOOSE i \in after : TRUE).to
-    IN  (runs \ (before \cup after)) \cup {[from |-> begin, to |-> end]}
+        begins == { i.from : i \in before \cup {r} }
+        ends   == { i.to : i \in after \cup {r} }
+    IN  (runs \ (before \cup after)) \cup
+          {[ from |-> CHOOSE b \in begins : \A c \in begins : b <= c,
+             to   |-> CHOOSE e \in ends : \A f \in ends : f <= e ]}
 
 (* Runs that lie beside each other become one.                             *)
 \* @type: ($tod, Set($run)) => Set($run);
