@@ -38,7 +38,9 @@ TOGETHER = "Together"
 NEXT_OF_CLAIMS = "APNext"
 """The next-state relation of the abstract specifications in models/."""
 
-Kind = Literal["begins", "step", "follows", "lemma", "refines", "letters", "letter", "control", "mutant", "claim"]
+Kind = Literal[
+    "begins", "step", "follows", "lemma", "refines", "letters", "letter", "family", "control", "mutant", "claim"
+]
 
 
 class ManifestError(ValueError):
@@ -129,6 +131,17 @@ class Apart(Elsewhere, forbid_unknown_fields=True, kw_only=True):
     """Whether they are asked of every letter, too."""
 
 
+class Newer(Elsewhere, forbid_unknown_fields=True, kw_only=True):
+    """The induction once more, of the CPUs of another family: `formulas` of each action, from the `smaller` states.
+
+    Questions are read by the `letters` of the family, such as "AMB-27 a", the others by default.
+    """
+
+    name: str
+    formulas: list[str]
+    letters: str
+
+
 class World(msgspec.Struct, forbid_unknown_fields=True):
     """The states before a step, `state`, in which at most so many start events wait, and so many OBs run."""
 
@@ -162,6 +175,7 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     lemmas: list[Lemma] = []
     apart: list[Apart] = []
     """These formulas are not asked of these actions in the queries of the actions themselves."""
+    families: list[Newer] = []
 
     def apart_of(self, action: str, formula: str) -> Apart | None:
         """Where the formula is asked of the action, if not in the world of the others."""
@@ -235,6 +249,8 @@ class Query:
     mutations: tuple[Mutation, ...] = ()
     unfiltered: bool = False
     divided: tuple[int, ...] = ()
+    world: str = ""
+    """The module whose .cfg names the constants of the world; `module` itself where it is empty."""
 
 
 @dataclass(frozen=True)
@@ -406,6 +422,7 @@ def _queries(
         length=0,
         formulas=tuple(name for names in states.values() for name in names if (FOLLOWS, name) not in left),
         timeout=base.timeout,
+        world=base.module,
         constants=base.constants,
         instead=tuple((name, tuple(others)) for name, others in base.instead.items()),
     )
@@ -492,6 +509,15 @@ def _queries(
         replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
         for action in actions
     ]
+    for family in base.families:
+        first = replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants))
+        asked = [step(name, "family", some, tuple(family.formulas)) for name, some in groups.items()]
+        asked = [first, *(_begun_in(base, base.smaller, query) for query in asked)]
+        asked += [
+            replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
+            for action in actions
+        ]
+        queries += [_of_family(query, family, file) for query in asked]
     of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
         replace(
@@ -535,6 +561,11 @@ def _elsewhere(query: Query, there: Elsewhere) -> Query:
     )
 
 
+def _of_family(query: Query, family: Newer, file: ProofsFile) -> Query:
+    named = replace(query, name=f"{family.name}-{query.name}", shown=tuple(file.letters.shown), alone=family.letters)
+    return _elsewhere(named, family)
+
+
 def _lemma(anywhere: Query, lemma: Lemma) -> Query:
     of_itself = tuple((name, others) for name, others in anywhere.instead if name != lemma.of)
     asked = replace(anywhere, name=lemma.name, kind="lemma", init=lemma.init, instead=of_itself)
@@ -547,6 +578,7 @@ def _refines(anywhere: Query, refinement: Refinement) -> Query:
         anywhere,
         kind="refines",
         module=refinement.module,
+        world="",
         constants=refinement.constants,
         init=refinement.any,
         next=TOGETHER,

@@ -23,9 +23,10 @@ def assumptions(proofs: Proofs) -> str:
         f"One step of System from any state in which {base.invariants[0]} holds, in the world of "
         f"models/{base.module}.tla, "
         f"with at most {world.waiting} start events that wait and {world.running} OBs that run before the step, "
-        f"or {smaller.waiting} and {smaller.running} in the queries of letters and refinements; "
+        f"or {smaller.waiting} and {smaller.running} in the queries of letters, refinements and other families; "
         f"{elsewhere}; "
-        "the calendar by its lemma; readings by default, but in the queries called letters-."
+        "the calendar by its lemma; readings by default, of another family by its letters; "
+        "by any letter in the queries called letters-."
     )
 
 

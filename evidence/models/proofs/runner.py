@@ -171,7 +171,8 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
 
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError.
     """
-    replaced = dict(_REPLACED.findall((root / "models" / f"{query.module}.cfg").read_text(encoding="utf-8")))
+    world = root / "models" / f"{query.world or query.module}.cfg"
+    replaced = dict(_REPLACED.findall(world.read_text(encoding="utf-8")))
     words = (query.init, query.next, query.constants, query.history, *query.actions, *query.formulas)
     with tempfile.TemporaryDirectory(prefix="s7check-prove-") as changed:
         for change in query.mutations:

@@ -150,9 +150,23 @@ def test_each_action_has_its_query_and_its_control(proofs: Proofs) -> None:
     for query in stepping:
         assert query.next == (query.actions[0] if len(query.actions) == 1 else "Together")
         assert (query.init, query.length, query.expect) == ("AnyInit", 1, "holds")
-    controls = [query for query in proofs.queries if query.kind == "control"]
+    controls = [query for query in proofs.queries if query.name.startswith("control-")]
     assert [query.actions for query in controls] == [(action,) for action in proofs.actions]
     assert all((q.next, q.formulas, q.expect) == (q.actions[0], ("NoStep",), "violated") for q in controls)
+
+
+def test_each_action_is_asked_of_each_family(proofs: Proofs) -> None:
+    """The same formulas of every action, in the world of the family, and a control that each can take a step."""
+    assert [family.name for family in proofs.file.induction.families] == ["s7-1500"]
+    for family in proofs.file.induction.families:
+        of = [query for query in proofs.queries if query.name.startswith(f"{family.name}-")]
+        assert {query.kind for query in of} == {"begins", "family", "control"}
+        for kind in ("family", "control"):
+            assert Counter(a for q in of if q.kind == kind for a in q.actions) == Counter(proofs.actions)
+        for query in of:
+            assert (query.module, query.alone) == (family.module, family.letters)
+            assert dict(query.instead).items() >= {k: tuple(v) for k, v in family.instead.items()}.items()
+            assert query.kind != "family" or query.formulas == tuple(family.formulas)
 
 
 def test_mutants_of_many_actions(proofs: Proofs) -> None:
@@ -361,7 +375,7 @@ def test_the_worlds_of_the_queries(proofs: Proofs) -> None:
         if query.expect == "violated":
             assert states == ((base.refuted.state,) if query.actions else (base.world.state,))
         else:
-            assert states == ((base.smaller if query.kind in ("letters", "refines") else base.world).state,)
+            assert states == ((base.smaller if query.kind in ("letters", "refines", "family") else base.world).state,)
 
 
 def test_the_small_world(proofs: Proofs) -> None:
