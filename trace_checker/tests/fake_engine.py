@@ -60,9 +60,9 @@ SITUATION = {
     "loaded": [1, 40, 80, 81],
 }
 CANDIDATE = {
-    "action": "EnAirt(1)",
+    "action": "EnAirt(16#0001)",
     "conjunct": "ret = delay - 1",
-    "values": "delay - 1 = 0",
+    "values": "delay - 1 = 16#0000",
     "place": "Airt:30",
     "requirements": ["AIRT-07"],
 }

@@ -111,6 +111,29 @@ def test_wrong_fields_are_named(tmp_path: Path, judge: Callable[[Path], Report])
     assert "cannot have error_info 16#0002" in report.why
 
 
+@pytest.mark.parametrize(
+    ("lines", "action", "values"),
+    [
+        ([on("00:01", "EN_AIRT", ret=0)], "EnAirt(16#0000)", "ret = 16#0000, EnAirtAnswers(delay) = {16#8080}"),
+        ([on("00:01", "stop", cause="W#16#4562")], "IsStop(OB 0)", "stopCause = -1, cause = 16#4562"),
+        ([on("00:01", "start", ob=20)], "IsStart(OB 20)", "the set is empty"),
+        (
+            [on("00:01", name, ob=ob) for ob in (40, 35) for name in ("interrupt", "start")],
+            "Start(OB 35)",
+            "r.class = 12, Running.class = 16",
+        ),
+    ],
+)
+def test_formulas_have_codes_in_hexadecimal(
+    lines: list[dict[str, Any]], action: str, values: str, tmp_path: Path, judge: Callable[[Path], Report]
+) -> None:
+    """RET_VAL and causes of a STOP; OBs, classes and what is not logged stay."""
+    log = tmp_path / "log.ndjson"
+    log.write_bytes(log_text(*lines, header=HEADER))
+    found = [(one.action, one.values) for one in judge(log).candidates]
+    assert any(one.startswith(action) and values in each for one, each in found), found
+
+
 def test_two_families(capsys: pytest.CaptureFixture[str]) -> None:
     """What tells an S7-300 from an S7-400 is whether a point comes again once the clock is set back."""
     assert cli.main(["distinguish", "--cpu", "S7-300", "--cpu", "S7-400", "--budget", "0", "--pairs", "1"]) == 0

@@ -21,7 +21,6 @@ from s7check.log.source import Source, open_log
 from s7check.report.expected import format_allowed, format_late
 from s7check.report.report import Report
 from s7check.report.why import why_not
-from s7check.report.words import in_hexadecimal
 
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
@@ -187,7 +186,7 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         why=why_not(event or b"", late, answer.expected, answer.requirements),
         states=answer.states,
         situations=answer.situations,
-        candidates=[in_hexadecimal(one) for one in _telling(answer.candidates)],
+        candidates=_telling(answer.candidates),
         outcomes=answer.outcomes,
         open=answer.open,
         classes=answer.classes,

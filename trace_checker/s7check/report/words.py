@@ -1,9 +1,5 @@
 """The situation of a CPU in words."""
 
-import re
-
-from msgspec.structs import replace
-
 from s7check.engine.answer import BroughtBack, Candidate, Frame, Moment, Pending, Situation
 from s7check.log.errors import ranges
 from s7check.log.values import MS_PER_MINUTE, iso
@@ -21,14 +17,6 @@ _PERIODS = {
 }
 """In words, for people; which codes there are, and when each comes round, the specification says."""
 _NO_CAUSE = -1
-
-_ABOUT_WORDS = r"\b(?:ret|status|period|sign)\b"
-_CALL = r"(Set|Can|Act|Qry|Srt|Dis|En)(Tint|Dint|Irt|Airt)\((.*)\)"
-_TWO_WORDS = frozenset({"SetTint", "SrtDint", "QryTint", "QryDint"})
-"""Actions of calls whose last two arguments are words: PERIOD or SIGN and RET_VAL, RET_VAL and STATUS."""
-_VALUES = r"(?<= = )(?:\d+(?=,|$)|\{[\d, ]+\})"
-"""In the values of a condition those of its operands; numbers within an operand stay as the formula has them."""
-_NUMBER = r"\d+"
 
 
 def moment(at: Moment) -> str:
@@ -79,21 +67,6 @@ def _brought_back(kept: BroughtBack) -> str:
     )
 
 
-def in_hexadecimal(one: Candidate) -> Candidate:
-    """The candidate with RET_VAL, STATUS, PERIOD and SIGN as the manual spells them: ``EnAirt(16#0001)``, ``ret =
-    16#0001, delay - 1 = 16#0000``.
-    """
-    action, values = one.action, one.values
-    if call := re.fullmatch(_CALL, action):
-        name, operands = call[1] + call[2], call[3].split(", ")
-        words = 2 if name in _TWO_WORDS else 1
-        operands[-words:] = [re.sub(_NUMBER, _as_word, each) if each.isdigit() else each for each in operands[-words:]]
-        action = f"{name}({', '.join(operands)})"
-    if re.search(_ABOUT_WORDS, one.conjunct):
-        values = re.sub(_VALUES, lambda value: re.sub(_NUMBER, _as_word, value[0]), values)
-    return replace(one, action=action, values=values)
-
-
 def candidate(one: Candidate) -> str:
     """A sentence, then the condition that is false and the values of its operands.
 
@@ -102,10 +75,6 @@ def candidate(one: Candidate) -> str:
     """
     here = f"; here {one.values}" if one.values else ""
     return f"{one.action} does not explain the line, since a condition is false: {one.conjunct}{here}"
-
-
-def _as_word(number: re.Match[str]) -> str:
-    return f"16#{int(number[0]) & 0xFFFF:04X}"
 
 
 def _running(frames: list[Frame]) -> str:

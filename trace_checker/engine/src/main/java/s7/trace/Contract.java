@@ -392,7 +392,7 @@ public final class Contract {
 
   /** The actions that are not enabled, each with its first false conjunct. */
   Set<Guards.Failure> failures(Failing failing, State state, Value event) {
-    return spec.failures(failing.action.tla, Contract::label, state, event);
+    return spec.failures(failing.action.tla, Contract::label, Spelled::numbers, state, event);
   }
 
   /** Lines without a time that come into question after this state. */

@@ -3,6 +3,7 @@ package s7.trace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.IntFunction;
 
 import s7.log.Days;
 import s7.log.Fields;
@@ -15,6 +16,11 @@ final class Spelled {
   private static final Set<String> WORDS =
       Set.of("period", "sign", "ret", "status", "cause", "id", "error_info", "ev");
   private static final Set<String> BYTES = Set.of("mode", "flt_id", "strt_info");
+  private static final Set<String> SHOWN_BYTES = Set.of("flt_id", "strt_info");
+
+  /** The causes of a STOP; that of a request is an OB. */
+  private static final Set<String> CAUSES = Set.of("cause", "e.cause", "stopCause");
+
   private static final Set<String> TRUTHS = Set.of("active", "blocked", "loaded", "entries_off", "local", "activate");
   private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "counter");
   private static final List<String> DATE = List.of("year", "month", "day", "hour", "minute", "second", "ms");
@@ -160,7 +166,14 @@ final class Spelled {
       return String.valueOf(value != 0);
     }
     boolean word = WORDS.contains(field);
-    return word ? hex(value, 4) : Set.of("flt_id", "strt_info").contains(field) ? hex(value, 2) : String.valueOf(value);
+    return word ? hex(value, 4) : SHOWN_BYTES.contains(field) ? hex(value, 2) : String.valueOf(value);
+  }
+
+  /** How a formula spells the numbers of an operand, a name or a field such as {@code e.ret}; null for no codes. */
+  static IntFunction<String> numbers(String operand) {
+    String name = operand.substring(operand.lastIndexOf('.') + 1);
+    String field = CAUSES.contains(operand) ? "cause" : name.equals("cause") ? "ob" : name;
+    return WORDS.contains(field) || SHOWN_BYTES.contains(field) ? number -> value(field, number) : null;
   }
 
   static int given(Fields object, String name) {

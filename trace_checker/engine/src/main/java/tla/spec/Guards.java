@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 import tla.eval.Evaluator;
 import tla.eval.Place;
@@ -34,6 +37,7 @@ public final class Guards {
 
   private static final int LONGEST = 240;
   private static final int LONGEST_VALUE = 60;
+  private static final Pattern NUMBER = Pattern.compile("-?\\b[0-9]+\\b");
 
   /**
    * An action that fails.
@@ -53,11 +57,17 @@ public final class Guards {
   private final Evaluator evaluator;
   private final Source source;
   private final Function<RecordValue, String> label;
+  private final Function<String, IntFunction<String>> numbers;
 
-  Guards(Evaluator evaluator, Source source, Function<RecordValue, String> label) {
+  Guards(
+      Evaluator evaluator,
+      Source source,
+      Function<RecordValue, String> label,
+      Function<String, IntFunction<String>> numbers) {
     this.evaluator = evaluator;
     this.source = source;
     this.label = label;
+    this.numbers = numbers;
   }
 
   /** The failures of an operator; none if it is enabled, or if the evaluator cannot tell. */
@@ -186,10 +196,10 @@ public final class Guards {
   /** An action with the arguments that a line of text can hold. */
   private String named(OpDefNode operator, ExprOrOpArgNode[] args, Place place) {
     var shown = new ArrayList<String>();
-    for (ExprOrOpArgNode arg : args) {
-      Value value = valueOf(arg, place);
+    for (int i = 0; i < args.length; i++) {
+      Value value = valueOf(args[i], place);
       if (value instanceof IntValue || value instanceof StringValue) {
-        shown.add(value.toString());
+        shown.add(spelled(value.toString(), numbers.apply(operator.getParams()[i].getName())));
       } else if (value != null && value.toRcd() instanceof RecordValue record) {
         String name = label.apply(record);
         if (name != null) {
@@ -200,12 +210,16 @@ public final class Guards {
     return operator.getName() + (shown.isEmpty() ? "" : "(" + String.join(", ", shown) + ")");
   }
 
-  /** The operands of a comparison, but for literals. */
+  /** The operands of a comparison, but for literals; all numbers are spelled as those of one operand are. */
   private String values(SemanticNode node, Place place) {
     if (!(node instanceof OpApplNode apply)) {
       return "";
     }
     var shown = new ArrayList<String>();
+    IntFunction<String> spelling = null;
+    for (ExprOrOpArgNode arg : apply.getArgs()) {
+      spelling = spelling == null ? numbers.apply(source.text(arg)) : spelling;
+    }
     for (ExprOrOpArgNode arg : apply.getArgs()) {
       if (!(arg instanceof OpApplNode)) {
         continue;
@@ -213,10 +227,21 @@ public final class Guards {
       Value value = valueOf(arg, place);
       String text = value == null ? "" : value.toString();
       if (!text.isEmpty() && text.length() <= LONGEST_VALUE && !text.equals(source.text(arg))) {
-        shown.add(source.text(arg) + " = " + text);
+        shown.add(source.text(arg) + " = " + spelled(text, spelling));
       }
     }
     return String.join(", ", shown);
+  }
+
+  /** A value's text with its numbers in this spelling; negative ones stand for none and stay, null leaves all. */
+  private static String spelled(String value, IntFunction<String> spelling) {
+    var text = new StringBuilder();
+    int from = 0;
+    for (Matcher found = NUMBER.matcher(value); spelling != null && found.find(); from = found.end()) {
+      int number = Integer.parseInt(found.group());
+      text.append(value, from, found.start()).append(number < 0 ? found.group() : spelling.apply(number));
+    }
+    return text.append(value.substring(from)).toString();
   }
 
   private Value valueOf(SemanticNode node, Place place) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 
 import tla.eval.Evaluator;
@@ -82,11 +83,16 @@ public final class Specification {
    *
    * @param label the short text by which a failure names a record that an action is applied to, or
    *     null for none
+   * @param numbers how the numbers are spelled that stand with this operand, null if as they are
    */
   public Set<Guards.Failure> failures(
-      String name, Function<RecordValue, String> label, State state, Value... arguments) {
+      String name,
+      Function<RecordValue, String> label,
+      Function<String, IntFunction<String>> numbers,
+      State state,
+      Value... arguments) {
     OpDefNode operator = operator(name);
-    return new Guards(evaluator, source, label)
+    return new Guards(evaluator, source, label, numbers)
         .of(operator, evaluator.place(operator, state, arguments));
   }
 

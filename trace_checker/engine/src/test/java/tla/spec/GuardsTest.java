@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.function.IntFunction;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
@@ -21,7 +23,7 @@ class GuardsTest {
   }
 
   private static List<Guards.Failure> failures(String action, int argument) {
-    return List.copyOf(spec.failures(action, record -> null, spec.initialState("Init"), IntValue.gen(argument)));
+    return List.copyOf(spec.failures(action, record -> null, name -> null, spec.initialState("Init"), IntValue.gen(argument)));
   }
 
   @Test
@@ -38,6 +40,17 @@ class GuardsTest {
     assertEquals("count + n = 5", failure.values());
     assertEquals(Set.of("TINY-04"), failure.requirements());
     assertTrue(failure.place().startsWith("Explain:"));
+  }
+
+  @Test
+  @DisplayName("numbers are spelled as those of an operand or a parameter are")
+  void spelled() {
+    Function<String, IntFunction<String>> numbers =
+        name -> Set.of("n", "count", "count + n").contains(name) ? number -> "#" + number : null;
+    var all = spec.failures("Either", record -> null, numbers, spec.initialState("Init"), IntValue.gen(5));
+    assertEquals(
+        List.of("Guarded(#5) count + n = #5", "Either the set is empty", "Either count = #0, n = #5"),
+        all.stream().map(one -> one.action() + " " + one.values()).toList());
   }
 
   @Test
