@@ -153,8 +153,8 @@ ClockSet(to) ==
         /\ \E count \in MergedCount(to), deferred \in Deferring,
               held \in HeldAfter(to), again \in ServesAgain(to) :
            \E c \in CpusThatShow(active(count), to),
-              ones \in IF ~again THEN {{}}
-                       ELSE SUBSET { o \in TodObs : RanOnce(o, to) # {} } :
+              ones \in SUBSET (IF ~again THEN {}
+                               ELSE { o \in TodObs : RanOnce(o, to) # {} }) :
              /\ cpu' = c
              /\ IF skipped = {} \/ deferred THEN NothingSkipped(to)
                                             ELSE SomeSkipped(to, skipped)
