@@ -103,8 +103,8 @@ def parse_specification(package: Path) -> None:
     if java is None:
         return
     jars = [package / "jars" / JAR.name, *sorted((package / "jars" / "lib").glob("*.jar"))]
-    contents = runpy.run_path(CONTENTS)["contents"]
-    parsed = (package / "parsed" / f"{contents([*(package / 'spec').rglob('*.tla'), jars[0]])}.tree").resolve()
+    fingerprint = runpy.run_path(CONTENTS)["fingerprint"]
+    parsed = (package / "parsed" / f"{fingerprint([*(package / 'spec').rglob('*.tla'), jars[0]])}.tree").resolve()
     parsed.parent.mkdir()
     engine = [java, "-cp", os.pathsep.join(map(str, jars)), "s7.jvm.Main", package / "spec", parsed]
     subprocess.run(engine, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False)

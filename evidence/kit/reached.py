@@ -42,7 +42,7 @@ class Reached:
 
     def __post_init__(self) -> None:
         """Name the outcomes once: there are a thousand, and as many in every log."""
-        guards = self.decisions.guards().items()
+        guards = self.decisions.guards.items()
         self._names = {2 * number + side: Guard.of(one, not side) for number, one in guards for side in (0, 1)}
 
     @property

@@ -2,16 +2,18 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import click
 import msgspec
-from click.shell_completion import CompletionItem
 
 from s7check.engine import pool
 from s7check.log.chosen import Chosen
 from s7check.log.errors import printable
 from s7check.log.profile_file import ENDING
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 
 class OneOf(click.ParamType[str]):
@@ -29,7 +31,7 @@ class OneOf(click.ParamType[str]):
         """The word."""
         return self._choice().convert(value, param, ctx)
 
-    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> "list[CompletionItem]":
         """The words that begin like this."""
         return self._choice().shell_complete(ctx, param, incomplete)
 

@@ -1,6 +1,5 @@
 """Which logs the arguments of a call mean."""
 
-import glob
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -21,7 +20,9 @@ def _meant(argument: str) -> list[str]:
         path = Path(argument)
         if path.is_dir():
             return sorted(str(file) for file in path.rglob("*") if file.name.endswith(ENDINGS) and file.is_file())
-        if glob.has_magic(argument) and not path.exists():
+        if set("*?[") & set(argument) and not path.exists():
+            import glob
+
             found = glob.iglob(argument, recursive=True)  # noqa: PTH207 - the pattern may be absolute
             return sorted(name for name in found if Path(name).is_file())
     except (OSError, ValueError):

@@ -2,7 +2,6 @@
 
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 import click
@@ -57,13 +56,15 @@ def write_whole(path: Path, data: bytes) -> None:
 
     Raises OSError.
     """
+    from tempfile import mkstemp
+
     if path.exists() and not path.is_file():
         # A device or a pipe cannot be replaced.
         path.write_bytes(data)
         return
     path = path.resolve()
     mode = path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask()
-    fd, name = tempfile.mkstemp(prefix=f".{path.name[:50]}.", dir=path.parent)
+    fd, name = mkstemp(prefix=f".{path.name[:50]}.", dir=path.parent)
     try:
         with os.fdopen(fd, "wb") as file:
             file.write(data)

@@ -3,11 +3,11 @@
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
 import click
+from msgspec.structs import replace
 
 from s7check.completion import complete_files
 from s7check.engine import pool

@@ -483,3 +483,23 @@ def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: 
     code = cli.main(["trace", "--format", "json", str(path)])
     (report,) = objects(capsys)
     assert {"accepted": 0, "rejected": 1, "unusable": 2}[report["verdict"]] == code
+
+
+HEAVY = {
+    *("asyncio", "click.shell_completion", "concurrent.futures", "dataclasses", "glob", "hashlib", "html", "jinja2"),
+    *("json", "logging", "multiprocessing", "queue", "random", "rich", "shutil", "tempfile", "xml"),
+    *("s7check.api", "s7check.asking", "s7check.importing", "s7check.kit", "s7check.report.as_html"),
+}
+
+
+def test_light(logs: Path) -> None:
+    """Most of what a short log costs is Python's start: an accepted one imports nothing that it can do without."""
+    # Java needs more: an archive of classes, a folder for its files. The first log of a specification writes the cache.
+    native = engine_kind() == "native"
+    use = "; s7check.cli.main(['trace', 'accepted'])" if native else ""
+    script = f"import sys, s7check.cli, s7check.trace_command{use}; print(*sys.modules, file=sys.stderr)"
+    for _ in range(2):
+        ran = subprocess.run([sys.executable, "-c", script], cwd=logs, capture_output=True, text=True)
+    loaded = set(ran.stderr.split())
+    assert "s7check.judging.check" in loaded
+    assert HEAVY.isdisjoint(loaded), HEAVY & loaded

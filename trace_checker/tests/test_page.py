@@ -4,12 +4,12 @@ import json
 import re
 import shutil
 import subprocess
-from dataclasses import replace
 from html import unescape
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from playwright.sync_api import sync_playwright
 
 from s7check.engine.answer import Candidate, Frame, Pending, Situation, Step

@@ -1,9 +1,9 @@
 """Other readings of a rejected log: those on which its verdict cannot depend are not tried."""
 
-from dataclasses import replace
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log

@@ -2,7 +2,6 @@
 
 import threading
 import time
-from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
@@ -10,7 +9,7 @@ import pytest
 from s7check.engine.client import Engine
 from s7check.judging import workers
 from s7check.judging.check import check_log
-from s7check.judging.workers import Workers
+from s7check.judging.workers import Outcome, Workers
 from tests.logs import event, log_text
 
 
@@ -20,9 +19,9 @@ def _two_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "_processors", lambda: 2)
 
 
-def results(futures: list[Future[str]]) -> list[str]:
+def results(outcomes: list[Outcome[str]]) -> list[str]:
     """What they have come to."""
-    return [future.result() for future in futures]
+    return [outcome.result() for outcome in outcomes]
 
 
 def test_order(fake_command: list[str]) -> None:

@@ -6,8 +6,10 @@ in front of it, or nothing at all. Of these the one is taken with which most of 
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple
+
+from msgspec.structs import replace
 
 from s7check.asking.answers import Refusal
 from s7check.asking.session import Session, as_answer

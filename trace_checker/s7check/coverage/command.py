@@ -76,7 +76,7 @@ def _total(names: list[str], programs: list[Program]) -> report.Total:
             progress.begin(click.format_filename(name))
             found.append(measure(name, engine))
             progress.done()
-    outcomes = [Guard.of(one, outcome) for one in decisions.guards().values() for outcome in (True, False)]
+    outcomes = [Guard.of(one, outcome) for one in decisions.guards.values() for outcome in (True, False)]
     answers = frozenset(
         (call, ret & 0xFFFF) for call, rets in choices.answers if call != WITHOUT_NUMBER for ret in rets
     )

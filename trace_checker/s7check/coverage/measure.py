@@ -112,7 +112,7 @@ def coverage_of(
         frozenset(decisions.requirements_of(report.open)) - sure,
         frozenset(
             Guard.of(one, outcome)
-            for number, one in decisions.guards().items()
+            for number, one in decisions.guards.items()
             for outcome in (True, False)
             if 2 * number + (not outcome) in outcomes
         ),

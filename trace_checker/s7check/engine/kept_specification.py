@@ -4,12 +4,12 @@ A wheel has the file. Where that is not of these modules and jars, and in a chec
 writes it at its first use, and again when a module, the engine or TLC is another one.
 """
 
-import hashlib
 from contextlib import suppress
 from pathlib import Path
+from zlib import crc32
 
 from s7check.engine.cache import cache_folder
-from s7check.engine.contents import contents
+from s7check.engine.contents import fingerprint
 from s7check.resources import INSTALLED, PARSED, modules
 
 _KEPT = 8
@@ -20,14 +20,15 @@ def specification_state(specification: Path, jars: list[Path]) -> str:
     """A text that is another one for each specification and set of jars. Raises OSError."""
     files = [*jars, *modules(specification)]
     states = [(file.name, file.stat().st_size, file.stat().st_mtime_ns) for file in files]
-    return hashlib.sha256(repr((str(specification), states)).encode()).hexdigest()[:32]
+    newest = max(modified for _, _, modified in states)
+    return f"{newest:x}-{crc32(repr((str(specification), states)).encode()):08x}"
 
 
 def kept_specification(specification: Path, jars: list[Path]) -> list[str]:
     """The engine's argument for the file with the specification as ``jars`` parse it; none where no file can be."""
     with suppress(OSError):
         if INSTALLED:
-            shipped = PARSED / f"{contents([*modules(specification), *jars])}.tree"
+            shipped = PARSED / f"{fingerprint([*modules(specification), *jars])}.tree"
             if shipped.is_file():
                 return [str(shipped)]
         file = cache_folder() / f"{specification_state(specification, jars)}.tree"

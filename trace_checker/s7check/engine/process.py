@@ -1,10 +1,9 @@
 """The engine as an operating system process: lines in, lines out, and why it ended."""
 
 import os
-import shutil
 import signal
 import subprocess
-import tempfile
+import sys
 import time
 from pathlib import Path
 
@@ -50,10 +49,10 @@ class EngineProcess:
         self._folder = ""
         try:
             if command[0] != str(NATIVE):
-                self._folder = tempfile.mkdtemp(prefix=FOLDER)
-            # A file for its standard error: a pipe that nobody empties would block it.
-            with tempfile.TemporaryFile() as errors:
-                self._errors = os.dup(errors.fileno())
+                from tempfile import mkdtemp
+
+                self._folder = mkdtemp(prefix=FOLDER)
+            self._errors = _nameless_file()
             self._fds.append(self._errors)
             input_end, self._input = os.pipe()
             self._fds += [input_end, self._input]
@@ -132,6 +131,8 @@ class EngineProcess:
 
     def _clear(self) -> None:
         if self._folder:
+            import shutil
+
             shutil.rmtree(self._folder, ignore_errors=True)
 
     def _close(self) -> None:
@@ -157,6 +158,16 @@ class EngineProcess:
         how = f"exit code {code}" if code >= 0 else f"killed by {signal.Signals(-code).name}"
         words = f", {printable(_gist(said), _SHOWN)}" if said else ""
         return EngineError(f"the engine ended ({how}{words}): try again, then {REMEDY}")
+
+
+def _nameless_file() -> int:
+    """A file for standard error: a pipe that nobody empties would block the process."""
+    if sys.platform == "linux":
+        return os.memfd_create("errors")
+    import tempfile
+
+    with tempfile.TemporaryFile() as errors:
+        return os.dup(errors.fileno())
 
 
 def _gist(said: str) -> str:

@@ -4,10 +4,10 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 
 import click
+from msgspec.structs import replace
 
 from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
 from s7check.engine.client import Engine

@@ -1,19 +1,19 @@
 """What the caller chooses in the place of a log's header."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
+import msgspec
 
-@dataclass(frozen=True)
-class Chosen:
+
+class Chosen(msgspec.Struct, frozen=True):
     """An edition of the manual by which every log is judged, ambiguities with the letters of their readings, a CPU.
 
     A letter goes before that of the header and before the edition.
     """
 
     profile: str | None = None
-    letters: Mapping[str, str] = field(default_factory=dict)
+    letters: Mapping[str, str] = {}
     cpu: str | None = None
 
     def but(self, other: "Chosen") -> "Chosen":

@@ -1,8 +1,9 @@
 """The report about one log: its fields, and the parts of it that all formats for people share."""
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
+
+import msgspec
 
 from s7check.engine.answer import Candidate, Situation, Step
 from s7check.log.errors import printable
@@ -18,8 +19,7 @@ Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
 EXIT_CODES: dict[Verdict, int] = {"accepted": 0, "rejected": 1, "unusable": 2, "no verdict": 3}
 
 
-@dataclass(frozen=True)
-class Reading:
+class Reading(msgspec.Struct, frozen=True):
     """The verdict about the same log under another header: ``change`` names the difference.
 
     ``kind`` is the changed part, ``line`` the line that decides.
@@ -31,8 +31,7 @@ class Reading:
     line: int | None = None
 
 
-@dataclass(frozen=True)
-class Report:
+class Report(msgspec.Struct, frozen=True):
     """The verdict about one log.
 
     ``line`` is the physical line that decides, or None; ``events`` the number of events explained before it; ``event``
@@ -56,27 +55,27 @@ class Report:
     line: int | None = None
     events: int = 0
     event: bytes | None = None
-    expected: list[str] = field(default_factory=list)
-    requirements: list[str] = field(default_factory=list)
+    expected: list[str] = []
+    requirements: list[str] = []
     why: str = ""
     certain_from: int | None = None
-    late: list[str] = field(default_factory=list)
+    late: list[str] = []
     states: int = 0
-    situations: list[Situation] = field(default_factory=list)
-    candidates: list[Candidate] = field(default_factory=list)
+    situations: list[Situation] = []
+    candidates: list[Candidate] = []
     readings: list[Reading] | None = None
-    untried: list[str] = field(default_factory=list)
-    outcomes: list[int] = field(default_factory=list, repr=False)
-    open: list[int] = field(default_factory=list, repr=False)
-    classes: list[int] = field(default_factory=list, repr=False)
-    asked: list[str] | None = field(default=None, repr=False)
-    decided: list[str] = field(default_factory=list)
+    untried: list[str] = []
+    outcomes: list[int] = []
+    open: list[int] = []
+    classes: list[int] = []
+    asked: list[str] | None = None
+    decided: list[str] = []
     decidable: int = 0
-    lines: list[bytes] = field(default_factory=list)
-    steps: list[Step] = field(default_factory=list)
-    flow: list[tuple[int, bytes]] = field(default_factory=list, repr=False)
+    lines: list[bytes] = []
+    steps: list[Step] = []
+    flow: list[tuple[int, bytes]] = []
     after: str = ""
-    seconds: float = field(default=0, compare=False)
+    seconds: float = 0
 
     @property
     def exit_code(self) -> int:
