@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Download, Page, expect, sync_playwright
 
 from evidence.common.chromium import QUIET, chromium, firefox, in_firefox, judged_in, missing
 from s7check import cli
+from s7check.asking.variants import Variant
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
 from s7check.explore_command import page_with
@@ -399,6 +400,7 @@ def test_a_program_becomes_the_log_of_the_command(
     file = tmp_path / "nested.json"
     file.write_text(json.dumps(PROGRAM), encoding="utf-8")
     page.set_input_files("#file", file)
+    page.click("#programs button:has-text('Run it')")
     expect(page.locator("#told")).to_contain_text("Made from nested.json, a program of the kit")
     expect(page.locator("#verdict")).to_contain_text("accepted the specification explains every line (5 events")
     expect(page.locator("#timeline")).to_contain_text("EN_AIRT")
@@ -417,16 +419,56 @@ def test_one_of_several_programs_is_chosen(page: Page, tmp_path: Path) -> None:
     file.write_text("\n".join(map(json.dumps, programs)), encoding="utf-8")
     page.set_input_files("#file", file)
     expect(page.locator("#programs")).to_contain_text("two.ndjson: 2 programs of the kit")
-    page.click("#programs >> text=Cancel")
-    expect(page.locator("#problem")).to_contain_text("2 programs of the kit, and none is chosen")
+    page.click("#programs button:has-text('Cancel')")
+    expect(page.locator("#problem")).to_contain_text("it is a program of the kit, and was not run")
     paste(page, file.read_text(encoding="utf-8"))
-    page.select_option("#programs select", index=1)
-    page.click("#programs >> text=Run it")
-    expect(page.locator("#told")).to_contain_text("Made from other.json, a program of the kit")
+    page.select_option("#programs [name=chosen]", index=1)
+    page.click("#programs button:has-text('Run it')")
+    expect(page.locator("#told")).to_contain_text("Made from other, a program of the kit")
     page.click("#home")
     for text in (json.dumps(programs), json.dumps(PROGRAM, indent=1) + "{}"):
         paste(page, text)
         expect(page.locator("#problem")).to_contain_text("unusable: expected a JSON object")
+
+
+_STARTED = {"call": "SRT_DINT", "ob": 20, "dtime": 100, "sign": 0}
+PARTED = PROGRAM | {
+    "header": PROGRAM["header"] | {"obs": [1, 20, 80, 85, 100]},
+    "outside": [],
+    "duration": 900,
+    "bodies": [
+        {"ob": 1, "run": 1, "steps": [{"call": "DIS_AIRT"}, _STARTED, {"wait": 300}, _STARTED, {"call": "EN_AIRT"}]}
+    ],
+}
+"""SRT_DINT while its OB waits: what waits stays, or goes (AMB-11)."""
+
+
+def test_a_program_is_run_at_random_and_by_other_readings(
+    page: Page, tmp_path: Path, real_engine: Engine, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As by --seed, --reading and --all; it can be run again, and two answers to one question are refused."""
+    file = tmp_path / "parted.json"
+    file.write_text(json.dumps(PARTED), encoding="utf-8")
+    page.set_input_files("#file", file)
+    page.click("#programs button:has-text('Show every outcome')")
+    expect(page.locator("#outcomes")).to_contain_text("outcome")
+    assert cli.main(["simulate", str(file), "--all"]) == 0
+    assert page.locator("#outcomes").inner_text().splitlines() == capsys.readouterr().out.splitlines()[1:]
+    assert Axe().run(page).response["violations"] == []
+    page.select_option("#programs [name=readings]", ["AMB-11 a", "AMB-11 b"])
+    page.click("#programs button:has-text('Run it')")
+    expect(page.locator("#not-run")).to_have_text("AMB-11: choose one answer")
+    page.select_option("#programs [name=readings]", ["AMB-11 b"])
+    page.fill("#programs [name=seed]", "5")
+    page.click("#programs button:has-text('Run it')")
+    expect(page.locator("#told")).to_contain_text("ran it, by the number 5, AMB-11 b.")
+    shown = [line.partition(" ")[2] for line in page.locator("#lines button").all_inner_texts()[1:]]
+    ran = simulated(real_engine, read_program(file.read_bytes()), Variant("", letters=(("AMB-11", "b"),)), seed=5)
+    assert [line.split()[:2] for line in shown] == [[line["at"], line["event"]] for line in ran[1:]]
+    page.click("#told >> text=Run it otherwise")
+    page.fill("#programs [name=seed]", "")
+    page.click("#programs button:has-text('Run it')")
+    expect(page.locator("#told")).to_contain_text("ran it, AMB-11 b.")
 
 
 @pytest.mark.parametrize(

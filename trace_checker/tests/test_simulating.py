@@ -167,6 +167,8 @@ def test_all_outcomes(real_engine: Engine) -> None:
     ways = {way["choice"] for way in tree["ways"]}
     assert {"start ob=10", "start ob=11"} <= ways
     assert tree["outcomes"] == 1
+    assert {line.strip() for line in tree["text"]} >= {f"- {way['choice']}" for way in tree["ways"]}
+    assert any(line.strip().startswith("goes on as at (") for line in tree["text"])
 
 
 @pytest.mark.parametrize("change", [{"durations": 1}, {"header": PROGRAM["header"] | {"obs": "1"}}])

@@ -32,7 +32,6 @@ from s7check.log.source import open_log
 from s7check.report.clauses import all_clauses, clause
 from s7check.report.report import clause_text
 from s7check.simulating.comparison import compare_log, compare_program
-from s7check.simulating.outcomes import as_text
 from s7check.simulating.simulate_command import the_program
 from s7check.simulating.simulation import outcomes, simulated
 
@@ -139,7 +138,7 @@ def simulate(
         variant = Variant("", cpu, profile, tuple(readings.items()))
         if every_outcome:
             tree = outcomes(engine, _program(program), variant)
-            return _part("\n".join([msgspec.json.encode(tree["header"]).decode(), *as_text(tree)]), part)
+            return _part("\n".join([msgspec.json.encode(tree["header"]).decode(), *tree["text"]]), part)
         log = simulated(engine, _program(program), variant)
         return _part("\n".join(msgspec.json.encode(line).decode() for line in log), part)
 

@@ -108,7 +108,9 @@ class _Mode(msgspec.Struct):
 
 
 def kind_of(begin: bytes, engine: Engine | None = None) -> str | None:
-    """``step7``, ``szl`` or ``ring``, as ``--from`` has it, if ``begin`` is the beginning of such a source."""
+    """``step7``, ``szl`` or ``ring``, as ``--from`` has it, if ``begin`` is the beginning of such a source; ``program``
+    of a program of the kit.
+    """
     if engine is not None:
         return _answer(engine, {"message": "kind"}, _Kind, begin).kind
     return _ask({"message": "kind"}, _Kind, begin).kind

@@ -126,6 +126,8 @@ def _imported(kind: str | None, source: str, options: dict[str, Any]) -> Importe
     else:
         content = _content(source)
         kind = kind or ("csv" if options["columns"] is not None else kind_of(content))
+    if kind == "program":
+        raise click.UsageError("SOURCE is a program of the kit, which `s7check simulate` runs")
     if kind is None:
         raise click.UsageError(
             "--from is missing, and SOURCE does not show what it is: expected the text of a diagnostic buffer (step7), "

@@ -140,8 +140,8 @@ class Judging:
         return report if answer is None else self._with_decided(report, answer)
 
     def _source_of_import(self, error: UnusableLogError) -> UnusableLogError:
-        """The error; if it is in place of the header, and the bytes are a diagnostic buffer, it says that a log can be
-        made from them.
+        """The error; if it is in place of the header, and the bytes are a program or a source of an import, it says
+        what makes a log of them.
         """
         from s7check.importing.asking import kind_of  # logs do not wait for it
 
@@ -151,6 +151,8 @@ class Judging:
         with suppress(EngineError):  # the verdict stands without it
             if kind := kind_of(begin, self._engine):
                 found = f"a diagnostic buffer, of which `s7check import --from {kind}` makes one"
+                if kind == "program":
+                    found = "a program of the kit, which `s7check simulate` runs"
                 return UnusableLogError("a log", found, line=error.line)
         return error
 

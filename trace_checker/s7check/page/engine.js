@@ -1,6 +1,6 @@
 // The engine in its Worker: questions and answers. Where it fails it is started anew, and the question ends in an Error.
 
-const utf8 = new TextEncoder();
+export const utf8 = new TextEncoder();
 const LEAST = "this browser has no WebAssembly with garbage collection: use Chromium or Firefox of 2024, or newer";
 
 /** The engine has no answer; the text says why. */

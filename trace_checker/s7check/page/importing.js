@@ -1,31 +1,95 @@
 // What is no log, of which the engine makes one: a program, or a source, of which the user says what it does not tell.
 import { $, h, numbersOf } from "./elements.js";
+import { utf8 } from "./engine.js";
+
+const OF_KIT = "a program of the kit: the specification ran it";
 
 /** A text in the encoding that a column map names, in UTF-8. */
 function inUtf8(bytes, map) {
   const { encoding = "utf-8" } = JSON.parse(new TextDecoder().decode(map));
-  return new TextEncoder().encode(new TextDecoder(encoding.replace(/-sig$/, ""), { fatal: true }).decode(bytes));
+  return utf8.encode(new TextDecoder(encoding.replace(/-sig$/, ""), { fatal: true }).decode(bytes));
 }
 
 /** A log, objects, as its bytes. */
-const asBytes = (log) => new TextEncoder().encode(log.map((line) => `${JSON.stringify(line)}\n`).join(""));
+const asBytes = (log) => utf8.encode(log.map((line) => `${JSON.stringify(line)}\n`).join(""));
 
-/** The log of one run of a program of the kit, as of a source. Throws NoAnswer. */
-export async function simulated(engine, name, bytes) {
-  const { log } = (await engine.ask({ message: "simulate", count: bytes.length }, bytes)).object;
-  return { bytes: asBytes(log), told: [`Made from ${name}, a program of the kit: the specification ran it.`] };
+const withoutEnding = (name) => name.replace(/\.\w+$/, "");
+
+/** What the form of a program says, as the engine takes it. */
+function how(form) {
+  const readings = Array.from(form.readings.selectedOptions, ({ value }) => value.split(" "));
+  const twice = readings.find(([name], i) => readings[i + 1]?.[0] === name);
+  if (twice) throw new Error(`${twice[0]}: choose one answer`);
+  const seed = form.seed.value === "" ? {} : { seed: Number(form.seed.value) };
+  return { ...seed, ...(readings.length ? { readings: Object.fromEntries(readings) } : {}) };
 }
 
-/** The program of several that the user chooses; null if none. */
-export function chosen(name, programs) {
+/** Runs a program of those in a file as its form says: the log, as of a source; shows the outcomes if all are wanted. */
+async function simulated(engine, name, programs, all) {
+  const [, form] = $("programs").children;
+  $("not-run").textContent = $("outcomes").textContent = "";
+  const { name: own, text } = programs[form.chosen.value];
+  const chosen = how(form);
+  const bytes = utf8.encode(text);
+  const message = { message: "simulate", count: bytes.length, ...chosen, ...(all ? { all } : {}) };
+  const made = (await engine.ask(message, bytes)).object;
+  if (all) {
+    const end = `${made.outcomes} outcome${made.outcomes > 1 ? "s" : ""}`;
+    $("outcomes").textContent = [...made.text, end].join("\n");
+    return null;
+  }
+  const letters = Object.entries(chosen.readings ?? {}).map((pair) => `, ${pair.join(" ")}`);
+  const by = `${"seed" in chosen ? `, by the number ${chosen.seed}` : ""}${letters.join("")}`;
+  const [from, to] = programs.length > 1 ? [own, own] : [name, withoutEnding(name)];
+  return { name: to, bytes: asBytes(made.log), told: [`Made from ${from}, ${OF_KIT}${by}.`], again: true };
+}
+
+/** The log of one of the programs, which the user chooses with how it is run; null if the user wants none. */
+async function run(engine, name, programs) {
+  const only = utf8.encode(programs[0].text);
+  if (programs.length === 1) await engine.ask({ message: "program", count: only.length }, only); // told at once
   const [title, form] = $("programs").children;
-  title.textContent = `${name}: ${programs.length} programs of the kit`;
+  const said = `${name}: ${programs.length > 1 ? `${programs.length} programs` : "a program"} of the kit`;
+  if (title.textContent !== said) form.reset();
+  title.textContent = said;
   form.chosen.replaceChildren(...programs.map((one, i) => h("option", { value: i }, `${one.name}: ${one.about}`)));
+  $("not-run").textContent = $("outcomes").textContent = "";
+  let running = false;
   return new Promise((resolve) => {
-    $("programs").returnValue = "";
-    $("programs").onclose = () => resolve($("programs").returnValue ? programs[form.chosen.value] : null);
+    $("programs").onclose = () => {
+      if (running) engine.stop();
+      resolve(null);
+    };
+    form.onsubmit = async (submitted) => {
+      submitted.preventDefault();
+      if (running) return;
+      running = true;
+      const made = await simulated(engine, name, programs, submitted.submitter?.value === "all").catch((error) => {
+        $("not-run").textContent = error.message;
+      });
+      running = false;
+      if (!made) return;
+      resolve(made);
+      $("programs").close();
+    };
     $("programs").showModal();
   });
+}
+
+/**
+ * The log that is `made` of a file which is none: its name, bytes, lines that say what it holds, and whether it can be
+ * made again in another way. Without it, if nothing makes one or the user wants none; perhaps with why it is `refused`.
+ */
+export async function madeOf(engine, name, bytes) {
+  const { kind, what, programs } = (await engine.ask({ message: "kind", count: bytes.length }, bytes)).object;
+  if (kind !== "program") return { made: await imported(engine, name, bytes, kind, what) };
+  try {
+    const made = await run(engine, name, programs);
+    return made ? { made } : { refused: "it is a program of the kit, and was not run" };
+  } catch (error) {
+    if (!error.answer) throw error;
+    return { refused: error.message };
+  }
 }
 
 /** What the form says, as the engine takes it. */
@@ -36,9 +100,8 @@ function asked(form) {
   return { given, ...Object.fromEntries(Object.entries(how).filter(([, value]) => value)) };
 }
 
-/** The bytes of a log, and lines that say what it holds; null if it is no source, or the user wants none. */
-export async function imported(engine, name, bytes) {
-  let { kind, what } = (await engine.ask({ message: "kind", count: bytes.length }, bytes)).object;
+/** The log of a source; null if it is none, or the user wants none. */
+function imported(engine, name, bytes, kind, what) {
   if (!kind && !/\.csv$/i.test(name)) return null;
   kind ??= "csv";
   what ??= "a table";
@@ -61,7 +124,7 @@ export async function imported(engine, name, bytes) {
           message.map = Array.from(map, (one) => String.fromCharCode(one)).join("");
         }
         const { log, told } = (await engine.ask({ ...message, count: content.length }, content)).object;
-        resolve({ bytes: asBytes(log), told: [`Made from ${what}.`, ...told] });
+        resolve({ name: withoutEnding(name), bytes: asBytes(log), told: [`Made from ${what}.`, ...told] });
         $("import").close();
       } catch (error) {
         $("refused").textContent = error.message;

@@ -3,8 +3,8 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
-import { chosen, imported, simulated } from "./importing.js";
-import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, programsOf, toLink } from "./model.js";
+import { madeOf } from "./importing.js";
+import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
@@ -167,26 +167,13 @@ async function open(name, bytes, line = null, told = []) {
   busy(`${name}: is being judged`);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
-  const openMade = (made) => open(`${name.replace(/\.\w+$/, "")}.ndjson`, made.bytes, null, made.told);
-  const programs = programsOf(text);
-  if (programs.length > 1) {
-    const program = await chosen(name, programs);
-    if (!program) return closed(name, "not run", `it holds ${programs.length} programs of the kit, and none is chosen`);
-    return open(`${program.name}.json`, new TextEncoder().encode(program.text));
-  }
-  if (programs.length) {
-    busy(`${name}: is being run on the specification`);
-    const made = await simulated(engine, name, bytes).catch((error) => {
-      if (!error.answer) throw error;
-      closed(name, "unusable", error.message);
-    });
-    return made && openMade(made);
-  }
   const answer = await engine.judge(bytes);
   if (answer.verdict === "error") return closed(name, "no verdict", answer.message);
   if (answer.verdict === "unusable" && !told.length && answer.unusable.line <= one.numbers[0]) {
-    const made = await imported(engine, name, bytes);
-    if (made) return openMade(made);
+    const { made, refused } = await madeOf(engine, name, bytes);
+    if (refused) return closed(name, "unusable", refused);
+    const again = made?.again ? [button("Run it otherwise", () => open(name, bytes))] : [];
+    if (made) return open(`${made.name}.ndjson`, made.bytes, null, [...made.told, ...again]);
   }
   if (answer.verdict === "unusable") return closed(name, "unusable", unusable(answer.unusable));
   if (one.lines.length > LONGEST)
@@ -402,7 +389,9 @@ async function showChoices() {
       const said = beginning(asked?.letters[letter]);
       return h("option", { value: `${name} ${letter}` }, `${name} ${letter} ${said}`);
     });
-    $("compare").reading.append(h("optgroup", { label: `${name} ${beginning(asked?.text)}` }, ...offered));
+    const group = h("optgroup", { label: `${name} ${beginning(asked?.text)}` }, ...offered);
+    $("programs").querySelector("form").readings.append(group.cloneNode(true));
+    $("compare").reading.append(group);
   }
 }
 

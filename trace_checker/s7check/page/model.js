@@ -117,25 +117,6 @@ export function layOut(program) {
   return `{\n${fields.join(",\n")}\n}\n`;
 }
 
-/** Programs of the kit that a text holds: one, or one a line; none in any other text. The engine says what is bad. */
-export function programsOf(text) {
-  if (!text.includes("s7-interrupt-program/")) return [];
-  const lines = text.split("\n").filter((line) => line.trim());
-  const several = lines.length > 1 && isProgram(parsed(lines[0]));
-  if (several) return lines.map((line, i) => ({ name: `program ${i + 1}`, about: "", ...parsed(line), text: line }));
-  return isProgram(parsed(text)) || /^[\s[]*\{[^{]*"format"\s*:\s*"s7-interrupt-program\//.test(text) ? [{ text }] : [];
-}
-
-const isProgram = (value) => String(value?.format).startsWith("s7-interrupt-program/");
-
-function parsed(text) {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return null;
-  }
-}
-
 /**
  * A log's text as a branch. Lines stay texts, so that numbers keep their spelling; `numbers` are their places in the
  * text, which may have empty lines.
@@ -176,12 +157,11 @@ export async function fromLink(text) {
   }
 }
 
-/** The bytes behind a text in base64, which were compressed by gzip. */
-export const inflated = (text) =>
-  through(
-    Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)),
-    new DecompressionStream("gzip"),
-  );
+/** Bytes that gzip has packed in one piece. Throws an Error for others. */
+export const unzipped = (bytes) => through(bytes, new DecompressionStream("gzip"));
+
+/** The same behind a text in base64. */
+export const inflated = (text) => unzipped(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
 
 async function opened(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));

@@ -21,7 +21,6 @@ from s7check.kit.program import Program, read_program
 from s7check.letters import EDITION, OneOf, set_option
 from s7check.log.errors import UnusableLogError
 from s7check.output import echo
-from s7check.simulating.outcomes import as_text
 from s7check.simulating.simulation import LATENCY, outcomes, simulated
 
 _HELP = """Run a program of the kit on the specification.
@@ -94,11 +93,12 @@ def the_program(file: Path, only: str | None) -> Program:
 
 
 def _tree(tree: dict[str, Any], output: str) -> None:
+    text = tree.pop("text")
     if output == "json":
         echo(_line(tree))
         return
     number = tree["outcomes"]
-    echo("\n".join([_line(tree["header"]), *as_text(tree), f"{number} outcome{'s' if number > 1 else ''}"]))
+    echo("\n".join([_line(tree["header"]), *text, f"{number} outcome{'s' if number > 1 else ''}"]))
 
 
 def _adapter(run: Callable[[Engine, Program], list[dict[str, Any]]]) -> int:

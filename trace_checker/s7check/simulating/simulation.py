@@ -30,6 +30,7 @@ def outcomes(engine: Engine, program: Program, variant: Variant = AS_IT_IS, late
 
     It and each of its ``ways`` have a ``number``, ``lines`` that come one after the other, and the possible
     continuations, each with the ``choice`` that leads there; ``goes_on`` is the number of another part that follows
-    in place of these. Raises EngineError, also where there are too many, and UnusableLogError.
+    in place of these; ``text`` has lines for people. Raises EngineError, also where there are too many, and
+    UnusableLogError.
     """
     return engine.simulated(program.line(), variant.of(program.header), latency, all=True)

@@ -460,6 +460,19 @@ def test_diagnostic_buffer(tmp_path: Path, source: str, kind: str, capsys: pytes
     assert capsys.readouterr().out == f"{tmp_path / 'buffer'}:1: unusable: expected a log; found {found}\n"
 
 
+@pytest.mark.parametrize("indent", [None, 1])
+def test_a_program(tmp_path: Path, indent: int | None, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is neither a log nor a source, and the message names the command that runs it; a log has no program."""
+    file = tmp_path / "program.json"
+    file.write_text(json.dumps({"format": "s7-interrupt-program/1", "name": "x"}, indent=indent), encoding="utf-8")
+    found = "a program of the kit, which `s7check simulate` runs"
+    assert cli.main(["trace", str(file)]) == 2
+    assert capsys.readouterr().out == f"{file}:1: unusable: expected a log; found {found}\n"
+    assert cli.main(["import", str(file), "--cpu", "S7-300", "--obs", "1"]) == 2
+    assert found in capsys.readouterr().err
+    assert kind_of(b'{"format": "s7-interrupt-log/1", "x_of": "s7-interrupt-program/1"}\n{"event": "hold"}') is None
+
+
 @pytest.mark.parametrize("content", ["1234\n", "Event\n", "00A0 0000 0014 0001\n", "", "\n\n{}"])
 def test_no_diagnostic_buffer(tmp_path: Path, content: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Of other files nothing of the kind is said."""

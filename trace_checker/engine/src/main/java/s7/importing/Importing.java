@@ -16,8 +16,9 @@ import s7.log.Unusable;
  * Answers about sources, whose bytes come with the message:
  *
  * <ul>
- *   <li>{@code kind}: which {@code kind} of source they are, told by their beginning: {@code step7}, {@code szl} or
- *       {@code ring}, null for none; and {@code what} that is, in words.
+ *   <li>{@code kind}: which {@code kind} of source they are, told by their beginning: {@code step7}, {@code szl},
+ *       {@code ring} or {@code program}, null for none; {@code what} that is, in words; and the {@code programs} of the
+ *       kit that they hold, with {@code name}, {@code about} and {@code text}.
  *   <li>{@code import} with {@code kind}, the fields {@code given} of the header, which count more than what the source
  *       tells, {@code entries} such as {@code 5-20}, {@code dates} as {@link Step7Text#read} has it, the {@code map} of
  *       a {@link Table}, whose bytes are in UTF-8, and {@code remarks} on the source: the {@code log}, objects, and
@@ -41,7 +42,8 @@ public final class Importing {
       Map.of(
           "step7", "the text of a diagnostic buffer",
           "szl", "records of SZL 16#00A0",
-          "ring", "the data block of the SCL source");
+          "ring", "the data block of the SCL source",
+          "program", "a program of the kit");
 
   private Importing() {}
 
@@ -49,8 +51,9 @@ public final class Importing {
   public static Fields answer(String message, Fields json, byte[] content, Format format, ProfileFile file) {
     return switch (message) {
       case "kind" -> {
-        String kind = kindOf(content);
-        yield new Fields().put("kind", kind).put("what", kind == null ? null : KINDS.get(kind));
+        List<Fields> programs = Format.programsIn(content);
+        String kind = programs.isEmpty() ? kindOf(content) : "program";
+        yield new Fields().put("kind", kind).put("what", kind == null ? null : KINDS.get(kind)).put("programs", programs);
       }
       case "import" -> log(json, content, format, file);
       case "entries" -> new Fields().put("entries", entries(content));

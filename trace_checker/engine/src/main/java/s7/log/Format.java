@@ -1,5 +1,6 @@
 package s7.log;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -54,6 +55,11 @@ public final class Format {
   /** A program of the kit, with one spelling for each value. */
   public Fields program(byte[] text) {
     return new Programs(words, header, events).program(Fields.of(text));
+  }
+
+  /** The programs of the kit that a text holds, with {@code name}, {@code about} and {@code text}, unread. */
+  public static List<Fields> programsIn(byte[] text) {
+    return Programs.in(new String(text, StandardCharsets.UTF_8));
   }
 
   /** The header, the duration, the events from outside and the bodies of the program of a log ({@link FromLog}). */

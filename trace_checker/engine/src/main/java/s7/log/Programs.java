@@ -1,6 +1,8 @@
 package s7.log;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,6 +15,11 @@ import java.util.regex.Pattern;
  */
 final class Programs {
   private static final String FORMAT = "s7-interrupt-program/1";
+  private static final String ANY_FORMAT = "s7-interrupt-program/";
+
+  /** How a program, or a list of programs, begins whose format comes first. */
+  private static final Pattern BEGUN =
+      Pattern.compile("[\\s\\[]*\\{[^{]*\"format\"\\s*:\\s*\"" + ANY_FORMAT);
 
   /** Fields of a log's header that a program gives; the others are the implementation's own. */
   static final List<String> OF_HEADER = List.of("cpu", "obs", "clock", "mode", "cycle", "priority", "step7");
@@ -126,6 +133,42 @@ final class Programs {
     var repeated = Table.of("every", SPAN);
     repeated.putAll(optional);
     outside.put(name, whole(new Table("outside event " + name, timed, repeated)));
+  }
+
+  /** The programs of a text: one, or one a line; none in any other text. A damaged one counts: its reader refuses it. */
+  static List<Fields> in(String text) {
+    var found = new ArrayList<Fields>();
+    if (!text.contains(ANY_FORMAT)) {
+      return found;
+    }
+    List<String> lines = Arrays.stream(text.split("\n")).filter(line -> !line.isBlank()).toList();
+    if (lines.size() > 1 && isProgram(parsed(lines.get(0)))) {
+      lines.forEach(line -> found.add(named("program " + (found.size() + 1), line)));
+    } else if (isProgram(parsed(text)) || BEGUN.matcher(text).lookingAt()) {
+      found.add(named("program", text));
+    }
+    return found;
+  }
+
+  private static Fields named(String name, String text) {
+    Fields raw = parsed(text);
+    return new Fields()
+        .put("name", raw.get("name") instanceof String given ? given : name)
+        .put("about", raw.get("about") instanceof String about ? about : "")
+        .put("text", text);
+  }
+
+  /** The object of a text; an empty one if it has none. */
+  private static Fields parsed(String text) {
+    try {
+      return Fields.of(text.getBytes(StandardCharsets.UTF_8));
+    } catch (Unusable wrong) {
+      return new Fields();
+    }
+  }
+
+  private static boolean isProgram(Fields raw) {
+    return raw.get("format") instanceof String format && format.startsWith(ANY_FORMAT);
   }
 
   /** The program of an object. */

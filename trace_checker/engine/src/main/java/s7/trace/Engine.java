@@ -38,7 +38,7 @@ import tlc2.value.impl.RecordValue;
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
  *       the header, duration, events from outside and bodies of its program.
  *   <li>{@code {"message":"simulate","count":N}} runs a program of the kit, of which N bytes follow; with {@code header},
- *       {@code latency} and {@code seed} as {@link Simulation} has them. The answer has the {@code object} with its
+ *       {@code readings}, {@code latency} and {@code seed} as {@link Simulation} has them. The answer has the {@code object} with its
  *       {@code log}, or with {@code "all":true} the tree of {@link Outcomes}; or what is {@code unusable}, or an {@code
  *       error} where the specification cannot be evaluated.
  *   <li>{@code {"message":"import","count":N}} has a log made of a source, and other messages ask about sources, of which

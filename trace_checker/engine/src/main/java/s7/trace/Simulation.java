@@ -76,8 +76,8 @@ final class Simulation {
    * Begins a program.
    *
    * @param program its text, one spelling or another
-   * @param how with {@code header} in the place of the program's own, {@code latency}, that of the log, and {@code
-   *     seed}, by which is chosen at random
+   * @param how with {@code header} in the place of the program's own, {@code readings} beside those of it, {@code
+   *     latency}, that of the log, and {@code seed}, by which is chosen at random
    * @throws Unusable if program or header are not of the format
    * @throws NotCovered if the header has choices that the specification does not cover
    */
@@ -88,6 +88,10 @@ final class Simulation {
     Fields own = raw.object("header");
     header =
         new Fields().put("format", FORMAT).with(how.has("header") ? how.object("header") : own).put("latency_ms", latency);
+    if (how.has("readings")) {
+      Fields given = header.has("readings") ? header.object("readings") : new Fields();
+      header.put("readings", new Fields().with(given).with(how.object("readings")));
+    }
     duration = (Long) raw.get("duration");
     dice = how.has("seed") ? new Dice((Long) how.get("seed")) : null;
     // Where OB 1 is in its body is known here, so every cycle is told.
