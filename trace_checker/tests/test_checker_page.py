@@ -1,5 +1,6 @@
 """The checker as one page, opened from its file in Chromium, and its engine beside the one in Java."""
 
+import gzip
 import json
 import re
 from collections.abc import Iterator
@@ -175,6 +176,24 @@ def test_a_fitting_value_mends_it_and_back_takes_that_back(page: Page) -> None:
     expect(page.locator("#verdict")).to_contain_text("accepted")
     page.go_back()
     expect(page.locator("#verdict")).to_contain_text("rejected")
+
+
+def test_a_packed_log_is_unpacked(page: Page) -> None:
+    """One piece or several of gzip; what cannot be unpacked is told, also a zip."""
+    text = REJECTED.encode()
+    pieces = gzip.compress(text[:99]) + gzip.compress(text[99:])
+    for packed in [gzip.compress(text), *([] if of_firefox(page) else [pieces])]:
+        page.set_input_files("#file", {"name": "run.ndjson.gz", "mimeType": "application/gzip", "buffer": packed})
+        expect(page.locator("#where")).to_contain_text("run.ndjson: after line 3 of 5")
+        page.click("#home")
+        expect(page.locator("#start")).to_be_visible()
+    if of_firefox(page):
+        pytest.skip("Firefox reports a damaged stream as an error of the page, too")
+    wrong = {"cut.gz": pieces[:-9], "plain.gz": text, "log.zip": b"PK\3\4rest"}
+    for name, packed in wrong.items():
+        page.set_input_files("#file", {"name": name, "mimeType": "application/gzip", "buffer": packed})
+        told = "log.zip is a zip archive" if name == "log.zip" else f"{name}: unusable: expected a sound gzip file"
+        expect(page.locator("#problem")).to_contain_text(told)
 
 
 def test_an_unusable_log_has_its_line_and_field(page: Page) -> None:

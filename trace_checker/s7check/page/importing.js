@@ -1,8 +1,36 @@
-// What is no log, of which the engine makes one: a program, or a source, of which the user says what it does not tell.
+// What is no log, of which the engine makes one: a program, or a source, of which the user says what it does not tell;
+// and files that are packed.
 import { $, h, numbersOf } from "./elements.js";
 import { utf8 } from "./engine.js";
+import { unzipped } from "./model.js";
 
+const GZIP = [0x1f, 0x8b, 8];
+const ZIP = [0x50, 0x4b, 0x03, 0x04];
 const OF_KIT = "a program of the kit: the specification ran it";
+
+const has = (bytes, marks, at = 0) => marks.every((mark, i) => bytes[at + i] === mark);
+
+/** Bytes that gzip has packed, in one piece or several one after another; null if they are damaged. */
+async function plainOf(bytes) {
+  const whole = await unzipped(bytes).catch(() => null);
+  if (whole) return whole;
+  for (let at = 1; (at = bytes.indexOf(GZIP[0], at)) > 0; at++) {
+    if (!has(bytes, GZIP, at)) continue;
+    const first = await unzipped(bytes.subarray(0, at)).catch(() => null); // it has a sum of its content at its end
+    const rest = first && (await plainOf(bytes.subarray(at)));
+    if (rest) return new Uint8Array(await new Blob([first, rest]).arrayBuffer());
+  }
+  return null;
+}
+
+/** Name and bytes of a file, unpacked as `s7check trace` does. Throws an Error that says why that cannot be. */
+export async function unpacked(name, bytes) {
+  if (has(bytes, ZIP)) throw new Error(`${name} is a zip archive: take the log out of it and open that.`);
+  if (!name.endsWith(".gz") && !has(bytes, GZIP)) return { name, bytes };
+  const plain = await plainOf(bytes);
+  if (!plain) throw new Error(`${name}: unusable: expected a sound gzip file; found one damaged, incomplete or too large`);
+  return { name: name.replace(/\.gz$/, ""), bytes: plain };
+}
 
 /** A text in the encoding that a column map names, in UTF-8. */
 function inUtf8(bytes, map) {

@@ -3,7 +3,7 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
-import { madeOf } from "./importing.js";
+import { madeOf, unpacked } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
@@ -163,8 +163,9 @@ async function begin(one) {
  * Judges a log and opens it: at a line of its text, else at the rejected line or its end; `told` is said of it. Of a
  * program, or a source, it is the log that is made of it.
  */
-async function open(name, bytes, line = null, told = []) {
-  busy(`${name}: is being judged`);
+async function open(file, given, line = null, told = []) {
+  busy(`${file}: is being judged`);
+  const { name, bytes } = await unpacked(file, given);
   const text = new TextDecoder("utf-8").decode(bytes);
   const one = fromText(name, text);
   const answer = await engine.judge(bytes);
