@@ -627,6 +627,17 @@ def test_a_line_is_found_by_its_number_its_time_and_its_text(page: Page) -> None
     expect(page.locator("#problem")).to_contain_text("No line has 99.")
 
 
+def test_the_focus_stays_with_who_goes_on_at_once(page: Page) -> None:
+    """A log that has been opened takes the focus before it can be used, not when its last part is there."""
+    page.evaluate(
+        """() => new MutationObserver(() => document.querySelector("#find-line [name=wanted]").focus())
+            .observe(document.getElementById("desk"), {attributeFilter: ["hidden"]})"""
+    )
+    paste(page, REJECTED)
+    expect(page.locator("#readings h3")).to_be_visible()
+    expect(page.locator("#find-line [name=wanted]")).to_be_focused()
+
+
 def test_an_address_opens_an_edge_case(page: Page) -> None:
     """As the site links it; a name that is none is told."""
     page.goto("about:blank")

@@ -28,8 +28,11 @@ const rows = new Rows($("lines"));
 
 // ---------------------------------------------------------------------------- what is shown
 
-/** Shows the branch up to its shown line; the next line comes at `when`, at once if that is not said. */
-async function refresh(when = null) {
+/**
+ * Shows the branch up to its shown line; the next line comes at `when`, at once if that is not said. Of a log that has
+ * just been opened the verdict has the focus, before anybody can go on from there.
+ */
+async function refresh(when = null, opened = false) {
   const number = ++page.asked;
   const one = page.model.branch;
   $("link").disabled = true; // the address is the old one until it is shown
@@ -49,6 +52,7 @@ async function refresh(when = null) {
   $("redo").disabled = !page.model.future.length;
   showBranches();
   showReport();
+  if (opened) $("verdict").focus({ preventScroll: true });
   showSituation();
   showLines();
   showPossible();
@@ -156,7 +160,7 @@ async function begin(one) {
   const document = { branches: [one], current: 0 };
   if (page.model) page.model.change(document);
   else page.model = new Model(document);
-  await refresh();
+  await refresh(null, true);
 }
 
 /**
@@ -187,7 +191,6 @@ async function open(file, given, line = null, told = []) {
   const shown = at ? one.numbers.filter((number) => number <= at).length - 1 : one.lines.length;
   page.verdict = { ...judgement(answer), answer, header: one.header, lines: one.lines, told };
   await begin({ ...one, shown: Math.max(0, shown) });
-  $("verdict").focus({ preventScroll: true });
   const judged = page.verdict;
   await tryReadings(engine, judged, bytes, () => page.verdict === judged);
 }
