@@ -173,13 +173,16 @@ ServedProp ==
                    => ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
 
 (* [AMB-56] When the clock is set back, either all merged calls count, or  *)
-(* those alone whose run waits.                                            *)
+(* those alone whose run waits. A setting whose skip waits for the release *)
+(* stays [AMB-53].                                                         *)
 MergedProp ==
     [][ /\ Did("clock") /\ Before(clock', clock) /\ Remembers
         /\ ~SetBackWithdrawsRuns
         => LET \* @type: (Int, Int) => Bool;
                counts(o, p) == CountsAsServed(tod'[o], p)
-               left == { o \in TodObs : tod'[o].set }
+               left == { o \in TodObs : tod'[o].set /\
+                           ~(/\ mode = "HOLD" /\ o \in SkippedNow
+                             /\ tod'[o] = tod[o]) }
            IN  /\ \A o \in left : tod'[o].merged = {}
                /\ \/ \A o \in left : \A i \in tod[o].merged :
                        counts(o, i.from) /\ counts(o, i.to)
