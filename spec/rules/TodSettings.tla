@@ -107,12 +107,12 @@ Joined(t, runs, r) ==
 (* Runs that lie beside each other become one.                             *)
 \* @type: ($tod, Set($run)) => Set($run);
 JoinedAll(t, runs) ==
-    LET \* @type: ($run, $run) => Bool;
-        meets(i, j) == j.from <= PointFrom(t, i.to + 1)
+    LET meet   == { p \in runs \X runs :
+                      p[2].from <= PointFrom(t, p[1].to + 1) }
         begins == { j.from : j \in { k \in runs :
-                      ~\E i \in runs : i.from < k.from /\ meets(i, k) } }
+                      ~\E p \in meet : p[2] = k /\ p[1].from < k.from } }
         ends   == { i.to : i \in { k \in runs :
-                      ~\E j \in runs : k.to < j.to /\ meets(k, j) } }
+                      ~\E p \in meet : p[1] = k /\ k.to < p[2].to } }
     IN  { [ from |-> b,
             to   |-> CHOOSE e \in ends :
                        b <= e /\ \A f \in ends : b <= f => e <= f ]
