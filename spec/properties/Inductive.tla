@@ -76,7 +76,6 @@ SettingDataInv ==
       /\ IsPoint(tod[o].next)
       /\ tod[o].period = Once => tod[o].next \in {tod[o].start, Never}
       /\ \A i \in tod[o].served \cup tod[o].merged : IsRun(i.from, i.to)
-      /\ \A i \in tod[o].merged : i.to < tod[o].next
       /\ \A i \in tod[o].earlier : /\ IsRun(i.from, i.to)
                                     /\ i.start \in 0..LastMinute
                                     /\ i.period \in Periods /\ i.zone = 0

@@ -144,10 +144,11 @@ MayCount(t, p) == \/ CountsAsServed(t, p)
 \* @type: (Int, Int) => Set($request);
 RunsFor(o, p) == { r \in requests' : r.ob = o /\ r.since.min = p }
 
-(* Point p is served by these runs: definitely by a definite one.          *)
+(* Point p is served by these runs: definitely by a definite one. It may   *)
+(* have been served before the clock was set back in HOLD.                 *)
 \* @type: (Int, Int, Bool) => Bool;
 ServedByRun(o, p, called) ==
-    /\ MayCount(tod'[o], p) <=> CountsAsServed(tod[o], p) \/ called
+    /\ MayCount(tod'[o], p) <=> MayCount(tod[o], p) \/ called
     /\ LongestMemory > 0 =>
          ( CountsAsServed(tod'[o], p)
              <=> \/ CountsAsServed(tod[o], p)
