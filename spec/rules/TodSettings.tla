@@ -104,18 +104,19 @@ Joined(t, runs, r) ==
           {[ from |-> CHOOSE b \in begins : \A c \in begins : b <= c,
              to   |-> CHOOSE e \in ends : \A f \in ends : f <= e ]}
 
-(* Runs that lie beside each other become one.                             *)
+(* Runs that lie beside each other become one: each ends before the next   *)
+(* run that begins behind an unserved point.                               *)
 \* @type: ($tod, Set($run)) => Set($run);
 JoinedAll(t, runs) ==
-    LET meet   == { p \in runs \X runs :
-                      p[2].from <= PointFrom(t, p[1].to + 1) }
-        begins == { j.from : j \in { k \in runs :
-                      ~\E p \in meet : p[2] = k /\ p[1].from < k.from } }
-        ends   == { i.to : i \in { k \in runs :
-                      ~\E p \in meet : p[1] = k /\ k.to < p[2].to } }
+    LET begins == { j.from : j \in { k \in runs :
+                      ~\E i \in runs : /\ i.from < k.from
+                                       /\ k.from <= PointFrom(t, i.to + 1) } }
+        \* @type: Int => Set(Int);
+        ends(b) == { i.to : i \in { k \in runs :
+                       b <= k.from /\ ~\E c \in begins :
+                                         b < c /\ c <= k.from } }
     IN  { [ from |-> b,
-            to   |-> CHOOSE e \in ends :
-                       b <= e /\ \A f \in ends : b <= f => e <= f ]
+            to   |-> CHOOSE e \in ends(b) : \A f \in ends(b) : f <= e ]
           : b \in begins }
 
 (* [CLK-09] The OB is called for point p. A lost point [IRT-18] is over    *)
