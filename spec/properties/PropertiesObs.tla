@@ -199,12 +199,15 @@ ArrivalProp ==
                     => s.rank < t.rank ]_vars
 
 (* [OBS-56] [AMB-29] A point that equals the clock at a restart stands     *)
-(* beside the past one-shot interrupts, where nothing else waits.          *)
+(* beside the past one-shot interrupts, where nothing else waits and its OB  *)
+(* neither waits nor runs.                                                 *)
 BesideProp ==
     [][ Did("reached") =>
           \A q \in requests, r \in Fresh :
             /\ FromRestart(q, r) /\ q.class = r.class /\ q.ob # r.ob
-            /\ \A s \in requests : s.class = q.class => s.rank = q.rank
+            /\ q.follows = r.follows /\ q.fault = r.fault
+            /\ \A s \in requests :
+                 s.class = q.class => s.rank = q.rank /\ s.ob # r.ob
             => r.rank = q.rank ]_vars
 
 (* [AIRT-08] The highest class that waits and may start is first. *)
