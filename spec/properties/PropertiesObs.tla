@@ -199,8 +199,8 @@ ArrivalProp ==
                     => s.rank < t.rank ]_vars
 
 (* [OBS-56] [AMB-29] A point that equals the clock at a restart stands     *)
-(* beside the past one-shot interrupts, where nothing else waits and its OB  *)
-(* neither waits nor runs.                                                 *)
+(* beside the past one-shot interrupts, where nothing else waits and its   *)
+(* OB neither waits nor runs.                                              *)
 BesideProp ==
     [][ Did("reached") =>
           \A q \in requests, r \in Fresh :

@@ -20,10 +20,15 @@ public final class Tiny {
 
   /** Loads the specification; once in each JVM, which is once in each test class. */
   public static Specification load() {
+    return modules().specification(Set.of("time", "at"));
+  }
+
+  /** The modules of the specification. */
+  public static Modules modules() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
     try {
       var module = Path.of(Tiny.class.getResource("/tiny/Explain.tla").toURI());
-      return new Modules(module.getParent(), "Explain").specification(Set.of("time", "at"));
+      return new Modules(module.getParent(), "Explain");
     } catch (URISyntaxException e) {
       throw new IllegalStateException(e);
     }

@@ -227,7 +227,7 @@ public final class Engine {
       Unusable wrong = refused(() -> answer.put("object", reader.apply(text.toByteArray())));
       return wrong == null ? answer : answer.put("unusable", wrong.asJson());
     } catch (NotCovered | StackOverflowError e) {
-      return answer.put("error", String.valueOf(e.getMessage()));
+      return answer.put("error", NotCovered.said(e));
     }
   }
 

@@ -93,7 +93,7 @@ final class Judging {
       if (line != NONE) {
         error.put(LINE, line);
       }
-      error.put("message", String.valueOf(e.getMessage()));
+      error.put("message", NotCovered.said(e));
       answer("error", error);
     }
   }

@@ -12,6 +12,14 @@ final class NotCovered extends RuntimeException {
     super(message, cause);
   }
 
+  /** What to say of it, or of an evaluation for which the stack was too small. */
+  static String said(Throwable error) {
+    return error instanceof StackOverflowError
+        ? "the specification goes too deep here for the engine's stack: "
+            + "s7check --engine jvm with JDK_JAVA_OPTIONS=-Xss16m has a larger one"
+        : error.getMessage();
+  }
+
   /** The specification could not be evaluated {@code where}, such as "at the header". */
   static NotCovered because(String where, RuntimeException cause) {
     String said = cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();

@@ -65,7 +65,7 @@ final class Sessions {
     } catch (Unusable wrong) {
       answer.put("unusable", wrong.asJson());
     } catch (NotCovered | StackOverflowError e) {
-      answer.put("error", String.valueOf(e.getMessage()));
+      answer.put("error", NotCovered.said(e));
     }
     return answer;
   }

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import s7.log.Days;
 import s7.log.Fields;
 import s7.log.Unusable;
+import tla.eval.Hash;
 import tlc2.value.impl.Value;
 
 /**
@@ -486,10 +487,9 @@ final class Simulation {
     }
 
     int below(int bound) {
-      state += 0x9E3779B97F4A7C15L;
-      long mixed = (state ^ state >>> 30) * 0xBF58476D1CE4E5B9L;
-      mixed = (mixed ^ mixed >>> 27) * 0x94D049BB133111EBL;
-      return (int) Math.floorMod(mixed ^ mixed >>> 31, (long) bound);
+      long number = Hash.mix(state);
+      state += Hash.STEP;
+      return (int) Math.floorMod(number, (long) bound);
     }
   }
 }

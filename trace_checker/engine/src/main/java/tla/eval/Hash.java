@@ -17,7 +17,10 @@ import tlc2.value.impl.ValueVec;
  * <p>Records and tuples are functions. The hash of a set or function is a sum over its elements or
  * pairs, each well mixed.
  */
-final class Hash {
+public final class Hash {
+  /** By so much SplitMix64 goes from number to number. */
+  public static final long STEP = 0x9E3779B97F4A7C15L;
+
   private Hash() {}
 
   static long of(Value value) {
@@ -79,12 +82,12 @@ final class Hash {
   }
 
   private static long pair(long x, long y) {
-    return mix(x * 0x9E3779B97F4A7C15L + y);
+    return mix(x * STEP + y);
   }
 
   /** A bijection in which every bit of the result depends on every bit of x (SplitMix64). */
-  static long mix(long x) {
-    long z = x + 0x9E3779B97F4A7C15L;
+  public static long mix(long x) {
+    long z = x + STEP;
     z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
     z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
     return z ^ (z >>> 31);

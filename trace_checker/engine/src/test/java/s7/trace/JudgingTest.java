@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
 
 import com.google.gson.JsonArray;
@@ -16,6 +17,10 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import s7.log.Fields;
 import tla.Tiny;
+import tla.eval.State;
+import tla.spec.Interpreter;
+import tla.spec.Specification;
+import tlc2.value.impl.Value;
 
 class JudgingTest {
   private static final JsonObject ACCEPTED_ONE = Tiny.json("{'verdict': 'accepted', 'events': 1}");
@@ -185,5 +190,37 @@ class JudgingTest {
     judging.finish();
     assertEquals(3, answers.get(0).get("largest").getAsInt());
     assertTrue(answers.get(0).get("followed").getAsInt() >= 3);
+  }
+
+  @Test
+  @DisplayName("an evaluation for which the stack is too small ends the log with advice, not with \"null\"")
+  void deep() {
+    Interpreter bottomless =
+        new Interpreter() {
+          @Override
+          public boolean compares() {
+            return true;
+          }
+
+          @Override
+          public List<State> initial(String name, List<State> found) {
+            return found;
+          }
+
+          @Override
+          public List<State> successors(String name, List<State> found, State state, Value... arguments) {
+            throw new StackOverflowError();
+          }
+
+          @Override
+          public Value value(String name, Value found, State state, Value... arguments) {
+            return found;
+          }
+        };
+    var deep = new Contract(new Specification(Tiny.modules().parsed(), Set.of(), bottomless));
+    new Judging(deep, answer -> answers.add(Tiny.json(answer))).header(Tiny.text("{'first':1}"));
+    assertEquals("error", answers().get(0).get("verdict").getAsString());
+    String said = answers().get(0).get("message").getAsString();
+    assertTrue(said.startsWith("the specification goes too deep here for the engine's stack: "), said);
   }
 }
