@@ -209,12 +209,13 @@ MemoryStaysProp ==
 
 (* [CLK-09] [AMB-56] A CPU that remembers knows how far the clock had come *)
 (* when it was set back: over the last minute, and over its own as well,   *)
-(* unless the interrupt waits for the point of this minute.                *)
+(* unless the interrupt waits for the point of this minute, and it did not *)
+(* pass in HOLD.                                                           *)
 RepeatProp ==
     [][ Did("clock") /\ mode # "HOLD" /\ Before(clock', clock) /\ Remembers =>
           \A o \in TodObs : tod'[o].set =>
-            LET last == IF tod[o].next = clock.min THEN clock.min - 1
-                                                   ELSE clock.min
+            LET last == IF tod[o].next = clock.min /\ ~tod[o].held
+                        THEN clock.min - 1 ELSE clock.min
             IN  /\ tod'[o].repeatTo
                      = IF tod[o].repeatTo > last THEN tod[o].repeatTo ELSE last
                 /\ tod'[o].overTo
