@@ -308,6 +308,23 @@ def test_the_clock_over_a_point_under_a_delay_without_ob_80(page: Page) -> None:
     assert page.evaluate("document.activeElement.closest('#possible') !== null")
 
 
+def test_a_step_shows_first_what_the_cpu_does(page: Page) -> None:
+    """The rest of what may come follows, then what may not: a step is short."""
+    page.evaluate(
+        """() => { window.seen = [];
+            new MutationObserver(() => window.seen.push([possible.innerText, impossible.innerText]))
+                .observe(document.getElementById("possible"), {childList: true}); }"""
+    )
+    paste(page, "\n".join(REJECTED.splitlines()[:2]))
+    expect(page.locator("#impossible")).to_contain_text("end ob=1")
+    (first, reasons), *_, (whole, _) = page.evaluate("window.seen")
+    assert "start ob=40" in first
+    assert "DIS_AIRT" not in first
+    assert reasons == "…"
+    assert "DIS_AIRT" in whole
+    assert "The world" in whole.replace("THE WORLD", "The world")
+
+
 def test_a_call_is_answered_by_its_operands(page: Page) -> None:
     """Other operands, other answers."""
     page.click("#new >> text=Begin")

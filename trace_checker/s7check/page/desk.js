@@ -62,8 +62,19 @@ export class Desk {
     }
   }
 
-  async look(after, at) {
-    return (await this.#engine.ask({ message: "look", session: OURS, after, ...(at ? { at } : {}) })).look;
+  /** What is shown after the lines; of what may come all, or the events `only`. */
+  async look(after, at, only = []) {
+    return (await this.#engine.ask({ message: "look", session: OURS, after, only, ...(at ? { at } : {}) })).look;
+  }
+
+  /** The lines of an event that may come, of a call one, and whether these are the whole. */
+  event(after, at, event) {
+    return this.#engine.ask({ message: "lines", session: OURS, after, at, only: [event], few: true });
+  }
+
+  /** What may not come; null if that is not known. */
+  async impossible(after, at) {
+    return (await this.#engine.ask({ message: "impossible", session: OURS, after, at })).impossible;
   }
 
   async states(after, to, session = OURS) {

@@ -1,7 +1,7 @@
 // The page: shows what the engine answers, and turns clicks into lines of the log.
 import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
-import { showImpossible, showPossible } from "./offers.js";
+import { OF_THE_CPU, showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
 import { madeOf, unpacked } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, toLink } from "./model.js";
@@ -41,9 +41,9 @@ async function refresh(when = null, opened = false) {
   const { explained, refused } = await page.desk.bring(one);
   busy(false);
   const after = Math.min(one.shown, explained);
-  const look = await page.desk.look(after, when);
+  const look = await page.desk.look(after, when, OF_THE_CPU);
   if (number !== page.asked) return; // a later click has asked something else
-  page.view = { explained, refused, look, after };
+  page.view = { explained, refused, look, after, all: false };
   $("start").hidden = true;
   $("desk").hidden = $("tools").hidden = false;
   $("where").textContent =
@@ -57,20 +57,40 @@ async function refresh(when = null, opened = false) {
   showLines();
   showPossible();
   showImpossible();
+  $("because").replaceChildren();
   const wrong = refused ? explained + 1 : -1;
   await timeline.show([one.header, ...one.lines], one.shown, explained, wrong, one.numbers, refused?.before);
+  await showRest(number);
   showSides(number);
-  await showLink();
+  await showLink(number);
   const sides = page.sides.map((side) => JSON.stringify(side.chosen));
   await page.desk.keep([...page.model.document.branches.map(sessionOf), ...sides]);
   await showOthers(number);
   await showQuestions(number);
 }
 
+/** Shows what takes longer: all that may come, then what may not. A later click waits for one short question alone. */
+async function showRest(number) {
+  const { after, look } = page.view;
+  for (const event of look.events.filter((one) => !OF_THE_CPU.includes(one))) {
+    const { lines, whole } = await page.desk.event(after, look.at, event);
+    if (number !== page.asked) return;
+    look.possible.push(...lines);
+    look.whole &&= whole;
+  }
+  page.view.all = true;
+  showPossible();
+  const impossible = look.whole ? await page.desk.impossible(after, look.at) : null;
+  if (number !== page.asked) return;
+  page.view.impossible = impossible;
+  showImpossible();
+}
+
 /** The address holds the whole behaviour, unless that is too long for one. */
-async function showLink() {
+async function showLink(number) {
   const small = page.model.document.branches.reduce((sum, one) => sum + one.lines.length, 0) < 5000;
   const text = small ? await toLink({ ...page.model.document, sides: page.sides }) : "";
+  if (number !== page.asked) return; // it is the address of what was shown before
   $("link").disabled = !text || text.length > LONGEST_LINK;
   history.replaceState(history.state, "", $("link").disabled ? "#" : `#${text}`);
 }
@@ -156,7 +176,7 @@ function showLines() {
 
 /** Begins with a branch, once the engine has taken it: a header that cannot be used changes nothing. */
 async function begin(one) {
-  await page.desk.bring({ header: one.header, lines: [] });
+  await page.desk.bring({ header: one.header, lines: [] }, "tried"); // the shown one may still be asked about
   const document = { branches: [one], current: 0 };
   if (page.model) page.model.change(document);
   else page.model = new Model(document);

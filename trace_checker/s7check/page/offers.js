@@ -4,7 +4,8 @@ import { whyNot } from "./report.js";
 import { button, fields, page, requirements, safely, step } from "./shown.js";
 import { read } from "./timeline.js";
 
-const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
+/** Steps of the CPU, which are shown before all other lines that may come. */
+export const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const MANY = 6;
 const CALLS = {
   DIS_AIRT: [],
@@ -21,8 +22,10 @@ const CALLS = {
   EN_IRT: ["mode", "ob"],
 };
 
+/** Shows what may come: all, or the steps of the CPU alone, while the others are looked for. */
 export function showPossible() {
-  showTime();
+  const { all } = page.view;
+  if (!all) showTime();
   const here = page.view.look.possible;
   const names = [...new Set(here.map((line) => line.event.event))];
   const calls = Object.keys(CALLS).filter((name) => names.includes(name));
@@ -35,19 +38,28 @@ export function showPossible() {
   keepFocus(
     $("possible"),
     groups.flatMap(([title, found]) => (found.length ? [h("h3", {}, title), ...found] : [])),
+    !all,
   );
+  if (!all) return $("possible").append(h("p", {}, "…"));
   if (!here.length) $("possible").append(h("p", {}, "Nothing may come at this time: something had to come before."));
   if (!page.view.look.whole)
     $("possible").prepend(h("p", {}, "The log can be explained in very many ways; more than this may come."));
 }
 
-/** Puts other elements in a part of the page; the button with the same text has the focus again, else the part's first. */
-function keepFocus(box, made) {
-  const focused = box.contains(document.activeElement) ? document.activeElement.textContent : null;
+/**
+ * Puts other elements in a part of the page; the button with the same text has the focus again, else the part's first.
+ * While `more` elements are to come the part has it.
+ */
+function keepFocus(box, made, more = false) {
+  const focused = document.activeElement;
+  const inside = box.contains(focused);
+  const wanted = focused === box ? box.wanted : focused.textContent;
   box.replaceChildren(...made);
-  if (focused === null) return;
+  if (!inside) return;
   const buttons = [...box.querySelectorAll("button, summary")];
-  (buttons.find((one) => one.textContent === focused) ?? buttons[0])?.focus({ preventScroll: true });
+  const found = buttons.find((one) => one.textContent === wanted);
+  box.wanted = wanted;
+  (found ?? (more ? box : (buttons[0] ?? box))).focus({ preventScroll: true });
 }
 
 /** The lines of one kind: a button each, or a list of OBs where there are many. */
@@ -161,8 +173,8 @@ function showTime() {
 }
 
 export function showImpossible() {
-  const made = page.view.look.impossible?.map((one) => h("details", {}, h("summary", {}, one.text), ...whyNot(one)));
+  const { impossible } = page.view;
+  const made = impossible?.map((one) => h("details", {}, h("summary", {}, one.text), ...whyNot(one)));
   const many = "The log can be explained in very many ways. Ask for a line:";
-  $("impossible").replaceChildren(...(made ?? [h("p", {}, many)]));
-  $("because").replaceChildren();
+  $("impossible").replaceChildren(...(made ?? [h("p", {}, impossible === undefined ? "…" : many)]));
 }

@@ -7,7 +7,7 @@ export const page = {
   clauses: new Map(),
   desk: null,
   model: null,
-  view: null, // what is shown of the branch: {explained, refused, look, after}
+  view: null, // what is shown of the branch: {explained, refused, look, after, all, impossible}
   verdict: null, // of the opened log, while its branch is unchanged
   sides: [], // the other headers: {name, chosen}
   asked: 0, // the number of the last question: answers to earlier ones are not shown

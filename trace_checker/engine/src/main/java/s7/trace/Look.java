@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 import s7.log.Fields;
+import tlc2.value.impl.Value;
 
 /**
  * All that is shown of a log after a line: the situations of the CPU, what may come next, and what somebody might wait
@@ -21,50 +22,53 @@ final class Look {
   /** Explanations that are looked at for each line that may come; a log that leaves much open has thousands. */
   private static final int SHARE = 16;
 
+  /** Steps of the CPU that somebody might wait for. */
+  private static final Set<String> STEPS = Set.of("start", "end", "run", "stop");
+
   private final Session session;
-  private final WhyNot why;
 
-  /** A line with the time of the next line. */
-  private byte[] when;
-
-  private final Fields answer = new Fields();
+  Look(Session session) {
+    this.session = session;
+  }
 
   /**
+   * All but what may not come.
+   *
    * @param withOperands calls of which one line is enough
    * @param at the CPU clock at the next line, as a log spells it; null for the first time at which something may come
+   * @param only the only events of the lines that may come; all if there is none. {@code events} has the others, too
    */
-  Look(Session session, WhyNot why, Set<String> withOperands, String at) {
-    this.session = session;
-    this.why = why;
+  Fields answer(Set<String> withOperands, String at, Set<String> only) {
     Collection<Fields> situations = session.situations(MOST_SITUATIONS);
     Fields ahead = session.possible(new Session.Question(List.of(), null, SHARE, Set.of(), Set.of()));
     var times = objects(ahead.list("times"));
     String chosen = at == null ? Spelled.moment(times.get(0).get("at")) : at;
-    when = text(new Fields().put("event", "hold").put("at", chosen));
-    Fields possible = session.possible(new Session.Question(null, when, SHARE, Set.of(), withOperands));
-    boolean whole = Boolean.TRUE.equals(possible.get("whole"));
-    answer
+    Fields possible = session.possible(new Session.Question(null, when(chosen), SHARE, only, withOperands));
+    return new Fields()
         .put("clock", session.clock())
         .put("at", chosen)
         .put("situations", situations.stream().map(InWords::situation).toList())
         .put("states", possible.get("states"))
-        .put("whole", whole)
+        .put("whole", possible.get("whole"))
         .put("endless", ahead.get("endless"))
         .put("times", times.stream().map(Look::time).toList())
-        .put("possible", lines(possible))
-        .put("impossible", whole ? impossible(chosen, situations, possible) : null);
+        .put("events", possible.get("events"))
+        .put("possible", lines(possible));
   }
 
-  Fields answer() {
-    return answer;
+  /**
+   * The {@code lines} that may come at a time: those of the events {@code only}, of some of which one is enough, or
+   * these with their answers; and whether these are the {@code whole} of them.
+   */
+  Fields lines(String at, List<byte[]> lines, Set<String> only, Set<String> few) {
+    List<Value> asked = lines == null ? null : session.timeless(lines);
+    Fields possible = session.possible(new Session.Question(asked, when(at), SHARE, only, few));
+    return new Fields().put("lines", lines(possible)).put("whole", possible.get("whole"));
   }
 
-  /** The lines that may come at a time: those of the events {@code only}, or these with their answers. */
-  static List<Fields> lines(Session session, String at, List<byte[]> lines, Set<String> only) {
-    byte[] when = text(new Fields().put("event", "hold").put("at", at));
-    return lines(
-        session.possible(
-            new Session.Question(lines == null ? null : session.timeless(lines), when, SHARE, only, Set.of())));
+  /** A line at that time. */
+  private static byte[] when(String at) {
+    return text(new Fields().put("event", "hold").put("at", at));
   }
 
   private static byte[] text(Fields line) {
@@ -95,8 +99,16 @@ final class Look {
     return lines;
   }
 
-  /** The steps of the CPU that somebody might wait for and that may not come at the time, each with its reason. */
-  private List<Fields> impossible(String at, Collection<Fields> situations, Fields possible) {
+  /**
+   * The steps of the CPU that somebody might wait for and that may not come at the time, each with its reason; null
+   * where not all explanations are looked at.
+   */
+  List<Fields> impossible(String at, WhyNot why) {
+    Collection<Fields> situations = session.situations(MOST_SITUATIONS);
+    Fields possible = session.possible(new Session.Question(null, when(at), SHARE, STEPS, Set.of()));
+    if (!Boolean.TRUE.equals(possible.get("whole"))) {
+      return null;
+    }
     var offered = new HashSet<String>();
     for (Fields line : objects(possible.list("lines"))) {
       offered.add(Spelled.text(Spelled.line(line.object("event")).without("info")));

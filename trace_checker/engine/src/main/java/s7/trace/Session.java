@@ -235,7 +235,8 @@ final class Session {
       RecordValue when = spec.event(spec.format().event(question.when, next()));
       ordered = List.of(new Times.Time(spec.timeOf(when), spec));
     }
-    Set<Value> offers = offers(question, now);
+    var names = new TreeSet<String>();
+    Set<Value> offers = offers(question, now, names);
     var found = new LinkedHashMap<Value, ArrayDeque<Offer>>();
     for (int i = 0; i < ordered.size(); i++) {
       Value clocks = ordered.get(i).clocks();
@@ -257,10 +258,11 @@ final class Session {
         }
       }
     }
-    return written(ordered, endless, found);
+    return written(ordered, endless, found).put("events", names);
   }
 
-  private Set<Value> offers(Question question, Explanation now) {
+  /** The lines to try; the names of all that the specification offers are added to those. */
+  private Set<Value> offers(Question question, Explanation now, Set<String> names) {
     var offers = new LinkedHashSet<Value>();
     if (question.lines != null) {
       offers.addAll(question.lines);
@@ -268,7 +270,9 @@ final class Session {
     }
     for (State state : now.states()) {
       for (Value offer : spec.nextLines(state)) {
-        if (question.only.isEmpty() || question.only.contains(name(offer))) {
+        String name = name(offer);
+        names.add(name);
+        if (question.only.isEmpty() || question.only.contains(name)) {
           offers.add(offer);
         }
       }

@@ -26,9 +26,10 @@ import s7.log.Unusable;
  *       tells the same and adds nothing.
  *   <li>{@code add} with {@code lines} adds them up to the first that is not possible, whose {@code refusal} is in words;
  *       the answer has the number of {@code lines} that the session has then.
- *   <li>{@code look} with {@code after}, so many lines, and {@code at}: what is shown after them ({@link Look}); {@code
- *       lines} what may come then, of the events {@code only} or of these {@code lines}; {@code why} the {@code
- *       refusal} of the {@code line}; {@code states} the situations after the lines from {@code after} to {@code to}.
+ *   <li>{@code look} with {@code after}, so many lines, and {@code at}: what is shown after them ({@link Look}), of
+ *       what may come all or the events {@code only}; {@code impossible} what may not come then; {@code lines} what may
+ *       come, of the events {@code only}, with {@code few} one of each call with operands, or of these {@code lines};
+ *       {@code why} the {@code refusal} of the {@code line}; {@code states} the situations after the lines from {@code after} to {@code to}.
  *   <li>{@code back} with {@code lines}: so many lines are left.
  *   <li>{@code situations} with {@code most}; {@code before} with {@code line} and {@code most}: just before that line.
  *   <li>{@code parting} with {@code from}, the name of another session, {@code lines}, {@code only}, {@code obs}, {@code
@@ -102,8 +103,9 @@ final class Sessions {
         answer.put(CLOCK, session.clock());
       }
       case "add" -> add(answer, session, json);
-      case "look" -> answer.put("look", new Look(until(session, json), why, withOperands(), json.text("at")).answer());
-      case "lines" -> answer.put("lines", lines(until(session, json), json));
+      case "look" -> answer.put("look", look(session, json).answer(withOperands(), json.text("at"), names(json, "only")));
+      case "impossible" -> answer.put("impossible", look(session, json).impossible(json.text("at"), why));
+      case "lines" -> answer.with(lines(look(session, json), json));
       case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)), text(json, LINE));
       case "states" -> answer.put("states", session.states(json.number(AFTER), json.number("to")));
       case "situations" -> answer.put("situations", session.situations(json.number(MOST)));
@@ -126,6 +128,10 @@ final class Sessions {
     return new OpenQuestions(spec, header, texts(json, "lines")).differing(named);
   }
 
+  private static Look look(Session session, Fields json) {
+    return new Look(until(session, json));
+  }
+
   /** The session as it was after so many lines. */
   private static Session until(Session session, Fields json) {
     return session.until(json.number(AFTER));
@@ -145,9 +151,10 @@ final class Sessions {
     }
   }
 
-  private static List<Fields> lines(Session session, Fields json) {
+  private Fields lines(Look look, Fields json) {
     List<byte[]> lines = json.has("lines") ? texts(json, "lines") : null;
-    return Look.lines(session, json.text("at"), lines, names(json, "only"));
+    Set<String> few = json.has("few") ? withOperands() : Set.of();
+    return look.lines(json.text("at"), lines, names(json, "only"), few);
   }
 
   private void inWords(Fields answer, Explanation.Refusal refusal, byte[] line) {

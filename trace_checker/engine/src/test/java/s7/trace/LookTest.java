@@ -71,7 +71,10 @@ class LookTest {
     assertTrue(texts(before.list("possible")).contains("start ob=40"), before.toString());
     assertFalse(texts(before.list("possible")).contains("end ob=40"));
     assertTrue(texts(after.list("possible")).contains("end ob=40"));
-    assertTrue(texts(after.list("impossible")).contains("start ob=40"));
+    String then = "\"after\":2,\"at\":\"" + after.text("at") + "\"";
+    assertTrue(texts(ask("impossible", then).list("impossible")).contains("start ob=40"));
+    var ends = ask("look", then + ",\"only\":[\"end\"]").object("look");
+    assertEquals(List.of("end ob=40"), texts(ends.list("possible")));
     assertEquals("2026-03-02T08:00:31.000", after.text("at"));
   }
 
