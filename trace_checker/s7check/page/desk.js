@@ -67,9 +67,9 @@ export class Desk {
     return (await this.#engine.ask({ message: "look", session: OURS, after, only, ...(at ? { at } : {}) })).look;
   }
 
-  /** The lines of an event that may come, of a call one, and whether these are the whole. */
-  event(after, at, event) {
-    return this.#engine.ask({ message: "lines", session: OURS, after, at, only: [event], few: true });
+  /** The lines of these events that may come, of a call one, and whether these are the whole. */
+  events(after, at, only) {
+    return this.#engine.ask({ message: "lines", session: OURS, after, at, only, few: true });
   }
 
   /** What may not come; null if that is not known. */

@@ -12,6 +12,7 @@ import { busy, button, fields, inSite, page, problem, requirement, requirements,
 import { Timeline, read, zoom } from "./timeline.js";
 
 const LONGEST_LINK = 60_000;
+const EVENTS = 8; // kinds of event that are asked about at once
 const LONGEST = 200_000; // lines of a log that is explored; longer ones get their verdict
 const contents = JSON.parse($("contents").textContent);
 const first = JSON.parse($("first").textContent); // the log to begin with, which `s7check explore` puts there
@@ -72,8 +73,9 @@ async function refresh(when = null, opened = false) {
 /** Shows what takes longer: all that may come, then what may not. A later click waits for one short question alone. */
 async function showRest(number) {
   const { after, look } = page.view;
-  for (const event of look.events.filter((one) => !OF_THE_CPU.includes(one))) {
-    const { lines, whole } = await page.desk.event(after, look.at, event);
+  const rest = look.events.filter((one) => !OF_THE_CPU.includes(one));
+  for (let i = 0; i < rest.length; i += EVENTS) {
+    const { lines, whole } = await page.desk.events(after, look.at, rest.slice(i, i + EVENTS));
     if (number !== page.asked) return;
     look.possible.push(...lines);
     look.whole &&= whole;
