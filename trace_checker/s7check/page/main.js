@@ -61,6 +61,7 @@ async function refresh(when = null, opened = false) {
   $("because").replaceChildren();
   const wrong = refused ? explained + 1 : -1;
   await timeline.show([one.header, ...one.lines], one.shown, explained, wrong, one.numbers, refused?.before);
+  if (number !== page.asked) return; // the engine may have taken lines back by now
   await showRest(number);
   showSides(number);
   await showLink(number);
