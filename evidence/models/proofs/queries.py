@@ -131,7 +131,7 @@ class Apart(Elsewhere, forbid_unknown_fields=True, kw_only=True):
     """Whether they are asked of every letter, too."""
 
 
-class Newer(Elsewhere, forbid_unknown_fields=True, kw_only=True):
+class OtherFamily(Elsewhere, forbid_unknown_fields=True, kw_only=True):
     """The induction once more, of the CPUs of another family: `formulas` of each action, from the `smaller` states.
 
     Questions are read by the `letters` of the family, such as "AMB-27 a", the others by default.
@@ -175,7 +175,9 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     lemmas: list[Lemma] = []
     apart: list[Apart] = []
     """These formulas are not asked of these actions in the queries of the actions themselves."""
-    families: list[Newer] = []
+    families: list[OtherFamily] = []
+    able: dict[str, str] = {}
+    """By actions that take no step by default the letter by which their control takes one, such as "AMB-81 b"."""
 
     def apart_of(self, action: str, formula: str) -> Apart | None:
         """Where the formula is asked of the action, if not in the world of the others."""
@@ -505,18 +507,21 @@ def _queries(
         for cell in file.not_proved
         if cell.letter
     ]
-    queries += [
+    controls = [
         replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
         for action in actions
     ]
+    controls = [
+        replace(query, alone=base.able[query.actions[0]], shown=tuple(file.letters.shown))
+        if query.actions[0] in base.able
+        else query
+        for query in controls
+    ]
+    queries += controls
     for family in base.families:
         first = replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants))
         asked = [step(name, "family", some, tuple(family.formulas)) for name, some in groups.items()]
-        asked = [first, *(_begun_in(base, base.smaller, query) for query in asked)]
-        asked += [
-            replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
-            for action in actions
-        ]
+        asked = [first, *(_begun_in(base, base.smaller, query) for query in asked), *controls]
         queries += [_of_family(query, family, file) for query in asked]
     of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
@@ -561,8 +566,9 @@ def _elsewhere(query: Query, there: Elsewhere) -> Query:
     )
 
 
-def _of_family(query: Query, family: Newer, file: ProofsFile) -> Query:
-    named = replace(query, name=f"{family.name}-{query.name}", shown=tuple(file.letters.shown), alone=family.letters)
+def _of_family(query: Query, family: OtherFamily, file: ProofsFile) -> Query:
+    letters = ", ".join(some for some in (family.letters, query.alone) if some)
+    named = replace(query, name=f"{family.name}-{query.name}", shown=tuple(file.letters.shown), alone=letters)
     return _elsewhere(named, family)
 
 

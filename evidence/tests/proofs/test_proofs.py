@@ -164,7 +164,8 @@ def test_each_action_is_asked_of_each_family(proofs: Proofs) -> None:
         for kind in ("family", "control"):
             assert Counter(a for q in of if q.kind == kind for a in q.actions) == Counter(proofs.actions)
         for query in of:
-            assert (query.module, query.alone) == (family.module, family.letters)
+            able = proofs.file.induction.able.get(query.actions[0]) if query.kind == "control" else None
+            assert (query.module, query.alone) == (family.module, ", ".join(filter(None, (family.letters, able))))
             assert dict(query.instead).items() >= {k: tuple(v) for k, v in family.instead.items()}.items()
             assert query.kind != "family" or query.formulas == tuple(family.formulas)
 
