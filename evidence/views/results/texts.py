@@ -31,8 +31,9 @@ def origin(parts: Iterable[str]) -> str:
 
 @lru_cache
 def _part(part: str) -> tuple[str, ...]:
-    files = [file for pattern in _FILES.get(part, ()) for file in sorted(ROOT.glob(pattern))]
-    return (*_modules(part), *map(read_text, files))
+    found = [file for pattern in _FILES.get(part, ()) for file in sorted(ROOT.glob(pattern))]
+    sources = [file for file in found if "build" not in file.relative_to(ROOT).parts]  # a run makes files there
+    return (*_modules(part), *map(read_text, sources))
 
 
 def _modules(part: str) -> Iterator[str]:
