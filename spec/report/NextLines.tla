@@ -6,8 +6,8 @@
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, events.                            *)
 (* Left out: lines of kind `state', which never have to come; `done',      *)
-(* which ends the log; most operands of calls and clocks: a few represent  *)
-(* the others.                                                             *)
+(* which ends the log; most operands of calls and clocks, and most codes   *)
+(* where any is right: a few represent the others.                         *)
 (***************************************************************************)
 EXTENDS PartialLogs
 
@@ -137,15 +137,25 @@ NextLines ==
              : r \in IF DiagRecorded THEN reports ELSE {} }
       \cup (IF mode \in {"STOP", "HOLD"} THEN {} ELSE CallLines)
 
+(* Answers to the call e. Where any code is right, those that calls have   *)
+(* and one more represent the others [T15-143].                            *)
+\* @type: $event => Set(Int);
+ShownAnswers(e) ==
+    LET right == Given(e.ret, RightAnswers(e))
+        some  == {NotDelayed, BadOb, BadSdt, BadPeriod, NotSet, PastStart,
+                  \h80FF}
+    IN  IF AnyCode \subseteq right THEN (right \ AnyCode) \cup some
+        ELSE right
+
 (* The line with each answer that the CPU may give.                        *)
 \* @type: $event => Set($event);
 WithAnswers(e) ==
     CASE e.event \in {"QRY_TINT", "QRY_DINT"} ->
            UNION { { [e EXCEPT !.ret = r, !.status = s]
                      : s \in IF r = OK THEN RightStatuses(e) ELSE {-1} }
-                   : r \in Given(e.ret, RightAnswers(e)) }
+                   : r \in ShownAnswers(e) }
       [] e.event \in CallEvents ->
-           { [e EXCEPT !.ret = r] : r \in Given(e.ret, RightAnswers(e)) }
+           { [e EXCEPT !.ret = r] : r \in ShownAnswers(e) }
       [] e.event = "start" /\ e.ob \in ObsWithFault ->
            { [e EXCEPT !.info.flt_id = r.fault]
              : r \in { q \in requests : q.ob = e.ob } }

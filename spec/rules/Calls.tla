@@ -43,10 +43,11 @@ SettingAnswers(o, errors) == SettingAnswersIf(o \notin loaded, o, errors)
 
 (* [T15-143] [T15-144] [T15-145] [T15-148] [A15-24] Where no text of a     *)
 (* call was found, an error may have any code.                             *)
+AnyCode == \h8080..\h80FF
 \* @type: Set(Int) => Set(Int);
 OpenCodes(answers) ==
     IF Family.openCodes /\ CodesAreOpen /\ answers # {OK}
-    THEN answers \cup (\h8080..\h80FF) ELSE answers
+    THEN answers \cup AnyCode ELSE answers
 
 (* [TINT-22] The second digit is the number of the wrong parameter.        *)
 \* @type: Int => Bool;

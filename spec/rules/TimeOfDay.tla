@@ -115,7 +115,7 @@ OpenErrors(o, sdt, period, errors) ==
             /\ ~LeapDayIsTaken
     THEN SettingAnswers(o, errors \cup {BadSdt})
     ELSE IF period = Monthly /\ sdt.day > 28 /\ LateDaysHaveSomeCode
-    THEN \h8080..\h80FF ELSE {}
+    THEN AnyCode ELSE {}
 
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)

@@ -22,6 +22,8 @@ RUN = HEADER | {"mode": "RUN"}
 MINUTE: dict[str, Any] = {"ob": 10, "sdt": "2026-11-21T06:00", "period": "W#16#0201", "ret": 0}
 ARMED = (event("SET_TINT", **MINUTE), event("ACT_TINT", ob=10, ret=0))
 
+MOST_ANSWERS = 12
+
 COMPLETE = [
     case.file
     for case in sorted(CASES, key=lambda case: case.file)
@@ -178,6 +180,17 @@ def test_what_is_possible_is_accepted(name: str, real_engine: Engine) -> None:
             if with_up:
                 whole["up"] = point.up.min * 60_000 + point.up.ms
             assert session.why(whole) is None, whole
+
+
+def test_one_code_stands_for_many(real_engine: Engine) -> None:
+    """Of the codes that no text states, one is offered; another one is as possible."""
+    session = begun(real_engine, cpu="S7-1500", obs=[1, 10])
+    call = {"event": "ACT_TINT", "ob": 10}
+    answers = {as_line(one.event)["ret"] for one in session.possible([call]).lines}
+    assert "W#16#80FF" in answers
+    assert len(answers) < MOST_ANSWERS
+    for ret, possible in (("80FE", True), ("8100", False)):
+        assert (session.why(call | {"ret": f"W#16#{ret}", "at": session.clock}) is None) is possible
 
 
 @pytest.fixture
