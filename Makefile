@@ -12,6 +12,8 @@ PLC    := examples/soft_plc/build/soft_plc
 SEARCH := build/npm/node_modules/minisearch/dist/umd/index.js
 AWLSIM := build/awlsim/awlsim/__init__.py
 KIT    := build/views/kit/programs
+# The page is tested where a browser is.
+TESTED := $(if $(shell which chromium chromium-browser google-chrome),$(PAGE))
 
 .DEFAULT_GOAL := help
 .PHONY: help setup engine native native-windows page equal verify kit test test-checker test-evidence test-engine test-plc requirements models models-smoke models-full controls models-distributed mutants mutants-sample witnesses agreement agreement-sample since typecheck apalache prove fuzz wheel wheel-windows release lint bench results views kept clean site pictures
@@ -34,11 +36,12 @@ verify: setup  ## the main job: models of the CI lane, the soft PLC run live, al
 
 test: lint test-evidence test-checker test-engine test-plc  ## all tests, with `make -j2 -Otarget test` two kinds at a time
 
-test-checker: setup $(AWLSIM)
-	@command -v firefox-esr firefox >/dev/null || echo "not run: the page in Firefox, for lack of it"
+test-checker: setup $(AWLSIM) $(TESTED)
+	@test -n "$(TESTED)" || echo "not run: the page in a browser, for lack of Chromium"
+	@test -n "$$(which firefox-esr firefox)" || echo "not run: the page in Firefox, for lack of it"
 	$(BIN)/python -m pytest -q -n logical --dist loadfile --durations=20 trace_checker/tests
 
-test-evidence: setup
+test-evidence: setup $(TESTED)
 	@command -v npm >/dev/null && $(MAKE) -s $(SEARCH) || echo "not run: the search of the site, for lack of npm"
 	$(BIN)/python -m pytest -q -n logical --dist loadfile --durations=20 evidence/tests
 
