@@ -55,7 +55,7 @@ APNext ==
     \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
     \/ \E ret \in {0, 1, 2, NotDelayed} :
          EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
-    \/ CycleStarts /\ Seen("start", CycleOb, 1)
+    \/ CycleStarts(CycleOb) /\ Seen("start", CycleOb, 1)
     \/ \E o \in {1, 10, 40, 80} : End(o) /\ Seen("end", o, 0)
     \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)
     \/ PointAtAnyTime /\ Seen("reached", 10, clock.min)

@@ -133,7 +133,7 @@ PossibleInv ==
          /\ mode # "STOP" /\ Interrupts # {} => MayAct("interrupt")
          /\ ClockTargets \ {clock} # {} => MayAct("clock")
          /\ /\ mode = "STARTUP" /\ stack = <<>>
-            /\ startup = "begun" \/ StartupOb(startup) \notin loaded
+            /\ StartupsAhead \cap loaded = {}
             => MayProceed("run")
          /\ mode = "RUN" /\ stack = <<>> => MayProceed("start")
          /\ mode \in {"STARTUP", "RUN"} /\ stack # <<>> => MayProceed("end")

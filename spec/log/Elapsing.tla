@@ -66,13 +66,14 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 -----------------------------------------------------------------------------
 (* Data for later lines *)
 
-(* [OBS-26] The cycle and its overruns: OB 1 starts or ends, a restart     *)
-(* begins, or the cycle time is exceeded. A blocked OB 80 is not called    *)
-(* [IRT-01].                                                               *)
+(* [OBS-26] The cycle and its overruns: OB 1 starts, the last cycle OB     *)
+(* ends [T15-79], a restart begins, or the cycle time is exceeded. A       *)
+(* blocked OB 80 is not called [IRT-01].                                   *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == mode = "RUN" /\ stack = <<>> /\ OnStack(CycleOb)'
-        ends     == OnStack(CycleOb) /\ stack' = <<>>
+        ends     == /\ stack # <<>> /\ stack[1].ob \in CycleObs
+                    /\ stack' = <<>> /\ LaterInCycle' = {}
         exceeded ==
           /\ ~Blocked(TimeErrorOb)
           /\ \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded

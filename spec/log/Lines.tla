@@ -75,10 +75,12 @@ IsCall(e) ==
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
 (* following ones. After a hot restart it may also follow the cycle that   *)
 (* has gone on. If a log begins in RUN, its first OB 1 may have any.       *)
+(* [T15-134] An S7-1500 has two of them, one for the first OB 1.           *)
 CycleEvents == CASE first = "warm" -> {1}
                  [] first = "cold" -> {4}
                  [] first = "hot"  -> {2, 3}
                  [] first = "none" -> {3}
+                 [] Family.byKind  -> {1, 3}
                  [] OTHER          -> 1..4
 
 (* The OB starts by one of many open requests; others may remain. *)
@@ -92,6 +94,22 @@ StartsAgain(r) ==
          /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, delay,
                         stopCause>>
 
+(* OB 1 starts, or another cycle OB, of whose event nothing is told.       *)
+\* @type: $event => Bool;
+IsCycleStart(e) ==
+    /\ Fits(e.info.priority, 1)
+    /\ e.info.strt_info \in {-1} \cup (IF e.ob = CycleOb THEN CycleEvents
+                                      ELSE {1, 3})
+    /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
+    /\ \/ CycleStarts(e.ob)
+       \* The end of the cycle before lies unseen, but not in HOLD [OBS-45].
+       \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
+          /\ e.ob = CycleOb /\ mode = "RUN"
+          /\ delay' = 0
+          /\ NothingEntered
+          /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars,
+                         outcomeVars, stack>>
+
 (* [OBS-61] The error came before the line, perhaps before the clock was   *)
 (* set.                                                                    *)
 \* @type: $event => Bool;
@@ -100,24 +118,12 @@ FitsFailed(e) == /\ Fits(e.info.priority, ClassOfErrorOb(e.ob))
 
 \* @type: $event => Bool;
 IsStart(e) ==
-    CASE e.ob = CycleOb ->
-           /\ Fits(e.info.priority, 1)
-           /\ e.info.strt_info \in {-1} \cup CycleEvents
-           /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
-           /\ \/ CycleStarts
-              \* The end of the cycle before lies unseen, but not in HOLD
-              \* [OBS-45].
-              \/ /\ ~terms.cycle /\ stack = <<Frame(CycleOb, 1)>>
-                 /\ mode = "RUN"
-                 /\ delay' = 0
-                 /\ NothingEntered
-                 /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars,
-                                outcomeVars, stack>>
+    CASE e.ob \in CycleObs -> IsCycleStart(e)
       [] e.ob \in StartupObs ->
            /\ Fits(e.info.priority, StartupClass)
-           /\ e.info.strt_info \in {-1} \cup (CASE e.ob = 100 -> \h81..\h82
-                                                [] e.ob = 101 -> \h83..\h84
-                                                [] OTHER      -> \h85..\h86)
+           /\ e.info.strt_info \in {-1} \cup (CASE e.ob = 101 -> \h83..\h84
+                                                [] e.ob = 102 -> \h85..\h86
+                                                [] OTHER      -> \h81..\h82)
            /\ e.info.time = NoMoment \/ JustBefore(e.info.time, e)
            /\ StartupStarts(e.ob)
       [] e.ob \in SyncErrorObs ->
@@ -164,9 +170,11 @@ NotSureToWait(o) ==
     /\ mode = "RUN" /\ o \notin AsyncErrorObs /\ TakesEvents(o) /\ ~OnStack(o)
 
 (* A fault that only the rules cause does not come from outside, unless    *)
-(* the log may miss its cause.                                             *)
+(* the log may miss its cause. [T15-11] Nor does the start event of an OB  *)
+(* from 123 on, but of a cyclic or hardware OB.                            *)
 \* @type: $event => Bool;
 IsInterrupt(e) ==
+    /\ e.ob \in NumberedObs => e.ob \in ExternalObs
     /\ e.flt_id \in FaultsOfRules => Partial
     /\ IF e.ob \in SyncErrorObs THEN InstructionFails(e.ob)
        ELSE IF NotSureToWait(e.ob) THEN AgainOrNot(e.ob)
@@ -263,7 +271,7 @@ NextPace(e) ==
 \* @type: $event => Bool;
 StandsBefore(e) ==
     /\ NothingStandsBefore
-    /\ e.event \in CallEvents \/ (e.event = "start" /\ e.ob = CycleOb)
+    /\ e.event \in CallEvents \/ (e.event = "start" /\ e.ob \in CycleObs)
     /\ \E r \in requests : ~r.open /\ MayStart(r)
 
 \* @type: $event => Bool;

@@ -242,13 +242,13 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
 -----------------------------------------------------------------------------
 (* OBs start and end *)
 
-(* OB 1 and the startup OB stand first in the stack. *)
+(* Cycle and startup OBs stand first in the stack: their order is unseen.  *)
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
-    /\ ModeKnown => mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
-    /\ e.ob = CycleOb => MayRun
+    /\ ModeKnown => mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
+    /\ e.ob \in CycleObs => MayRun
     /\ StackKnown => Len(stack) = 1
-    /\ Fits(e.info.priority, IF e.ob = CycleOb THEN 1
+    /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1
                                 ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
     /\ stack' = <<stack[1]>>
@@ -256,7 +256,7 @@ LooseFirstStarts(e) ==
 
 \* @type: $event => Bool;
 LooseStart(e) ==
-    /\ IF e.ob \in {CycleOb} \cup StartupObs THEN LooseFirstStarts(e)
+    /\ IF e.ob \in CycleObs \cup StartupObs THEN LooseFirstStarts(e)
        ELSE \/ LooseInterruptStarts(e)
             \/ (Unseen("interrupt") \/ Marked(e.ob)) /\ ErrorObStartsUnseen(e)
     /\ NothingEntered
@@ -268,9 +268,10 @@ LooseEnd(e) ==
     /\ \/ Unseen("ob") /\ UNCHANGED stack
        \/ /\ Running.ob = e.ob /\ Len(stack) > 1
           /\ stack' = SubSeq(stack, 1, Len(stack) - 1)
-       \/ /\ e.ob \in {CycleOb} \cup StartupObs
-          /\ ModeKnown => /\ Len(stack) = 1
-                          /\ mode = IF e.ob = CycleOb THEN "RUN" ELSE "STARTUP"
+       \/ /\ e.ob \in CycleObs \cup StartupObs
+          /\ ModeKnown =>
+               /\ Len(stack) = 1
+               /\ mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
           /\ stack' = <<stack[1]>>
     /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
     /\ NothingEntered

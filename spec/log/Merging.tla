@@ -214,7 +214,7 @@ OnlyFacts(records) ==
                    ELSE [stack EXCEPT ![Len(stack)].error = 0]
        IN  stack' = IF mode = "STOP" THEN <<>>
                     ELSE IF /\ seen # <<>>
-                            /\ seen[1].ob \in {CycleOb} \cup StartupObs
+                            /\ seen[1].ob \in CycleObs \cup StartupObs
                     THEN seen
                     ELSE << IF mode = "STARTUP" THEN Frame(100, StartupClass)
                             ELSE Frame(CycleOb, 1) >> \o seen

@@ -49,10 +49,6 @@ NowNeeded ==
     IN  IF due = {} /\ PointsNow = {} /\ OverNow = {} /\ ~resume.due THEN {}
         ELSE {TimeErrorOb, ProgramErrorOb} \cup { r.ob : r \in due }
 
-(* The startup OB that is still to start.                                  *)
-StartupDue == IF startup \in {"warm", "cold", "hot"}
-              THEN {StartupOb(startup)} ELSE {}
-
 \* @type: Set(Int) => Bool;
 UnseenLoad(obs) ==
     \E o \in obs :
@@ -140,7 +136,7 @@ Silent(e) ==
     /\ ~terms.loose
     /\ \/ HiddenBefore(e)
        \/ /\ \/ Unseen("ob") /\ UnseenOb
-             \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupDue)
+             \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupsAhead)
              \/ Unseen("interrupt") /\ UnseenEvents(e)
           /\ Rewait
           /\ UNCHANGED <<lineVars, up>>

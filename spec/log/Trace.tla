@@ -175,11 +175,13 @@ ComesBefore(e, o) ==
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
-(* OB 1 and the startup OB start and end. The end of a cycle matters only  *)
-(* if it ends a delay.                                                     *)
+(* Cycle and startup OBs start and end. The end of a cycle matters only if *)
+(* it ends a delay, or another cycle OB follows [T15-79].                  *)
 HiddenBoundary ==
-    \/ ~terms.cycle /\ CycleStarts
-    \/ ~terms.cycle /\ delay > 0 /\ Len(stack) = 1 /\ End(CycleOb)
+    \/ ~terms.cycle /\ \E o \in CycleObs : CycleStarts(o)
+    \/ /\ ~terms.cycle /\ Len(stack) = 1
+       /\ delay > 0 \/ CycleObs # {CycleOb}
+       /\ \E o \in CycleObs : End(o)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
     \/ resume.due /\ NoticesPassed
 
@@ -220,7 +222,7 @@ HiddenBefore(e) ==
 (* Quick to evaluate: may a hidden step be possible?                       *)
 \* @type: $event => Bool;
 HidesBefore(e) == \/ stack = <<>>
-                  \/ delay > 0
+                  \/ delay > 0 \/ CycleObs # {CycleOb}
                   \/ requests # {}
                   \/ mode = "STARTUP" \/ resume.due
                   \/ PointsNow # {}

@@ -12,7 +12,7 @@ Did(event) == step'.event = event
 (* The OB of a start event has started in this step. *)
 Started(o) == Did("start") /\ step'.ob = o
 Dispatched == /\ Did("start")
-              /\ step'.ob \notin StartupObs \cup SyncErrorObs \cup {CycleOb}
+              /\ step'.ob \notin StartupObs \cup SyncErrorObs \cup CycleObs
 
 \* @type: Seq($frame) => $frame;
 Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]

@@ -53,7 +53,7 @@ FirstNumbered == 123
 LastNumbered  == 32767
 EventClasses ==
     { <<"tod", 10, 20>>, <<"dint", 20, 20>>, <<"cyclic", 30, 20>>,
-      <<"hardware", 40, 50>> }
+      <<"hardware", 40, 50>>, <<"startup", 100, 100>>, <<"cycle", 1, 100>> }
 
 \* @type: (Int, Int) => <<Int, Int>>;
 WithClass(o, class) == <<o, class>>
@@ -119,6 +119,9 @@ ErrorObCalled == IF ErrorObIsDue
 Possible ==
     { StartOf(r) : r \in Startable }
       \cup ErrorObCalled
+      \cup { Allowed("start", o, "", 0)
+             : o \in { c \in CycleObs : /\ terms.cycle
+                                        /\ ENABLED CycleStarts(c) } }
       \cup (IF stack = <<>> \/ mode = "HOLD" \/ Failed THEN {}
             ELSE {Allowed("end", Running.ob, "", 0)})
       \cup (IF Called THEN {Allowed("call", Running.ob, "", 0)} ELSE {})

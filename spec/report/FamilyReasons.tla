@@ -75,6 +75,8 @@ OfTheInfo(e) ==
             \cup (IF i.strt_info # -1
                      /\ (e.ob \in NumberedObs \/ Kin(e.ob) \in 40..47)
                   THEN {"T15-133"} ELSE {})
+            \cup (IF e.ob = CycleOb /\ i.strt_info # -1 THEN {"T15-134"}
+                  ELSE {})
     IN  IF tags = {} THEN {"OBS-10"} ELSE tags
 
 (* Of a queue whose parameters are known.                                  *)
@@ -98,6 +100,11 @@ Instead(e, past, id) ==
       [] /\ id \in {"OBS-02", "OBS-07", "OBS-08", "OBS-30"}
          /\ DOMAIN cpu.queues # {} -> OfTheQueue(id)
       [] id = "OBS-40" /\ mode = "HOLD" /\ startup # "none" -> {"T15-121"}
+      [] id = "OBS-45" /\ startup # "none" -> {id, "T15-121"}
+      [] id = "OBS-03" /\ Kin(e.ob) = CycleOb /\ CycleObs # {CycleOb} ->
+           {"T15-79"}
+      [] id = "OBS-20" /\ e.event = "interrupt" /\ e.ob \in NumberedObs ->
+           {"T15-11"}
       [] id = "AIRT-02" \/ (id = "DINT-06" /\ DelaysStandStill) ->
            {id, "T15-39"}
       [] id \in {"IRT-07", "IRT-11"} /\ NumberedObs # {} -> {"T15-54"}

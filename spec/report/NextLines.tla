@@ -118,7 +118,7 @@ OutsideFaults == {<<TimeErrorOb, CycleTimeExceeded>>, <<TimeErrorOb, \h0B>>,
 NextLines ==
     { LineOf("start", o) : o \in loaded \cup {CycleOb} }
       \cup { LineOf("end", o) : o \in { stack[i].ob : i \in DOMAIN stack }
-                                        \cup {CycleOb} \cup StartupObs }
+                                        \cup CycleObs \cup StartupObs }
       \cup { LineOf("interrupt", o)
              : o \in (ExternalObs \cup SyncErrorObs) \ ObsWithFault }
       \cup { [LineOf("interrupt", f[1]) EXCEPT !.flt_id = f[2]]

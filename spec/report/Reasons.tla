@@ -290,7 +290,8 @@ HeldBack(r, past) ==
                     /\ LastOf(past, {"EN_AIRT"}) < LastOf(past, {"end"}),
                     {"AIRT-04"})
           \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
-          \cup When(Running.ob \notin {0, CycleOb} \cup StartupObs, {"OBS-01"})
+          \cup When(Running.ob \notin {0} \cup CycleObs \cup StartupObs,
+                    {"OBS-01"})
           \cup When(/\ past # <<>> /\ past[Len(past)].event = "end"
                     /\ ~Before(past[Len(past)].at, r.since),
                     IF ClassOf(past[Len(past)].ob) = r.class
@@ -496,10 +497,10 @@ OfEnd(e, past) ==
     CASE mode = "HOLD" -> {"OBS-45"}
       [] mode = "STOP" -> {"OBS-41"}
       [] Failed -> {"OBS-61"}
-      [] mode = "STARTUP" /\ e.ob = CycleOb -> {"OBS-42"}
+      [] mode = "STARTUP" /\ e.ob \in CycleObs -> {"OBS-42"}
       [] OTHER ->
            {"OBS-03"}
-             \cup When(Running.ob = CycleOb \/ stack = <<>>, {"OBS-01"})
+             \cup When(Running.ob \in {0} \cup CycleObs, {"OBS-01"})
              \cup When(LastWith(past, {"CAN_TINT"}, Running.ob)
                          > LastStart(past, Running.ob), {"TINT-53"})
 
@@ -610,7 +611,7 @@ Starting(e) ==
 
 \* @type: ($event, Seq($event)) => Set(Str);
 OfOrdinaryStart(e, past) ==
-    CASE e.ob = CycleOb        -> {"OBS-01"}
+    CASE e.ob \in CycleObs    -> {"OBS-01"}
       [] e.ob \in StartupObs   -> {"OBS-42"}
       [] e.ob \in SyncErrorObs -> {"OBS-61", "OBS-62"}
       [] e.ob \in ExternalObs \ {TimeErrorOb, ProgramErrorOb} ->

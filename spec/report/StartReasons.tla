@@ -339,9 +339,10 @@ WithoutRequest(e, past) ==
           [] o \in DintObs                -> NoDintRequest(o, past)
           [] o = TimeErrorOb              -> NoTimeError(e, past)
           [] o = ProgramErrorOb           -> NoProgramError(past)
-          [] o \in {CycleOb} \cup StartupObs ->
+          [] o \in CycleObs \cup StartupObs ->
                (IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"})
-                 \cup When(mode = "STARTUP" /\ o \in StartupObs
+                 \cup When(mode = "STARTUP" /\ o \in OldStartupObs
+                             /\ startup # "begun"
                              /\ o # StartupOb(startup), {"OBS-57"})
                  \cup When(~Fits(e.info.priority, DefaultClass(o)), {"OBS-04"})
                  \cup When(\/ e.info.strt_info # -1

@@ -32,6 +32,8 @@ DintObs == IF NumberedObs = {} THEN OldDintObs
                                ELSE OldDintObs \cup Numbered(20)
 
 CycleOb   == 1
+(* [T15-79] OB 1 and those that run after it in its cycle.                 *)
+CycleObs == IF NumberedObs = {} THEN {CycleOb} ELSE {CycleOb} \cup Numbered(1)
 TimeErrorOb == 80
 DiagnosticOb == 82
 ProgramErrorOb == 85
@@ -40,7 +42,9 @@ AsyncErrorObs == 80..87
 (* [OBS-61] [IRT-23] Synchronous errors: a programming error, an access    *)
 (* error.                                                                  *)
 SyncErrorObs == {121, 122}
-StartupObs == {100, 101, 102}
+OldStartupObs == {100, 101, 102}
+StartupObs == IF NumberedObs = {} THEN OldStartupObs
+              ELSE OldStartupObs \cup Numbered(100)
 (* Start events from outside. *)
 OldExternalObs == (30..38) \cup (40..47) \cup (55..57) \cup {60, 70, 72}
                     \cup AsyncErrorObs
@@ -51,6 +55,14 @@ ExternalObs == IF NumberedObs = {} THEN OldExternalObs
 StartupOb(type) == CASE type = "warm" -> 100
                      [] type = "hot"  -> 101
                      [] OTHER         -> 102
+
+(* [T15-116] The startup OBs from 123 on that are to come in this STARTUP. *)
+LaterStartups == IF NumberedObs = {} THEN {}
+                 ELSE { o \in Numbered(100) : o > resume.last }
+(* [OBS-42] With that of the restart before them.                          *)
+StartupsAhead ==
+    (IF startup \in {"warm", "cold", "hot"} THEN {StartupOb(startup)} ELSE {})
+      \cup LaterStartups
 
 (* The types of restart that are possible; models use fewer.               *)
 RestartTypes == {"warm", "cold", "hot"}

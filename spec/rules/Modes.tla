@@ -105,7 +105,7 @@ RestartRequests ==
 NoneBlocked == [blocked |-> {}, silent |-> {}]
 \* @type: $resume;
 NothingKept == [ stack |-> <<>>, delay |-> 0, dint |-> NoJobs,
-                 requests |-> {}, due |-> FALSE ]
+                 requests |-> {}, due |-> FALSE, last |-> 0 ]
 
 (* [OBS-57] [AMB-65] *)
 \* @type: Str => Bool;
@@ -133,12 +133,13 @@ Resets(type) ==
 \* @type: Str => Bool;
 ResetsAll(type) == Resets(type) /\ Reconfigure(NothingKept)
 
-(* [OBS-42] STARTUP is over when the startup OB has been processed. After  *)
+(* [OBS-42] STARTUP is over when its startup OBs have been processed. After *)
 (* a hot restart the OBs that STOP has interrupted go on, with their delay *)
 (* count [OBS-54].                                                         *)
 Run ==
     /\ mode = "STARTUP"
     /\ startup \in {"begun", "resuming"} \/ StartupOb(startup) \notin loaded
+    /\ LaterStartups \cap loaded = {}
     /\ stack = <<>>
     /\ mode'    = "RUN"
     /\ startup' = "none"

@@ -1,7 +1,7 @@
 ------------------------------ MODULE Scheduler -------------------------------
 (***************************************************************************)
 (* OBs start and end: dispatch of requests, the cycle of OB 1, the startup *)
-(* OB; OBs that are missing when they would start; blocks that are loaded  *)
+(* OBs; OBs that are missing when they would start; blocks that are loaded *)
 (* and deleted while the CPU is at work (sections 5.1 and 5.2).            *)
 (*                                                                         *)
 (* Left out: the errors themselves (Errors).                               *)
@@ -83,8 +83,14 @@ Excused ==
 
 (* [AMB-25] [OBS-62] [AMB-24] The count is not that of this OB alone.      *)
 \* @type: Int => Bool;
-CountOutlives(o) == \/ o = CycleOb /\ CountOutlivesTheCycle
+CountOutlives(o) == \/ Kin(o) = CycleOb /\ CountOutlivesTheCycle
                     \/ o \in SyncErrorObs
+
+(* [T15-79] [T15-116] One of several startup or cycle OBs: the next one of *)
+(* its class has its turn.                                                 *)
+\* @type: Int => $resume;
+TurnPasses(o) == IF Kin(o) \in {CycleOb, 100} /\ Numbered(Kin(o)) # {}
+                 THEN [resume EXCEPT !.last = o] ELSE resume
 
 (* [AIRT-04] The delay count falls to 0 when the OB has been processed.    *)
 \* @type: Int => Bool;
@@ -96,27 +102,39 @@ End(o) ==
     /\ delay' = IF CountOutlives(o) THEN delay ELSE 0
     /\ requests' = IF o = ProgramErrorOb THEN Excused ELSE requests
     /\ tod' = TodAfterEnd(o)
+    /\ resume' = TurnPasses(o)
     /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause>>
+    /\ UNCHANGED <<deviceVars, mode, startup, clock, dint, irt, stopCause>>
 
 -----------------------------------------------------------------------------
-(* OB 1 and the startup OB *)
+(* Cycle OBs and startup OBs *)
 
-(* OB 1 is always there; it starts when nothing runs. *)
-CycleStarts ==
+(* [T15-79] The cycle OBs that are to come in a cycle that has begun.      *)
+LaterInCycle ==
+    IF NumberedObs = {} \/ resume.last = 0 THEN {}
+    ELSE { o \in Numbered(CycleOb) \cap loaded : o > resume.last }
+
+(* OB 1 is always there; it starts when nothing runs. [T15-79] The others  *)
+(* of its cycle follow by number.                                          *)
+\* @type: Int => Bool;
+CycleStarts(o) ==
     /\ mode = "RUN"
     /\ stack = <<>>
-    /\ stack' = <<Frame(CycleOb, 1)>>
+    /\ IF LaterInCycle = {} THEN o = CycleOb
+       ELSE o \in LaterInCycle /\ \A q \in LaterInCycle : o <= q
+    /\ stack' = <<Frame(o, 1)>>
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                    delay>>
 
-(* [OBS-42] [OBS-55] *)
+(* [OBS-42] [OBS-55] [T15-116] By number, in STARTUP and not in a HOLD     *)
+(* that interrupts it [T15-121].                                           *)
 \* @type: Int => Bool;
 StartupStarts(o) ==
-    /\ startup \in {"warm", "cold", "hot"}
-    /\ o = StartupOb(startup)
+    /\ mode = "STARTUP"
+    /\ o \in StartupsAhead
     /\ o \in loaded
+    /\ \A q \in StartupsAhead \cap loaded : o <= q
     /\ stack = <<>>
     /\ stack'   = <<Frame(o, StartupClass)>>
     /\ startup' = IF startup = "hot" THEN "resuming" ELSE "begun"

@@ -34,6 +34,8 @@ VARIABLES
     (* has interrupted and the delay count, until RUN; the jobs and the     *)
     (* start events that waited, until the restart. due: it has started,    *)
     (* and the points that passed in STOP are still to be noticed [AMB-26]. *)
+    (* last: the startup or cycle OB that has ended last, where the CPU has *)
+    (* several of its class [T15-79] [T15-116]; 0: none of this mode.       *)
     \* @type: $resume;
     resume,
     (* The CPU clock. *)
@@ -103,7 +105,7 @@ VARIABLES
 (* @typeAlias: job = { started: Bool, left: Int, dtime: Int, sign: Int };  *)
 (* @typeAlias: resume = { stack: Seq($frame), delay: Int,                    *)
 (*                      dint: Int -> $job, requests: Set($request),        *)
-(*                      due: Bool };                                       *)
+(*                      due: Bool, last: Int };                            *)
 (* @typeAlias: irt = { blocked: Set(Int), silent: Set(Int) };              *)
 (* @typeAlias: request = { ob: Int, class: Int, rank: Int, fault: Int,     *)
 (*                         since: $moment, word: Int, dtime: Int,          *)

@@ -172,10 +172,12 @@ Call == \/ CallSetTint \/ CallCanTint \/ CallActTint \/ CallQryTint
         \/ CallFails
 
 -----------------------------------------------------------------------------
-(* The CPU goes on: OB 1 and the startup OB start when nothing else does,  *)
+(* The CPU goes on: cycle and startup OBs start when nothing else does,    *)
 (* and any OB may end.                                                     *)
 
-CycleBegins == Settled /\ CycleStarts /\ Seen("start", CycleOb, 1)
+CycleBegins ==
+    /\ Settled
+    /\ \E o \in CycleObs : CycleStarts(o) /\ Seen("start", o, 1)
 
 StartupBegins ==
     /\ Settled

@@ -107,7 +107,9 @@ final class Header {
     numbered.forEach(
         (ob, name) -> {
           long first = words.eventClasses.get(name).get(0);
-          classes.put(ob, settable.get(first));
+          if (settable.containsKey(first)) {
+            classes.put(ob, settable.get(first));
+          }
           if (words.timeOfDayObs.contains(first)) {
             timeOfDay.add(ob);
           }
