@@ -13,8 +13,7 @@ from evidence.views.site.chapters import homes_of, read_chapters
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
 from s7check.judging.decisions import decisions_of
-from s7check.report.clauses import all_clauses, event_texts, requirements
-from s7check.report.why import sentences
+from s7check.report.clauses import all_clauses, requirements, texts
 from s7check.resources import CHECKOUT, ENGINE, GALLERY, PAGE
 
 SOURCES = CHECKOUT / "trace_checker" / "s7check"
@@ -49,8 +48,7 @@ def _contents() -> str:
         "script": _packed(worker.encode()),
         "wasm": _packed((WASM / "engine.wasm").read_bytes()),
         "tree": _packed(_parsed().read_bytes()),
-        "clauses": _packed(msgspec.json.encode(_clauses())),
-        "texts": _packed(msgspec.json.encode(why_texts())),
+        "texts": _packed(msgspec.json.encode(texts() | {"clauses": _clauses()})),
         "decidable": _decidable(),
         "gallery": _gallery(),
     }
@@ -61,11 +59,6 @@ def _clauses() -> list[dict[str, Any]]:
     """The rules and the open questions, each with its place in the site."""
     places = homes_of(read_chapters(requirements())[1])
     return [msgspec.to_builtins(one) | {"home": places[one.id]} for one in all_clauses()]
-
-
-def why_texts() -> dict[str, Any]:
-    """The words of the sentences that say why a line is not possible, as the engine's message ``texts`` has them."""
-    return {"sentences": {one.id: sentences(one.text) for one in all_clauses()}, "events": event_texts()}
 
 
 def _decidable() -> dict[str, list[int]]:

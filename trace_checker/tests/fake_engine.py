@@ -58,6 +58,7 @@ SITUATION = {
     "delay": 1,
     "pending": [{"ob": 81, "class": 25, "since": MOMENT}],
     "loaded": [1, 40, 80, 81],
+    "said": [["mode", "RUN, clock 2026-11-21T05:59:31.000"], ["loaded", "OB 1, 40, 80-81"]],
 }
 CANDIDATE = {
     "action": "EnAirt(16#0001)",
@@ -66,6 +67,18 @@ CANDIDATE = {
     "place": "Airt:30",
     "requirements": ["AIRT-07"],
 }
+REFUSAL: Answer = {
+    "message": "no behaviour of the specification explains this line",
+    "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0, "text": "EN_AIRT ret=16#0000"}],
+    "requirements": ["AIRT-07"],
+    "why": "EN_AIRT cannot answer this here.",
+    "wanted": ["EN_AIRT ret=16#0000"],
+    "states": 2,
+    "situations": [SITUATION],
+    "candidates": [CANDIDATE],
+    "formulas": ["EnAirt(16#0001) does not explain the line: ret = delay - 1 [AIRT-07, Airt:30]"],
+}
+EXPLAINED = "the specification explains every event"
 ALTERNATIVES: Answer = {
     "families": ["S7-300", "S7-400"],
     "profiles": ["2006"],
@@ -82,11 +95,7 @@ def judge(event: dict[str, Any], line: int, explained: int) -> Answer | None:
             "verdict": "rejected",
             "line": line,
             "events": explained,
-            "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0}],
-            "requirements": ["AIRT-07"],
-            "states": 2,
-            "situations": [SITUATION],
-            "candidates": [CANDIDATE],
+            **{name: REFUSAL[name] for name in ("expected", "requirements", "message")},
         }
     if event["event"] == "hold":
         message = "hold is not covered by the specification"
@@ -181,7 +190,7 @@ class Log:
             self._line = 1
             self._unusable("a header", "an empty log")
         if self.answer is None:
-            self._say({"verdict": "accepted", "events": self._explained})
+            self._say({"verdict": "accepted", "events": self._explained, "message": EXPLAINED})
 
     def _say(self, answer: Answer) -> None:
         self.answer = answer | ({"steps": self._steps} if self._steps else {})
@@ -228,6 +237,10 @@ def main() -> None:
             case "read":
                 header = header_of(data, entry.get("chosen", {}))
                 print(json.dumps({"header": header, "others": others(dict(header["readings"]))}), flush=True)
+            case "texts":
+                print("{}", flush=True)
+            case "rejected":
+                print(json.dumps({"refusal": REFUSAL}), flush=True)
             case "begin":
                 log = Log(entry)
             case "bytes":

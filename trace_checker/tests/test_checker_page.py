@@ -123,7 +123,7 @@ def test_it_says_that_nothing_leaves_the_machine(page: Page) -> None:
 def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
     """With the requirement, what is possible, and the report as text."""
     paste(page, REJECTED)
-    expect(page.locator("#verdict")).to_contain_text("rejected no behaviour of the specification explains line 4")
+    expect(page.locator("#verdict")).to_contain_text("rejected line 4: no behaviour of the specification explains this line")
     expect(page.locator("#explained")).to_contain_text("EN_AIRT cannot answer 16#0000 here.")
     expect(page.locator("#timeline .wrong")).to_contain_text("EN_AIRT")
     assert "EN_AIRT" in page.locator("#edit textarea").input_value()
@@ -164,7 +164,7 @@ def test_explore_opens_a_log_at_a_line(page: Page, tmp_path: Path) -> None:
     copy = tmp_path / "copy.html"
     copy.write_text(page_with(f"{tmp_path / 'run.ndjson'}:3"), encoding="utf-8")
     page.goto(copy.as_uri())
-    expect(page.locator("#verdict")).to_contain_text("explains line 7")
+    expect(page.locator("#verdict")).to_contain_text("line 7: no behaviour")
     expect(page.locator("#where")).to_contain_text("run.ndjson: after line 3 of 9")
     expect(page.locator("#possible")).to_contain_text("start ob=40")
 
@@ -438,7 +438,7 @@ def test_a_program_becomes_the_log_of_the_command(
     page.set_input_files("#file", file)
     page.click("#programs button:has-text('Run it')")
     expect(page.locator("#told")).to_contain_text("Made from nested.json, a program of the kit")
-    expect(page.locator("#verdict")).to_contain_text("accepted the specification explains every line (5 events")
+    expect(page.locator("#verdict")).to_contain_text("accepted the specification explains every event (5 events")
     expect(page.locator("#timeline")).to_contain_text("EN_AIRT")
     expect(page.locator("#possible")).to_contain_text("DIS_AIRT ret=W#16#0001")
     assert cli.main(["simulate", str(file)]) == 0

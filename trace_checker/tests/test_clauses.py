@@ -28,3 +28,21 @@ def test_place(name: str) -> None:
 def test_named() -> None:
     """The IDs in a text, without those that are none and those that do not exist."""
     assert clauses.named("AIRT-07, AMB-49 b and AIRT-07; UTF-16, AIRT-99") == ["AIRT-07", "AMB-49"]
+
+
+def test_event_ids() -> None:
+    """Every ID that the rules make has words; one that no source has, has none."""
+    ids = [
+        *range(0x3501, 0x3504),
+        0x3505,
+        0x3506,
+        0x3507,
+        *range(0x35A1, 0x35A4),
+        0x4568,
+        0x456D,
+        0x454A,
+        0x4562,
+        0x5380,
+    ]
+    assert all(map(clauses.event_text, ids))
+    assert clauses.event_text(0x5381) == ""

@@ -17,14 +17,11 @@ from hypothesis import strategies as st
 
 from s7check import __version__, cli, trace_command
 from s7check.engine import pool
-from s7check.engine.answer import Allowed, Candidate, Moment
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, engine_kind
 from s7check.judging import check
-from s7check.report import words
 from s7check.report.clauses import clause
-from s7check.report.expected import format_allowed
-from tests.fake_engine import CANDIDATE
+from tests.fake_engine import CANDIDATE, REFUSAL, SITUATION
 from tests.logs import HEADER, event, log_text
 from tests.processes import children, heed_ctrl_c
 
@@ -39,10 +36,7 @@ UNUSABLE = log_text(event("run"), event("EN_AIRT", ret="abc"))
 WRONG_RET = 'field "ret": expected a word such as "W#16#8090" or an integer -32768..65535, or null; found "abc"'
 NO_VERDICT = log_text(event("hold"))
 PLACE = "docs/rules/requirements.md#AIRT-07"
-WHY = (
-    "EN_AIRT cannot answer 16#0001 here. EN_AIRT returns the count that is left, 0 or more, or 8080 if nothing was "
-    "delayed (AIRT-07). It answers 16#0000."
-)
+WHY = REFUSAL["why"]
 
 
 @pytest.fixture
@@ -107,15 +101,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
             "clauses": [msgspec.to_builtins(clause("AIRT-07")) | {"place": PLACE}],
             "candidates": [CANDIDATE],
             "states": 2,
-            "situations": [
-                [
-                    ["mode", "RUN, clock 2026-11-21T05:59:31.000"],
-                    ["running", "OB 40 (class 16), interrupting OB 1 (class 1)"],
-                    ["delayed", "1 DIS_AIRT not taken back"],
-                    ["pending", "OB 81 (class 25) since 2026-11-21T05:59:31.000"],
-                    ["loaded", "OB 1, 40, 80-81"],
-                ]
-            ],
+            "situations": [SITUATION["said"]],
             "readings": [
                 {"change": "cpu S7-300", "verdict": "rejected", "line": 3, "place": None},
                 {"change": "profile 2006", "verdict": "rejected", "line": 3, "place": None},
@@ -159,15 +145,9 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "  shortest prefix that fails: lines 1 to 3",
         "  before the line 1 of 2:",
         "    mode: RUN, clock 2026-11-21T05:59:31.000",
-        "    running: OB 40 (class 16), interrupting OB 1 (class 1)",
-        "    delayed: 1 DIS_AIRT not taken back",
-        "    pending: OB 81 (class 25) since 2026-11-21T05:59:31.000",
         "    loaded: OB 1, 40, 80-81",
         f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
-        (
-            "  formulas: EnAirt(16#0001) does not explain the line, since a condition is false: ret = delay - 1; "
-            "here delay - 1 = 16#0000 [AIRT-07, Airt:30]"
-        ),
+        f"  formulas: {REFUSAL['formulas'][0]}",
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",
         "4 logs: 1 accepted, 1 rejected, 1 unusable, 1 no verdict",
@@ -327,32 +307,6 @@ def test_no_traceback(
     monkeypatch.setattr(trace_command, "check_log", fail)
     assert cli.main(["trace", "accepted"]) == code
     assert "Traceback" not in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(
-    ("allowed", "text"),
-    [
-        (Allowed("EN_AIRT", 0, "ret", 0), "EN_AIRT ret=16#0000"),
-        (Allowed("start", 80, "flt_id", 5), "start ob=80 flt_id=16#05"),
-        (Allowed("start", 40, "flt_id", -1), "start ob=40"),
-        (Allowed("end", 10), "end ob=10"),
-        (Allowed("stop", 0, "cause", 0x456D), "stop cause=16#456D"),
-        (Allowed("start", 10, "priority", 2), "start ob=10 priority=2"),
-        (Allowed("start", 10, "time", time=Moment(0, 5)), "start ob=10 time=1990-01-01T00:00:00.005"),
-    ],
-)
-def test_allowed(allowed: Allowed, text: str) -> None:
-    """What is expected is worded like the log."""
-    assert format_allowed(allowed) == text
-
-
-def test_candidate() -> None:
-    """A sentence comes first."""
-    said = words.candidate(Candidate("Start(OB 10)", "r.class > c", "r.class = 2, c = 12"))
-    assert (
-        said
-        == "Start(OB 10) does not explain the line, since a condition is false: r.class > c; here r.class = 2, c = 12"
-    )
 
 
 def start(*arguments: str, **options: Any) -> subprocess.Popen[bytes]:

@@ -20,6 +20,7 @@ from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
 from s7check.report.report import Report
 from tests.conftest import FAKE_ENGINE
+from tests.fake_engine import EXPLAINED
 from tests.logs import HEADER, event, log_text
 
 
@@ -84,14 +85,16 @@ def test_no_profile_file(fake_command: list[str], tmp_path: Path, profile: objec
 
 def test_answers(engine: Engine) -> None:
     """Any number of logs pass through one process, whatever comes of them."""
-    assert feed(engine, event("run"), event("stop")) == Answer("accepted", events=2)
+    assert feed(engine, event("run"), event("stop")) == Answer("accepted", events=2, message=EXPLAINED)
     rejected = feed(engine, event("run"), event("EN_AIRT", ret=1), event("stop"))
     assert (rejected.verdict, rejected.line, rejected.events) == ("rejected", 3, 1)
-    assert (rejected.expected, rejected.requirements) == ([Allowed("EN_AIRT", 0, "ret", 0)], ["AIRT-07"])
-    assert (rejected.states, rejected.candidates[0].place) == (2, "Airt:30")
-    assert rejected.situations[0].running[-1] == Frame(40, 16)
+    allowed = Allowed("EN_AIRT", 0, "ret", 0, text="EN_AIRT ret=16#0000")
+    assert (rejected.expected, rejected.requirements) == ([allowed], ["AIRT-07"])
+    refusal = engine.refusal(b"{}")
+    assert (refusal.states, refusal.candidates[0].place) == (2, "Airt:30")
+    assert refusal.situations[0].running[-1] == Frame(40, 16)
     assert feed(engine, event("hold")).verdict == "error"
-    assert feed(engine) == Answer("accepted")
+    assert feed(engine) == Answer("accepted", message=EXPLAINED)
 
 
 def test_decided_before_the_end(engine: Engine) -> None:
@@ -131,7 +134,7 @@ def test_failures(engine: Engine, cause: int, message: str) -> None:
     for _ in range(2):
         with pytest.raises(EngineError, match=message):
             feed(engine, event("stop", cause=cause))
-        assert feed(engine, event("run")) == Answer("accepted", events=1)
+        assert feed(engine, event("run")) == Answer("accepted", events=1, message=EXPLAINED)
 
 
 def test_log_after_a_failure(engine: Engine) -> None:
@@ -141,7 +144,7 @@ def test_log_after_a_failure(engine: Engine) -> None:
     silent, other = os.pipe()
     os.write(other, b"x")
     assert engine.wait(silent)
-    assert feed(engine, event("run")) == Answer("accepted", events=1)
+    assert feed(engine, event("run")) == Answer("accepted", events=1, message=EXPLAINED)
     os.close(silent)
     os.close(other)
 
@@ -149,13 +152,13 @@ def test_log_after_a_failure(engine: Engine) -> None:
 def test_killed_between_logs(engine: Engine) -> None:
     """The log after has a new process, and so has a question."""
     for ask in (False, True):
-        assert feed(engine, event("run")) == Answer("accepted", events=1)
+        assert feed(engine, event("run")) == Answer("accepted", events=1, message=EXPLAINED)
         assert engine._idle is not None
         os.kill(engine._idle._process.pid, signal.SIGKILL)
         engine._idle._process.wait()
         if ask:
             assert engine.alternatives().families
-    assert feed(engine, event("run")) == Answer("accepted", events=1)
+    assert feed(engine, event("run")) == Answer("accepted", events=1, message=EXPLAINED)
 
 
 @pytest.mark.parametrize("event_before", [event("run"), event("stop", cause=0x0009), event("stop", cause=0x0003)])
@@ -194,7 +197,7 @@ def test_too_slow(engine: Engine, events: int) -> None:
         engine.send(log)
         engine.finish()
     assert 1 <= time.monotonic() - begun < 30
-    assert feed(engine, event("run")) == Answer("accepted", events=1)
+    assert feed(engine, event("run")) == Answer("accepted", events=1, message=EXPLAINED)
 
 
 def test_readings_in_time(engine: Engine, tmp_path: Path) -> None:

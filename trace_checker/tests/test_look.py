@@ -7,7 +7,6 @@ import msgspec
 from s7check.engine.answer import Situation
 from s7check.engine.client import Engine
 from s7check.log.calls import OPERANDS
-from s7check.report import words
 
 HEADER: dict[str, Any] = {
     "format": "s7-interrupt-log/1",
@@ -51,7 +50,7 @@ def test_after_the_clock_passed_a_point_under_a_delay(real_engine: Engine) -> No
     assert not any(text.startswith("start ob=10") for text in texts(look["possible"]))
     impossible = ask(real_engine, "impossible", HEADER, [DELAYED, OVER_A_POINT], at=look["at"]).impossible
     (reason,) = (one for one in impossible or [] if one["text"] == "start ob=10")
-    assert reason["because"]
+    assert reason["formulas"]
 
 
 def test_a_step_looks_at_one_line_of_a_call_with_operands(real_engine: Engine) -> None:
@@ -63,7 +62,7 @@ def test_a_step_looks_at_one_line_of_a_call_with_operands(real_engine: Engine) -
 
 
 def test_what_a_hot_restart_brings_back(real_engine: Engine) -> None:
-    """After a STOP, in both spellings of the words; an S7-300 keeps nothing."""
+    """After a STOP; an S7-300 keeps nothing."""
     log: list[dict[str, Any]] = [
         {"event": "SRT_DINT", "ob": 20, "dtime": 5000, "sign": 0, "at": AT, "ret": 0},
         DELAYED,
@@ -76,7 +75,7 @@ def test_what_a_hot_restart_brings_back(real_engine: Engine) -> None:
     (situation,) = ask(real_engine, "look", header, log).look["situations"]
     assert ["hot restart", said] in situation
     state = real_engine.ask({"message": "situations", "session": "look", "most": 1}, _Answer).situations[0]
-    assert [list(one) for one in words.situation(state)] == situation
+    assert [list(one) for one in state.said] == situation
     (situation,) = ask(real_engine, "look", header | {"cpu": "S7-300"}, log).look["situations"]
     assert "hot restart" not in dict(situation)
 

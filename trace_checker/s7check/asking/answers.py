@@ -4,18 +4,7 @@ from typing import Any
 
 import msgspec
 
-from s7check.engine.answer import Allowed, Candidate, Moment, Situation
-
-
-class Refusal(msgspec.Struct, frozen=True):
-    """Why a line is not possible; the fields as in :class:`s7check.engine.answer.Answer`."""
-
-    late: bool = False
-    expected: list[Allowed] = []
-    requirements: list[str] = []
-    states: int = 0
-    situations: list[Situation] = []
-    candidates: list[Candidate] = []
+from s7check.engine.answer import Allowed, Moment
 
 
 class Time(msgspec.Struct, frozen=True):

@@ -3,13 +3,13 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from s7check.asking.answers import Possible, Refusal
+from s7check.asking.answers import Possible
 from s7check.asking.differences import Difference, differences
 from s7check.asking.log_prefix import Prefix
 from s7check.asking.open_questions import OpenQuestion, open_questions
 from s7check.asking.session import Session
 from s7check.asking.variants import Variant
-from s7check.engine.answer import Situation
+from s7check.engine.answer import Refusal, Situation
 from s7check.engine.client import Engine
 
 SHARE = 16

@@ -7,8 +7,6 @@ import msgspec
 from s7check.asking.answers import Line
 from s7check.asking.line_text import as_line, iso_of
 from s7check.asking.next_answer import NextAnswer
-from s7check.report import words
-from s7check.report.expected import format_allowed
 
 
 def to_json(answer: NextAnswer) -> str:
@@ -18,11 +16,11 @@ def to_json(answer: NextAnswer) -> str:
         {
             "log": answer.place,
             "message": answer.message,
-            "situations": [[list(said) for said in words.situation(state)] for state in answer.situations],
+            "situations": [state.said for state in answer.situations],
             "due": [
                 {
                     "by": iso_of(time.at),
-                    "events": [format_allowed(allowed) for allowed in time.due],
+                    "events": [allowed.text for allowed in time.due],
                     "requirements": time.requirements,
                 }
                 for time in answer.possible.times

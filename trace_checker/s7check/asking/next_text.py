@@ -8,8 +8,6 @@ from s7check.asking.differences import Difference
 from s7check.asking.line_text import iso_of
 from s7check.asking.next_answer import NextAnswer
 from s7check.asking.rows import Row, rows
-from s7check.report import words
-from s7check.report.expected import format_allowed
 from s7check.report.report import clause_text
 
 _SHOWN = 3
@@ -26,7 +24,7 @@ def _lines(answer: NextAnswer) -> Iterator[str]:
     several = len(answer.situations)
     for number, state in enumerate(answer.situations[:_SHOWN], 1):
         yield _heading("now" if several == 1 else f"now, explanation {number} of {several}")
-        yield from (f"    {topic}: {text}" for topic, text in words.situation(state))
+        yield from (f"    {topic}: {text}" for topic, text in state.said)
     if answer.questions:
         yield _heading("the explanations differ by what the sources leave open")
         yield from (f"    {one.text}" for one in answer.questions)
@@ -52,7 +50,7 @@ def _due(answer: NextAnswer) -> Iterator[str]:
     if due:
         yield _heading("may have to come" if answer.possible.endless else "must come")
     for time in due:
-        what = " or ".join(format_allowed(allowed) for allowed in time.due)
+        what = " or ".join(allowed.text for allowed in time.due)
         yield f"    {what}, by {iso_of(time.at)}{_ids(time.requirements)}"
 
 

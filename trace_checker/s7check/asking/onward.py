@@ -11,16 +11,15 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import replace
 
-from s7check.asking.answers import Refusal
-from s7check.asking.session import Session, as_answer
-from s7check.engine.answer import Allowed
+from s7check.asking.session import Session
+from s7check.engine.answer import Allowed, Answer, Refusal
 from s7check.engine.client import Engine
 from s7check.judging.check import rejection
 from s7check.log.calls import OPERANDS
 from s7check.log.chosen import Chosen
 from s7check.log.errors import UnusableLogError
 from s7check.log.objects import objects
-from s7check.report.expected import format_allowed
+from s7check.report.clauses import texts
 from s7check.report.report import Report
 
 MOST = 100
@@ -67,6 +66,7 @@ def rejections(name: str, report: Report, engine: Engine, chosen: Chosen) -> Ite
 
     A line that is not of the format ends them. Raises EngineError.
     """
+    engine.tell(texts)
     try:
         _, _, header = next(lines := objects(name))
         session = Session(engine, _with(header, chosen))
@@ -85,8 +85,8 @@ def rejections(name: str, report: Report, engine: Engine, chosen: Chosen) -> Ite
             continue
         found += 1
         if found > 1:
-            rejected = rejection(report.log, as_answer(refusal, number), text, [])
-            rejected = replace(rejected, events=len(session.lines), after=said)
+            answer = Answer("rejected", number, len(session.lines), message=refusal.message)
+            rejected = replace(rejection(report.log, answer, refusal, text, []), after=said)
             yield Onward(rejected, session.header, [*session.lines, line])
         best = _best(session, refusal, read, place - 1)
         session.close()
@@ -144,7 +144,7 @@ def _tried(session: Session, way: _Way, read: Sequence[tuple[int, bytes, Line]],
 def _ways(refusal: Refusal, clock: str, read: Sequence[tuple[int, bytes, Line]], place: int) -> Iterator[_Way]:
     line = read[place][2]
     for allowed in refusal.expected:
-        spelled = format_allowed(allowed)
+        spelled = allowed.text
         if not refusal.late and _answers(line, allowed):
             yield _Way(f"taken as {spelled}", ({**line, allowed.field: allowed.value},))
         else:

@@ -8,8 +8,8 @@ from typing import Any, Self
 
 import msgspec
 
-from s7check.asking.answers import Parting, Possible, Refusal
-from s7check.engine.answer import Answer, Situation, Unusable
+from s7check.asking.answers import Parting, Possible
+from s7check.engine.answer import Refusal, Situation, Unusable
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 
@@ -172,9 +172,3 @@ class Session:
         if str(line.get("event")).isupper():
             whole.setdefault("ret", None)
         return whole
-
-
-def as_answer(refusal: Refusal, line: int) -> Answer:
-    """The refusal as the engine's answer to a log that is rejected at ``line``."""
-    fields = {name: getattr(refusal, name) for name in refusal.__struct_fields__}
-    return Answer("rejected", line=line, **fields)

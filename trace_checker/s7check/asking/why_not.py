@@ -7,10 +7,11 @@ import msgspec
 
 from s7check.asking.log_prefix import Prefix
 from s7check.asking.next_answer import opened
-from s7check.asking.session import as_answer
+from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.judging.check import rejection
 from s7check.judging.replay import Replay, with_readings
+from s7check.report.clauses import texts
 from s7check.report.report import Report
 
 
@@ -22,6 +23,7 @@ def why_not(
     Without a report it may. The report has other readings, as many as are tried until that time of
     ``time.monotonic``. Raises UnusableLogError for an event that is not of the format.
     """
+    engine.tell(texts)
     session, last, _ = opened(engine, prefix)
     line = {"at": session.clock, **event}
     if str(line.get("event")).isupper():
@@ -31,5 +33,6 @@ def why_not(
     if refusal is None:
         return last, line, None
     lines = [*prefix.texts[:last], msgspec.json.encode(line)]
-    report = rejection(prefix.name, as_answer(refusal, last + 1), lines[-1], lines)
+    answer = Answer("rejected", last + 1, message=refusal.message)
+    report = rejection(prefix.name, answer, refusal, lines[-1], lines)
     return last, line, with_readings(report, engine, Replay("-", lines), until)

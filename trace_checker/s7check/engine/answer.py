@@ -6,9 +6,6 @@ import msgspec
 
 from s7check.log.errors import UnusableLogError
 
-NOTHING_TO_CHOOSE = "the set is empty"
-"""The ``values`` of a candidate that found nothing to act on."""
-
 
 class Moment(msgspec.Struct, frozen=True):
     """A point in time: minutes since 1990-01-01T00:00 and the milliseconds in the minute."""
@@ -21,7 +18,7 @@ class Allowed(msgspec.Struct, frozen=True):
     """Something that the specification allows instead of the rejected line.
 
     ``ob`` is 0 where none belongs to it, ``field`` the field that must have ``value`` or empty; the field ``time``
-    must have ``time``.
+    must have ``time``. ``text`` says it in the words of the log format.
     """
 
     event: str
@@ -29,6 +26,7 @@ class Allowed(msgspec.Struct, frozen=True):
     field: str = ""
     value: int = 0
     time: Moment = Moment()
+    text: str = ""
 
 
 class Candidate(msgspec.Struct, frozen=True):
@@ -105,7 +103,8 @@ class Situation(msgspec.Struct, frozen=True):
     """The CPU before a line, ``Situation`` of the specification.
 
     ``running`` has the running OB last; ``stop`` is the cause of a STOP that must come, or -1;
-    ``waited`` the milliseconds for which each priority class could have started an OB.
+    ``waited`` the milliseconds for which each priority class could have started an OB; where it is to be shown, it is
+    ``said`` in words, each statement with its topic.
     """
 
     mode: str = "STOP"
@@ -122,6 +121,7 @@ class Situation(msgspec.Struct, frozen=True):
     pending: list[Pending] = []
     tod: list[TimeOfDay] = []
     dint: list[Delay] = []
+    said: list[tuple[str, str]] = []
 
 
 class Step(msgspec.Struct, frozen=True):
@@ -172,8 +172,7 @@ class Answer(msgspec.Struct, frozen=True):
     """The engine's answer to one log; ``events`` were explained before it was decided.
 
     Of an ``unusable`` one: why a line is not of the format. Of a rejected one: the events ``expected`` in the place of
-    the line, or before it where the line comes too ``late``; the ``requirements`` that decide; how many ``states``
-    explained the lines before, the ``situations`` that come nearest to the line, and the ``candidates``. From the line
+    the line, or before it where the line comes too ``late``; the ``requirements`` that decide. From the line
     ``loose`` on only definite facts were followed: the log is ``partial``, or there were too many explanations; from
     the line ``wide`` on waiting start events were not told apart. ``steps`` are there if the log was begun with
     ``follow``. What it cost: ``largest`` states at a time at the most, and a state was ``followed`` to its successors
@@ -196,9 +195,6 @@ class Answer(msgspec.Struct, frozen=True):
     loose: int | None = None
     partial: bool = False
     wide: int | None = None
-    states: int = 0
-    situations: list[Situation] = []
-    candidates: list[Candidate] = []
     steps: list[Step] = []
     largest: int = 0
     followed: int = 0
@@ -206,6 +202,25 @@ class Answer(msgspec.Struct, frozen=True):
     open: list[int] = []
     classes: list[int] = []
     asked: list[str] | None = None
+
+
+class Refusal(msgspec.Struct, frozen=True):
+    """Why a line is not possible; its first fields as in :class:`Answer`.
+
+    ``message`` and ``why`` say so, ``wanted`` what was expected. So many ``states`` explained the lines before, the
+    ``situations`` come nearest to the line; ``formulas`` are the texts of the ``candidates``.
+    """
+
+    late: bool = False
+    expected: list[Allowed] = []
+    requirements: list[str] = []
+    message: str = ""
+    why: str = ""
+    wanted: list[str] = []
+    states: int = 0
+    situations: list[Situation] = []
+    candidates: list[Candidate] = []
+    formulas: list[str] = []
 
 
 class Decision(msgspec.Struct, frozen=True):

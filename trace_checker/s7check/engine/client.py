@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 import msgspec
 
 from s7check.engine import limits
-from s7check.engine.answer import Alternatives, Answer, Content, Decision, Unusable
+from s7check.engine.answer import Alternatives, Answer, Content, Decision, Refusal, Unusable
 from s7check.engine.class_archive import forget_archive
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import OPTIONS, JavaMissingError, check_java
@@ -46,6 +46,10 @@ class _Decisions(msgspec.Struct, frozen=True):
     decisions: list[Decision]
 
 
+class _Rejected(msgspec.Struct, frozen=True):
+    refusal: Refusal = Refusal()
+
+
 class Engine:
     """An engine process for any number of logs, started when the first of them begins.
 
@@ -69,6 +73,7 @@ class Engine:
         self._beginning: dict[str, Any] = {}
         self._folder = HERE
         self._decisions: list[Decision] | None = None
+        self._told: EngineProcess | None = None
         self._encoder = msgspec.json.Encoder()
 
     def __enter__(self) -> Self:
@@ -147,6 +152,16 @@ class Engine:
         ``how`` and the answer are those of the message ``simulate``. Raises UnusableLogError.
         """
         return self._object({"message": "simulate", "header": header, "latency": latency, **how}, program)
+
+    def tell(self, texts: Callable[[], Mapping[str, Any]]) -> None:
+        """Tells the engine the ``texts`` of its message of that name, once; not while a log is at work."""
+        if self._idle is None or self._idle is not self._told:
+            self.ask({"message": "texts", **texts()}, _Rejected)
+            self._told = self._idle
+
+    def refusal(self, line: bytes) -> Refusal:
+        """Why the last log was rejected at this line; not while a log is at work."""
+        return self.ask({"message": "rejected", "line": line.decode(errors="replace")}, _Rejected).refusal
 
     def _object(self, message: dict[str, Any], text: bytes) -> dict[str, Any]:
         answer = self.ask({**message, "count": len(text)}, Checked, text)

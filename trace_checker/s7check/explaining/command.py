@@ -16,9 +16,8 @@ from s7check.ending import ending
 from s7check.engine import pool
 from s7check.explaining.sentences import by_itself, of_line
 from s7check.output import echo
-from s7check.report.expected import format_allowed, format_late
+from s7check.report.clauses import texts
 from s7check.report.report import clause_text
-from s7check.report.why import why_not
 
 _HELP = """Tell a log in sentences, with the requirements behind them.
 
@@ -51,6 +50,7 @@ def explain_command(output: str, log: str) -> int:
     named: set[str] = set()
     code = 0
     with ending(log), pool.engine() as engine:
+        engine.tell(texts)
         prefix = read_prefix(engine, log)
         for told in story(Session(engine, prefix.header), prefix):
             named.update(told.requirements)
@@ -84,10 +84,9 @@ def story(session: Session, prefix: Prefix) -> Iterator[Told]:
 def _refused(session: Session, number: int, line: dict[str, Any]) -> Told:
     refusal = session.why(line)
     assert refusal is not None
-    expected = ", ".join(format_allowed(one) for one in refusal.expected) or "nothing"
+    expected = ", ".join(one.text for one in refusal.expected) or "nothing"
     how = "something had to come before" if refusal.late else "not possible"
-    late = [format_late(one, refusal.situations) for one in refusal.expected] if refusal.late else []
-    why = why_not(msgspec.json.encode(line), late, refusal.expected, refusal.requirements).removesuffix(".")
+    why = refusal.why.removesuffix(".")
     return Told(number, line["at"], [f"{how}: expected {expected}", *filter(None, [why])], refusal.requirements, 0)
 
 

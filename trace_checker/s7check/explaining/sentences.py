@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import Any
 
-from s7check.asking.line_text import spelled
-from s7check.engine.answer import Pending, Situation
+from s7check.asking.line_text import iso_of, spelled
+from s7check.engine.answer import Moment, Pending, Situation
 from s7check.log.errors import ranges
-from s7check.report import words
 from s7check.report.clauses import event_text
 
 _NO_CAUSE = -1
@@ -40,7 +39,7 @@ def by_itself(before: Situation, after: Situation) -> Iterator[str]:
         if tod.armed and (now is None or now.next != tod.next):
             again = " again while it runs" if tod.ob in runs else ""
             lost = ", which comes to nothing" if tod.ob in after.blocked else ""
-            yield f"OB {tod.ob} is due{again}, its point {words.moment(tod.next)} is reached{lost}"
+            yield f"OB {tod.ob} is due{again}, its point {_moment(tod.next)} is reached{lost}"
     left = {job.ob for job in after.dint}
     for job in before.dint:
         if job.ob not in left:
@@ -119,7 +118,7 @@ def _gone(before: Situation, after: Situation) -> Iterator[str]:
         old = next((one for one in before.tod if one.ob == tod.ob), None)
         if old is None or (old.start, old.period, old.active) != (tod.start, tod.period, tod.active):
             active = "active" if tod.active else "not active"
-            yield f"OB {tod.ob} is set as by STEP 7, from {words.moment(tod.start)}, {active}"
+            yield f"OB {tod.ob} is set as by STEP 7, from {_moment(tod.start)}, {active}"
     if delays := sorted({job.ob for job in before.dint} - {job.ob for job in after.dint}):
         yield f"no delay of {_obs(delays)} runs any more"
     if freed := sorted(set(before.blocked) - set(after.blocked)):
@@ -139,7 +138,7 @@ def _settings(before: Situation, after: Situation) -> Iterator[str]:
     armed = {tod.ob: tod.next for tod in before.tod if tod.armed}
     for tod in after.tod:
         if tod.armed and armed.get(tod.ob) != tod.next:
-            yield f"the next point of OB {tod.ob} is {words.moment(tod.next)}"
+            yield f"the next point of OB {tod.ob} is {_moment(tod.next)}"
     for job in after.dint:
         if job.ob not in {one.ob for one in before.dint}:
             yield f"OB {job.ob} is due in {job.left} ms"
@@ -184,3 +183,8 @@ def _event(number: int) -> str:
 
 def _of(request: Pending) -> tuple[object, ...]:
     return (request.ob, request.fault, request.cause, request.since, tuple(request.late))
+
+
+def _moment(at: Moment) -> str:
+    """As a log spells it, without the milliseconds of a whole minute."""
+    return iso_of(at) if at.ms else iso_of(at)[:16]

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from msgspec.structs import replace
 
-from s7check.engine.answer import NOTHING_TO_CHOOSE, Answer, Candidate
+from s7check.engine.answer import Answer, Refusal
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.judging.decisions import decisions_of
@@ -18,9 +18,8 @@ from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.profile_file import HERE, folder_of
 from s7check.log.source import Source, open_log
-from s7check.report.expected import format_allowed, format_late
+from s7check.report.clauses import texts
 from s7check.report.report import Report
-from s7check.report.why import why_not
 
 _KEPT = 16 * 1024 * 1024
 """Bytes of lines kept for the report; more than can be under way to the engine at a time."""
@@ -30,9 +29,6 @@ _FLOW = 20
 
 _LOOKED_AT = 1000
 """Lines of a file without a header that are looked at to tell its kind."""
-
-_UNEXPLAINED = "no behaviour of the specification explains this line"
-_TOO_LATE = "something had to come before this line"
 
 Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of lines read from it."""
@@ -117,13 +113,12 @@ class Judging:
             try:
                 self._begin()
                 answer = self._engine.finish(broken=self._unusable is not None)
+                if answer.verdict == "rejected":
+                    return self._rejection(answer)
             except EngineError as error:
                 self._failed = error
         if self._failed is not None:
             return Report(self._log, "no verdict", str(self._failed))
-        if answer is not None and answer.verdict == "rejected":
-            last = answer.line or 0
-            return rejection(self._log, answer, self._recent.get(last), self._recent.up_to(last))
         if answer is not None and answer.verdict == "error":
             return Report(self._log, "no verdict", answer.message, line=answer.line, events=answer.events)
         events = answer.events if answer else 0
@@ -132,12 +127,16 @@ class Judging:
             unusable = self._source_of_import(unusable)
             return Report(self._log, "unusable", unusable.reason, line=unusable.line or None, events=events)
         if answer is not None and answer.loose is not None and not answer.partial:
-            message = "too many explanations" + _loosened(answer) + "; choose readings in the header"
-            return Report(self._log, "no verdict", message, events=events, certain_from=answer.loose)
-        message = "the specification explains every event" + _loosened(answer)
-        certain_from = None if answer is None else answer.loose
-        report = Report(self._log, "accepted", message, events=events, certain_from=certain_from)
-        return report if answer is None else self._with_decided(report, answer)
+            return Report(self._log, "no verdict", answer.message, events=events, certain_from=answer.loose)
+        assert answer is not None
+        report = Report(self._log, "accepted", answer.message, events=events, certain_from=answer.loose)
+        return self._with_decided(report, answer)
+
+    def _rejection(self, answer: Answer) -> Report:
+        last = answer.line or 0
+        event = self._recent.get(last)
+        self._engine.tell(texts)
+        return rejection(self._log, answer, self._engine.refusal(event or b""), event, self._recent.up_to(last))
 
     def _source_of_import(self, error: UnusableLogError) -> UnusableLogError:
         """The error; if it is in place of the header, and the bytes are a program or a source of an import, it says
@@ -171,24 +170,24 @@ class Judging:
         )
 
 
-def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes]) -> Report:
+def rejection(log: str, answer: Answer, refusal: Refusal, event: bytes | None, lines: list[bytes]) -> Report:
     """The report of a log that the engine rejects; ``event`` is the rejected line, ``lines`` are those up to it."""
-    late = [format_late(allowed, answer.situations) for allowed in answer.expected] if answer.late else []
     return Report(
         log,
         "rejected",
-        (_TOO_LATE if answer.late else _UNEXPLAINED) + _loosened(answer),
+        answer.message,
         line=answer.line,
         events=answer.events,
         event=event,
-        expected=[format_allowed(allowed) for allowed in answer.expected],
-        requirements=answer.requirements,
+        expected=[allowed.text for allowed in refusal.expected],
+        requirements=refusal.requirements,
         certain_from=answer.loose,
-        late=late,
-        why=why_not(event or b"", late, answer.expected, answer.requirements),
-        states=answer.states,
-        situations=answer.situations,
-        candidates=_telling(answer.candidates),
+        late=refusal.wanted if refusal.late else [],
+        why=refusal.why,
+        states=refusal.states,
+        situations=refusal.situations,
+        candidates=refusal.candidates,
+        formulas=refusal.formulas,
         outcomes=answer.outcomes,
         open=answer.open,
         classes=answer.classes,
@@ -196,23 +195,6 @@ def rejection(log: str, answer: Answer, event: bytes | None, lines: list[bytes])
         lines=lines,
         flow=[(number, text) for number, text in enumerate(lines, 1) if number > 1 and text.strip()][-_FLOW:],
     )
-
-
-def _loosened(answer: Answer | None) -> str:
-    if answer is None or (answer.loose is None and answer.wide is None):
-        return ""
-    if answer.loose is not None:
-        return f"; from line {answer.loose} on only definite facts are checked"
-    return f"; too many explanations: from line {answer.wide} on start events that wait are not all told apart"
-
-
-def _telling(candidates: list[Candidate]) -> list[Candidate]:
-    """Without the actions that are about another kind of event altogether, and those of which there is nothing to say:
-    they had nothing to act on, or are not meant for this log.
-    """
-    of_this_event = [one for one in candidates if not one.conjunct.startswith("e.event ")]
-    telling = [one for one in of_this_event if one.values != NOTHING_TO_CHOOSE and one.conjunct != "FALSE"]
-    return telling or of_this_event or candidates
 
 
 class _RecentLines:

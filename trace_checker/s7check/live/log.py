@@ -11,7 +11,6 @@ from s7check.asking.session import Session
 from s7check.engine import pool
 from s7check.engine.command import EngineError
 from s7check.log.errors import UnusableLogError
-from s7check.report.expected import format_allowed
 from s7check.report.report import Report
 
 _LONGEST = 100_000
@@ -75,7 +74,7 @@ class GrowingLog:
             self._look_no_more()
             return []
         return [
-            (iso_of(time.at), " or ".join(map(format_allowed, time.due)))
+            (iso_of(time.at), " or ".join(one.text for one in time.due))
             for time in possible.times
             if time.due and not possible.endless
         ]

@@ -13,17 +13,16 @@ from typing import Any
 
 import msgspec
 
-from s7check.asking.answers import Refusal
 from s7check.asking.line_text import spelled
 from s7check.asking.log_prefix import Prefix
 from s7check.asking.session import Session
 from s7check.asking.variants import fitted
 from s7check.engine import pool
+from s7check.engine.answer import Refusal
 from s7check.engine.client import Engine
 from s7check.log.errors import UnusableLogError
 from s7check.log.values import instant, iso
 from s7check.migrating.table import Difference, differences
-from s7check.report.expected import format_allowed
 
 Json = dict[str, Any]
 
@@ -162,7 +161,7 @@ class Walk:
         possible = self.old.possible([line], line["at"])
         old = sorted({name for one in possible.lines for name in one.requirements})
         new = list(refusal.requirements) if refusal else []
-        instead = [format_allowed(one) for one in refusal.expected] if refusal else []
+        instead = [one.text for one in refusal.expected] if refusal else []
         return self._told(number, line, kind, instead, old, new, matching(self.table, line, old, new, refusal))
 
     @staticmethod

@@ -58,7 +58,7 @@ export class Desk {
     } catch (error) {
       if (!error.answer) throw error;
       known.lines = known.lines.concat(lines.slice(0, error.answer.lines - known.lines.length));
-      return { unusable: error.message };
+      return { unusable: true, message: error.message };
     }
   }
 

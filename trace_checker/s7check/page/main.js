@@ -6,7 +6,7 @@ import { Engine, unusable } from "./engine.js";
 import { madeOf, unpacked } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
-import { asPage, loosened, met, showReport, tryReadings, whyNot } from "./report.js";
+import { asPage, met, showReport, tryReadings, whyNot } from "./report.js";
 import { showSides } from "./sides.js";
 import { busy, button, fields, inSite, page, problem, requirement, requirements, safely, step, table } from "./shown.js";
 import { Timeline, read, zoom } from "./timeline.js";
@@ -60,7 +60,7 @@ async function refresh(when = null, opened = false) {
   showImpossible();
   $("because").replaceChildren();
   const wrong = refused ? explained + 1 : -1;
-  await timeline.show([one.header, ...one.lines], one.shown, explained, wrong, one.numbers, refused?.before);
+  await timeline.show([one.header, ...one.lines], one.shown, explained, wrong, one.numbers, refused?.situations?.[0]);
   if (number !== page.asked) return; // the engine may have taken lines back by now
   await showRest(number);
   showSides(number);
@@ -221,9 +221,9 @@ async function open(file, given, line = null, told = []) {
 /** The verdict that an answer stands for, with its message. */
 function judgement(answer) {
   const open = answer.verdict === "accepted" && answer.loose && !answer.partial;
-  if (!open) return { verdict: answer.verdict, loosened: loosened(answer), met: met(answer, contents.decidable) };
-  const message = `too many explanations${loosened(answer)}; choose readings in the header`;
-  return { verdict: "no verdict", message };
+  if (open || answer.verdict === "error") return { verdict: "no verdict", message: answer.message };
+  const more = answer.verdict === "accepted" ? ` (${answer.events} events)${met(answer, contents.decidable)}` : "";
+  return { verdict: answer.verdict, message: `${answer.message}${more}` };
 }
 
 /** The report of what is shown as a page of its own. */
@@ -424,12 +424,12 @@ async function showChoices() {
 
 async function main() {
   const begun = performance.now();
-  const [script, wasm, tree, requirements, texts] = await Promise.all(
-    ["script", "wasm", "tree", "clauses", "texts"].map((name) => inflated(contents[name])),
+  const [script, wasm, tree, packed] = await Promise.all(
+    ["script", "wasm", "tree", "texts"].map((name) => inflated(contents[name])),
   );
-  const object = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
-  page.clauses = new Map(object(requirements).map((one) => [one.id, one]));
-  engine = new Engine({ script, wasm, tree, texts: object(texts) });
+  const texts = JSON.parse(new TextDecoder().decode(packed));
+  page.clauses = new Map(texts.clauses.map((one) => [one.id, one]));
+  engine = new Engine({ script, wasm, tree, texts });
   page.desk = new Desk(engine);
   wire();
   showGallery();

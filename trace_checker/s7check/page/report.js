@@ -1,7 +1,6 @@
 // The verdict of the opened log, why its line is rejected, and the report as text and as a file.
 import { $, h, numberOf } from "./elements.js";
 import { button, page, requirement, requirements, said, step, table } from "./shown.js";
-import { read } from "./timeline.js";
 
 const LONGEST_JUDGED = 4 * 1024 * 1024; // bytes of a log that is judged by other readings
 const BUDGET = 5000; // milliseconds for all of them
@@ -13,39 +12,20 @@ export function showReport() {
   const { refused, explained } = page.view;
   const judged = page.verdict;
   const same = judged && judged.lines === one.lines && judged.header === one.header;
-  const now = same
-    ? judged
-    : refused
-      ? { verdict: refused.unusable ? "unusable" : "rejected" }
-      : { verdict: "accepted" };
+  const accepted = { verdict: "accepted", message: `${page.view.look.message} (${explained} events)` };
+  const now = refused ? { verdict: refused.unusable ? "unusable" : "rejected", ...refused } : accepted;
+  const { verdict, message } = same ? judged : now;
   const line = numberOf(one.numbers, explained + 1);
-  const words = {
-    accepted: `the specification explains every line (${explained} events${now.met ?? ""})`,
-    rejected: refused?.late
-      ? `something had to come before line ${line}`
-      : `no behaviour of the specification explains line ${line}`,
-    unusable: refused?.unusable,
-    "no verdict": now.message,
-  }[now.verdict];
-  const loosened = now.loosened ?? "";
   $("report").hidden = false;
   $("verdict").replaceChildren(
-    h("span", { className: `verdict ${now.verdict === "no verdict" ? "none" : now.verdict}` }, now.verdict),
-    ` ${words}${loosened}`,
+    h("span", { className: `verdict ${verdict === "no verdict" ? "none" : verdict}` }, verdict),
+    ` ${refused && !refused.unusable ? `line ${line}: ` : ""}${message}`,
   );
   $("explained").replaceChildren(...(refused && !refused.unusable ? explanation(refused, one, explained, line) : []));
   $("readings").replaceChildren(...((same && judged.readings) || []));
   $("told").replaceChildren(...(same ? judged.told : []).map((line) => h("li", {}, line)));
-  $("as-text").textContent = asText(now.verdict, words + loosened, one, refused, line);
+  $("as-text").textContent = asText(verdict, message, one, refused, line);
 }
-
-/** From which line on the engine has told less apart. */
-export const loosened = ({ loose, wide }) =>
-  loose
-    ? `; from line ${loose} on only definite facts are checked`
-    : wide
-      ? `; too many explanations: from line ${wide} on start events that wait are not all told apart`
-      : "";
 
 /** How many requirements have decided something on the way of every explanation. */
 export function met({ outcomes = [] }, decidable) {
@@ -89,11 +69,11 @@ export async function tryReadings(engine, judged, bytes, wanted) {
 
 function explanation(refused, one, index, line) {
   const texts = refused.requirements.map((id) => [requirement(id), said(id)]);
-  const situations = refused.situations.flatMap((rows, i) => [
+  const situations = refused.situations.flatMap(({ said }, i) => [
     h("h3", {}, `The CPU before the line${refused.states > 1 ? ` (${i + 1} of ${refused.states})` : ""}`),
-    table(rows),
+    table(said),
   ]);
-  const choices = refused.instead.map((each, i) => instead(each, refused.expected[i], index, one.lines[index]));
+  const choices = refused.wanted.map((text, i) => instead(text, refused.instead[i], index));
   return [
     h("pre", { className: "quote" }, one.lines[index]),
     h("p", {}, ...linked(refused.why)),
@@ -145,39 +125,25 @@ function asText(name, words, one, refused, line) {
   if (!refused || refused.unusable) return text[0];
   text.push(
     `    ${one.lines[page.view.explained]}`,
-    `  ${refused.late ? "expected before it" : "expected"}: ${refused.expected.join(", ") || "nothing"}`,
+    `  ${refused.late ? "expected before it" : "expected"}: ${refused.wanted.join(", ") || "nothing"}`,
   );
   text.push(`  requirements: ${refused.requirements.join(", ")}`, `  why not: ${refused.why}`);
   for (const id of refused.requirements) text.push(`    ${id} ${page.clauses.get(id)?.text ?? ""}`);
-  refused.situations.forEach((rows, i) => {
+  refused.situations.forEach(({ said }, i) => {
     text.push(
       `  before the line${refused.states > 1 ? ` ${i + 1} of ${refused.states}` : ""}:`,
-      ...rows.map(([topic, said]) => `    ${topic}: ${said}`),
+      ...said.map(([topic, text]) => `    ${topic}: ${text}`),
     );
   });
-  if (refused.because.length) text.push("  formulas:", ...refused.because.map((each) => `    ${formula(each)}`));
+  if (refused.formulas.length) text.push("  formulas:", ...refused.formulas.map((each) => `    ${each}`));
   return text.join("\n");
 }
 
-const formula = (one) =>
-  `${one.action}: ~(${one.conjunct})${one.values ? `; here ${one.values}` : ""} [${[...one.requirements, one.place].join(", ")}]`;
-
-/** A button that puts an expected value in the line, or an expected line before it. */
-function instead(one, text, index, given) {
-  if (one.event === "call") return h("span", {}, ` ${text} `);
-  const line = read(given);
-  const same = one.event === line.event && (one.ob === undefined || one.ob === line.ob);
-  const changed =
-    same && !page.view.refused.late
-      ? [{ ...line, ...one, ...(one.info ? { info: { ...line.info, ...one.info } } : {}) }]
-      : [{ at: page.view.look.clock, ...one }];
-  const texts = changed.map((each) => JSON.stringify(each));
-  return button(
-    text,
-    () => step(() => page.model.replace(index, ...(same && !page.view.refused.late ? texts : [...texts, given]))),
-    { className: "choice" },
-  );
-}
+/** A button that puts these lines in the place of the rejected one; a text where there are none. */
+const instead = (text, lines, index) =>
+  lines
+    ? button(text, () => step(() => page.model.replace(index, ...lines)), { className: "choice" })
+    : h("span", {}, ` ${text} `);
 
 const ID = /\b[A-Z]+\d*-\d{2,}\b/g;
 
@@ -197,16 +163,16 @@ function linked(text) {
 export const whyNot = (refused) =>
   [
     h("p", {}, ...linked(refused.why), requirements(refused.requirements.filter((id) => !refused.why.includes(id)))),
-    h("p", {}, `Possible: ${refused.expected.join(", ") || "nothing"}`),
+    h("p", {}, `Possible: ${refused.wanted.join(", ") || "nothing"}`),
     because(refused),
   ].filter(Boolean);
 
 const because = (refused) =>
-  refused.because.length
+  refused.formulas.length
     ? h(
         "details",
         {},
         h("summary", {}, "Formulas"),
-        h("ul", { className: "because" }, ...refused.because.map((one) => h("li", {}, ...linked(formula(one))))),
+        h("ul", { className: "because" }, ...refused.formulas.map((one) => h("li", {}, ...linked(one)))),
       )
     : null;

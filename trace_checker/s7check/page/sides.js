@@ -36,7 +36,7 @@ function shownSide(side, found) {
   );
   const head = [...sideHead(side), h("p", {}, change)];
   if (found.refused) {
-    if (found.refused.unusable) return [...head, h("p", {}, found.refused.unusable)];
+    if (found.refused.unusable) return [...head, h("p", {}, found.refused.message)];
     const text = `Line ${numberOf(page.model.branch.numbers, found.explained + 1)} is not possible there.`;
     return [...head, h("p", {}, text), ...whyNot(found.refused)];
   }

@@ -13,7 +13,6 @@ from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.engine.process import EngineTooSlowError
 from s7check.log.errors import UnusableLogError
-from s7check.report.expected import format_allowed
 from s7check.report.report import Report
 
 Fields = Mapping[str, Any]
@@ -62,7 +61,7 @@ class Judge:
             and answer.verdict == "rejected"
             and answer.line == len(events) + 1
             and answer.late == self._late
-            and (not self._late or list(map(format_allowed, answer.expected)) == self._owed)
+            and (not self._late or [one.text for one in answer.expected] == self._owed)
             and self._decided <= set(answer.requirements)
         )
 

@@ -5,7 +5,6 @@ from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from xml.etree import ElementTree as Xml
 
-from s7check.report import words
 from s7check.report.clauses import clause, named
 from s7check.report.markup import Node, add, document, node
 from s7check.report.report import Cause, Report, Verdict, cause, message, place, readings, source
@@ -182,7 +181,7 @@ def _explanation(report: Report) -> Iterator[Node]:
 def _situations(report: Report) -> Iterator[Node]:
     for number, state in enumerate(report.situations, 1):
         of = f" ({number} of {report.states})" if report.states > 1 else ""
-        rows = [node("tr", node("td", topic, class_="key"), node("td", text)) for topic, text in words.situation(state)]
+        rows = [node("tr", node("td", topic, class_="key"), node("td", text)) for topic, text in state.said]
         yield node("h3", f"The CPU before the line{of}")
         yield node("table", *rows)
 

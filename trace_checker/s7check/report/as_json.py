@@ -4,7 +4,6 @@ from typing import Any
 
 import msgspec
 
-from s7check.report import words
 from s7check.report.clauses import clause, named
 from s7check.report.report import Report
 
@@ -38,7 +37,7 @@ def _explanation(report: Report) -> dict[str, Any]:
         "clauses": [_clause(name) for name in report.requirements],
         "candidates": report.candidates,
         "states": report.states,
-        "situations": [[list(said) for said in words.situation(state)] for state in report.situations],
+        "situations": [state.said for state in report.situations],
     }
 
 

@@ -8,6 +8,7 @@ behind an anchor with its ID.
 import re
 from collections.abc import Iterable
 from functools import cache
+from typing import Any
 
 import msgspec
 
@@ -113,6 +114,11 @@ def event_texts() -> dict[str, str]:
 def event_text(number: int) -> str:
     """What an event ID of the diagnostic buffer means, such as ``STOP: OB 80 missing``; empty if no source tells."""
     return event_texts().get(f"{number & 0xFFFF:04X}", "")
+
+
+def texts() -> dict[str, Any]:
+    """The words of the rules and of event IDs, as the engine's message ``texts`` has them."""
+    return {"clauses": all_clauses(), "events": event_texts()}
 
 
 def named(text: str) -> list[str]:

@@ -7,12 +7,11 @@ import msgspec
 
 from s7check.engine.answer import Candidate, Situation, Step
 from s7check.log.errors import printable
-from s7check.report import words
 from s7check.report.clauses import clause
 
 LONGEST_LINE = 400
 MOST_EXPECTED = 12
-_MOST_CANDIDATES = 6
+_MOST_FORMULAS = 6
 
 Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
 
@@ -42,11 +41,11 @@ class Report(msgspec.Struct, frozen=True):
     Of a rejected log also: ``why`` it is, in a sentence; ``late``, if the line comes too late: the events
     ``expected`` before it, and until when; ``states``, the number of explanations of the lines before;
     ``situations``, those of the explanations nearest to the line; ``candidates``, each an action with its first
-    false conjunct. ``readings`` is None if no others were to be tried; ``untried`` are readings for which there was
-    no time. ``asked`` are the open questions whose letter the verdict depends on, None if it may depend on any.
-    ``lines`` are the log's lines from the first one, as far as they are at hand, ``steps`` the situations after
-    them, ``flow`` the numbered events up to a rejected line, the latest ones. ``after`` says how the judging went on
-    behind the rejection before, if this is not the first. The judging took ``seconds``.
+    false conjunct, ``formulas`` their texts. ``readings`` is None if no others were to be tried; ``untried`` are
+    readings for which there was no time. ``asked`` are the open questions whose letter the verdict depends on, None
+    if it may depend on any. ``lines`` are the log's lines from the first one, as far as they are at hand, ``steps``
+    the situations after them, ``flow`` the numbered events up to a rejected line, the latest ones. ``after`` says
+    how the judging went on behind the rejection before, if this is not the first. The judging took ``seconds``.
     """
 
     log: str
@@ -63,6 +62,7 @@ class Report(msgspec.Struct, frozen=True):
     states: int = 0
     situations: list[Situation] = []
     candidates: list[Candidate] = []
+    formulas: list[str] = []
     readings: list[Reading] | None = None
     untried: list[str] = []
     outcomes: list[int] = []
@@ -147,11 +147,11 @@ def parts(report: Report) -> Iterator[Part]:
             yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
     for number, state in enumerate(report.situations, 1):
         of = f" {number} of {report.states}" if report.states > 1 else ""
-        said = words.situation(state)
-        yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in said])
+        yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in state.said])
     yield from readings(report)
-    if report.candidates and not report.late:  # what is late was said; the formula would be that of elapsing time
-        yield Part("formulas", _candidates(report))
+    if shown := report.formulas[:_MOST_FORMULAS]:
+        more = len(report.formulas) - len(shown)
+        yield Part("formulas", [*shown, *([f"and {more} more"] if more else [])])
 
 
 def decision(report: Report) -> Iterator[Part]:
@@ -210,15 +210,6 @@ def _outcome(one: Reading) -> str:
     where = "" if one.line is None else f" at line {one.line}"
     verdict = "" if one.verdict == "rejected" else f" {one.verdict}"
     return f"{one.change}{verdict}{where}"
-
-
-def _candidates(report: Report) -> list[str]:
-    shown = [
-        words.candidate(one) + f" [{', '.join([*one.requirements, one.place])}]"
-        for one in report.candidates[:_MOST_CANDIDATES]
-    ]
-    more = len(report.candidates) - len(shown)
-    return [*shown, f"and {more} more"] if more > 0 else shown
 
 
 def _list(texts: list[str], most: int) -> str:

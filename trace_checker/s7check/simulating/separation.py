@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from s7check.asking.answers import Refusal
 from s7check.asking.session import Session
 from s7check.asking.variants import Variant
+from s7check.engine.answer import Refusal
 from s7check.engine.client import Engine
 from s7check.kit.program import Program
 from s7check.log.values import instant, iso

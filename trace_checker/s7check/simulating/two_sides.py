@@ -8,7 +8,6 @@ from typing import Any
 from s7check.asking.line_text import spelled
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
-from s7check.report.expected import format_allowed
 from s7check.report.report import clause_text
 from s7check.simulating.separation import Separation, log_of
 
@@ -18,7 +17,7 @@ _WIDTH = 76
 def difference_text(found: Separation, mine: list[dict[str, Any]], other: list[dict[str, Any]]) -> list[str]:
     """The timelines of both sides, the line that differs, and the clauses; ``mine`` is that of the side that allows."""
     line = found.log[-1]
-    instead = ", ".join(format_allowed(one) for one in found.refusal.expected) or "nothing"
+    instead = ", ".join(one.text for one in found.refusal.expected) or "nothing"
     before = "before it had to come" if found.refusal.late else "it allows"
     return [
         *side_by_side(found.allowed.name, mine, found.refused.name, other, found.line),
@@ -38,7 +37,7 @@ def log_of_refused(engine: Engine, found: Separation) -> list[dict[str, Any]]:
         log = []
     if len(log) > len(before) + 1 and log[1 : len(before) + 1] == before and log[len(before) + 1] != found.log[-1]:
         return log
-    instead = ", ".join(format_allowed(one) for one in found.refusal.expected) or "nothing"
+    instead = ", ".join(one.text for one in found.refusal.expected) or "nothing"
     late = "had to come before: " if found.refusal.late else "in its place: "
     return [found.header, *before, {"at": found.log[-1]["at"], "event": f"({late}{instead})"}]
 

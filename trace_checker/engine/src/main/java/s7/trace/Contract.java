@@ -377,8 +377,10 @@ public final class Contract {
   }
 
   /** The events that were possible in the place of the failing one, or had to come before it. */
-  List<?> expected(Failing failing, State state, Value event) {
-    return array(failing.expected, state, event);
+  List<Fields> expected(Failing failing, State state, Value event) {
+    List<Fields> expected = Work.objects(array(failing.expected, state, event));
+    expected.forEach(one -> one.put("text", Spelled.allowed(one)));
+    return expected;
   }
 
   /**

@@ -30,6 +30,10 @@ import tlc2.value.impl.RecordValue;
  *   <li>{@code {"message":"verdict"}} asks whether the log is decided. If it is not, the answer is {@code
  *       {"verdict":"open"}}; if it is, its verdict has been printed.
  *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
+ *   <li>{@code {"message":"texts","clauses":[{"id":...,"text":...}...],"events":{"4568":...}}} has the words of the rules
+ *       and of event IDs, from which sentences are made; the answer is empty.
+ *   <li>{@code {"message":"rejected","line":TEXT}} asks why the last log was rejected, at that line: the {@code refusal}
+ *       has what {@link WhyNot} tells of it.
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is
  *       {@code unusable}; with {@code "others":true} also the headers beside it ({@link OtherHeaders}).
@@ -62,6 +66,8 @@ public final class Engine {
 
   private final Contract spec;
   private final Consumer<String> out;
+  private final Clauses clauses = new Clauses();
+  private final WhyNot why = new WhyNot(clauses);
   private final Sessions sessions;
   private final Judging judging;
 
@@ -86,7 +92,7 @@ public final class Engine {
     this.spec = spec;
     this.ahead = ahead;
     this.out = out;
-    sessions = new Sessions(spec);
+    sessions = new Sessions(spec, why);
     judging = new Judging(spec, this::print);
   }
 
@@ -120,6 +126,14 @@ public final class Engine {
           ahead.settle();
         }
         judging.finish();
+      }
+      case "texts" -> {
+        clauses.take(message);
+        print(new Fields());
+      }
+      case "rejected" -> {
+        byte[] line = message.text("line").getBytes(StandardCharsets.UTF_8);
+        print(new Fields().put("refusal", why.told(judging.refusal(), line)));
       }
       case "read" -> print(read(message));
       case "program" -> print(object(message, spec.format()::program));

@@ -82,23 +82,15 @@ final class Explanation {
       int states,
       Collection<?> situations,
       Set<Guards.Failure> candidates) {
-    Fields asJson() {
-      return new Fields()
-          .put("late", late)
-          .put("expected", expected)
-          .put("requirements", requirements)
-          .put("states", states)
-          .put("situations", situations)
-          .put("candidates", candidates.stream().map(Refusal::json).toList());
+    /** What it is, in a sentence. */
+    String message() {
+      return late
+          ? "something had to come before this line"
+          : "no behaviour of the specification explains this line";
     }
 
-    private static Fields json(Guards.Failure failure) {
-      return new Fields()
-          .put("action", failure.action())
-          .put("conjunct", failure.conjunct())
-          .put("values", failure.values())
-          .put("place", failure.place())
-          .put("requirements", failure.requirements());
+    Fields asJson() {
+      return new Fields().put("late", late).put("expected", expected).put("requirements", requirements);
     }
   }
 

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import s7.log.Fields;
 import tla.spec.Guards;
 
-/** Situations and refusals in words for people. */
+/** Situations, and parts of refusals, in words for people. */
 final class InWords {
   private static final int NO_CAUSE = -1;
 
@@ -23,6 +23,13 @@ final class InWords {
 
   private InWords() {}
 
+  /** The situations, each with what is {@code said} about it. */
+  static List<Fields> withWords(Collection<?> situations) {
+    List<Fields> all = Work.objects(situations);
+    all.forEach(one -> one.put("said", situation(one)));
+    return all;
+  }
+
   /** The statements about a situation, each with its topic; empty ones are left out, but for the running OBs. */
   static List<List<String>> situation(Fields state) {
     var said = new ArrayList<List<String>>();
@@ -31,13 +38,13 @@ final class InWords {
     if (state.number("delay") > 0) {
       said.add(List.of("delayed", state.number("delay") + " DIS_AIRT not taken back"));
     }
-    for (Fields request : objects(state.list("pending"))) {
+    for (Fields request : Work.objects(state.list("pending"))) {
       said.add(List.of("pending", pending(request, state)));
     }
-    for (Fields tod : objects(state.list("tod"))) {
+    for (Fields tod : Work.objects(state.list("tod"))) {
       said.add(List.of("set", timeOfDay(tod)));
     }
-    for (Fields job : objects(state.list("dint"))) {
+    for (Fields job : Work.objects(state.list("dint"))) {
       said.add(List.of("started", delay(job)));
     }
     ranges(said, "blocked", state.list("blocked"), " by DIS_IRT");
@@ -70,10 +77,6 @@ final class InWords {
     return String.join("; ", said);
   }
 
-  private static List<Fields> objects(Collection<?> list) {
-    return list.stream().map(Fields.class::cast).toList();
-  }
-
   private static String moment(Object at) {
     String text = Spelled.moment(at);
     return ((Fields) at).number("ms") == 0 ? text.substring(0, 16) : text;
@@ -84,7 +87,7 @@ final class InWords {
       return "nothing";
     }
     var texts = new ArrayList<String>();
-    for (Fields frame : objects(frames)) {
+    for (Fields frame : Work.objects(frames)) {
       texts.add(0, "OB " + frame.number("ob") + " (class " + frame.number("class") + ")");
     }
     String below = String.join(", ", texts.subList(1, texts.size()));
@@ -159,25 +162,11 @@ final class InWords {
         .collect(Collectors.joining(", "));
   }
 
-  /** A refusal: {@code expected} are texts, {@code instead} the same as values of a line's fields. */
-  static Fields refusal(Explanation.Refusal refusal) {
-    List<Fields> situations = objects(refusal.situations());
-    List<Fields> expected = objects(refusal.expected());
-    return new Fields()
-        .put("late", refusal.late())
-        .put("expected", expected.stream().map(one -> refusal.late() ? late(one, situations) : Spelled.allowed(one)).toList())
-        .put("instead", expected.stream().map(Spelled::instead).toList())
-        .put("requirements", refusal.requirements())
-        .put("states", refusal.states())
-        .put("situations", situations.stream().map(InWords::situation).toList())
-        .put("because", refusal.late() ? List.of() : because(refusal.candidates()));
-  }
-
   /** What had to come before the line; the moment is that of a start event that could have started its OB. */
-  private static String late(Fields allowed, List<Fields> situations) {
+  static String late(Fields allowed, List<Fields> situations) {
     String since = "";
     for (Fields state : situations) {
-      for (Fields request : objects(state.list("pending"))) {
+      for (Fields request : Work.objects(state.list("pending"))) {
         for (Object pair : state.list("waited")) {
           int number = Spelled.number(((List<?>) pair).get(0));
           if (since.isEmpty()
@@ -193,23 +182,21 @@ final class InWords {
     return Spelled.allowed(allowed) + ", within " + situations.get(0).number("latency") + " ms" + since;
   }
 
-  /** The actions of which there is something to say, each with its first false conjunct. */
-  private static List<Fields> because(Collection<Guards.Failure> all) {
+  /** The actions of which there is something to say: they are about this event, and had something to act on. */
+  static Collection<Guards.Failure> telling(Collection<Guards.Failure> all) {
     var ofThisEvent = all.stream().filter(one -> !one.conjunct().startsWith("e.event ")).toList();
     var telling =
         ofThisEvent.stream()
             .filter(one -> !"the set is empty".equals(one.values()) && !"FALSE".equals(one.conjunct()))
             .toList();
-    Collection<Guards.Failure> shown = !telling.isEmpty() ? telling : !ofThisEvent.isEmpty() ? ofThisEvent : all;
-    return shown.stream()
-        .map(
-            one ->
-                new Fields()
-                    .put("action", one.action())
-                    .put("conjunct", one.conjunct())
-                    .put("values", one.values())
-                    .put("place", one.place())
-                    .put("requirements", one.requirements()))
-        .toList();
+    return !telling.isEmpty() ? telling : !ofThisEvent.isEmpty() ? ofThisEvent : all;
+  }
+
+  /** A sentence, the condition that is false, the values of its operands, the requirements and the place. */
+  static String formula(Guards.Failure one) {
+    var names = new ArrayList<>(one.requirements());
+    names.add(one.place());
+    return one.action() + " does not explain the line, since a condition is false: " + one.conjunct()
+        + (one.values().isEmpty() ? "" : "; here " + one.values()) + " [" + String.join(", ", names) + "]";
   }
 }

@@ -12,6 +12,9 @@ import tlc2.value.impl.RecordValue;
 final class Judging {
   private static final String LINE = "line";
 
+  /** What an accepted log is. */
+  static final String EXPLAINED = "the specification explains every event";
+
   /** The line of an error in the header. */
   private static final int NONE = 0;
 
@@ -19,6 +22,10 @@ final class Judging {
   private final Consumer<Fields> out;
   private final ArrayDeque<Fields> followed = new ArrayDeque<>();
   private Explanation explanation;
+
+  /** Why the last log was rejected; null if it was not. */
+  private Explanation.Refusal refusal;
+
   private int follow;
   private int events;
   private int loose;
@@ -43,6 +50,7 @@ final class Judging {
   void begin(int last) {
     decided = false;
     explanation = null;
+    refusal = null;
     events = 0;
     loose = NONE;
     wide = NONE;
@@ -63,6 +71,11 @@ final class Judging {
     }
   }
 
+  /** Why the last log was rejected; null if it was not. */
+  Explanation.Refusal refusal() {
+    return refusal;
+  }
+
   /** Whether the answer is out. */
   boolean decided() {
     return decided;
@@ -80,8 +93,21 @@ final class Judging {
   /** The log has ended. */
   void finish() {
     if (!decided) {
-      answer("accepted", new Fields());
+      boolean crowded = loose != NONE && !explanation.partial();
+      String message = crowded ? "too many explanations" : EXPLAINED;
+      String end = crowded ? "; choose readings in the header" : "";
+      answer("accepted", new Fields().put("message", message + loosened() + end));
     }
+  }
+
+  /** From which line on less is told apart. */
+  private String loosened() {
+    if (loose != NONE) {
+      return "; from line " + loose + " on only definite facts are checked";
+    }
+    return wide == NONE
+        ? ""
+        : "; too many explanations: from line " + wide + " on start events that wait are not all told apart";
   }
 
   /** Does a part of the judging; where it fails the log ends without verdict. */
@@ -99,13 +125,11 @@ final class Judging {
   }
 
   private void explain(int line, RecordValue event) {
-    Explanation.Refusal refusal = explanation.observe(event);
+    refusal = explanation.observe(event);
     loose = loose == NONE && explanation.loosened() ? line : loose;
     wide = wide == NONE && explanation.widened() ? line : wide;
     if (refusal != null) {
-      Fields rejected = refusal.asJson();
-      rejected.put(LINE, line);
-      answer("rejected", rejected);
+      answer("rejected", refusal.asJson().put(LINE, line).put("message", refusal.message() + loosened()));
       return;
     }
     events++;

@@ -41,10 +41,11 @@ final class Look {
   Fields answer(Set<String> withOperands, String at, Set<String> only) {
     Collection<Fields> situations = session.situations(MOST_SITUATIONS);
     Fields ahead = session.possible(new Session.Question(List.of(), null, SHARE, Set.of(), Set.of()));
-    var times = objects(ahead.list("times"));
+    var times = Work.objects(ahead.list("times"));
     String chosen = at == null ? Spelled.moment(times.get(0).get("at")) : at;
     Fields possible = session.possible(new Session.Question(null, when(chosen), SHARE, only, withOperands));
     return new Fields()
+        .put("message", Judging.EXPLAINED)
         .put("clock", session.clock())
         .put("at", chosen)
         .put("situations", situations.stream().map(InWords::situation).toList())
@@ -75,20 +76,16 @@ final class Look {
     return line.toString().getBytes(StandardCharsets.UTF_8);
   }
 
-  private static List<Fields> objects(Collection<?> list) {
-    return list.stream().map(Fields.class::cast).toList();
-  }
-
   private static Fields time(Fields time) {
     return new Fields()
         .put("at", Spelled.moment(time.get("at")))
-        .put("due", objects((Collection<?>) time.get("due")).stream().map(Spelled::allowed).toList())
+        .put("due", Work.objects((Collection<?>) time.get("due")).stream().map(one -> one.text("text")).toList())
         .put("requirements", time.get("requirements"));
   }
 
   private static List<Fields> lines(Fields possible) {
     var lines = new ArrayList<Fields>();
-    for (Fields line : objects(possible.list("lines"))) {
+    for (Fields line : Work.objects(possible.list("lines"))) {
       Fields event = Spelled.line(line.object("event"));
       lines.add(
           new Fields()
@@ -110,7 +107,7 @@ final class Look {
       return null;
     }
     var offered = new HashSet<String>();
-    for (Fields line : objects(possible.list("lines"))) {
+    for (Fields line : Work.objects(possible.list("lines"))) {
       offered.add(Spelled.text(Spelled.line(line.object("event")).without("info")));
     }
     var reasons = new ArrayList<Fields>();
@@ -122,7 +119,7 @@ final class Look {
       Fields line = new Fields().put("at", at).with(event);
       Explanation.Refusal refusal = session.judge(text(line));
       if (refusal != null) {
-        reasons.add(why.refusal(refusal, line).put("event", event).put("text", text));
+        reasons.add(why.told(refusal, text(line)).put("event", event).put("text", text));
       }
     }
     return reasons;
@@ -134,7 +131,7 @@ final class Look {
     var ends = new TreeSet<Integer>();
     for (Fields state : situations) {
       state.list("loaded").forEach(ob -> starts.add(Spelled.number(ob)));
-      objects(state.list("running")).forEach(frame -> ends.add(frame.number("ob")));
+      Work.objects(state.list("running")).forEach(frame -> ends.add(frame.number("ob")));
     }
     var events = new ArrayList<Fields>();
     starts.forEach(ob -> events.add(new Fields().put("event", "start").put("ob", ob)));

@@ -2,6 +2,7 @@ package s7.trace;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -17,8 +18,6 @@ import s7.log.Unusable;
  * <ul>
  *   <li>{@code open} with {@code header}, and {@code file} as {@link Engine} has it, begins a session, anew if there is
  *       one of that name; {@code close} ends it.
- *   <li>{@code texts} with {@code sentences}, an array for each requirement, and {@code events}, the texts of event IDs:
- *       refusals in words then have {@code why} ({@link WhyNot}).
  *   <li>{@code questions} with {@code header} and {@code lines}: by which open questions the explanations of that log
  *       differ ({@link OpenQuestions}).
  *   <li>{@code branch} with {@code to}, the name of a session that begins with the same lines.
@@ -50,10 +49,11 @@ final class Sessions {
 
   private final Contract spec;
   private final Map<String, Session> open = new HashMap<>();
-  private final WhyNot why = new WhyNot();
+  private final WhyNot why;
 
-  Sessions(Contract spec) {
+  Sessions(Contract spec, WhyNot why) {
     this.spec = spec;
+    this.why = why;
   }
 
   /**
@@ -73,10 +73,6 @@ final class Sessions {
 
   private void fill(Fields answer, String message, Fields json) {
     String name = json.text("session");
-    if ("texts".equals(message)) {
-      why.texts(json);
-      return;
-    }
     if ("questions".equals(message)) {
       answer.put("questions", questions(json));
       return;
@@ -94,10 +90,10 @@ final class Sessions {
       case "close" -> open.remove(name);
       case "branch" -> open.put(json.text("to"), session.branch());
       case "feed" -> {
-        refusal(answer, session.feed(text(json, LINE)));
+        refusal(answer, session.feed(text(json, LINE)), text(json, LINE));
         answer.put(CLOCK, session.clock());
       }
-      case "judge" -> refusal(answer, session.judge(text(json, LINE)));
+      case "judge" -> refusal(answer, session.judge(text(json, LINE)), text(json, LINE));
       case "back" -> {
         session.back(json.number("lines"));
         answer.put(CLOCK, session.clock());
@@ -106,9 +102,9 @@ final class Sessions {
       case "look" -> answer.put("look", look(session, json).answer(withOperands(), json.text("at"), names(json, "only")));
       case "impossible" -> answer.put("impossible", look(session, json).impossible(json.text("at"), why));
       case "lines" -> answer.with(lines(look(session, json), json));
-      case "why" -> inWords(answer, until(session, json).judge(text(json, LINE)), text(json, LINE));
+      case "why" -> refusal(answer, until(session, json).judge(text(json, LINE)), text(json, LINE));
       case "states" -> answer.put("states", session.states(json.number(AFTER), json.number("to")));
-      case "situations" -> answer.put("situations", session.situations(json.number(MOST)));
+      case "situations" -> answer.put("situations", InWords.withWords(session.situations(json.number(MOST))));
       case "before" -> answer.put("situations", session.before(text(json, LINE), json.number(MOST)));
       case "parting" -> answer.put("parting", parting(session, json));
       case "possible" -> answer.put("possible", possible(session, json));
@@ -142,7 +138,8 @@ final class Sessions {
       for (byte[] line : texts(json, "lines")) {
         Explanation.Refusal refusal = session.feed(line);
         if (refusal != null) {
-          inWords(answer, refusal, line);
+          refusal(answer, refusal, line);
+          instead(answer.object("refusal"), line, session.clock());
           break;
         }
       }
@@ -157,11 +154,17 @@ final class Sessions {
     return look.lines(json.text("at"), lines, names(json, "only"), few);
   }
 
-  private void inWords(Fields answer, Explanation.Refusal refusal, byte[] line) {
+  private void refusal(Fields answer, Explanation.Refusal refusal, byte[] line) {
     if (refusal != null) {
-      Object before = refusal.situations().stream().findFirst().orElse(null);
-      answer.put("refusal", why.refusal(refusal, Fields.of(line)).put("before", before));
+      answer.put("refusal", why.told(refusal, line));
     }
+  }
+
+  /** Adds the lines that each expected event puts in the place of the line. */
+  private static void instead(Fields refusal, byte[] line, String at) {
+    boolean late = Boolean.TRUE.equals(refusal.get("late"));
+    List<Fields> expected = Work.objects((Collection<?>) refusal.get("expected"));
+    refusal.put("instead", expected.stream().map(one -> Spelled.inPlace(one, late, line, at)).toList());
   }
 
   private Session named(String name) {
@@ -210,11 +213,5 @@ final class Sessions {
 
   private static byte[] bytes(Object text) {
     return ((String) text).getBytes(StandardCharsets.UTF_8);
-  }
-
-  private static void refusal(Fields answer, Explanation.Refusal refusal) {
-    if (refusal != null) {
-      answer.put("refusal", refusal.asJson());
-    }
   }
 }

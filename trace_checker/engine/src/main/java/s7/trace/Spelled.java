@@ -1,5 +1,6 @@
 package s7.trace;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -196,5 +197,26 @@ final class Spelled {
       }
     }
     return line;
+  }
+
+  /**
+   * The lines in the place of a rejected one, texts: itself with what is allowed, or that before it; null where
+   * any call is allowed.
+   */
+  static List<String> inPlace(Fields allowed, boolean late, byte[] given, String at) {
+    Fields instead = instead(allowed);
+    Fields line = Fields.of(given);
+    if (instead.text("event").equals("call")) {
+      return null;
+    }
+    boolean ofAnother = instead.has("ob") && !String.valueOf(instead.get("ob")).equals(String.valueOf(line.get("ob")));
+    if (late || ofAnother || !instead.get("event").equals(line.get("event"))) {
+      String before = new Fields().put("at", at).with(instead).toString();
+      return List.of(before, new String(given, StandardCharsets.UTF_8));
+    }
+    if (instead.has("info") && line.has("info")) {
+      instead.put("info", line.object("info").with(instead.object("info")));
+    }
+    return List.of(line.with(instead).toString());
   }
 }

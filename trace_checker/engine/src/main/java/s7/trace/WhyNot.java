@@ -1,50 +1,74 @@
 package s7.trace;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 import s7.log.Fields;
+import tla.spec.Guards;
 
 /**
- * Refusals with a sentence: what cannot be, the requirement, what may be instead. The words of a rule are those of its
- * requirement, and come with the message {@code texts}; report/why.py makes the same sentence for reports.
+ * Why a line is not possible, as reports and the page say it. Its sentence has what cannot be, the requirement in its
+ * words, and what may be instead.
  */
 final class WhyNot {
   private static final Pattern CODE = Pattern.compile("\\b(?:16#)?([0-9A-F]{4})\\b");
   private static final Pattern NAMED_ID = Pattern.compile("\\b(id|cause)=(16#[0-9A-F]{4})\\b");
   private static final int MOST = 6;
 
-  /** The sentences of each requirement by its ID; null before they came. */
-  private Fields sentences;
+  private final Clauses clauses;
 
-  /** The texts of event IDs, of four digits. */
-  private Fields events;
-
-  /** Takes the words that it needs. */
-  void texts(Fields message) {
-    sentences = message.object("sentences");
-    events = message.object("events");
+  WhyNot(Clauses clauses) {
+    this.clauses = clauses;
   }
 
-  /** A refusal of a line in words; {@code why} is the sentence, empty without requirements or texts. */
-  Fields refusal(Explanation.Refusal refusal, Fields line) {
-    Fields words = InWords.refusal(refusal);
-    boolean mute = sentences == null || refusal.requirements().isEmpty();
-    return words.put("why", mute ? "" : sentence(refusal, line, texts(words.list("expected"))));
+  /**
+   * A refusal with all that is said about it: {@code wanted} are the texts of what was expected, {@code formulas} those
+   * of the {@code candidates}, of which there is none where the line came too late.
+   *
+   * @param line the line as the log has it; empty if that is not known
+   */
+  Fields told(Explanation.Refusal refusal, byte[] line) {
+    List<Fields> situations = InWords.withWords(refusal.situations());
+    List<String> wanted =
+        Work.objects(refusal.expected()).stream()
+            .map(one -> refusal.late() ? InWords.late(one, situations) : one.text("text"))
+            .toList();
+    var candidates = InWords.telling(refusal.candidates());
+    return refusal.asJson()
+        .put("message", refusal.message())
+        .put("why", sentence(refusal, line.length == 0 ? null : Fields.of(line), wanted))
+        .put("wanted", wanted)
+        .put("states", refusal.states())
+        .put("situations", situations)
+        .put("candidates", candidates.stream().map(WhyNot::json).toList())
+        .put("formulas", refusal.late() ? List.of() : candidates.stream().map(InWords::formula).toList());
   }
 
-  private static List<String> texts(Collection<?> list) {
-    return list.stream().map(String.class::cast).toList();
+  private static Fields json(Guards.Failure failure) {
+    return new Fields()
+        .put("action", failure.action())
+        .put("conjunct", failure.conjunct())
+        .put("values", failure.values())
+        .put("place", failure.place())
+        .put("requirements", failure.requirements());
   }
 
-  private String sentence(Explanation.Refusal refusal, Fields line, List<String> expected) {
+  /**
+   * The sentence; empty without requirements.
+   *
+   * @param line the line as the log has it; null if that is not known
+   * @param owed the texts of what had to come before it
+   */
+  private String sentence(Explanation.Refusal refusal, Fields line, List<String> owed) {
+    if (refusal.requirements().isEmpty() || (line == null && !refusal.late())) {
+      return "";
+    }
     String rule = refusal.requirements().iterator().next();
     if (refusal.late()) {
-      List<String> late = expected.stream().map(this::withWords).toList();
-      return "Before this line has to come: " + or(late) + ". " + rule(rule, List.of());
+      return "Before this line has to come: " + or(owed.stream().map(this::withWords).toList()) + ". "
+          + rule(rule, List.of());
     }
     List<Fields> fields = new ArrayList<>();
     for (Object one : refusal.expected()) {
@@ -83,7 +107,8 @@ final class WhyNot {
     if (!field.isEmpty()) {
       return name + (given(line, "ob").isEmpty() ? "" : " of OB " + given(line, "ob")) + having;
     }
-    String cause = given(line, "cause");
+    boolean none = line.get("cause") instanceof Number number && number.intValue() == 0;
+    String cause = none ? "" : given(line, "cause");
     return withoutField(name, line) + (cause.isEmpty() ? "" : " for " + entry(cause));
   }
 
@@ -118,7 +143,7 @@ final class WhyNot {
   /** Such as {@code 16#4568 (STOP: OB 80 missing)}. */
   private String entry(String number) {
     Matcher found = CODE.matcher(number);
-    String text = found.find() && events.has(found.group(1)) ? events.text(found.group(1)) : "";
+    String text = found.find() ? clauses.event(found.group(1)) : "";
     return text.isEmpty() ? number : number + " (" + text + ")";
   }
 
@@ -149,7 +174,7 @@ final class WhyNot {
    * stands in many rules, also as a PERIOD: it counts last.
    */
   private String rule(String name, List<String> about) {
-    List<String> all = texts(sentences.list(name));
+    List<String> all = clauses.sentences(name);
     var codes = new ArrayList<String>();
     about.forEach(text -> codes.addAll(codes(text)));
     codes.sort((one, other) -> Boolean.compare(one.equals("0000"), other.equals("0000")));

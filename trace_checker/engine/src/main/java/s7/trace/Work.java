@@ -2,6 +2,7 @@ package s7.trace;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -153,7 +154,7 @@ final class Work {
     after = other.after.clone();
   }
 
-  static List<Fields> objects(List<?> list) {
+  static List<Fields> objects(Collection<?> list) {
     return list.stream().map(Fields.class::cast).toList();
   }
 

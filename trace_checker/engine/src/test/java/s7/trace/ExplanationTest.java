@@ -96,7 +96,8 @@ class ExplanationTest {
     assertFalse(refusal.late());
     assertEquals(
         List.of(
-            Tiny.json("{'event': 'read', 'value': 10}"), Tiny.json("{'event': 'read', 'value': 20}")),
+            Tiny.json("{'event': 'read', 'value': 10, 'text': 'read'}"),
+            Tiny.json("{'event': 'read', 'value': 20, 'text': 'read'}")),
         Tiny.json(refusal.asJson()).getAsJsonArray("expected").asList());
     assertEquals(Set.of("TINY-01"), refusal.requirements());
     assertEquals(2, explanation.size());
@@ -128,7 +129,7 @@ class ExplanationTest {
   void tooLate() {
     var refusal = observe(begin("{'first': 99}"), "{'event': 'read', 'at': 1, 'value': 99}");
     assertTrue(refusal.late());
-    assertEquals(List.of(Tiny.json("{'event': 'set', 'value': 0}")), Tiny.json(refusal.asJson()).getAsJsonArray("expected").asList());
+    assertEquals(List.of(Tiny.json("{'event': 'set', 'value': 0, 'text': 'set'}")), Tiny.json(refusal.asJson()).getAsJsonArray("expected").asList());
     assertEquals(Set.of("TINY-02"), refusal.requirements());
   }
 

@@ -29,7 +29,7 @@ class LookTest {
 
   private static Contract contract;
 
-  private final Sessions sessions = new Sessions(contract);
+  private final Sessions sessions = new Sessions(contract, new WhyNot(new Clauses()));
 
   @BeforeAll
   static void load() {
@@ -57,9 +57,11 @@ class LookTest {
     assertEquals(2, answer.number("lines"));
     assertEquals("2026-03-02T08:00:31.000", answer.text("clock"));
     Fields refusal = answer.object("refusal");
-    assertTrue(refusal.list("expected").contains("end ob=40"), refusal.toString());
-    List<?> running = (List<?>) ((List<?>) refusal.list("situations").get(0)).get(1);
-    assertEquals(List.of("running", "OB 40 (class 16), interrupting OB 1 (class 1)"), running);
+    int end = refusal.list("wanted").indexOf("end ob=40");
+    String before = "{\"at\":\"2026-03-02T08:00:31.000\",\"event\":\"end\",\"ob\":40}";
+    assertEquals(List.of(before, WRONG.substring(1, WRONG.length() - 1).replace("'", "\"")), refusal.list("instead").get(end));
+    Fields situation = (Fields) refusal.list("situations").get(0);
+    assertEquals(List.of("running", "OB 40 (class 16), interrupting OB 1 (class 1)"), situation.list("said").get(1));
   }
 
   @Test

@@ -25,7 +25,7 @@ class PartingTest {
 
   private static Contract contract;
 
-  private final Sessions sessions = new Sessions(contract);
+  private final Sessions sessions = new Sessions(contract, new WhyNot(new Clauses()));
 
   @BeforeAll
   static void load() {

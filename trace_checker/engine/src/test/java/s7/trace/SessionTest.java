@@ -26,7 +26,7 @@ class SessionTest {
 
   private static Contract contract;
 
-  private final Sessions sessions = new Sessions(contract);
+  private final Sessions sessions = new Sessions(contract, new WhyNot(new Clauses()));
 
   @BeforeAll
   static void load() {

@@ -1,0 +1,48 @@
+package s7.trace;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+import s7.log.Fields;
+
+/** The words of the requirements, of the open questions and of event IDs, which come with the message {@code texts}. */
+final class Clauses {
+  private final Map<String, Fields> clauses = new HashMap<>();
+  private Fields events = new Fields();
+
+  /** Takes the words. */
+  void take(Fields message) {
+    for (Fields clause : Work.objects(message.list("clauses"))) {
+      clauses.put(clause.text("id"), clause);
+    }
+    events = message.object("events");
+  }
+
+  /** What a clause says; empty if there is none, or before the words came. */
+  String text(String id) {
+    return clauses.containsKey(id) ? clauses.get(id).text("text") : "";
+  }
+
+  /** What an event ID of four digits means; empty if no source tells. */
+  String event(String digits) {
+    return events.has(digits) ? events.text(digits) : "";
+  }
+
+  /** The sentences of a clause; what stands in parentheses ends none. */
+  List<String> sentences(String id) {
+    String text = text(id);
+    var sentences = new ArrayList<String>();
+    int from = 0;
+    for (int i = 0; i < text.length(); i++) {
+      if (text.charAt(i) == '(') {
+        i = Math.max(i, text.indexOf(')', i));
+      } else if (i + 1 == text.length() || text.startsWith(". ", i)) {
+        sentences.add(text.substring(from, i + 1).trim());
+        from = i + 1;
+      }
+    }
+    return sentences;
+  }
+}
