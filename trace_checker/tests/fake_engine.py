@@ -71,11 +71,14 @@ REFUSAL: Answer = {
     "message": "no behaviour of the specification explains this line",
     "expected": [{"event": "EN_AIRT", "ob": 0, "field": "ret", "value": 0, "text": "EN_AIRT ret=16#0000"}],
     "requirements": ["AIRT-07"],
-    "why": "EN_AIRT cannot answer this here.",
+    "why": "It cannot.",
     "wanted": ["EN_AIRT ret=16#0000"],
     "states": 2,
     "situations": [SITUATION],
     "candidates": [CANDIDATE],
+    "decision": [["expected", ["EN_AIRT ret=16#0000"]], ["requirements", ["AIRT-07"]], ["why not", ["It cannot."]]],
+    "rules": ["AIRT-07 Calls are counted."],
+    "before": [["before the line 1 of 2", ["mode: RUN", "loaded: OB 1"]]],
     "formulas": ["EnAirt(16#0001) does not explain the line: ret = delay - 1 [AIRT-07, Airt:30]"],
 }
 EXPLAINED = "the specification explains every event"
@@ -206,14 +209,17 @@ def header_of(data: bytes, chosen: dict[str, Any]) -> dict[str, Any]:
     return HEADER | {"readings": list(map(list, readings.items()))}
 
 
-def others(readings: dict[str, str]) -> list[Answer]:
-    """The headers beside one with these readings."""
+def others(readings: dict[str, str], rules: list[str]) -> list[Answer]:
+    """The headers beside one with these readings; those of the rules matter most."""
     own = dict(ALTERNATIVES["defaults"]) | readings
     letters = [(name, letter) for name, letters in ALTERNATIVES["letters"] for letter in letters if letter != own[name]]
     return [
         {"kind": "cpu", "change": "cpu S7-300", "chosen": {"cpu": "S7-300"}},
         {"kind": "profile", "change": "profile 2006", "chosen": {"profile": "2006"}},
-        *({"kind": "letter", "change": f"{n} {a}", "chosen": {"readings": {n: a}}} for n, a in letters),
+        *(
+            {"kind": "letter", "change": f"{n} {a}", "chosen": {"readings": {n: a}}, "distance": 3 * (n not in rules)}
+            for n, a in letters
+        ),
     ]
 
 
@@ -236,7 +242,12 @@ def main() -> None:
                 print(json.dumps({"object": {"kind": None, "what": None}}), flush=True)
             case "read":
                 header = header_of(data, entry.get("chosen", {}))
-                print(json.dumps({"header": header, "others": others(dict(header["readings"]))}), flush=True)
+                rules = entry.get("others", {}).get("rules", [])
+                print(json.dumps({"header": header, "others": others(dict(header["readings"]), rules)}), flush=True)
+            case "readings":
+                passing = [one["change"] for one in entry["tried"] if one["verdict"] == "accepted"]
+                parts = [["would pass with", passing], ["not tried", entry["untried"]]]
+                print(json.dumps({"parts": [part for part in parts if part[1]]}), flush=True)
             case "texts":
                 print("{}", flush=True)
             case "rejected":

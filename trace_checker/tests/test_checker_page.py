@@ -123,7 +123,7 @@ def test_it_says_that_nothing_leaves_the_machine(page: Page) -> None:
 def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
     """With the requirement, what is possible, and the report as text."""
     paste(page, REJECTED)
-    expect(page.locator("#verdict")).to_contain_text("rejected line 4: no behaviour of the specification explains this line")
+    expect(page.locator("#verdict")).to_contain_text("rejected line 4: no behaviour of the specification explains")
     expect(page.locator("#explained")).to_contain_text("EN_AIRT cannot answer 16#0000 here.")
     expect(page.locator("#timeline .wrong")).to_contain_text("EN_AIRT")
     assert "EN_AIRT" in page.locator("#edit textarea").input_value()

@@ -132,7 +132,6 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.usefixtures("logs")
 def test_text(capsys: pytest.CaptureFixture[str]) -> None:
     """The verdict with its place, the line, what was expected; no colours in a file."""
-    letters = clause("AMB-12")
     cli.main(["trace", "accepted", "rejected", "unusable", "no"])
     assert capsys.readouterr().out.splitlines() == [
         "accepted: accepted: the specification explains every event (2 events)",
@@ -141,12 +140,12 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
         "  expected: EN_AIRT ret=16#0000",
         "  requirements: AIRT-07",
         f"  why not: {WHY}",
-        f"    AIRT-07 {clause('AIRT-07').text} (SF06ru TIA, H; {PLACE})",
+        "    AIRT-07 Calls are counted.",
         "  shortest prefix that fails: lines 1 to 3",
         "  before the line 1 of 2:",
-        "    mode: RUN, clock 2026-11-21T05:59:31.000",
-        "    loaded: OB 1, 40, 80-81",
-        f"  would pass with: AMB-12 b: {letters.text} {letters.letters['b']} ({letters.place})",
+        "    mode: RUN",
+        "    loaded: OB 1",
+        "  would pass with: AMB-12 b",
         f"  formulas: {REFUSAL['formulas'][0]}",
         f"unusable:3: unusable: {WRONG_RET}",
         "no:2: no verdict: hold is not covered by the specification",

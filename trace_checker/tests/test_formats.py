@@ -228,7 +228,7 @@ def test_no_time_for_readings(capsys: pytest.CaptureFixture[str]) -> None:
     assert report["untried"] == ["cpu S7-300", "profile 2006", "AMB-01 a", "AMB-12 b"]
     cli.main(["trace", "--budget", "0", "bad <b>.ndjson"])
     said = capsys.readouterr().out
-    assert "not tried for lack of time: cpu S7-300, profile 2006, AMB-01 a, AMB-12 b (see --budget)" in said
+    assert "  not tried:\n    cpu S7-300\n    profile 2006\n    AMB-01 a\n    AMB-12 b\n" in said
 
 
 def test_readings_unasked(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

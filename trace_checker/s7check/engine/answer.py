@@ -1,6 +1,6 @@
 """The engine's answers, as they come over the wire."""
 
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import msgspec
 
@@ -149,11 +149,16 @@ class Unusable(msgspec.Struct, frozen=True):
 
 
 class OtherHeader(msgspec.Struct, frozen=True):
-    """A header beside that of a log: what of it is another, in words and as choices in its place."""
+    """A header beside that of a log: what of it is another, in words and as choices in its place.
+
+    Those of the least ``distance`` bear most on the verdict; under the ``same`` the log is rejected alike.
+    """
 
     kind: Literal["cpu", "profile", "letter"]
     change: str
     chosen: dict[str, Any]
+    distance: int = 0
+    same: bool = False
 
 
 class Content(msgspec.Struct, frozen=True):
@@ -204,11 +209,19 @@ class Answer(msgspec.Struct, frozen=True):
     asked: list[str] | None = None
 
 
+class Part(NamedTuple):
+    """A part of a report: a heading and the lines under it; a single line stands beside it."""
+
+    heading: str
+    lines: list[str]
+
+
 class Refusal(msgspec.Struct, frozen=True):
     """Why a line is not possible; its first fields as in :class:`Answer`.
 
     ``message`` and ``why`` say so, ``wanted`` what was expected. So many ``states`` explained the lines before, the
-    ``situations`` come nearest to the line; ``formulas`` are the texts of the ``candidates``.
+    ``situations`` come nearest to the line. The others are parts of a report, and lines of such: the ``decision``, the
+    ``rules``, the CPU ``before`` the line, the ``formulas`` of the candidates.
     """
 
     late: bool = False
@@ -220,6 +233,9 @@ class Refusal(msgspec.Struct, frozen=True):
     states: int = 0
     situations: list[Situation] = []
     candidates: list[Candidate] = []
+    decision: list[Part] = []
+    rules: list[str] = []
+    before: list[Part] = []
     formulas: list[str] = []
 
 

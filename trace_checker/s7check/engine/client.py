@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 import msgspec
 
 from s7check.engine import limits
-from s7check.engine.answer import Alternatives, Answer, Content, Decision, Refusal, Unusable
+from s7check.engine.answer import Alternatives, Answer, Content, Decision, Part, Refusal, Unusable
 from s7check.engine.class_archive import forget_archive
 from s7check.engine.command import EngineError, engine_command
 from s7check.engine.java import OPTIONS, JavaMissingError, check_java
@@ -44,6 +44,10 @@ class Checked(msgspec.Struct, frozen=True):
 
 class _Decisions(msgspec.Struct, frozen=True):
     decisions: list[Decision]
+
+
+class _Parts(msgspec.Struct, frozen=True):
+    parts: list[Part]
 
 
 class _Rejected(msgspec.Struct, frozen=True):
@@ -120,18 +124,22 @@ class Engine:
         return self._decisions
 
     def read(
-        self, data: bytes, folder: Path = HERE, chosen: Mapping[str, Any] | None = None, others: bool = False
+        self,
+        data: bytes,
+        folder: Path = HERE,
+        chosen: Mapping[str, Any] | None = None,
+        others: Mapping[str, Any] | None = None,
     ) -> Content:
         """The content of a log, in UTF-8; not while a log is at work. ``chosen`` and ``folder`` as in ``begin``.
 
-        With ``others`` it has the headers beside the log's own.
+        With ``others``, what the message has under that name, it has the headers beside the log's own.
         """
         file = profile_file(header_line(data) or data, folder)
         message: dict[str, Any] = {"message": "read", "count": len(data), **({"file": file} if file else {})}
         if chosen:
             message["chosen"] = chosen
-        if others:
-            message["others"] = True
+        if others is not None:
+            message["others"] = others
         return self.ask(message, Content, data)
 
     def checked(self, kind: Literal["program", "offer"], text: bytes) -> dict[str, Any]:
@@ -162,6 +170,10 @@ class Engine:
     def refusal(self, line: bytes) -> Refusal:
         """Why the last log was rejected at this line; not while a log is at work."""
         return self.ask({"message": "rejected", "line": line.decode(errors="replace")}, _Rejected).refusal
+
+    def readings(self, **outcomes: Any) -> list[Part]:
+        """What is said of verdicts under other headers, the fields of the message; not while a log is at work."""
+        return self.ask({"message": "readings", **outcomes}, _Parts).parts
 
     def _object(self, message: dict[str, Any], text: bytes) -> dict[str, Any]:
         answer = self.ask({**message, "count": len(text)}, Checked, text)

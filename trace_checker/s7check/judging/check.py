@@ -187,7 +187,7 @@ def rejection(log: str, answer: Answer, refusal: Refusal, event: bytes | None, l
         states=refusal.states,
         situations=refusal.situations,
         candidates=refusal.candidates,
-        formulas=refusal.formulas,
+        refusal=refusal,
         outcomes=answer.outcomes,
         open=answer.open,
         classes=answer.classes,

@@ -3,10 +3,11 @@
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from msgspec.structs import replace
 
-from s7check.engine.answer import Answer
+from s7check.engine.answer import Answer, OtherHeader
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
 from s7check.engine.process import EngineTooSlowError
@@ -15,7 +16,7 @@ from s7check.log.encoding import as_utf8
 from s7check.log.errors import UnusableLogError
 from s7check.log.profile_file import folder_of, header_line
 from s7check.log.source import open_log
-from s7check.report.clauses import clause, named
+from s7check.report.clauses import texts
 from s7check.report.report import Reading, Report
 
 LONGEST = 4 * 1024 * 1024
@@ -42,11 +43,18 @@ class Replay:
         """The lines of the log."""
         return self._data.removesuffix(b"\n").split(b"\n")
 
-    def others(self, engine: Engine) -> list[tuple[Reading, Chosen]]:
-        """The headers beside the log's own with what was chosen; none if that cannot be read."""
+    def others(self, engine: Engine, report: Report | None = None) -> list[OtherHeader]:
+        """The headers beside the log's own with what was chosen; none if that cannot be read.
+
+        ``report`` tells which of them matter.
+        """
+        rejected: dict[str, Any] = {}
+        if report is not None and report.verdict == "rejected":
+            candidates = [name for one in report.candidates for name in one.requirements]
+            rejected = {"rules": [*report.requirements, *candidates]}
+            rejected |= {} if report.asked is None else {"asked": report.asked}
         header = header_line(self._data) or self._data
-        found = engine.read(header, self._folder, self._chosen.message(), others=True).others
-        return [(Reading(one.kind, one.change, "no verdict"), Chosen.of(one.chosen)) for one in found]
+        return engine.read(header, self._folder, self._chosen.message(), rejected).others
 
     def judge(
         self,
@@ -62,64 +70,44 @@ class Replay:
         engine.send(data)
         return engine.finish()
 
-    def reading(self, engine: Engine, reading: Reading, changes: Chosen, until: float | None = None) -> Reading | None:
-        """``reading`` with the verdict about the log when its header is changed; none if the engine fails.
+    def reading(self, engine: Engine, other: OtherHeader, until: float | None = None) -> Reading | None:
+        """The verdict about the log under another header; none if the engine fails.
 
         None if the engine has no verdict at the time ``until`` of ``time.monotonic``.
         """
         if until is not None and time.monotonic() > until:
             return None
         try:
-            answer = self.judge(engine, changes, until=until)
+            answer = self.judge(engine, Chosen.of(other.chosen), until=until)
         except EngineTooSlowError:
             return None
         except EngineError:
-            return replace(reading, verdict="no verdict")
-        if answer.verdict == "error":
-            return replace(reading, verdict="no verdict", line=answer.line)
+            return Reading(other.kind, other.change, "no verdict")
         line = answer.line if answer.unusable is None else answer.unusable.line
-        return replace(reading, verdict=answer.verdict, line=line)
+        return Reading(other.kind, other.change, "no verdict" if answer.verdict == "error" else answer.verdict, line)
 
 
 def with_readings(report: Report, engine: Engine, replay: Replay, until: float | None = None) -> Report:
     """The report with the verdicts under other CPUs, other profiles, and one other letter at a time.
 
-    A letter on which nothing in the log depends leaves the verdict as it is. Of the others those that bear on the rule
-    that decided come first. At the time ``until`` of ``time.monotonic`` it ends.
+    The engine says under which the verdict stays, and which matter most; these come first. At the time ``until`` of
+    ``time.monotonic`` it ends.
     """
-    all_changes = replay.others(engine)
-    if not all_changes:
+    engine.tell(texts)
+    others = replay.others(engine, report)
+    if not others:
         return report
     tried: dict[str, Reading | None] = {}
-    for reading, changes in sorted(all_changes, key=lambda pair: _distance(pair[0], report)):
-        tried[reading.change] = (
-            replace(reading, verdict="rejected", line=report.line)
-            if _same(reading, report)
-            else replay.reading(engine, reading, changes, until)
-        )
-    outcomes = [(reading.change, tried[reading.change]) for reading, _ in all_changes]
-    return replace(
-        report,
-        readings=[outcome for _, outcome in outcomes if outcome is not None],
-        untried=[change for change, outcome in outcomes if outcome is None],
+    for one in sorted(others, key=lambda one: one.distance):
+        same = Reading(one.kind, one.change, "rejected", report.line)
+        tried[one.change] = same if one.same else replay.reading(engine, one, until)
+    readings = [reading for one in others if (reading := tried[one.change]) is not None]
+    untried = [one.change for one in others if tried[one.change] is None]
+    engine.tell(texts)  # the engine may be another one by now
+    said = engine.readings(
+        verdict=report.verdict, line=report.line, tried=readings, untried=untried, remedy=" (see --budget)"
     )
-
-
-def _same(reading: Reading, report: Report) -> bool:
-    """Whether the log is rejected alike under a reading: its question was not asked."""
-    known = reading.kind == "letter" and report.verdict == "rejected" and report.asked is not None
-    return known and reading.change.split()[0] not in (report.asked or ())
-
-
-def _distance(reading: Reading, report: Report) -> int:
-    """How far a reading is from the rule that decided: 0 if the rule is the question that it answers."""
-    if reading.kind != "letter":
-        return 2
-    ambiguity = reading.change.split()[0]
-    rules = {*report.requirements, *(rule for candidate in report.candidates for rule in candidate.requirements)}
-    if ambiguity in rules:
-        return 0
-    return 1 if any(ambiguity in named(clause(rule).text) for rule in rules) else 3
+    return replace(report, readings=readings, untried=untried, compared=said)
 
 
 def with_steps(report: Report, engine: Engine, replay: Replay) -> Report:

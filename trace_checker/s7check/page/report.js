@@ -4,7 +4,6 @@ import { button, page, requirement, requirements, said, step, table } from "./sh
 
 const LONGEST_JUDGED = 4 * 1024 * 1024; // bytes of a log that is judged by other readings
 const BUDGET = 5000; // milliseconds for all of them
-const MOST_EXPECTED = 12;
 
 /** The verdict of the opened log, and why its line is rejected. */
 export function showReport() {
@@ -22,9 +21,10 @@ export function showReport() {
     ` ${refused && !refused.unusable ? `line ${line}: ` : ""}${message}`,
   );
   $("explained").replaceChildren(...(refused && !refused.unusable ? explanation(refused, one, explained, line) : []));
-  $("readings").replaceChildren(...((same && judged.readings) || []));
+  const readings = (same && judged.readings) || [];
+  $("readings").replaceChildren(...shownReadings(readings));
   $("told").replaceChildren(...(same ? judged.told : []).map((line) => h("li", {}, line)));
-  $("as-text").textContent = asText(verdict, message, one, refused, line);
+  $("as-text").textContent = asText(`${verdict}: ${message}`, one, refused, line, readings);
 }
 
 /** How many requirements have decided something on the way of every explanation. */
@@ -36,36 +36,33 @@ export function met({ outcomes = [] }, decidable) {
 
 /** Judges a rejected log by other CPUs, editions and letters, as long as `wanted` says so, and shows what comes of it. */
 export async function tryReadings(engine, judged, bytes, wanted) {
-  const { answer } = judged;
-  if (answer.verdict !== "rejected" || bytes.length > LONGEST_JUDGED) return;
-  const { others = [] } = await engine.ask({ message: "read", count: bytes.length, others: true }, bytes);
-  const [passing, further, untried] = [[], [], []];
+  const { verdict, line, asked } = judged.answer;
+  const { refused } = page.view;
+  if (verdict !== "rejected" || bytes.length > LONGEST_JUDGED || !refused) return;
+  const rules = [refused, ...refused.candidates].flatMap((one) => one.requirements);
+  const message = { message: "read", count: bytes.length, others: { rules, ...(asked ? { asked } : {}) } };
+  const { others = [] } = await engine.ask(message, bytes);
   const end = performance.now() + BUDGET;
-  for (const { kind, change, chosen } of others) {
-    if (kind === "letter" && answer.asked && !answer.asked.includes(change.split(" ")[0])) continue; // it is as before
-    if (performance.now() > end) {
-      untried.push(change);
-      continue;
+  for (const one of [...others].sort((a, b) => a.distance - b.distance)) {
+    if (one.same) Object.assign(one, { verdict, line });
+    else if (performance.now() < end) {
+      const came = await engine.judge(bytes, { chosen: one.chosen });
+      one.verdict = came.verdict === "error" ? "no verdict" : came.verdict;
+      one.line = came.line ?? came.unusable?.line;
     }
-    const { verdict, line } = await engine.judge(bytes, { chosen });
     if (!wanted()) return;
-    if (verdict === "accepted") passing.push(change);
-    else if (line > answer.line) further.push(`${change} at line ${line}`);
   }
-  const items = passing.map((change) => {
-    const { text, letters } = page.clauses.get(change.split(" ")[0]) ?? {};
-    return h("li", {}, ...linked(change), text ? `: ${text} ${letters[change.split(" ")[1]]}` : "");
-  });
-  const list = (title, all) =>
-    all.length ? h("p", {}, `${title}: `, ...linked(all.slice(0, MOST_EXPECTED).join(", "))) : null;
-  judged.readings = [
-    h("h3", {}, "Would pass with"),
-    items.length ? h("ul", {}, ...items) : h("p", {}, "No other reading that was tried."),
-    list("Would get further with", further),
-    list("Not tried for lack of time", untried),
-  ].filter(Boolean);
-  showReport();
+  const tried = others.filter((one) => one.verdict);
+  const untried = others.filter((one) => !one.verdict).map((one) => one.change);
+  judged.readings = (await engine.ask({ message: "readings", verdict, line, tried, untried, remedy: "" })).parts;
+  if (wanted()) showReport();
 }
+
+const shownReadings = (parts) =>
+  parts.flatMap(([heading, lines]) => [
+    h("h3", {}, heading),
+    h("ul", {}, ...lines.map((line) => h("li", {}, ...linked(line)))),
+  ]);
 
 function explanation(refused, one, index, line) {
   const texts = refused.requirements.map((id) => [requirement(id), said(id)]);
@@ -120,23 +117,17 @@ export function asPage(title, timeline) {
   return `<!DOCTYPE html>\n${h("html", { lang: "en" }, head, body).outerHTML}\n`;
 }
 
-function asText(name, words, one, refused, line) {
-  const text = [`${one.name}${refused ? `:${line}` : ""}: ${name}: ${words}`];
-  if (!refused || refused.unusable) return text[0];
-  text.push(
-    `    ${one.lines[page.view.explained]}`,
-    `  ${refused.late ? "expected before it" : "expected"}: ${refused.wanted.join(", ") || "nothing"}`,
+function asText(said, one, refused, line, readings) {
+  if (!refused || refused.unusable) return `${one.name}: ${said}`;
+  const { decision, rules, before, formulas } = refused;
+  const prefix = ["shortest prefix that fails", [`lines 1 to ${line}`]];
+  const parts = [...decision, ["", rules], prefix, ...before, ...readings, ...(formulas.length ? [["formulas", formulas]] : [])];
+  const texts = parts.flatMap(([heading, lines]) =>
+    heading && lines.length === 1
+      ? [`  ${heading}: ${lines[0]}`]
+      : [...(heading ? [`  ${heading}:`] : []), ...lines.map((text) => `    ${text}`)],
   );
-  text.push(`  requirements: ${refused.requirements.join(", ")}`, `  why not: ${refused.why}`);
-  for (const id of refused.requirements) text.push(`    ${id} ${page.clauses.get(id)?.text ?? ""}`);
-  refused.situations.forEach(({ said }, i) => {
-    text.push(
-      `  before the line${refused.states > 1 ? ` ${i + 1} of ${refused.states}` : ""}:`,
-      ...said.map(([topic, text]) => `    ${topic}: ${text}`),
-    );
-  });
-  if (refused.formulas.length) text.push("  formulas:", ...refused.formulas.map((each) => `    ${each}`));
-  return text.join("\n");
+  return [`${one.name}:${line}: ${said}`, `    ${one.lines[page.view.explained]}`, ...texts].join("\n");
 }
 
 /** A button that puts these lines in the place of the rejected one; a text where there are none. */

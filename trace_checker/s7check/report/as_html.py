@@ -7,7 +7,7 @@ from xml.etree import ElementTree as Xml
 
 from s7check.report.clauses import clause, named
 from s7check.report.markup import Node, add, document, node
-from s7check.report.report import Cause, Report, Verdict, cause, message, place, readings, source
+from s7check.report.report import Cause, Report, Verdict, cause, message, place, source
 from s7check.report.timeline import legend, timeline
 
 _CLASSES: dict[Verdict, str] = {
@@ -206,7 +206,7 @@ def _candidates(report: Report) -> Iterator[Node]:
 
 
 def _readings(report: Report) -> Iterator[Node]:
-    for part in readings(report):
+    for part in report.compared:
         yield node("h3", part.heading)
         yield node("ul", *(_with_links("li", line) for line in part.lines))
 
@@ -224,7 +224,7 @@ def clauses(reports: Sequence[Report]) -> Iterator[Node]:
     """The requirements and ambiguities that the page names, with their place in the documents."""
     names: dict[str, None] = {}
     for report in reports:
-        lines = [line for part in readings(report) for line in part.lines]
+        lines = [line for part in report.compared for line in part.lines]
         tags = [name for one in report.candidates for name in one.requirements]
         names |= dict.fromkeys(named(" ".join([*report.requirements, *tags, *lines])))
     rows = []

@@ -5,7 +5,8 @@ from functools import partial
 
 import click
 
-from s7check.report.report import EXIT_CODES, Cause, Part, Report, cause, decision, in_text, parts, place, readings
+from s7check.engine.answer import Part
+from s7check.report.report import EXIT_CODES, Cause, Report, cause, in_text, parts, place
 
 COLOURS = {"accepted": "green", "rejected": "red", "unusable": "yellow", "no verdict": "magenta"}
 
@@ -32,7 +33,7 @@ class TextReports:
         first = self._explained.setdefault(cause(report), place(report))
         if first == place(report):
             return list(parts(report))
-        return [*decision(report), Part("the same cause as", [first]), *readings(report)]
+        return [*report.refusal.decision, Part("the same cause as", [first]), *report.compared]
 
     def sum(self) -> str:
         """How many logs got which verdict, and how often each requirement decided; empty for a single log."""

@@ -118,7 +118,8 @@ def event_text(number: int) -> str:
 
 def texts() -> dict[str, Any]:
     """The words of the rules and of event IDs, as the engine's message ``texts`` has them."""
-    return {"clauses": all_clauses(), "events": event_texts()}
+    clauses = [msgspec.structs.asdict(one) | {"place": one.place} for one in all_clauses()]
+    return {"clauses": clauses, "events": event_texts()}
 
 
 def named(text: str) -> list[str]:

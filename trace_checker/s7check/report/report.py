@@ -1,17 +1,15 @@
 """The report about one log: its fields, and the parts of it that all formats for people share."""
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import msgspec
 
-from s7check.engine.answer import Candidate, Situation, Step
+from s7check.engine.answer import Candidate, Part, Refusal, Situation, Step
 from s7check.log.errors import printable
 from s7check.report.clauses import clause
 
 LONGEST_LINE = 400
-MOST_EXPECTED = 12
-_MOST_FORMULAS = 6
 
 Verdict = Literal["accepted", "rejected", "unusable", "no verdict"]
 
@@ -41,11 +39,12 @@ class Report(msgspec.Struct, frozen=True):
     Of a rejected log also: ``why`` it is, in a sentence; ``late``, if the line comes too late: the events
     ``expected`` before it, and until when; ``states``, the number of explanations of the lines before;
     ``situations``, those of the explanations nearest to the line; ``candidates``, each an action with its first
-    false conjunct, ``formulas`` their texts. ``readings`` is None if no others were to be tried; ``untried`` are
-    readings for which there was no time. ``asked`` are the open questions whose letter the verdict depends on, None
-    if it may depend on any. ``lines`` are the log's lines from the first one, as far as they are at hand, ``steps``
-    the situations after them, ``flow`` the numbered events up to a rejected line, the latest ones. ``after`` says
-    how the judging went on behind the rejection before, if this is not the first. The judging took ``seconds``.
+    false conjunct; ``refusal`` all that the engine says of it. ``readings`` is None if no others were to be tried,
+    ``compared`` what is said of them; ``untried`` are readings for which there was no time. ``asked`` are the open
+    questions whose letter the verdict depends on, None if it may depend on any. ``lines`` are the log's lines from
+    the first one, as far as they are at hand, ``steps`` the situations after them, ``flow`` the numbered events up
+    to a rejected line, the latest ones. ``after`` says how the judging went on behind the rejection before, if this
+    is not the first. The judging took ``seconds``.
     """
 
     log: str
@@ -62,9 +61,10 @@ class Report(msgspec.Struct, frozen=True):
     states: int = 0
     situations: list[Situation] = []
     candidates: list[Candidate] = []
-    formulas: list[str] = []
+    refusal: Refusal = Refusal()
     readings: list[Reading] | None = None
     untried: list[str] = []
+    compared: list[Part] = []
     outcomes: list[int] = []
     open: list[int] = []
     classes: list[int] = []
@@ -93,13 +93,6 @@ Cause = tuple[str, tuple[str, ...], tuple[tuple[str, str], ...]]
 def cause(report: Report) -> Cause:
     """Equal for rejections for the same reason: such reports differ in little but the log."""
     return report.message, tuple(report.requirements), tuple((one.place, one.conjunct) for one in report.candidates)
-
-
-class Part(NamedTuple):
-    """A heading and the lines under it; a single line stands beside it."""
-
-    heading: str
-    lines: list[str]
 
 
 def source(text: bytes) -> str:
@@ -140,31 +133,15 @@ def in_text(
 
 def parts(report: Report) -> Iterator[Part]:
     """The explanation of the verdict, the most important part first."""
-    yield from decision(report)
+    yield from report.refusal.decision
     if report.verdict == "rejected":
-        yield Part("", [clause_text(name) for name in report.requirements])
+        yield Part("", report.refusal.rules)
         if not report.after:
             yield Part("shortest prefix that fails", [f"lines 1 to {report.line}"])
-    for number, state in enumerate(report.situations, 1):
-        of = f" {number} of {report.states}" if report.states > 1 else ""
-        yield Part(f"before the line{of}", [f"{topic}: {text}" for topic, text in state.said])
-    yield from readings(report)
-    if shown := report.formulas[:_MOST_FORMULAS]:
-        more = len(report.formulas) - len(shown)
-        yield Part("formulas", [*shown, *([f"and {more} more"] if more else [])])
-
-
-def decision(report: Report) -> Iterator[Part]:
-    """What was expected, and the requirements that decide."""
-    if report.verdict != "rejected":
-        return
-    if report.late:
-        yield Part("expected before it", report.late)
-    else:
-        yield Part("expected", [_list(report.expected, MOST_EXPECTED) or "nothing"])
-    yield Part("requirements", [", ".join(report.requirements)])
-    if report.why:
-        yield Part("why not", [report.why])
+    yield from report.refusal.before
+    yield from report.compared
+    if report.refusal.formulas:
+        yield Part("formulas", report.refusal.formulas)
 
 
 def clause_text(name: str) -> str:
@@ -172,46 +149,3 @@ def clause_text(name: str) -> str:
     found = clause(name)
     origin = ", ".join(part for part in (found.source, found.confidence) if part)
     return f"{name} {found.text}" + (f" ({origin}; {found.place})" if origin else "")
-
-
-def readings(report: Report) -> Iterator[Part]:
-    """Under which other headers the verdict would be another."""
-    if report.readings is None:
-        return
-    yield from _other_readings(report, report.readings)
-    if report.untried:
-        yield Part("not tried for lack of time", [_list(report.untried, MOST_EXPECTED) + " (see --budget)"])
-
-
-def _other_readings(report: Report, tried: list[Reading]) -> Iterator[Part]:
-    passing = [one for one in tried if one.verdict == "accepted"]
-    others = [one for one in tried if one.verdict != "accepted"]
-    if report.verdict == "accepted":
-        yield Part("also accepted by", [f"{len(passing)} of {len(tried)} other readings"])
-        yield Part("rejected by", [_outcome(one) for one in others] or ["none of them"])
-        return
-    yield Part("would pass with", [reading_text(one) for one in passing] or ["no other reading that was tried"])
-    later = [one for one in others if one.line is not None and one.line > (report.line or 0)]
-    if later:
-        yield Part("would get further with", [_list([_outcome(one) for one in later], MOST_EXPECTED)])
-
-
-def reading_text(one: Reading) -> str:
-    """A reading with the question that it answers."""
-    if one.kind != "letter":
-        return one.change
-    name, letter = one.change.split()
-    found = clause(name)
-    answer = found.letters.get(letter, "")
-    return f"{one.change}: {found.text} {answer} ({found.place})" if found.text else one.change
-
-
-def _outcome(one: Reading) -> str:
-    where = "" if one.line is None else f" at line {one.line}"
-    verdict = "" if one.verdict == "rejected" else f" {one.verdict}"
-    return f"{one.change}{verdict}{where}"
-
-
-def _list(texts: list[str], most: int) -> str:
-    more = len(texts) - most
-    return ", ".join(texts[:most]) + (f" and {more} more" if more > 0 else "")

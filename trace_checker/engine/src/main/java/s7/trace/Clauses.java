@@ -25,6 +25,27 @@ final class Clauses {
     return clauses.containsKey(id) ? clauses.get(id).text("text") : "";
   }
 
+  /** A clause with its origin, such as {@code AIRT-03 Calls are counted (SF06ru, H; docs/...#AIRT-03)}. */
+  String line(String id) {
+    Fields clause = clauses.getOrDefault(id, new Fields().put("text", "").put("source", "").put("confidence", ""));
+    String source = clause.text("source");
+    String confidence = clause.text("confidence");
+    String origin = source + (source.isEmpty() || confidence.isEmpty() ? "" : ", ") + confidence;
+    return id + " " + clause.text("text") + (origin.isEmpty() ? "" : " (" + origin + "; " + clause.text("place") + ")");
+  }
+
+  /** A letter, such as {@code AMB-12 b}, with the question and the answer for which it stands. */
+  String answered(String choice) {
+    String[] parts = choice.split(" ");
+    String text = text(parts[0]);
+    if (text.isEmpty()) {
+      return choice;
+    }
+    Fields clause = clauses.get(parts[0]);
+    Object answer = clause.object("letters").get(parts[1]);
+    return choice + ": " + text + " " + (answer == null ? "" : answer) + " (" + clause.text("place") + ")";
+  }
+
   /** What an event ID of four digits means; empty if no source tells. */
   String event(String digits) {
     return events.has(digits) ? events.text(digits) : "";

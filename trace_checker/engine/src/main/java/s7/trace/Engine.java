@@ -36,7 +36,8 @@ import tlc2.value.impl.RecordValue;
  *       has what {@link WhyNot} tells of it.
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is
- *       {@code unusable}; with {@code "others":true} also the headers beside it ({@link OtherHeaders}).
+ *       {@code unusable}; with {@code "others":{"rules":[...],"asked":[...]}} also the headers beside it; {@code readings} asks what a
+ *       report says of the verdicts under these ({@link OtherHeaders} has both).
  *   <li>{@code {"message":"program","count":N}} has a program of the kit checked, of which N bytes follow: the answer
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
@@ -135,6 +136,7 @@ public final class Engine {
         byte[] line = message.text("line").getBytes(StandardCharsets.UTF_8);
         print(new Fields().put("refusal", why.told(judging.refusal(), line)));
       }
+      case "readings" -> print(new Fields().put("parts", OtherHeaders.told(message, clauses)));
       case "read" -> print(read(message));
       case "program" -> print(object(message, spec.format()::program));
       case "program of" -> print(object(message, log -> spec.format().programOf(log, file(message))));
@@ -203,10 +205,11 @@ public final class Engine {
             spec.format(),
             new LogReader.Taker() {
               @Override
-              public void header(Fields header) {
-                answer.put("header", chosen(header, message));
+              public void header(Fields given) {
+                answer.put("header", chosen(given, message));
                 if (message.has("others")) {
-                  answer.put("others", OtherHeaders.of(spec.alternatives(), answer.object("header")));
+                  Fields header = answer.object("header");
+                  answer.put("others", OtherHeaders.of(spec.alternatives(), header, message.object("others"), clauses));
                 }
               }
 

@@ -14,6 +14,7 @@ import tla.spec.Guards;
 /** Situations, and parts of refusals, in words for people. */
 final class InWords {
   private static final int NO_CAUSE = -1;
+  private static final int MOST = 12;
 
   /** In words; which codes there are, and when each comes round, the specification says. */
   private static final Map<Integer, String> PERIODS =
@@ -148,6 +149,13 @@ final class InWords {
     if (!obs.isEmpty()) {
       said.add(List.of(topic, "OB " + ranges(obs) + by));
     }
+  }
+
+  /** Texts in one, and how many more there are. */
+  static String few(List<String> texts) {
+    int more = texts.size() - MOST;
+    String few = String.join(", ", texts.subList(0, Math.min(MOST, texts.size())));
+    return more > 0 ? few + " and " + more + " more" : few;
   }
 
   /** Such as {@code 1, 10-17, 80}. */

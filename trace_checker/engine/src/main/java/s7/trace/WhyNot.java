@@ -24,8 +24,9 @@ final class WhyNot {
   }
 
   /**
-   * A refusal with all that is said about it: {@code wanted} are the texts of what was expected, {@code formulas} those
-   * of the {@code candidates}, of which there is none where the line came too late.
+   * A refusal with all that is said about it: {@code wanted} are the texts of what was expected. Parts of a report are
+   * {@code decision} and {@code before}, headings with their lines, and the lines {@code rules} and {@code formulas}.
+   * Where the line came too late the formula would be that of elapsing time.
    *
    * @param line the line as the log has it; empty if that is not known
    */
@@ -36,14 +37,50 @@ final class WhyNot {
             .map(one -> refusal.late() ? InWords.late(one, situations) : one.text("text"))
             .toList();
     var candidates = InWords.telling(refusal.candidates());
+    String why = sentence(refusal, line.length == 0 ? null : Fields.of(line), wanted);
     return refusal.asJson()
         .put("message", refusal.message())
-        .put("why", sentence(refusal, line.length == 0 ? null : Fields.of(line), wanted))
+        .put("why", why)
         .put("wanted", wanted)
         .put("states", refusal.states())
         .put("situations", situations)
         .put("candidates", candidates.stream().map(WhyNot::json).toList())
-        .put("formulas", refusal.late() ? List.of() : candidates.stream().map(InWords::formula).toList());
+        .put("decision", decision(refusal, wanted, why))
+        .put("rules", refusal.requirements().stream().map(clauses::line).toList())
+        .put("before", before(situations, refusal.states()))
+        .put("formulas", refusal.late() ? List.of() : formulas(candidates.stream().map(InWords::formula).toList()));
+  }
+
+  private static List<List<Object>> decision(Explanation.Refusal refusal, List<String> wanted, String why) {
+    var parts = new ArrayList<List<Object>>();
+    String few = wanted.isEmpty() ? "nothing" : InWords.few(wanted);
+    parts.add(refusal.late() ? List.of("expected before it", wanted) : List.of("expected", List.of(few)));
+    parts.add(List.of("requirements", List.of(String.join(", ", refusal.requirements()))));
+    if (!why.isEmpty()) {
+      parts.add(List.of("why not", List.of(why)));
+    }
+    return parts;
+  }
+
+  private static List<List<Object>> before(List<Fields> situations, int states) {
+    var parts = new ArrayList<List<Object>>();
+    for (Fields state : situations) {
+      String of = states > 1 ? " " + (parts.size() + 1) + " of " + states : "";
+      parts.add(List.of("before the line" + of, state.list("said").stream().map(WhyNot::joined).toList()));
+    }
+    return parts;
+  }
+
+  private static String joined(Object said) {
+    return ((List<?>) said).get(0) + ": " + ((List<?>) said).get(1);
+  }
+
+  private static List<String> formulas(List<String> all) {
+    var shown = new ArrayList<>(all.subList(0, Math.min(MOST, all.size())));
+    if (all.size() > MOST) {
+      shown.add("and " + (all.size() - MOST) + " more");
+    }
+    return shown;
   }
 
   private static Fields json(Guards.Failure failure) {
