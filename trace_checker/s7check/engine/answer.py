@@ -259,7 +259,7 @@ class Alternatives(msgspec.Struct, frozen=True):
     """The words of a log: what a header and a call may say, ``Words`` and ``Alternatives`` of the specification.
 
     ``settable`` are families whose priority ``classes`` can be set; ``unknown`` are the OBs that a family lacks,
-    ``usual`` the default classes.
+    ``usual`` the default classes. Families of ``local`` have local time, OBs from 123 on and queues.
     ``choices`` are the letters that a header may name, ``letters`` those that formulas tell apart. The OBs of
     ``faulty`` come with a fault id; ``startup`` has the OB of each restart. ``answers`` are calls with the RET_VALs
     that they may have, but for SFC 41, which answers a count.
@@ -269,6 +269,7 @@ class Alternatives(msgspec.Struct, frozen=True):
     settable: list[str] = []
     classes: list[tuple[str, list[tuple[int, list[int]]]]] = []
     unknown: list[tuple[str, list[int]]] = []
+    local: list[str] = []
     usual: list[tuple[str, list[tuple[int, int]]]] = []
     obs: list[int] = []
     tod_obs: list[int] = []

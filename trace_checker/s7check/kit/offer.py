@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from s7check.engine import pool
-from s7check.kit.program import Program
+from s7check.engine.answer import Alternatives
+from s7check.kit.program import OF_S7_1500, Program
+from s7check.log.calls import WITHOUT_NUMBER
 from s7check.log.errors import ranges
 
 
@@ -38,11 +40,11 @@ class Offer:
         with those that it always has, and without a log of the cycles if there is none.
 
         A program has no expected output, so it is one on any CPU. Only families in which its priority classes can be
-        set take the place of one.
+        set take the place of one, and of an S7-1500 none where the program needs what only that has.
         """
         header, cpu = program.header, program.header["cpu"]
         if _missing([cpu], self.cpu):
-            cpu = min((one for one in self.cpu or () if _may_have(one, header.get("priority", {}))), default=cpu)
+            cpu = min((one for one in self.cpu or () if _may_run(one, program)), default=cpu)
         started = _started(program)
         lacking = _missing(header["obs"], self.obs) - started
         obs = [ob for ob in header["obs"] if ob not in lacking]
@@ -81,9 +83,19 @@ class Offer:
         return ""
 
 
-def _may_have(family: str, priority: Mapping[str, int]) -> bool:
-    """Whether the family can have these priority classes."""
+def _may_run(family: str, program: Program) -> bool:
+    """Whether the family has all that the program needs but for OBs."""
     words = pool.alternatives()
+    header = program.header
+    local = any(fields.get("local") for fields in header.get("step7", {}).get("tod", {}).values())
+    calls = {step.get("call") for body in program.bodies for step in body.steps}
+    if family not in words.local and (local or WITHOUT_NUMBER in calls or not header.keys().isdisjoint(OF_S7_1500)):
+        return False
+    return _may_have(words, family, header.get("priority", {}))
+
+
+def _may_have(words: Alternatives, family: str, priority: Mapping[str, int]) -> bool:
+    """Whether the family can have these priority classes."""
     classes = dict(dict(words.classes).get(family, [])) if family in words.settable else {}
     return all(number in classes.get(int(ob), ()) for ob, number in priority.items())
 
@@ -120,7 +132,7 @@ def _called(steps: Iterable[dict[str, Any]]) -> Iterator[int]:
     """The OBs whose interrupt a call sets or asks about: a CPU without them refuses it. Other OBs are wrong ones."""
     words = pool.alternatives()
     for step in steps:
-        if str(step.get("call")).endswith("_TINT"):
+        if str(step.get("call")).endswith(("_TINT", WITHOUT_NUMBER)):
             yield from {step["ob"]} & {*words.tod_obs}
         elif str(step.get("call")).endswith("_DINT"):
             yield from {step["ob"]} & {*words.dint_obs}

@@ -18,7 +18,10 @@ from s7check.log.errors import UnusableLogError
 
 FORMAT = "s7-interrupt-program/1"
 
-HEADER_FIELDS = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7")
+OF_S7_1500 = ("zone", "classes", "queue")
+"""Fields of a header that an S7-1500 alone has."""
+
+HEADER_FIELDS = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7", *OF_S7_1500)
 """Fields of a log's header that a program gives; the others are the implementation's own."""
 
 

@@ -103,9 +103,15 @@ def test_accepted(path: str, value: object) -> None:
 
 
 def test_beyond_the_schema() -> None:
-    """Two bodies for a run, and steps behind the end."""
+    """Two bodies for a run, OBs from 123 on without an event class, and steps behind the end."""
     with pytest.raises(UnusableLogError, match="two of OB 1, run 1"):
         read_program(text(changed("bodies.2", {"ob": 1, "run": 1, "steps": []})))
+    newer = changed(
+        "header", {"cpu": "S7-1500", "obs": [1, 130], "classes": {"130": "hardware"}, "clock": "2026-11-21T06:00"}
+    )
+    assert read_program(text(newer | {"bodies": [{"ob": 130, "steps": []}], "outside": []})).header["classes"]
+    with pytest.raises(UnusableLogError, match=r"one of the header's .*classes.*; found OB 131"):
+        read_program(text(newer | {"bodies": [{"ob": 131, "steps": []}], "outside": []}))
     with pytest.raises(UnusableLogError, match="end as the last step"):
         read_program(text(changed("bodies.1.steps.1", {"end": True})))
 

@@ -185,9 +185,26 @@ def test_fitted() -> None:
     assert Offer().fitted(more) is more
     classes = read_program(json.dumps(more.raw | {"header": more.header | {"priority": {"35": 5}}}).encode())
     assert Offer(cpu=frozenset({"S7-300"})).lacks(Offer(cpu=frozenset({"S7-300"})).fitted(classes)) == "no S7-400"
-    header = {"cpu": "S7-1500", "obs": [1, 40, 80], "priority": {"40": 24}}
-    high = read_program(json.dumps(PROGRAM | {"header": PROGRAM["header"] | header}))
-    assert Offer(cpu=frozenset({"S7-400"})).lacks(Offer(cpu=frozenset({"S7-400"})).fitted(high)) == "no S7-1500"
+
+
+@pytest.mark.parametrize(
+    ("header", "steps", "lack"),
+    [
+        ({}, [], ""),
+        ({"priority": {"40": 24}}, [], "no S7-1500"),
+        ({"zone": 60}, [], "no S7-1500"),
+        ({"queue": {"40": {"events": 2}}}, [], "no S7-1500"),
+        ({"classes": {"123": "hardware"}}, [], "no S7-1500"),
+        ({"step7": {"tod": {"10": {"local": True}}}}, [], "no S7-1500"),
+        ({}, [{"call": "SET_TINTL", "local": True, "activate": True, **WEEKLY}], "no S7-1500"),
+    ],
+)
+def test_what_only_an_s7_1500_has(header: dict[str, object], steps: list[dict[str, object]], lack: str) -> None:
+    """Such a program is for no other CPU."""
+    header = PROGRAM["header"] | {"cpu": "S7-1500", "obs": [1, 40, 80]} | header
+    program = read_program(json.dumps(PROGRAM | {"header": header, "bodies": [{"ob": 1, "steps": steps}]}))
+    older = Offer(cpu=frozenset({"S7-400"}))
+    assert older.lacks(older.fitted(program)) == lack
 
 
 def test_what_an_offer_lacks() -> None:

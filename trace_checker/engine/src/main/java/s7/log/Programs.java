@@ -22,7 +22,8 @@ final class Programs {
       Pattern.compile("[\\s\\[]*\\{[^{]*\"format\"\\s*:\\s*\"" + ANY_FORMAT);
 
   /** Fields of a log's header that a program gives; the others are the implementation's own. */
-  static final List<String> OF_HEADER = List.of("cpu", "obs", "clock", "mode", "cycle", "priority", "step7");
+  static final List<String> OF_HEADER =
+      List.of("cpu", "obs", "clock", "mode", "cycle", "priority", "step7", "zone", "classes", "queue");
 
   /** Milliseconds: the years that the CPU clock can show. */
   private static final long LONGEST = 100L * 366 * 86_400_000;
@@ -60,11 +61,15 @@ final class Programs {
   private final Reader program;
   private final Table offer;
 
+  /** OBs behind it have the event class that the header gives them. */
+  private final long lastOb;
+
   Programs(Words words, Header header, Events events) {
     this.header = header;
     this.events = events;
     Map<String, Reader> none = Map.of();
-    Reader ob = Spellings.integer(words.obs.first(), words.obs.last());
+    lastOb = words.obs.last();
+    Reader ob = Spellings.integer(words.obs.first(), words.numbers.last());
     event("clock", none, Table.of("to", DATE, "by", Spellings.integer(-LONGEST, LONGEST)));
     event("interrupt", events.required("interrupt"), Table.of(Events.FAULT, Spellings.BYTE));
     for (String name : new String[] {"load", "delete", "restart"}) {
@@ -176,7 +181,18 @@ final class Programs {
     if (!(raw.get("format") instanceof String)) {
       throw new Unusable("a program, with \"format\": \"" + FORMAT + "\"", "none", "format");
     }
-    return (Fields) program.read(raw);
+    var read = (Fields) program.read(raw);
+    Fields classes = read.object("header").get("classes") instanceof Fields given ? given : new Fields();
+    for (String list : new String[] {"bodies", "outside"}) {
+      List<?> all = read.has(list) ? read.list(list) : List.of();
+      for (int i = 0; i < all.size(); i++) {
+        Object ob = ((Fields) all.get(i)).get("ob");
+        if (ob instanceof Long number && number > lastOb && !classes.has(ob.toString())) {
+          throw new Unusable("one of the header's \"classes\"", "OB " + ob, "ob").inside(i + 1 + "").inside(list);
+        }
+      }
+    }
+    return read;
   }
 
   /** What a CPU offers: lists of names or numbers, yes or no, and the milliseconds of the {@code longest} program. */
