@@ -10,8 +10,8 @@ import msgspec
 
 from evidence.logs.graph import Graph
 from evidence.tla.behaviour import Line
-from s7check.asking.line_text import as_line
 from s7check.asking.session import Session
+from s7check.engine.answer import Content
 from s7check.engine.client import Engine
 
 AT_ONCE = {"latency_ms": 0, "readings": {"AMB-69": "b"}}
@@ -22,8 +22,6 @@ _NO_STOP = -1
 
 _NOTHING: Line = {"event": "state", "ob": 1}
 """A line that only says that it is later now."""
-
-_TIMES = frozenset({"at", "up", "counter", "step", "line"})
 
 
 @dataclass
@@ -70,8 +68,9 @@ class Comparison:
         header = next(iter(self._graph.headers.values())) | {"records": []}
         at = f'{{"at":"{header["clock"]}",'.encode()
         log = [msgspec.json.encode(header), *(at + line.removeprefix(b"{") for line in self._lines)]
-        for event in self._engine.read(b"\n".join(log)).events:
-            yield _spelled(as_line({name: value for name, value in event.items() if name not in _TIMES}))
+        text = b"\n".join(log)
+        for event in self._engine.ask({"message": "read", "count": len(text), "spelled": True}, Content, text).events:
+            yield _spelled(event)
 
     def _follow(
         self, session: Session, after: frozenset[int], early: bool, seen: set[tuple[frozenset[int], bool]]
@@ -123,7 +122,7 @@ class Comparison:
     def _compare(self, session: Session, at: str, edges: set[bytes], early: bool) -> None:
         self.found.questions += 1
         possible = session.possible([msgspec.json.decode(line) for line in self._lines], at)
-        offered = {_spelled(as_line(line.event)) for line in possible.lines}
+        offered = {_spelled(line.event) for line in possible.lines}
         for line in self._lines:
             if line in edges and self._texts[line] not in offered:
                 self.found.missing.append(_log(session, at, line))

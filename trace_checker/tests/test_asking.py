@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from s7check import cli
-from s7check.asking.line_text import as_line, iso_of
+from s7check.asking.line_text import iso_of
 from s7check.asking.log_prefix import read_prefix
 from s7check.asking.next_answer import opened
 from s7check.asking.open_questions import open_questions
@@ -49,7 +49,7 @@ def lines_of(session: Session) -> dict[str, tuple[str, str | None]]:
             None if each.last is None else iso_of(possible.times[each.last].at),
         )
         for each in possible.lines
-        if (line := as_line(each.event))["event"] == "start"
+        if (line := each.event)["event"] == "start"
     }
 
 
@@ -99,7 +99,7 @@ def test_answers_to_a_call(real_engine: Engine) -> None:
     """A call without RET_VAL comes back with each value that it may have."""
     session = begun(real_engine, event("DIS_AIRT", ret=1), event("DIS_AIRT", ret=2), cycle=True)
     (line,) = session.possible([{"event": "EN_AIRT"}]).lines
-    assert as_line(line.event)["ret"] == "W#16#0001"
+    assert line.event["ret"] == "W#16#0001"
     assert "AIRT-07" in line.requirements
     assert session.possible([{"event": "EN_AIRT", "ret": 7}]).lines == []
 
@@ -176,7 +176,7 @@ def test_what_is_possible_is_accepted(name: str, real_engine: Engine) -> None:
     for line in possible.lines[::7]:
         for index in {line.first, line.first if line.last is None else line.last}:
             point = possible.times[index]
-            whole = as_line(line.event, point.at)
+            whole = {"at": iso_of(point.at), **line.event}
             if with_up:
                 whole["up"] = point.up.min * 60_000 + point.up.ms
             assert session.why(whole) is None, whole
@@ -186,7 +186,7 @@ def test_one_code_stands_for_many(real_engine: Engine) -> None:
     """Of the codes that no text states, one is offered; another one is as possible."""
     session = begun(real_engine, cpu="S7-1500", obs=[1, 10])
     call = {"event": "ACT_TINT", "ob": 10}
-    answers = {as_line(one.event)["ret"] for one in session.possible([call]).lines}
+    answers = {one.event["ret"] for one in session.possible([call]).lines}
     assert "W#16#80FF" in answers
     assert len(answers) < MOST_ANSWERS
     for ret, possible in (("80FE", True), ("8100", False)):

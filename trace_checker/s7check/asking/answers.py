@@ -20,7 +20,7 @@ class Time(msgspec.Struct, frozen=True):
 
 
 class Line(msgspec.Struct, frozen=True):
-    """A line that may come: ``event`` is normalised, without its time.
+    """A line that may come: ``event`` has its fields as a log spells them, without its time.
 
     It may come from the time number ``first`` to the time number ``last``, or at any later time where ``last`` is
     None.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from s7check.asking.answers import Possible
-from s7check.asking.line_text import as_line, spelled
+from s7check.asking.line_text import spelled
 from s7check.asking.rows import answer, when
 
 _NOT = "not possible"
@@ -36,7 +36,7 @@ def _table(possible: Possible) -> dict[tuple[str, str], list[str]]:
     """Name and operands of each line, and its possible values and times."""
     table: dict[tuple[str, str], set[str]] = {}
     for line in possible.lines:
-        event = as_line(line.event)
+        event = line.event
         cell = ", ".join(part for part in (answer(event), str(when(line, possible))) if part)
         table.setdefault((event["event"], _operands(event)), set()).add(cell)
     return {key: sorted(cells) for key, cells in table.items()}

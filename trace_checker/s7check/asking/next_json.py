@@ -5,7 +5,7 @@ from typing import Any
 import msgspec
 
 from s7check.asking.answers import Line
-from s7check.asking.line_text import as_line, iso_of
+from s7check.asking.line_text import iso_of
 from s7check.asking.next_answer import NextAnswer
 
 
@@ -41,7 +41,7 @@ def to_json(answer: NextAnswer) -> str:
 
 def _line(line: Line, times: list[str]) -> dict[str, Any]:
     return {
-        "event": as_line(line.event),
+        "event": line.event,
         "from": times[line.first],
         "until": None if line.last is None else times[line.last],
         "requirements": line.requirements,

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from s7check.asking.answers import Line, Possible
-from s7check.asking.line_text import as_line, iso_of, spelled
+from s7check.asking.line_text import iso_of, spelled
 from s7check.log.errors import ranges
 
 _ANSWERS = ("ret", "status")
@@ -54,7 +54,7 @@ def rows(possible: Possible) -> list[Row]:
     """All lines, in the order in which their kinds first come."""
     groups: dict[tuple[Any, ...], list[dict[str, Any]]] = {}
     for line in possible.lines:
-        event = as_line(line.event)
+        event = line.event
         key = (event["event"], answer(event), when(line, possible), tuple(line.requirements), _beside(event))
         groups.setdefault(key, []).append(event)
     return [

@@ -12,6 +12,7 @@ from s7check.asking.answers import Parting, Possible
 from s7check.engine.answer import Refusal, Situation, Unusable
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.report.clauses import texts
 
 MOST_SITUATIONS = 8
 """Explanations of a log of which the situations are shown."""
@@ -46,7 +47,7 @@ class Session:
             other = session.under({"cpu": "S7-300"})   # the same lines in a CPU with another header
 
     Headers and lines are objects as in a log (docs/checking/log-format.md). ``at`` may be left out: it is then that
-    of the line before. ``as_line`` in :mod:`s7check.asking.line_text` makes such lines of the answers.
+    of the line before.
 
     A warm engine answers each question in some milliseconds and keeps any number of sessions; not while it judges a
     log (``Engine.begin``). Header and lines raise UnusableLogError where they are not of the format. Every method may
@@ -74,6 +75,7 @@ class Session:
 
     def why(self, line: Mapping[str, Any]) -> Refusal | None:
         """Why the line is not possible next; None if it is. The session stays as it is."""
+        self._engine.tell(texts)
         return self._ask("judge", line=json.dumps(self._whole(line))).refusal
 
     def undo(self, lines: int = 1) -> None:

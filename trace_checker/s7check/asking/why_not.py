@@ -11,7 +11,6 @@ from s7check.engine.answer import Answer
 from s7check.engine.client import Engine
 from s7check.judging.check import rejection
 from s7check.judging.replay import Replay, with_readings
-from s7check.report.clauses import texts
 from s7check.report.report import Report
 
 
@@ -23,7 +22,6 @@ def why_not(
     Without a report it may. The report has other readings, as many as are tried until that time of
     ``time.monotonic``. Raises UnusableLogError for an event that is not of the format.
     """
-    engine.tell(texts)
     session, last, _ = opened(engine, prefix)
     line = {"at": session.clock, **event}
     if str(line.get("event")).isupper():

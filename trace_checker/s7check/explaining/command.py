@@ -16,7 +16,6 @@ from s7check.ending import ending
 from s7check.engine import pool
 from s7check.explaining.sentences import by_itself, of_line
 from s7check.output import echo
-from s7check.report.clauses import texts
 from s7check.report.report import clause_text
 
 _HELP = """Tell a log in sentences, with the requirements behind them.
@@ -50,7 +49,6 @@ def explain_command(output: str, log: str) -> int:
     named: set[str] = set()
     code = 0
     with ending(log), pool.engine() as engine:
-        engine.tell(texts)
         prefix = read_prefix(engine, log)
         for told in story(Session(engine, prefix.header), prefix):
             named.update(told.requirements)

@@ -8,10 +8,8 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from s7check.asking.line_text import as_line
 from s7check.asking.session import Session
 from s7check.asking.variants import Variant, fitted
-from s7check.engine.answer import Moment
 from s7check.engine.client import Engine
 from s7check.kit.from_log import program_of
 from s7check.kit.program import Program, read_program
@@ -110,12 +108,8 @@ def bounded(
         theirs.close()
         bounds.append(Bound(only, found.complete, found.pairs, found.tried))
         if found.lines is not None:
-            shown = best = [_dated(line) for line in found.lines]
+            shown = best = found.lines
     return best, bounds
-
-
-def _dated(event: dict[str, Any]) -> dict[str, Any]:
-    return as_line({name: event[name] for name in event if name not in ("at", "up")}, Moment(**event["at"]))
 
 
 def shortened(engine: Engine, found: Separation, pairs: int = PAIRS) -> tuple[Separation, list[Bound]]:

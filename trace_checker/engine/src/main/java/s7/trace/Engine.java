@@ -37,7 +37,8 @@ import tlc2.value.impl.RecordValue;
  *   <li>{@code {"message":"read","count":N}} asks, between two logs, how the log is read of which N bytes follow,
  *       with {@code file} and {@code chosen} as above: the answer has its {@code header} and its {@code events}, and what is
  *       {@code unusable}; with {@code "others":{"rules":[...],"asked":[...]}} also the headers beside it; {@code readings} asks what a
- *       report says of the verdicts under these ({@link OtherHeaders} has both).
+ *       report says of the verdicts under these ({@link OtherHeaders} has both); with {@code "spelled":true} events are
+ *       lines in one spelling, without their time.
  *   <li>{@code {"message":"program","count":N}} has a program of the kit checked, of which N bytes follow: the answer
  *       has its {@code object} with one spelling for each value, or what is {@code unusable}. {@code offer} does so with
  *       what a CPU offers to programs; of {@code program of} the bytes are a log, with {@code file}, and the object has
@@ -215,7 +216,7 @@ public final class Engine {
 
               @Override
               public void event(int line, Fields event) {
-                events.add(event.put("line", line));
+                events.add(message.has("spelled") ? spelled(event) : event.put("line", line));
               }
             },
             file(message));
@@ -233,6 +234,11 @@ public final class Engine {
       answer.put("unusable", wrong.asJson());
     }
     return answer;
+  }
+
+  /** An event without its time, as a log spells it. */
+  private static Fields spelled(Fields event) {
+    return Spelled.line(Fields.of(event.without("at", "up").toString().getBytes(StandardCharsets.UTF_8)));
   }
 
   /** A text as an object that a reader makes of it. */

@@ -86,7 +86,7 @@ final class Look {
   private static List<Fields> lines(Fields possible) {
     var lines = new ArrayList<Fields>();
     for (Fields line : Work.objects(possible.list("lines"))) {
-      Fields event = Spelled.line(line.object("event"));
+      Fields event = line.object("event");
       lines.add(
           new Fields()
               .put("event", event)
@@ -108,7 +108,7 @@ final class Look {
     }
     var offered = new HashSet<String>();
     for (Fields line : Work.objects(possible.list("lines"))) {
-      offered.add(Spelled.text(Spelled.line(line.object("event")).without("info")));
+      offered.add(Spelled.text(line.object("event").without("info")));
     }
     var reasons = new ArrayList<Fields>();
     for (Fields event : lookedFor(situations)) {

@@ -90,7 +90,8 @@ final class Parting {
   private Collection<Fields> lines() {
     var lines = new ArrayDeque<Fields>();
     for (Pair pair = found; pair.line != null; pair = pair.before) {
-      lines.push(spec.given(pair.line).with(Values.object(spec.timeOf(pair.line))));
+      String at = Spelled.moment(Values.object(spec.timeOf(pair.line)).get("at"));
+      lines.push(new Fields().put("at", at).with(Spelled.line(spec.given(pair.line).without("at", "up"))));
     }
     return lines;
   }

@@ -331,7 +331,7 @@ final class Session {
             boolean ends = offer.until < times.size() - 1 || !endless;
             lines.add(
                 new Fields()
-                    .put("event", spec.given(line))
+                    .put("event", Spelled.line(spec.given(line)))
                     .put("first", offer.from)
                     .put("last", ends ? offer.until : null)
                     .put("requirements", offer.requirements));

@@ -229,7 +229,7 @@ final class Simulation {
       for (Fields line : Work.objects(possible.list("lines"))) {
         boolean ends = line.get("last") != null;
         long until = ends ? up(times.get(line.number("last"))) : Long.MAX_VALUE;
-        lines.add(new Line(Spelled.line(line.object(EVENT)), up(times.get(line.number("first"))), until));
+        lines.add(new Line(line.object(EVENT), up(times.get(line.number("first"))), until));
       }
       var due = new ArrayList<Line>();
       for (Fields time : times) {
@@ -388,7 +388,7 @@ final class Simulation {
       byte[] line = bytes(dated(called(step)).put("ret", null));
       byte[] when = bytes(dated(new Fields().put(EVENT, "hold")));
       List<?> found = session.possible(question(session.timeless(List.of(line)), when)).list("lines");
-      answers = Work.objects(found).stream().map(answer -> Spelled.line(answer.object(EVENT))).toList();
+      answers = Work.objects(found).stream().map(answer -> answer.object(EVENT)).toList();
       asked = step;
     }
     return answers;

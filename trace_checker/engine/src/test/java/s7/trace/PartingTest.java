@@ -44,13 +44,6 @@ class PartingTest {
   }
 
   /** The text of a line that was found, all of which come within the first second. */
-  private static String spelled(JsonObject line) {
-    int ms = line.getAsJsonObject("at").get("ms").getAsInt();
-    line.addProperty("at", "1990-01-01T00:01:00." + String.format("%03d", ms));
-    line.remove("up");
-    return line.toString();
-  }
-
   private JsonObject parting(String bounds) {
     Fields answer = sessions.answer("parting", Tiny.text("{'session': 'a', 'from': 'b', " + bounds + "}"));
     return Tiny.json(answer).getAsJsonObject("parting");
@@ -71,7 +64,7 @@ class PartingTest {
     assertEquals(0, found.get("complete").getAsInt());
     JsonObject line = found.getAsJsonArray("lines").get(0).getAsJsonObject();
     assertEquals("DIS_IRT", line.get("event").getAsString());
-    assertEquals(Tiny.json("{'min': 1, 'ms': 0}"), line.getAsJsonObject("at"));
+    assertEquals("1990-01-01T00:01:00.000", line.get("at").getAsString());
   }
 
   @Test
@@ -82,7 +75,7 @@ class PartingTest {
     JsonArray lines = parting(bounds("'interrupt', 'DIS_IRT', 'start'", 5, 5000)).getAsJsonArray("lines");
     assertEquals(3, lines.size());
     for (int i = 0; i < lines.size(); i++) {
-      String line = spelled(lines.get(i).getAsJsonObject());
+      String line = lines.get(i).toString();
       assertEquals(i == 2, answer("feed", "b", "line", line).has("refusal"));
       JsonObject fed = answer("feed", "a", "line", line);
       assertTrue(fed.has("clock") && !fed.has("refusal"), fed.toString());
