@@ -179,10 +179,11 @@ def test_a_fitting_value_mends_it_and_back_takes_that_back(page: Page) -> None:
 
 
 def test_a_packed_log_is_unpacked(page: Page) -> None:
-    """One piece or several of gzip; what cannot be unpacked is told, also a zip."""
+    """One piece or several of gzip, with zero bytes behind them; what cannot be unpacked is told, also a zip."""
     text = REJECTED.encode()
     pieces = gzip.compress(text[:99]) + gzip.compress(text[99:])
-    for packed in [gzip.compress(text), *([] if of_firefox(page) else [pieces])]:
+    padded = gzip.compress(text[:99]) + bytes(3) + gzip.compress(text[99:]) + bytes(20)
+    for packed in [gzip.compress(text), *([] if of_firefox(page) else [pieces, padded])]:
         page.set_input_files("#file", {"name": "run.ndjson.gz", "mimeType": "application/gzip", "buffer": packed})
         expect(page.locator("#where")).to_contain_text("run.ndjson: after line 3 of 5")
         page.click("#home")
@@ -194,6 +195,15 @@ def test_a_packed_log_is_unpacked(page: Page) -> None:
         page.set_input_files("#file", {"name": name, "mimeType": "application/gzip", "buffer": packed})
         told = "log.zip is a zip archive" if name == "log.zip" else f"{name}: unusable: expected a sound gzip file"
         expect(page.locator("#problem")).to_contain_text(told)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-16-be"])
+def test_a_byte_order_mark_names_the_encoding(page: Page, encoding: str) -> None:
+    """As for s7check trace."""
+    mark = "" if encoding != "utf-16-be" else "\ufeff"
+    data = (mark + REJECTED).encode(encoding)
+    page.set_input_files("#file", {"name": "run.ndjson", "mimeType": "text/plain", "buffer": data})
+    expect(page.locator("#where")).to_contain_text("run.ndjson: after line 3 of 5")
 
 
 def test_an_unusable_log_has_its_line_and_field(page: Page) -> None:

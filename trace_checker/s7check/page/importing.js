@@ -5,18 +5,29 @@ import { utf8 } from "./engine.js";
 import { unzipped } from "./model.js";
 
 const GZIP = [0x1f, 0x8b, 8];
+const OF_LENGTHS = 8; // the last bytes of gzip, a sum and a length, may be zero
 const ZIP = [0x50, 0x4b, 0x03, 0x04];
 const OF_KIT = "a program of the kit: the specification ran it";
 
 const has = (bytes, marks, at = 0) => marks.every((mark, i) => bytes[at + i] === mark);
 
-/** Bytes that gzip has packed, in one piece or several one after another; null if they are damaged. */
+/** A piece that gzip has packed, before zero bytes of padding, of which some may be its own; null if it is damaged. */
+async function plainPiece(bytes) {
+  let end = bytes.length;
+  let plain = await unzipped(bytes).catch(() => null);
+  while (end && !bytes[end - 1]) end--;
+  for (const most = Math.min(end + OF_LENGTHS, bytes.length - 1); !plain && end <= most; end++)
+    plain = await unzipped(bytes.subarray(0, end)).catch(() => null);
+  return plain;
+}
+
+/** What gzip has packed in one piece, or several one after another; null if they are damaged. */
 async function plainOf(bytes) {
-  const whole = await unzipped(bytes).catch(() => null);
+  const whole = await plainPiece(bytes);
   if (whole) return whole;
   for (let at = 1; (at = bytes.indexOf(GZIP[0], at)) > 0; at++) {
     if (!has(bytes, GZIP, at)) continue;
-    const first = await unzipped(bytes.subarray(0, at)).catch(() => null); // it has a sum of its content at its end
+    const first = await plainPiece(bytes.subarray(0, at)); // it has a sum of its content at its end
     const rest = first && (await plainOf(bytes.subarray(at)));
     if (rest) return new Uint8Array(await new Blob([first, rest]).arrayBuffer());
   }
@@ -30,6 +41,13 @@ export async function unpacked(name, bytes) {
   const plain = await plainOf(bytes);
   if (!plain) throw new Error(`${name}: unusable: expected a sound gzip file; found one damaged, incomplete or too large`);
   return { name: name.replace(/\.gz$/, ""), bytes: plain };
+}
+
+/** A log in UTF-8 without a byte order mark, which may name UTF-16. */
+export function asUtf8(bytes) {
+  const utf16 = { "255,254": "utf-16le", "254,255": "utf-16be" }[bytes.subarray(0, 2)];
+  if (utf16) return utf8.encode(new TextDecoder(utf16).decode(bytes));
+  return has(bytes, [0xef, 0xbb, 0xbf]) ? bytes.subarray(3) : bytes;
 }
 
 /** A text in the encoding that a column map names, in UTF-8. */

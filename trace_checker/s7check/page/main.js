@@ -3,7 +3,7 @@ import { Desk } from "./desk.js";
 import { $, Rows, h, numberOf, numbersOf } from "./elements.js";
 import { OF_THE_CPU, showImpossible, showPossible } from "./offers.js";
 import { Engine, unusable } from "./engine.js";
-import { madeOf, unpacked } from "./importing.js";
+import { asUtf8, madeOf, unpacked } from "./importing.js";
 import { Model, branch, fromLink, fromText, inflated, layOut, ndjson, toLink } from "./model.js";
 import { sessionOf, showOthers } from "./others.js";
 import { asPage, met, showReport, tryReadings, whyNot } from "./report.js";
@@ -193,9 +193,10 @@ async function begin(one) {
 async function open(file, given, line = null, told = []) {
   busy(`${file}: is being judged`);
   const { name, bytes } = await unpacked(file, given);
-  const text = new TextDecoder("utf-8").decode(bytes);
+  const log = asUtf8(bytes);
+  const text = new TextDecoder("utf-8").decode(log);
   const one = fromText(name, text);
-  const answer = await engine.judge(bytes);
+  const answer = await engine.judge(log);
   if (answer.verdict === "error") return closed(name, "no verdict", answer.message);
   if (answer.verdict === "unusable" && !told.length && answer.unusable.line <= one.numbers[0]) {
     const { made, refused } = await madeOf(engine, name, bytes);
@@ -215,7 +216,7 @@ async function open(file, given, line = null, told = []) {
   page.verdict = { ...judgement(answer), answer, header: one.header, lines: one.lines, told };
   await begin({ ...one, shown: Math.max(0, shown) });
   const judged = page.verdict;
-  await tryReadings(engine, judged, bytes, () => page.verdict === judged);
+  await tryReadings(engine, judged, log, () => page.verdict === judged);
 }
 
 /** The verdict that an answer stands for, with its message. */
