@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 
 from toy_cpu import ToyCpu, UnsupportedError
 
-HEADER = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7")
+HEADER = ("cpu", "obs", "clock", "mode", "cycle", "priority", "step7", "zone", "classes", "queue")
 
 
 class Adapter:

@@ -22,7 +22,7 @@ class UnsupportedError(Exception):
 class ToyCpu:
     """Tells `adapter` by `log`, `start` and `stop` what happens, and reads the time from its `now`."""
 
-    lacks = ("priority", "step7", "cycle")
+    lacks = ("priority", "step7", "cycle", "zone", "classes", "queue")
     """Fields of a header that it cannot keep."""
 
     def __init__(self, header, adapter):

@@ -16,14 +16,14 @@ import msgspec
 
 from s7check.asking.session import Session
 from s7check.engine.client import Engine
-from s7check.kit.program import Program, outside_events
+from s7check.kit.program import HEADER_FIELDS, Program, outside_events
 from s7check.kit.turns import calls_departure
 from s7check.kit.whole import Whole, elapsed
 from s7check.log.calls import LOG_FORMAT
 from s7check.log.objects import decoded
 from s7check.log.values import instant, iso
 
-_OF_PROGRAM = ("cpu", "obs", "clock", "mode", "priority", "step7")
+_OF_PROGRAM = tuple(name for name in HEADER_FIELDS if name != "cycle")
 
 _SURE = ("load", "delete", "restart")
 """Events from outside that reach a CPU in every mode."""

@@ -9,7 +9,7 @@ from datetime import datetime
 from itertools import islice
 from typing import Any
 
-from s7check.kit.program import Program, bodies_of, outside_events
+from s7check.kit.program import OF_S7_1500, Program, bodies_of, outside_events
 from s7check.kit.scl import NotForCpuError, sfc
 from s7check.log.values import instant, iso
 
@@ -54,7 +54,7 @@ def fitted(program: Program, cpu: str, obs: Iterable[int]) -> Program:
 def lacks(program: Program) -> str:
     """Why the interpreter cannot run the program; empty if it can."""
     header = program.header
-    for field in ("priority", "step7", "cycle"):
+    for field in ("priority", "step7", "cycle", *OF_S7_1500):
         if header.get(field):
             return f"no {field} in the header"
     stopped = header.get("mode", "STOP") == "STOP"
