@@ -7,20 +7,8 @@ import { read } from "./timeline.js";
 /** Steps of the CPU, which are shown before all other lines that may come. */
 export const OF_THE_CPU = ["start", "end", "run", "stop", "diag"];
 const MANY = 6;
-const CALLS = {
-  DIS_AIRT: [],
-  EN_AIRT: [],
-  SET_TINT: ["ob", "sdt", "period"],
-  SET_TINTL: ["ob", "sdt", "local", "period", "activate"],
-  ACT_TINT: ["ob"],
-  CAN_TINT: ["ob"],
-  QRY_TINT: ["ob"],
-  SRT_DINT: ["ob", "dtime", "sign"],
-  CAN_DINT: ["ob"],
-  QRY_DINT: ["ob"],
-  DIS_IRT: ["mode", "ob"],
-  EN_IRT: ["mode", "ob"],
-};
+const isCall = (name) => name === name.toUpperCase();
+const operandsOf = ({ event }) => Object.keys(event).filter((name) => !["event", "ret", "status"].includes(name));
 
 /** Shows what may come: all, or the steps of the CPU alone, while the others are looked for. */
 export function showPossible() {
@@ -28,8 +16,8 @@ export function showPossible() {
   if (!all) showTime();
   const here = page.view.look.possible;
   const names = [...new Set(here.map((line) => line.event.event))];
-  const calls = Object.keys(CALLS).filter((name) => names.includes(name));
-  const world = names.filter((name) => !OF_THE_CPU.includes(name) && !calls.includes(name));
+  const calls = names.filter(isCall);
+  const world = names.filter((name) => !OF_THE_CPU.includes(name) && !isCall(name));
   const groups = [
     ["The CPU", OF_THE_CPU.flatMap((name) => acts(name, here))],
     ["The program", calls.map((name) => call(name, here))],
@@ -92,14 +80,16 @@ const take = (event) =>
  * a call that the CPU takes, of a loaded OB, where there is one.
  */
 function call(name, here) {
-  if (!CALLS[name].length) return h("div", {}, ...here.filter((line) => line.event.event === name).map(offer));
+  const some = here.filter((line) => line.event.event === name);
+  const operands = operandsOf(some[0]);
+  if (!operands.length) return h("div", {}, ...some.map(offer));
   const box = h("details", { className: "call" }, h("summary", {}, name));
   const answers = h("div", { className: "answers" });
   const {
     after,
     look: { at },
   } = page.view;
-  const inputs = CALLS[name].map((operand) =>
+  const inputs = operands.map((operand) =>
     h("input", { name: operand, size: operand === "sdt" ? 17 : 10, onfocus: ({ target }) => target.select() }),
   );
   let asked = 0;

@@ -22,28 +22,30 @@ final class Clauses {
 
   /** What a clause says; empty if there is none, or before the words came. */
   String text(String id) {
-    return clauses.containsKey(id) ? clauses.get(id).text("text") : "";
+    return text(id, "text");
+  }
+
+  private String text(String id, String field) {
+    String text = clauses.containsKey(id) ? clauses.get(id).text(field) : null;
+    return text == null ? "" : text;
   }
 
   /** A clause with its origin, such as {@code AIRT-03 Calls are counted (SF06ru, H; docs/...#AIRT-03)}. */
   String line(String id) {
-    Fields clause = clauses.getOrDefault(id, new Fields().put("text", "").put("source", "").put("confidence", ""));
-    String source = clause.text("source");
-    String confidence = clause.text("confidence");
-    String origin = source + (source.isEmpty() || confidence.isEmpty() ? "" : ", ") + confidence;
-    return id + " " + clause.text("text") + (origin.isEmpty() ? "" : " (" + origin + "; " + clause.text("place") + ")");
+    var origin = new ArrayList<>(List.of(text(id, "source"), text(id, "confidence")));
+    origin.removeIf(String::isEmpty);
+    String from = String.join(", ", origin);
+    return id + " " + text(id) + (from.isEmpty() ? "" : " (" + from + "; " + text(id, "place") + ")");
   }
 
   /** A letter, such as {@code AMB-12 b}, with the question and the answer for which it stands. */
   String answered(String choice) {
-    String[] parts = choice.split(" ");
-    String text = text(parts[0]);
-    if (text.isEmpty()) {
+    String id = choice.substring(0, choice.indexOf(' '));
+    if (text(id).isEmpty()) {
       return choice;
     }
-    Fields clause = clauses.get(parts[0]);
-    Object answer = clause.object("letters").get(parts[1]);
-    return choice + ": " + text + " " + (answer == null ? "" : answer) + " (" + clause.text("place") + ")";
+    String answer = clauses.get(id).object("letters").text(choice.substring(id.length() + 1));
+    return choice + ": " + text(id) + " " + (answer == null ? "" : answer) + " (" + text(id, "place") + ")";
   }
 
   /** What an event ID of four digits means; empty if no source tells. */

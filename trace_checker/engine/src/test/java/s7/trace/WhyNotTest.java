@@ -18,15 +18,13 @@ class WhyNotTest {
   private static final String TEXTS =
       """
       {"clauses": [
-        {"id": "TINT-18", "text": "Monthly: the day of SDT is limited to 1 to 28. No limit in 1997 (AMB-05).",
-         "source": "", "confidence": ""},
-        {"id": "TINT-61", "text": "8090: bad OB_NR. 80A0: nothing is set. 80A1: the start has passed (for 0000. Once).",
-         "source": "", "confidence": ""},
-        {"id": "DINT-22", "text": "SIGN belongs to the program.", "source": "", "confidence": ""},
+        {"id": "TINT-18", "text": "Monthly: the day of SDT is limited to 1 to 28. No limit in 1997 (AMB-05)."},
+        {"id": "TINT-61", "text": "8090: bad OB_NR. 80A0: nothing is set. 80A1: the start has passed (for 0000. Once)."},
+        {"id": "DINT-22", "text": "SIGN belongs to the program."},
         {"id": "OBS-22", "text": "A time error without OB 80: STOP, event 4568", "source": "all",
          "confidence": "H", "place": "requirements.md#OBS-22"},
         {"id": "AMB-12", "text": "Is it lost?", "letters": {"b": "It is not."}, "place": "readings.md#AMB-12"},
-        {"id": "OBS-01", "text": "See AMB-12.", "source": "", "confidence": "H", "place": "p"}],
+        {"id": "OBS-01", "text": "See AMB-12."}],
        "events": {"4568": "STOP: OB 80 missing", "3502": "OB still in process"}}
       """;
   private final WhyNot why = new WhyNot(clauses());
