@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
+import subprocess
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Self
 
-from evidence.common.processes import Processes
+from evidence.common.processes import InterruptedRunError, Processes
 
 HOME_VARIABLE = "APALACHE_HOME"
-JVM_ARGUMENTS = {
-    "JVM_ARGS": "-Xmx5g -XX:TieredStopAtLevel=1 -XX:+AutoCreateSharedArchive -XX:SharedArchiveFile=../apalache.jsa",
-    "JVM_GC_ARGS": "-XX:+UseSerialGC",
-}
-"""By the variables that apalache-mc reads. Most of a run is short work on a large module: code that is compiled better,
-and more collectors, cost more time. The first run leaves Apalache's classes in an archive, beside the folders of the
-queries; the next ones begin a second earlier. Java makes it anew where it does not fit."""
+_JVM = ("-Xmx5g", "-XX:+UseSerialGC")
+"""Much of a run is short work on a large module; more collectors cost more time."""
 PROGRAM = "apalache-mc"
 
 Outcome = Literal["holds", "violated", "nothing checked", "failed", "timeout", "not asked"]
@@ -36,6 +33,9 @@ _VIOLATED = re.compile(r"^State \d+: ((?:state|action) invariant \d+) violated\.
 _TRACE = re.compile(r"^Check the trace in: ([^,\s]+)", re.MULTILINE)
 _ERROR = re.compile(r"^(.*\S)\s+E@\d\d:", re.MULTILINE)
 _VERSION = re.compile(r"APALACHE version: (\S+)")
+_EXIT = "@!@!@EXIT "
+_MOST_RUNS = 25
+"""After so many a process gives its memory back."""
 VIOLATION = 12
 """Apalache's exit code for a counterexample."""
 
@@ -70,21 +70,20 @@ class ApalacheRun:
     output: str
 
 
-def find_apalache() -> str:
-    """apalache-mc in APALACHE_HOME/bin, else on PATH; it gets arguments for its JVM, if the environment has none.
+def find_apalache() -> list[str]:
+    """The command that runs Apalache for each line of its input: of the release in APALACHE_HOME, else on PATH.
 
     Raises `ApalacheMissingError`.
     """
     home = os.environ.get(HOME_VARIABLE)
-    for variable, arguments in JVM_ARGUMENTS.items():
-        os.environ.setdefault(variable, arguments)
     program = shutil.which(str(Path(home) / "bin" / PROGRAM) if home else PROGRAM)
-    if program is None:
+    jar = Path(program).resolve().parents[1] / "lib" / "apalache.jar" if program else None
+    if jar is None or not jar.is_file():
         raise ApalacheMissingError(
             f"not run: {PROGRAM} was not found (release 0.62.1, Java 21 or newer; put it on PATH or name its folder "
             f"in {HOME_VARIABLE})"
         )
-    return program
+    return ["java", *_JVM, "-cp", str(jar), str(Path(__file__).with_name("Runs.java"))]
 
 
 def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
@@ -122,36 +121,90 @@ def version(output: str) -> str:
     return found[1] if found else ""
 
 
-def run(
-    program: str,
-    arguments: Sequence[Sequence[str]],
-    asked: Sequence[str],
-    folder: Path,
-    timeout: float,
-    processes: Processes,
-) -> ApalacheRun:
-    """Run Apalache once with each of the lists of arguments, one after the other, until a run does not succeed.
+class Apalache:
+    """Processes that stay for the next run, since most of a run in a new one is code that is not compiled yet.
 
-    The answer is that to all runs; `timeout` is for each, in seconds. Raises `InterruptedRunError` if the command is
-    ending.
+    `command` begins one. Safe to use from several threads. Raises `InterruptedRunError` where the harness is ending.
+    The end of the block is that of the processes.
     """
-    began = time.monotonic()
-    output = ""
-    megabytes = code = 0
-    ended = False
-    for some in arguments:
-        process = processes.start([program, "check", f"--out-dir={folder / 'out'}", *some], folder)
-        with processes.limited(process, timeout) as expired:
-            assert process.stdout is not None
-            output += process.stdout.read()
-            _, status, usage = os.wait4(process.pid, 0)
-            code = process.returncode = os.waitstatus_to_exitcode(status)
-        megabytes = max(megabytes, usage.ru_maxrss // 1024)
-        ended = expired.is_set()
-        if ended or code != 0:
-            break
-    if ended:
-        answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
-    else:
-        answer = interpret(output, code, asked)
-    return ApalacheRun(answer, round(time.monotonic() - began, 1), megabytes, output)
+
+    def __init__(self, command: Sequence[str], processes: Processes) -> None:
+        """Start with none."""
+        self._command = command
+        self._processes = processes
+        self._idle: list[_Resident] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for resident in self._idle:
+            self._processes.end(resident.process)
+
+    def run(
+        self, arguments: Sequence[Sequence[str]], asked: Sequence[str], folder: Path, timeout: float
+    ) -> ApalacheRun:
+        """Run ``check`` with each of the lists of arguments, one after the other, until a run does not succeed.
+
+        The answer is that to all runs; `folder` gets what Apalache writes; `timeout` is for each run, in seconds.
+        """
+        began = time.monotonic()
+        output = ""
+        megabytes = code = 0
+        ended = False
+        for some in arguments:
+            try:
+                resident = self._idle.pop()
+            except IndexError:
+                resident = _Resident(self._command, self._processes, folder)
+            with self._processes.watched(resident.process, timeout) as expired:
+                said, code, most = resident.check([f"--out-dir={folder / 'out'}", *some])
+            if resident.may_stay:
+                self._idle.append(resident)
+            else:
+                self._processes.end(resident.process)
+            if self._processes.closed:
+                raise InterruptedRunError
+            output += said
+            megabytes = max(megabytes, most)
+            ended = expired.is_set()
+            if ended or code != 0:
+                break
+        if ended:
+            answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
+        else:
+            answer = interpret(output, code, asked)
+        return ApalacheRun(answer, round(time.monotonic() - began, 1), megabytes, output)
+
+
+class _Resident:
+    """A process of Apalache with a folder for its temporary files: two would be in each other's way."""
+
+    def __init__(self, command: Sequence[str], processes: Processes, folder: Path) -> None:
+        options = [f"-Djava.io.tmpdir={folder}"] if command[0] == "java" else []
+        self.process = processes.start([command[0], *options, *command[1:]], folder, subprocess.PIPE)
+        self._left = _MOST_RUNS
+        self.may_stay = True
+
+    def check(self, arguments: Sequence[str]) -> tuple[str, int, int]:
+        """The output of a run, its exit code, and the most memory in MB that the process had in it."""
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        proc = Path("/proc", str(self.process.pid))
+        output: list[str] = []
+        code = None
+        with contextlib.suppress(BrokenPipeError):
+            (proc / "clear_refs").write_text("5")  # the peak is counted anew
+            self.process.stdin.write("\t".join(["check", *arguments]) + "\n")
+            self.process.stdin.flush()
+        for line in self.process.stdout:
+            if line.startswith(_EXIT):
+                code = int(line.removeprefix(_EXIT))
+                break
+            output.append(line)
+        self._left -= 1
+        self.may_stay = code is not None and self._left > 0
+        if code is None:
+            return "".join(output), self.process.wait() or 1, 0
+        peak = re.search(r"VmHWM:\s*(\d+) kB", (proc / "status").read_text())
+        return "".join(output), code, int(peak[1]) // 1024 if peak else 0

@@ -14,7 +14,7 @@ from evidence.common.options import json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models.proofs import report
-from evidence.models.proofs.apalache import ApalacheMissingError, find_apalache
+from evidence.models.proofs.apalache import Apalache, ApalacheMissingError, find_apalache
 from evidence.models.proofs.kept import Result
 from evidence.models.proofs.queries import ManifestError, Query, load
 from evidence.models.proofs.runner import Asking, Kept, ask, ok
@@ -78,24 +78,25 @@ def prove_command(
             for query in queries:
                 click.echo(f"{query.name}: {query.kind}, {query.expect}, {len(query.formulas)} formulas")
             return
-        asking = Asking(ROOT, ROOT / (SMALL if small else BUILD), "" if only_kept else find_apalache(), processes)
-        asking.build.mkdir(parents=True, exist_ok=True)
         kept: Kept = "all" if only_kept else "claimed" if resume else "nothing"
-        answers = _ask_all(asking, queries, kept, jobs, console)
+        with Apalache([] if only_kept else find_apalache(), processes) as program:
+            asking = Asking(ROOT, ROOT / (SMALL if small else BUILD), program)
+            asking.build.mkdir(parents=True, exist_ok=True)
+            answers = _ask_all(asking, queries, kept, jobs, console, processes)
         write_json(json_path, report.as_json(proofs, answers))
         report.show(console, proofs, answers)
         sys.exit(0 if answers and all(ok(query, result) for query, result in answers) else DIFFERENT)
 
 
 def _ask_all(
-    asking: Asking, queries: list[Query], kept: Kept, jobs: int, console: Console
+    asking: Asking, queries: list[Query], kept: Kept, jobs: int, console: Console, processes: Processes
 ) -> list[tuple[Query, Result]]:
     """Ask queries, `jobs` at a time, and return the answers in their order. What ends this early ends Apalache too."""
     with ThreadPoolExecutor(jobs) as pool:
         try:
             return list(pool.map(lambda query: _ask(asking, query, kept, console), queries))
         except BaseException:
-            asking.processes.close()
+            processes.close()
             pool.shutdown(cancel_futures=True)
             raise
 

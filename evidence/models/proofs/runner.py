@@ -11,7 +11,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
-from evidence.common.processes import Processes
 from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
 from evidence.models.proofs import kept as keeping
@@ -48,12 +47,11 @@ _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Asking:
-    """Where queries are asked: the checkout, the folder for output, the program."""
+    """Where queries are asked: the checkout, the folder for output, Apalache."""
 
     root: Path
     build: Path
-    program: str
-    processes: Processes
+    apalache: apalache.Apalache
 
 
 @dataclass(frozen=True)
@@ -110,8 +108,10 @@ def _run(asking: Asking, query: Query, made: _Made, keys: dict[str, str]) -> Run
         (folder / f"{name}.tla").write_text(content, encoding="utf-8")
     (folder / "query.cfg").write_text(made.config, encoding="utf-8")
     names = _names(query)
-    asked_of = [[f"--inv={','.join(names.values())}", *_arguments(query, some)] for some in parts(query.divided)]
-    done = apalache.run(asking.program, asked_of, list(names.values()), folder, query.timeout, asking.processes)
+    files = [f"--config={folder / 'query.cfg'}", str(folder / f"{query.module}.tla")]
+    invariants = f"--inv={','.join(names.values())}"
+    asked_of = [[invariants, *_arguments(query, some), *files] for some in parts(query.divided)]
+    done = asking.apalache.run(asked_of, list(names.values()), folder, query.timeout)
     (folder / "log").write_text(done.output, encoding="utf-8")
     return Run(keys, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
 
@@ -133,11 +133,10 @@ def _arguments(query: Query, transitions: str = "") -> list[str]:
     stepping = query.kind != "claim" and query.length
     tuning = [*SOLVER, *([AFTER_A_STEP] if stepping else []), *([transitions] if transitions else [])]
     return [
-        *("--config=query.cfg", f"--length={query.length}", "--no-deadlock=true"),
+        *(f"--length={query.length}", "--no-deadlock=true"),
         *([f"--cinit={_initializer(query)}"] if query.constants else []),
         *([UNFILTERED] if query.unfiltered else []),
         f"--tuning-options={':'.join(tuning)}",
-        f"{query.module}.tla",
     ]
 
 

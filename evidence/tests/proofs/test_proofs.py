@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import re
 import shutil
 import sys
 from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.models.entries import CONTROLS, Mutation
 from evidence.models.proofs import prove_command as command
-from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, find_apalache, interpret
+from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret
 from evidence.models.proofs.kept import Result, Run, keys, read, together, write
 from evidence.models.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load
 from evidence.models.proofs.report import as_json, assumptions, standing
@@ -115,21 +116,6 @@ def test_java_fails() -> None:
     said = "Error occurred during initialization of VM\nMultiple garbage collectors selected\n"
     assert interpret(said, 1, ["Steps"]).detail == "exit code 1: Multiple garbage collectors selected"
     assert interpret("", 1, ["Steps"]).detail == "exit code 1: no message"
-
-
-def test_the_collector_is_chosen_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """apalache-mc chooses a collector where JVM_GC_ARGS has none; Java refuses to begin with two."""
-    program = tmp_path / "bin" / "apalache-mc"
-    program.parent.mkdir()
-    program.write_text("#!/bin/sh\n")
-    program.chmod(0o755)
-    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
-    for name in ("JVM_ARGS", "JVM_GC_ARGS"):
-        monkeypatch.setenv(name, "")  # so that it is as before, after the test
-        monkeypatch.delenv(name)
-    find_apalache()
-    assert "GC" not in os.environ["JVM_ARGS"]
-    assert "GC" in os.environ["JVM_GC_ARGS"]
 
 
 # What is asked
@@ -646,16 +632,23 @@ def test_a_mutation_needs_its_text_once(proofs: Proofs) -> None:
 # Asking
 
 
-def program(folder: Path, output: str, code: int) -> str:
-    """A program in the place of apalache-mc, which says this."""
-    (folder / "output").write_text(output)
-    path = folder / "bin" / "apalache-mc"
-    path.parent.mkdir(exist_ok=True)
-    path.write_text(
-        f"#!{sys.executable}\nimport sys\nprint(open({str(folder / 'output')!r}).read())\nsys.exit({code})\n"
-    )
-    path.chmod(0o755)
-    return str(path)
+Program = Callable[..., Apalache]
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Iterator[Program]:
+    """A program in the place of Apalache, which begins a run with a statement, and says this."""
+
+    def made(output: str, code: int, begin: str = "pass") -> Apalache:
+        (tmp_path / "output").write_text(output)
+        (tmp_path / "program.py").write_text(
+            f"import sys\nfor line in sys.stdin:\n    {begin}\n"
+            f"    print(open({str(tmp_path / 'output')!r}).read())\n    print('@!@!@EXIT {code}', flush=True)\n"
+        )
+        return stack.enter_context(Apalache([sys.executable, str(tmp_path / "program.py")], Processes()))
+
+    with ExitStack() as stack:
+        yield made
 
 
 def claim(proofs: Proofs) -> Query:
@@ -664,10 +657,10 @@ def claim(proofs: Proofs) -> Query:
     return query
 
 
-def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs) -> None:
+def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """It is asked again where the text differs, where it was not as claimed, and where nothing kept is to be taken."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", program(tmp_path, recorded("holds"), 0), Processes())
+    asking = Asking(ROOT, tmp_path / "build", program(recorded("holds"), 0))
     assert ask(asking, query, "all").answer.outcome == "not asked"
     first = ask(asking, query, "claimed")
     assert ok(query, first)
@@ -677,7 +670,7 @@ def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs) -> 
     assert not ask(asking, query).kept
     assert ask(asking, dataclasses.replace(query, length=2), "all").answer.outcome == "not asked"
     assert not ask(asking, dataclasses.replace(query, length=2), "claimed").kept
-    violated = dataclasses.replace(asking, program=program(tmp_path, recorded("violated"), 12))
+    violated = dataclasses.replace(asking, apalache=program(recorded("violated"), 12))
     assert not ok(query, ask(violated, query))
     assert not ask(violated, query, "claimed").kept
     assert ask(violated, query, "all").answer.outcome == "violated"
@@ -735,34 +728,52 @@ def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
     assert together("query", ["P", "R"], [left, refuted], kept=True).answer.outcome == "violated"
 
 
-def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs) -> None:
+def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query with a formula more asks for this one."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", program(tmp_path, recorded("holds"), 0), Processes())
+    asking = Asking(ROOT, tmp_path / "build", program(recorded("holds"), 0))
     assert ok(query, ask(asking, query))
     more = dataclasses.replace(query, formulas=(*query.formulas, "Invariant"))
     output = recorded("holds").replace("the invariant Steps", "the invariant Invariant")
-    asked_for_both = program(tmp_path, output, 0)
-    result = ask(dataclasses.replace(asking, program=asked_for_both), more, "claimed")
+    asked_for_both = program(output, 0)
+    result = ask(dataclasses.replace(asking, apalache=asked_for_both), more, "claimed")
     assert (result.answer.outcome, result.answer.checked) == ("holds", 72)
     assert "Steps ==" not in (asking.build / query.name / f"{query.module}.tla").read_text()
 
 
-def test_too_long(tmp_path: Path, proofs: Proofs) -> None:
+def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query that does not end in its time is ended."""
-    path = Path(program(tmp_path, "", 0))
-    path.write_text(f"#!{sys.executable}\nimport time\ntime.sleep(60)\n")
-    asking = Asking(ROOT, tmp_path / "build", str(path), Processes())
+    asking = Asking(ROOT, tmp_path / "build", program("", 0, "__import__('time').sleep(60)"))
     result = ask(asking, dataclasses.replace(claim(proofs), timeout=1))
     assert (result.answer.outcome, result.answer.detail) == ("timeout", "ended after 1 s")
 
 
+def instead(monkeypatch: pytest.MonkeyPatch, folder: Path, apalache: Apalache) -> None:
+    """The command takes this program for Apalache, and keeps its answers in a folder."""
+    monkeypatch.setattr(command, "find_apalache", list)
+    monkeypatch.setattr(command, "Apalache", lambda *_: apalache)
+    monkeypatch.setattr(command, "BUILD", folder / "build")
+
+
+def test_a_process_stays(tmp_path: Path, program: Program) -> None:
+    """The next run is one of the same process, unless that ended; how it ended is the run's exit code."""
+    count = tmp_path / "count"
+    apalache = program(recorded("holds"), 0, f"open({str(count)!r}, 'a').write(f'{{__import__(\"os\").getpid()}} ')")
+    for _ in range(2):
+        assert apalache.run([[]], ["Steps"], tmp_path, 60).answer.outcome == "holds"
+    first, second = count.read_text().split()
+    assert first == second
+    dead = Apalache([sys.executable, "-c", "print('no memory'); raise SystemExit(3)"], Processes())
+    for _ in range(2):
+        assert dead.run([[]], ["Steps"], tmp_path, 60).answer == Answer("failed", 0, "exit code 3: no memory")
+
+
 @pytest.mark.parametrize(("name", "exit_code", "code"), [("holds", 0, 0), ("violated", 12, 1), ("nothing", 0, 1)])
-def test_exit_codes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, exit_code: int, code: int) -> None:
+def test_exit_codes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, program: Program, name: str, exit_code: int, code: int
+) -> None:
     """0 as claimed, 1 where an answer differs."""
-    program(tmp_path, recorded(name), exit_code)
-    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
-    monkeypatch.setattr(command, "BUILD", tmp_path / "build")
+    instead(monkeypatch, tmp_path, program(recorded(name), exit_code))
     report = tmp_path / "report.json"
     with pytest.raises(SystemExit) as ended:
         main(["prove", "lock-steps", "--json", str(report)])
@@ -771,22 +782,17 @@ def test_exit_codes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, 
     assert query["ok"] == (code == 0)
 
 
-def test_two_queries_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_queries_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, program: Program) -> None:
     """Each waits until the other has begun; the answers come in the order of the queries."""
-    path = Path(program(tmp_path, recorded("holds"), 0))
     begun = tmp_path / "begun"
     begun.mkdir()
-    path.write_text(
-        path.read_text().replace(
-            "import sys\n",
-            "import os, pathlib, sys, time\n"
-            f"begun = pathlib.Path({str(begun)!r})\n"
-            "(begun / str(os.getpid())).touch()\n"
-            "while len(list(begun.iterdir())) < 2: time.sleep(0.01)\n",
-        )
+    waits = (
+        "import os, pathlib, time\n"
+        f"    begun = pathlib.Path({str(begun)!r})\n"
+        "    (begun / str(os.getpid())).touch()\n"
+        "    while len(list(begun.iterdir())) < 2: time.sleep(0.01)"
     )
-    monkeypatch.setenv(HOME_VARIABLE, str(tmp_path))
-    monkeypatch.setattr(command, "BUILD", tmp_path / "build")
+    instead(monkeypatch, tmp_path, program(recorded("holds"), 0, waits))
     report = tmp_path / "report.json"
     with pytest.raises(SystemExit) as ended:
         main(["prove", "--jobs", "2", "l*-steps", "--json", str(report)])
