@@ -14,7 +14,7 @@ import pytest
 from evidence import cli
 from evidence.common.checkout import ROOT
 from evidence.tests.test_docs import PAGES
-from evidence.views.results import records, runs, summaries
+from evidence.views.results import records, runs, summaries, texts
 from evidence.views.results import results_command as command
 from evidence.views.results.page import page, totals
 from evidence.views.results.records import Record, Table
@@ -194,6 +194,28 @@ def test_numbers_of_an_older_text(
     said = capsys.readouterr().out
     assert "proofs: of an older text" in said
     assert ("older than the last release" in said) == bool(code)
+
+
+@pytest.mark.parametrize(
+    ("file", "changes"),
+    [
+        ("soft_plc/plc.c", True),
+        ("soft_plc/deep/plc.h", True),
+        ("soft_plc/build/plc.c", False),
+        ("soft_plc/README.md", False),
+    ],
+)
+def test_which_files_are_the_text(file: str, changes: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A source counts, whatever its folder; what a build makes of it does not."""
+    monkeypatch.setattr(texts, "ROOT", tmp_path)
+    texts._part.cache_clear()
+    before = texts.origin(["soft PLC"])
+    made = tmp_path / "examples" / file
+    made.parent.mkdir(parents=True)
+    made.write_text("int main;")
+    texts._part.cache_clear()
+    assert (texts.origin(["soft PLC"]) != before) == changes
+    texts._part.cache_clear()
 
 
 @pytest.mark.usefixtures("folder")
