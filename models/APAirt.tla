@@ -19,7 +19,8 @@ APInit ==
                readings |-> [a \in {} |-> ""],
                classes |-> [o \in {} |-> 0],
                queues |->
-                 [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
+                 [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
+               zone |-> 0 ]
     /\ loaded = {1, 10, 40, 80, 85}
     /\ mode = "RUN"
     /\ startup = "none"

@@ -104,7 +104,7 @@ Executions == { "none", "once", "minute", "hourly", "daily", "weekly",
 \* @type: (Str, Int, Bool, Bool) => $step7;
 Setting(execution, start, active, deselected) ==
     [ execution |-> execution, start |-> start, active |-> active,
-      deselected |-> deselected, zone |-> 0 ]
+      deselected |-> deselected, local |-> FALSE ]
 
 (* [OBS-05] A class that an OB can be given; 0 deselects it [OBS-06].      *)
 \* @type: Int => Bool;
@@ -131,7 +131,8 @@ ChosenCpu ==
              readings |-> [ r \in shown |-> IF r = "AMB-11" THEN u
                               ELSE IF r = "AMB-56" THEN v ELSE w ],
              classes |-> [o \in {} |-> 0],
-             queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
+             queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
+             zone |-> 0 ]
 
 AnyConstants ==
     /\ ChosenCpu

@@ -29,7 +29,7 @@ WrongDate == [ Date(0) EXCEPT !.day = 31 ]
 Monthly29 == [ Date(0) EXCEPT !.month = 12, !.day = 29 ]
 
 NotConfigured == [ execution |-> "none", start |-> 0, active |-> FALSE,
-                   deselected |-> FALSE, zone |-> 0 ]
+                   deselected |-> FALSE, local |-> FALSE ]
 \* @type: (Str, Int) => $step7;
 Activated(execution, m) ==
     [ NotConfigured EXCEPT !.execution = execution, !.start = Six + m,

@@ -16,7 +16,7 @@ BookInit ==
     /\ cpu \in [ family : FamilyNames, priority : Priorities,
                  step7 : {[o \in OldTodObs |-> NoParameters]},
                  readings : ReadingSets, classes : ObClasses,
-                 queues : Queues ]
+                 queues : Queues, zone : Zones ]
     /\ loaded \in {{}, {10, 20}}
     /\ mode \in {"STARTUP", "RUN"}
     /\ clock = At(0)

@@ -38,7 +38,8 @@ Cpu(family, step7) ==
     [ family |-> family, priority |-> [o \in {} |-> 0],
       step7 |-> [o \in TodObs |-> step7], readings |-> [a \in {} |-> ""],
       classes |-> [o \in {} |-> 0],
-      queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]] ]
+      queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
+      zone |-> 0 ]
 
 (* CPUs with their loaded OBs. *)
 Cpus == { <<Cpu("S7-300", Activated("once", 0)), {10, 40, 80, 85}>>,
@@ -95,13 +96,13 @@ VARIABLE
 
 (* Conjuncts of IndInv stand between, where they save states. *)
 IndInit ==
+    /\ \E c \in ChosenCpus : cpu = c[1] /\ loaded = c[2]
     /\ \E m \in ModesOfStart : mode = m[1] /\ startup = m[2]
     /\ resume = NothingKept
     /\ stack \in Stacks
     /\ StackInv /\ StartingInv
     /\ requests \in TwoWaiting
     /\ QueueInv
-    /\ \E c \in ChosenCpus : cpu = c[1] /\ loaded = c[2]
     /\ DeselectedWaitsInv
     /\ tod \in [TodObs -> Settings]
     /\ ActiveInv

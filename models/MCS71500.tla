@@ -42,12 +42,28 @@ Nested == /\ delay <= 2
           /\ mode = "STOP" => clock \in PowerOnMoments
 (* In their place where local time is 61 minutes ahead. The starts are     *)
 (* 06:01, and 07:02, which is 06:01 where it is local time.                *)
-ClockAndLocal == {0, 61}
+AnHourAhead == {61}
+ClockAndLocal == {FALSE, TRUE}
 LocalSdts == {Date(1), [Date(2) EXCEPT !.hour = 7]}
 LocalPeriods == {Once, Daily, EndOfMonth}
 LocalMoments == {Moment(0, 55000), Moment(1, 0), Moment(1, 15000)}
 JustOb10 == {10}
 LocalRetVals == {OK, PastStart, NotSet}
+(* In their place where local time changes between one and two hours       *)
+(* ahead: OB 10 is hourly by it, or by the clock.                          *)
+OneOrTwoHours == {60, 120}
+HourlyByBoth ==
+    { [o \in TodObs |-> [Activated("hourly", 1) EXCEPT !.local = local]]
+      : local \in BOOLEAN }
+ZoneMoments == {Moment(0, 55000), Moment(1, 0)}
+ZoneBounded == /\ delay = 0
+               /\ Waiting(2) /\ Cardinality(requests) <= 2
+               /\ Len(stack) <= 2
+               /\ mode = "STOP" => clock \in PowerOnMoments
+ZoneLoads == {{10, 80}}
+LettersOfZones ==
+    { [ a \in DOMAIN l \cup {"A15-10"} |-> IF a = "A15-10" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b"} }
 (* In their place where points pass in STOP. *)
 StopMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 5000)}
 StopTargets == {Moment(0, 30000), Moment(0, 55000)}
@@ -131,5 +147,5 @@ UnknownObInv ==
                             /\ answers(85, OK) /\ answers(85, BadOb)
 (* Daily by local time, at 06:01 of the clock.                             *)
 DailyByLocal ==
-    {[o \in TodObs |-> [Activated("daily", 62) EXCEPT !.zone = 61]]}
+    {[o \in TodObs |-> [Activated("daily", 62) EXCEPT !.local = TRUE]]}
 =============================================================================

@@ -40,7 +40,7 @@ LettersAgree ==
     /\ Cardinality(Questions) = 88 + 24
     /\ Cardinality({ q[1] : q \in Questions }) = 88 + 24
     /\ \A q \in Questions : q[1] \in Numbers /\ q[2] \in q[3]
-    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 4
+    /\ Cardinality(Ambiguities) = 88 - 4 + 24 - 3
     /\ \A a \in Ambiguities : Defaults[a] \in Letters(a)
     /\ \A name \in ProfileNames : \A p \in Profile(name) :
          /\ p[1] \in Ambiguities /\ p[2] # Defaults[p[1]]
@@ -333,6 +333,8 @@ ModernInv ==
     /\ Holds("A15-08", "d", {"a"}, EachSkippedObIsCaughtUp)
     /\ Holds("A15-08", "d", {"b"}, OnlyFirstSkippedIsCaughtUp)
     /\ Holds("A15-08", "d", {"c"}, FirstOfEachClassIsCaughtUp)
+    /\ Holds("A15-10", "c", {"a"}, DaylightIsQuiet = {TRUE})
+    /\ Holds("A15-10", "c", {"b"}, DaylightIsQuiet = {FALSE})
     /\ Holds("A15-11", "c", {"a"}, CatchUpNeedsNoOb80)
     /\ Holds("A15-11", "c", {"b"}, CatchUpNeedsOb80)
     /\ Holds("A15-12", "c", {"a"}, StopPointsAreNothing)

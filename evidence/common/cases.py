@@ -55,7 +55,7 @@ EVENTS: dict[str, tuple[str, tuple[str, ...]]] = {
 
 BYTES = ("mode", "flt_id", "strt_info")
 WORDS = ("ret", "status", "period", "sign", "cause", "id", "ev", "error_info")
-INTEGERS = ("ob", "dtime", "left", "up", "priority", "ev_ob", "event_count", "csg_ob", "csg_priority")
+INTEGERS = ("ob", "dtime", "left", "zone", "up", "priority", "ev_ob", "event_count", "csg_ob", "csg_priority")
 MOMENTS = ("at", "to", "time")
 FLAGS = ("active", "deselected", "local")
 QUEUE = ("events", "threshold", "overflow")

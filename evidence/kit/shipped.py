@@ -19,7 +19,7 @@ def programs(cases: Iterable[Case]) -> Iterator[Json]:
     """Programs with names of their own; of several that do the same, the smallest. Raises UnusableLogError."""
     same: dict[str, Json] = {}
     for case in cases:
-        if case.verdict == "unusable" or _NOT_OF_PROGRAMS & case.header.keys():
+        if case.verdict == "unusable" or _NOT_OF_PROGRAMS & case.header.keys() or b'"event": "zone"' in case.log:
             continue
         program = _program(case)
         if not asks(program):

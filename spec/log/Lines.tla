@@ -15,16 +15,11 @@ CallEvents == {"SET_TINT", "SET_TINTL", "CAN_TINT", "ACT_TINT", "QRY_TINT",
                "SRT_DINT", "CAN_DINT", "QRY_DINT",
                "DIS_IRT", "EN_IRT", "DIS_AIRT", "EN_AIRT"}
 
-(* [T15-20] [T15-21] [T15-99] By how many minutes the time of SDT is ahead *)
-(* of the clock.                                                           *)
-\* @type: $event => Int;
-ZoneOf(e) == IF e.local = 1 THEN terms.zone ELSE 0
-
 (* The values that RET_VAL may have.                                       *)
 \* @type: $event => Set(Int);
 AnswersTo(e) ==
     CASE e.event \in {"SET_TINT", "SET_TINTL"} ->
-           SetAnswers(e.ob, e.sdt, ZoneOf(e), e.period)
+           SetAnswers(e.ob, e.sdt, e.local = 1, e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
       [] e.event = "QRY_TINT" -> QryAnswers(e.ob)
@@ -46,7 +41,7 @@ StatusesOf(e) == IF e.event = "QRY_TINT" THEN Statuses(e.ob)
 Answered(e, ret) ==
     CASE e.event = "SET_TINT" -> SetTint(e.ob, e.sdt, e.period, ret)
       [] e.event = "SET_TINTL" ->
-           SetTintL(e.ob, e.sdt, ZoneOf(e), e.period, e.activate = 1, ret)
+           SetTintL(e.ob, e.sdt, e.local = 1, e.period, e.activate = 1, ret)
       [] e.event = "CAN_TINT" -> CanTint(e.ob, ret)
       [] e.event = "ACT_TINT" -> ActTint(e.ob, ret)
       [] e.event = "QRY_TINT" -> QryTint(e.ob, ret, e.status)
@@ -153,6 +148,12 @@ ErrorObStartsUnseen(e) ==
 IsClock(e) ==
     IF e.to = clock THEN UNCHANGED cpuVars /\ NothingEntered
     ELSE ClockSet(e.to)
+
+(* So does one that sets local time to what it is.                         *)
+\* @type: $event => Bool;
+IsZone(e) ==
+    IF e.zone = cpu.zone THEN UNCHANGED cpuVars /\ NothingEntered
+    ELSE LocalTimeSet(e.zone, e.reason = "daylight")
 
 (* Nobody knows whether the OB waits already. All outcomes are possible:   *)
 (* those of a waiting OB and those of an idle one.                         *)
@@ -282,6 +283,7 @@ Shows(e) ==
          [] e.event = "end"        -> End(e.ob)
          [] e.event = "interrupt"  -> IsInterrupt(e)
          [] e.event = "clock"      -> IsClock(e)
+         [] e.event = "zone"       -> IsZone(e)
          [] e.event = "load"       -> LoadedAre(loaded \cup {e.ob})
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> Restart(e.type)

@@ -19,7 +19,7 @@ EXTENDS Cpu
 (* Lines *)
 
 (***************************************************************************)
-(* @typeAlias: terms = { latency: Int, zone: Int, cycle: Bool,             *)
+(* @typeAlias: terms = { latency: Int, cycle: Bool,                        *)
 (*                       records: Set(Str), loose: Bool,                   *)
 (*                       endless: Set($request),                           *)
 (*                       unsure: Set(Int),                                 *)
@@ -46,6 +46,7 @@ EXTENDS Cpu
 (* @typeAlias: event = { event: Str, at: $moment, step: Int, up: $moment,  *)
 (*                       counter: $moment, ob: Int, sdt: $date,            *)
 (*                       period: Int, local: Int, activate: Int,           *)
+(*                       zone: Int, reason: Str,                           *)
 (*                       dtime: Int, sign: Int, mode: Int,                 *)
 (*                       ret: Int, status: Int, to: $moment, type: Str,    *)
 (*                       cause: Int, flt_id: Int, id: Int, priority: Int,  *)
@@ -76,7 +77,8 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
 \* @type: $event;
 NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
              counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
-             local |-> -1, activate |-> -1, dtime |-> -1, sign |-> -1,
+             local |-> -1, activate |-> -1, zone |-> 0, reason |-> "",
+             dtime |-> -1, sign |-> -1,
              mode |-> -1, ret |-> -1,
              status |-> -1, to |-> NoMoment, type |-> "", cause |-> -1,
              flt_id |-> -1, id |-> -1, priority |-> -1, info |-> NoInfo,
@@ -102,14 +104,13 @@ NoQueue == [size |-> 1, limit |-> 0, told |-> 0]
 
 (* STEP 7 has set nothing.                                                 *)
 NoParameters == [ execution |-> "none", start |-> 0, active |-> FALSE,
-                  deselected |-> FALSE, zone |-> 0 ]
+                  deselected |-> FALSE, local |-> FALSE ]
 
 -----------------------------------------------------------------------------
 (* The state of an explanation *)
 
 VARIABLES
-    (* latency: an OB starts at most so many ms after it may. zone: the    *)
-    (* minutes by which local time is ahead of the clock. cycle: the       *)
+    (* latency: an OB starts at most so many ms after it may. cycle: the   *)
     (* log has every start and end of OB 1. records: the kinds of event    *)
     (* that the log has completely. loose: the log does not tell when an   *)
     (* OB has to start (LooseLogs). After Merging: endless, the open       *)

@@ -202,7 +202,9 @@ MayCause(o, fault) ==
         outside == \/ Unseen("interrupt")
                    \/ \E r \in requests : r.ob = o /\ told({r.fault})
         skipped == /\ Unseen("clock")
-                   /\ told(IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+                   /\ told((IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+                             \cup IF Family.setsLocal THEN {SkippedByDaylight}
+                                  ELSE {})
         others  == /\ told({StillRunning, BufferOverflow})
                    /\ \E r \in requests : r.ob \in ExternalObs
     IN  IF o = TimeErrorOb
@@ -386,6 +388,16 @@ LooseClock(e) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, settingVars, stopCause, runVars>>
 
+(* OB 80 may report what daylight saving skips.                            *)
+\* @type: $event => Bool;
+LooseZone(e) ==
+    /\ cpu' = [cpu EXCEPT !.zone = e.zone]
+    /\ tod' = [o \in DOMAIN tod |-> Moved(tod[o], e.zone - cpu.zone)]
+    /\ requests' = IF mode = "STOP" THEN requests
+                   ELSE requests \cup {Mark(TimeErrorOb, SkippedByDaylight)}
+    /\ NothingEntered
+    /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
+
 \* @type: $event => Bool;
 LooseEvent(e) ==
     /\ e.ob \in SyncErrorObs => Watching
@@ -434,6 +446,7 @@ LooseShows(e) ==
          [] e.event = "end"        -> LooseEnd(e)
          [] e.event = "interrupt"  -> LooseEvent(e)
          [] e.event = "clock"      -> LooseClock(e)
+         [] e.event = "zone"       -> LooseZone(e)
          [] e.event = "load"       -> LooseLoad(e.ob)
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> LooseRestart(e)

@@ -38,7 +38,7 @@ DependsOn(e) ==
       [] e.event \in {"stop", "diag"} ->
            { r.ob : r \in requests } \cup {TimeErrorOb, ProgramErrorOb}
       [] e.event = "interrupt" -> {e.ob, TimeErrorOb, ProgramErrorOb}
-      [] e.event \in {"clock", "release"} -> {TimeErrorOb}
+      [] e.event \in {"clock", "zone", "release"} -> {TimeErrorOb}
       [] e.event = "restart" -> { o \in loaded : Deselected(o) }
       [] e.event = "run"    -> StartupObs
       [] OTHER              -> {}

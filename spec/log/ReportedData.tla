@@ -143,7 +143,9 @@ FitsCause(r, i) ==
 (* [CLK-06] At least one OB is late, even if the log does not tell which. *)
 \* @type: ($request, Int) => Bool;
 FitsMask(r, given) ==
-    r.fault \in Skips => IF r.late # {} THEN Fits(given, LateMask(r.late))
+    \/ r.fault \in Skips
+    \/ r.fault = SkippedByDaylight /\ r.late # {}
+    => IF r.late # {} THEN Fits(given, LateMask(r.late))
                                         ELSE given \in {-1} \cup (1..255)
 
 (* [T15-132] The OB that was being processed, and its priority.            *)
@@ -168,7 +170,8 @@ FitsError(r, i) ==
 (* [T15-90] [T15-131] [A15-16] What CaughtUp may tell of a run: 1, true.   *)
 \* @type: $request => Set(Int);
 CaughtUps(r) ==
-    CASE r.follows = SkippedByClock -> {1}
+    CASE r.since = NoMoment -> {0, 1}
+      [] r.follows \in {SkippedByClock} \cup LocalSkips -> {1}
       [] r.follows = SkippedInHold \/ ~CaughtUpIsOfTheClock -> {0, 1}
       [] OTHER -> {0}
 

@@ -20,13 +20,13 @@ Init ==
                step7 |-> [o \in {} |-> NoParameters],
                readings |-> [a \in {} |-> ""],
                classes |-> [o \in {} |-> 0],
-               queues |-> [o \in {} |-> NoQueue] ]
+               queues |-> [o \in {} |-> NoQueue], zone |-> 0 ]
     /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ resume = NothingKept
     /\ clock = At(0)
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
-    /\ terms = [latency |-> 0, zone |-> 0, cycle |-> FALSE, records |-> {},
+    /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
                 loose |-> FALSE, endless |-> {}, unsure |-> {},
                 early |-> {}]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
@@ -74,8 +74,9 @@ CpuOf(h) ==
                             IN  [ execution |-> s.execution,
                                   start |-> s.start, active |-> s.active,
                                   deselected |-> s.deselected,
-                                  zone |-> IF s.local THEN h.zone ELSE 0 ]
-                       ELSE NoParameters ] ]
+                                  local |-> s.local ]
+                       ELSE NoParameters ],
+      zone     |-> h.zone ]
 
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
 (* past moment has already run. A point that equals the clock may have     *)
@@ -126,7 +127,7 @@ Begin(h) ==
     /\ delay'  = 0
     /\ stopCause' = IF h.mode = "STARTUP" THEN RestartStop' ELSE NoCause
     /\ NothingEntered
-    /\ terms'  = [latency |-> h.latency, zone |-> h.zone,
+    /\ terms'  = [latency |-> h.latency,
                   records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
                   loose |-> LooseBy(h), endless |-> {}, unsure |-> {},

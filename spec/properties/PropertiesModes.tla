@@ -103,7 +103,7 @@ ModeProp ==
 HoldProp ==
     [][ mode = "HOLD" =>
           /\ step'.event \in {"release", "switch", "stop", "time", "clock",
-                             "interrupt", "load", "delete"}
+                             "zone", "interrupt", "load", "delete"}
           /\ mode' # "STOP" => UNCHANGED <<stack, delay>> ]_vars
 
 (* [OBS-42] The startup OB of the restart's kind starts, once, if loaded. *)

@@ -126,11 +126,12 @@ SetLocalProp ==
               sdt == MinuteOf(step'.sdt)
           IN  /\ step'.value \in {0, \h8090, \h8091, \h8092, \h80A1}
               /\ step'.value = \h80A1 => /\ step'.operand = Once
-                                        /\ \E z \in Zones :
+                                        /\ \E z \in {0, cpu.zone} :
                                              Before(At(sdt - z), clock)
               /\ step'.value = 0 =>
                    /\ t.set /\ t.active = (step'.sign = 1)
-                   /\ t.period = step'.operand /\ t.zone \in Zones
+                   /\ t.period = step'.operand
+                   /\ t.zone = IF t.local THEN cpu.zone ELSE 0
                    /\ t.start \in {sdt, IF t.period = EndOfMonth
                                         THEN sdt % 1440 ELSE sdt}
                    /\ t.active /\ t.period = Once => t.next = sdt - t.zone
@@ -216,11 +217,55 @@ HoldReturnsProp ==
 
 (* [T15-20] What STEP 7 sets by local time counts by it.                   *)
 LocalByStep7Prop ==
-    [][ Did("restart") => \A o \in TodObs : tod'[o].active =>
-          /\ tod'[o].zone = cpu.step7[o].zone
+    [][ Did("restart") => \A o \in TodObs : tod'[o].active /\ ~tod'[o].held =>
+          /\ tod'[o].zone = IF cpu.step7[o].local THEN cpu.zone ELSE 0
           /\ IsFirst(tod'[o].start, tod'[o].period,
                      tod'[o].next + tod'[o].zone,
                      tod'[o].zone + FirstMinute(tod'[o], clock)) ]_vars
+
+(* [T15-98] [T15-99] [T15-103] Local time is set: the clock goes on, and   *)
+(* so do the interrupts that count by it. [T15-96] Points that local time  *)
+(* skips are caught up; daylight saving alone may call OB 80 [A15-10].     *)
+LocalTimeProp ==
+    [][ Did("zone") =>
+          LET d == step'.value - cpu.zone
+              skips(o) == /\ tod[o].active /\ tod[o].local
+                          /\ Before(At(tod[o].next - d), clock)
+              skipped == { o \in TodObs : skips(o) }
+              late == { r \in Fresh : r.ob = TimeErrorOb }
+          IN  /\ clock' = clock /\ cpu'.zone = step'.value
+              /\ UNCHANGED <<mode, stack, delay, dint>>
+              /\ \A o \in TodObs : tod[o].active /\ ~tod[o].local =>
+                   tod'[o].next = tod[o].next /\ tod'[o].zone = 0
+              /\ d < 0 \/ mode = "STOP" => requests' = requests
+              /\ mode = "RUN" /\ d > 0 => \A o \in TodObs :
+                   IF o \in skipped THEN OnStack(o) \/ PendingIn(requests', o)
+                   ELSE ~\E r \in Fresh : r.ob = o
+              /\ \A r \in late : r.fault = 4 /\ r.late \subseteq skipped
+              /\ late # {} => /\ step'.operand = 1 /\ mode # "HOLD"
+                             /\ cpu.readings["A15-10"] = "b"
+              /\ /\ step'.operand = 1 /\ mode = "RUN" /\ 80 \in loaded
+                 /\ cpu.readings["A15-10"] = "b" /\ skipped # {}
+                 => \E r \in requests' : r.ob = TimeErrorOb /\ r.fault = 4
+      ]_vars
+
+(* [T15-97] [T15-98] By the new local time the first point that is not     *)
+(* past comes next; if a zone sets it back, perhaps the first of these     *)
+(* that was not served.                                                    *)
+LocalPointsProp ==
+    [][ Did("zone") /\ mode = "RUN" =>
+          \A o \in TodObs : tod[o].active /\ tod[o].local =>
+            LET t == tod'[o]
+                by == t.next + step'.value
+                was(p) == \E i \in tod[o].served :
+                            i.from <= p - cpu.zone /\ p - cpu.zone <= i.to
+                first == IsFirst(t.start, t.period, by,
+                                 FirstMinute(t, clock) + step'.value)
+            IN  /\ t.zone = step'.value
+                /\ \/ first
+                   \/ /\ step'.value < cpu.zone /\ step'.operand = 0
+                      /\ ~was(by)
+                   \/ tod[o].repeatTo >= 0 ]_vars
 
 (* [T15-117] In STARTUP OB 80 does not run. *)
 HeldBackProp == [][ Started(TimeErrorOb) => mode = "RUN" ]_vars

@@ -59,16 +59,35 @@ OfThePause(past) ==
 \* @type: Set(Str);
 OfItsBase ==
     CASE \E o \in DOMAIN tod : tod[o].zone # 0 -> {"T15-20"}
-      [] terms.zone # 0                       -> {"T15-99"}
+      [] cpu.zone # 0                         -> {"T15-99"}
       [] OTHER                                -> {}
 
+(* Local time was set, and the clock was not since. An interrupt that      *)
+(* serves its points again tells that daylight saving has ended.           *)
+\* @type: Seq($event) => Set(Str);
+OfLocalTime(past) ==
+    LET set  == { i \in DOMAIN past : past[i].event \in {"clock", "zone"} }
+        n    == CHOOSE i \in set : \A j \in set : j <= i
+        later == \E i \in DOMAIN past :
+                   i > n /\ past[i].event \in {"SET_TINTL", "restart"}
+    IN  CASE set = {} -> {}
+          [] past[n].event = "clock" -> {}
+          [] later -> {"T15-103"}
+          [] past[n].reason = "zone" -> {"T15-98"}
+          [] \E o \in DOMAIN tod : tod[o].local /\ tod[o].overTo > 0 ->
+               {"T15-97"}
+          [] OTHER -> {"T15-96"}
+
 (* Of its start information.                                               *)
-\* @type: $event => Set(Str);
-OfTheInfo(e) ==
+\* @type: ($event, Seq($event)) => Set(Str);
+OfTheInfo(e, past) ==
     LET i == e.info
+        local == OfLocalTime(past)
+        \* @type: Str => Set(Str);
+        tag(id) == {"T15-131"} \cup (IF local = {} THEN {id} ELSE local)
         tags ==
-          (IF i.caught_up = -1 THEN {} ELSE {"T15-131", "T15-90"})
-            \cup (IF i.second_time = -1 THEN {} ELSE {"T15-131", "T15-94"})
+          (IF i.caught_up = -1 THEN {} ELSE tag("T15-90"))
+            \cup (IF i.second_time = -1 THEN {} ELSE tag("T15-94"))
             \cup (IF i.event_count = -1 THEN {} ELSE {"T15-71"})
             \cup (IF i.csg_ob = -1 /\ i.csg_priority = -1 THEN {}
                   ELSE {"T15-132"})
@@ -93,10 +112,15 @@ Instead(e, past, id) ==
            {id} \cup (IF \E i \in DOMAIN past : past[i].event = "clock"
                       THEN OfTheJump(past) ELSE {})
       [] id = "OBS-46" -> {OfThePause(past)}
-      [] id = "TINT-32" -> {id} \cup OfItsBase
+      [] id = "TINT-32" ->
+           {id} \cup (IF /\ OfLocalTime(past) # {}
+                        /\ \E o \in DOMAIN tod : tod[o].local
+                     THEN OfLocalTime(past) ELSE OfItsBase)
+      [] id = "OBS-50" -> {id} \cup OfLocalTime(past)
+      [] id = "OBS-30" /\ OfLocalTime(past) # {} -> {id} \cup OfLocalTime(past)
       [] id \in {"TINT-01", "DINT-05"} /\ e.ob > 122 ->
            {"T15-10", "T15-11"}
-      [] id = "OBS-10" /\ e.event = "start" -> OfTheInfo(e)
+      [] id = "OBS-10" /\ e.event = "start" -> OfTheInfo(e, past)
       [] /\ id \in {"OBS-02", "OBS-07", "OBS-08", "OBS-30"}
          /\ DOMAIN cpu.queues # {} -> OfTheQueue(id)
       [] id = "OBS-40" /\ mode = "HOLD" /\ startup # "none" -> {"T15-121"}

@@ -353,6 +353,7 @@ LateRequirement(r, past) ==
            {"CLK-03"} \cup When(r.follows = SkippedInHold, {"OBS-46"})
                       \cup When(HasOnePoint(r.word), {"CLK-13"})
                       \cup When(TouchedInOb80(r.ob, past), {"CLK-04"})
+      [] r.follows \in LocalSkips    -> OfFault(r.follows, 0)
       [] r.follows = StillRunning    ->
            OfFault(r.follows, r.ob)
              \cup When(LastIn(IrtLines(past, TimeErrorOb)) > 0, {"OBS-33"})
@@ -578,9 +579,10 @@ Special ==
 OfFamilies ==
     { "T15-20", "T15-23", "T15-26", "T15-30", "T15-35", "T15-36", "T15-61",
       "T15-62", "T15-63", "T15-64", "T15-65", "T15-66", "T15-90", "T15-91",
-      "T15-93", "T15-94", "T15-95", "T15-99", "T15-100", "T15-110", "T15-111",
-      "T15-112", "T15-113", "T15-114", "T15-115", "T15-117", "T15-118",
-      "T15-119", "T15-120", "T15-141" }
+      "T15-93", "T15-94", "T15-95", "T15-96", "T15-97", "T15-98", "T15-99",
+      "T15-103", "T15-100", "T15-110", "T15-111", "T15-112", "T15-113",
+      "T15-114", "T15-115", "T15-117", "T15-118", "T15-119", "T15-120",
+      "T15-141" }
 
 (* Requirements of every start, every call, every STOP: true, and little   *)
 (* news.                                                                   *)
@@ -670,6 +672,9 @@ PossibleRules(e, past) ==
       [] e.event = "end"        -> {"OBS-03"} \cup When(delay > 0, {"AIRT-04"})
       [] e.event = "interrupt"  -> OfInterrupt(e)
       [] e.event = "clock"      -> OfClock(e.to)
+      [] e.event = "zone"       ->
+           IF e.reason = "zone" THEN {"T15-98", "T15-103"}
+           ELSE {IF e.zone > cpu.zone THEN "T15-96" ELSE "T15-97"}
       [] e.event = "restart"    ->
            {"OBS-40"} \cup (IF e.type = "hot" THEN {"OBS-52", "OBS-53"}
                            ELSE {"OBS-50"})

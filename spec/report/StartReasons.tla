@@ -252,6 +252,8 @@ NoDintRequest(o, past) ==
 OfFault(fault, cause) ==
     CASE fault = SkippedByClock -> {"CLK-02"}
       [] fault = SkippedInHold  -> {"OBS-46"}
+      [] fault = SkippedByDaylight -> {"T15-96"}
+      [] fault = SkippedByZone  -> {"T15-98"}
       [] fault = BufferOverflow -> {"OBS-08"}
       [] fault = StillRunning   -> When(cause \in TodObs, {"TINT-14"})
                                      \cup When(cause \in DintObs, {"DINT-10"})
@@ -471,6 +473,7 @@ StartRequirements(r, e, past) ==
                      /\ Blocked(Running.ob), {"IRT-08", "OBS-03"})
     ELSE IF ~Reported(r)
     THEN IF r.follows \in Skips THEN OfFault(r.follows, 0) \cup {"CLK-03"}
+         ELSE IF r.follows \in LocalSkips THEN OfFault(r.follows, 0)
          ELSE {"TINT-15"}
     ELSE IF ~InTurn(r)
     THEN {"OBS-02"} \cup When(r.ob \in TodObs, {"TINT-12"})

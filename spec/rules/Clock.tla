@@ -1,9 +1,11 @@
 -------------------------------- MODULE Clock -------------------------------
 (***************************************************************************)
 (* Time passes, and the CPU clock is set by SFC 0, a programming device or *)
-(* synchronisation, one rule for all [CLK-01] (sections 6 and 1.1).        *)
+(* synchronisation, one rule for all [CLK-01] (sections 6 and 1.1); local  *)
+(* time is set (S7-1500).                                                  *)
 (*                                                                         *)
-(* Left out: the limits of synchronisation, OB 87 [CLK-15].                *)
+(* Left out: the limits of synchronisation, OB 87 [CLK-15]; the rule of    *)
+(* daylight saving, for which the world says when it applies.              *)
 (***************************************************************************)
 EXTENDS StartPoints, TimeDelay
 
@@ -118,8 +120,9 @@ Forgetful(o, to, c, runsAgain) ==
         i == CHOOSE r \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
         THEN Armed([ t EXCEPT !.set = TRUE, !.active = TRUE,
-                              !.start = i.start, !.zone = i.zone,
-                              !.period = i.period, !.overTo = i.to ], to, c)
+                              !.start = i.start, !.local = i.local,
+                              !.zone = i.zone, !.period = i.period,
+                              !.overTo = i.to ], to, c)
         ELSE IF ~t.active \/ t.held \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
         ELSE Armed(t, to, c)
 
@@ -163,5 +166,86 @@ ClockSet(to) ==
                                 Forgetful(o, to, c, o \in ones) ]
                        ELSE TodAfterClock(to, c, IF deferred THEN skipped
                                                  ELSE {}, held, count)
+        /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
+
+-----------------------------------------------------------------------------
+(* Local time is set, by daylight saving or to another zone. The clock,    *)
+(* which is system time, goes on, and so do the interrupts that count by   *)
+(* it [T15-99]. For those by local time it is as if the clock were set by  *)
+(* so many minutes [T15-96] [T15-97] [T15-98]: their points are told by    *)
+(* the clock of before, and then moved.                                    *)
+
+\* @type: (Int, Int) => Int;
+MovedMinute(m, d) == IF m \in {-1, Never} THEN m ELSE m - d
+
+\* @type: (Set($run), Int) => Set($run);
+MovedRuns(runs, d) ==
+    { [i EXCEPT !.from = @ - d, !.to = @ - d] : i \in runs }
+
+\* @type: ($memory, Int) => $memory;
+MovedMemory(i, d) ==
+    IF ~i.local THEN i
+    ELSE [i EXCEPT !.from = @ - d, !.to = @ - d, !.zone = @ + d]
+
+(* The setting by the clock when local time is d minutes further ahead.    *)
+\* @type: ($tod, Int) => $tod;
+Moved(t, d) ==
+    LET u == [t EXCEPT !.earlier = { MovedMemory(i, d) : i \in @ }]
+    IN  IF ~t.local THEN u
+        ELSE [ u EXCEPT !.zone     = @ + d,
+                        !.next     = MovedMinute(@, d),
+                        !.served   = MovedRuns(@, d),
+                        !.merged   = MovedRuns(@, d),
+                        !.repeatTo = MovedMinute(@, d),
+                        !.overTo   = MovedMinute(@, d) ]
+
+LocalObs == { o \in DOMAIN tod : tod[o].local }
+
+(* [T15-97] Interrupts that serve their points again: all if daylight      *)
+(* saving ends, [T15-98] some, or none, if a zone does.                    *)
+\* @type: (Int, Bool) => Set(Set(Int));
+ServedAgain(d, daylight) ==
+    CASE d > 0    -> {{}}
+      [] daylight -> {LocalObs}
+      [] OTHER    -> SUBSET LocalObs
+
+(* One-shot interrupts by local time that ran, and may run again.          *)
+\* @type: (Int, $moment) => Set(Int);
+LocalOnes(d, to) ==
+    IF d > 0 THEN {}
+    ELSE { o \in TodObs : \E i \in RanOnce(o, to) : i.local }
+
+(* The skipped points are caught up; in HOLD they wait for the release.    *)
+\* @type: (Set(Int), Bool) => Bool;
+SkippedLocally(skipped, daylight) ==
+    IF skipped = {} \/ mode = "HOLD" THEN Nothing
+    ELSE Skip(IF daylight THEN SkippedByDaylight ELSE SkippedByZone, clock,
+              skipped)
+
+(* [T15-96] [T15-97] [T15-98] Local time is zone minutes ahead from now    *)
+(* on.                                                                     *)
+\* @type: (Int, Bool) => Bool;
+LocalTimeSet(zone, daylight) ==
+    LET d  == zone - cpu.zone
+        to == [clock EXCEPT !.min = @ + d]
+        skipped == IF mode = "STOP" \/ d < 0 THEN {}
+                   ELSE (SkippedBy(to) \cap LocalObs) \ Held
+        \* @type: Bool => Set($tod);
+        active(count) == { SettingAt(o, to, count)
+                           : o \in { p \in LocalObs : tod[p].active } }
+    IN  /\ Family.setsLocal /\ d # 0
+        /\ clock' = clock
+        /\ SkippedLocally(skipped, daylight)
+        /\ \E count \in MergedCount(to), held \in HeldAfter(to),
+              again \in ServedAgain(d, daylight),
+              ones \in SUBSET LocalOnes(d, to) :
+           \E c \in CpusThatShow(active(count), to) :
+             /\ cpu' = [c EXCEPT !.zone = zone]
+             /\ tod' = [ o \in DOMAIN tod |->
+                  Moved(IF o \in again \cup ones
+                        THEN Forgetful(o, to, c, o \in ones)
+                        ELSE IF ~tod[o].local THEN tod[o]
+                        ELSE TodAfterClock(to, c, IF mode = "HOLD" THEN skipped
+                                           ELSE {}, held, count)[o], d) ]
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

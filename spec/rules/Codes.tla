@@ -59,6 +59,12 @@ StillRunning    == \h02
 SkippedByClock  == \h05
 SkippedInHold   == \h06
 Skips           == {SkippedByClock, SkippedInHold}
+(* [T15-96] By a local time that daylight saving sets ahead, entered as    *)
+(* 3504; [T15-98] that a new zone sets ahead, which is no fault: no OB 80  *)
+(* reports it.                                                             *)
+SkippedByDaylight == \h04
+SkippedByZone     == \h100
+LocalSkips        == {SkippedByDaylight, SkippedByZone}
 BufferOverflow  == \h07
 ObNotLoaded     == {\hA1, \hA2}
 (* Faults that the start event of an OB causes. *)

@@ -118,6 +118,11 @@ StartupClass == IF Family.byKind THEN 1 ELSE 27
 Deselected(o) == \/ o \in TodObs /\ cpu.step7[o].deselected
                  \/ ClassOf(o) = 0
 
+(* [T15-20] [T15-21] [T15-99] By how many minutes the time from which an   *)
+(* interrupt counts is ahead of the clock.                                 *)
+\* @type: Bool => Int;
+ZoneOf(local) == IF local THEN cpu.zone ELSE 0
+
 (* [T15-68] The parameters of its queue are known, and so is what waits.   *)
 \* @type: Int => Bool;
 HasQueue(o) == o \in DOMAIN cpu.queues /\ cpu.queues[o].size > 0

@@ -50,7 +50,8 @@ Configured(s, monthly) ==
     ELSE [ NoSetting EXCEPT !.set    = TRUE,
                             !.active = s.active,
                             !.start  = StartByStep7(s),
-                            !.zone   = s.zone,  \* [T15-20]
+                            !.local  = s.local,
+                            !.zone   = ZoneOf(s.local),  \* [T15-20]
                             !.period = PeriodOf(s, monthly) ]
 
 (* [OBS-56] STEP 7 has set and activated a one-shot interrupt with its     *)
@@ -59,7 +60,7 @@ Configured(s, monthly) ==
 PastOnce(o) ==
     LET s == cpu.step7[o]
     IN  /\ s.execution = "once" /\ s.active
-        /\ IsPast(At(s.start - s.zone), clock)
+        /\ IsPast(At(s.start - ZoneOf(s.local)), clock)
         /\ ~Deselected(o)
 
 SettingsByStep7 ==
@@ -97,7 +98,8 @@ Reconfigure(kept) ==
 
 RestartRequests ==
     { [ NoRequest EXCEPT !.ob = o, !.class = ClassOf(o), !.rank = 1,
-                         !.since = At(cpu.step7[o].start - cpu.step7[o].zone),
+                         !.since = At(cpu.step7[o].start
+                                        - ZoneOf(cpu.step7[o].local)),
                          !.word = Once,
                          !.dtime = clock.min ]
       : o \in { p \in TodObs : PastOnce(p) } }

@@ -142,7 +142,7 @@ Questions ==
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
 NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78",
-              "A15-01", "A15-10", "A15-17", "A15-20" }
+              "A15-01", "A15-17", "A15-20" }
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -519,6 +519,11 @@ SmallJumps(ms) ==
         ELSE CASE Reading("A15-09") = "a" -> {FALSE}
                [] Reading("A15-09") = "b" -> {TRUE}
                [] OTHER                   -> {FALSE, TRUE}
+(* [A15-10] Whether no OB 80 reports what daylight saving skips.           *)
+\* @type: Set(Bool);
+DaylightIsQuiet == CASE Reading("A15-10") = "a" -> {TRUE}
+                     [] Reading("A15-10") = "b" -> {FALSE}
+                     [] OTHER                   -> {FALSE, TRUE}
 (* [A15-11] After a large jump without OB 80 the catch-ups come; or not.   *)
 CatchUpNeedsNoOb80 == Reading("A15-11") = "a"
 CatchUpNeedsOb80   == Reading("A15-11") = "b"

@@ -142,7 +142,7 @@ DintRequest(o) ==
 
 (* A run for a point that was skipped. *)
 \* @type: $request => Bool;
-IsCatchUp(r) == r.follows \in Skips
+IsCatchUp(r) == r.follows \in Skips \cup LocalSkips
 
 (* [OBS-43] [OBS-31] [AMB-13] The class of the start event of an           *)
 (* asynchronous error, in STARTUP or not.                                  *)

@@ -224,11 +224,14 @@ TimeOfSkip(skipped, now) ==
          IN  CHOOSE m \in points : \A n \in points : ~Before(n, m)
 
 (* [T15-90] [T15-91] [T15-95] Whether the clock is set forward by so       *)
-(* little that no OB 80 reports the skip.                                  *)
+(* little that no OB 80 reports the skip. [T15-98] None reports that of a  *)
+(* new zone, [T15-96] and perhaps none that of daylight saving [A15-10].   *)
 \* @type: (Int, $moment) => Set(Bool);
 Quietly(fault, now) ==
-    IF Family.jump = 0 \/ fault # SkippedByClock THEN {FALSE}
-    ELSE SmallJumps(Span(clock, now))
+    CASE fault = SkippedByZone     -> {TRUE}
+      [] fault = SkippedByDaylight -> DaylightIsQuiet
+      [] Family.jump = 0 \/ fault # SkippedByClock -> {FALSE}
+      [] OTHER -> SmallJumps(Span(clock, now))
 
 (* [T15-91] [T15-119] [A15-08] The OBs that get a catch-up, of those       *)
 (* reported.                                                               *)
@@ -257,7 +260,8 @@ Skip(fault, now, skipped) ==
         busy    == { o \in skipped \ blocked : WaitsOrRuns(o) }
     IN  \E merged \in MergedAmong(busy), unsaid \in UnreportedAmong(blocked),
            quiet \in Quietly(fault, now) :
-        \E caught \in IF quiet THEN {skipped \ (blocked \cup merged)}
+        \E caught \in IF quiet \/ fault = SkippedByDaylight
+                     THEN {skipped \ (blocked \cup merged)}
                       ELSE CaughtUpOf(skipped \ (blocked \cup merged)) :
           LET absent == IF quiet THEN skipped
                         ELSE IF SkipOfMissingObIsSilent THEN skipped \ loaded

@@ -15,7 +15,7 @@ Step7Settings ==
     [ OldTodObs -> [ execution : {"none", "once", "minute", "hourly", "daily",
                                "weekly", "monthly", "yearly", "end_of_month"},
                   start : 0..LastMinute, active : BOOLEAN,
-                  deselected : BOOLEAN, zone : {0} ] ]
+                  deselected : BOOLEAN, local : {FALSE} ] ]
 Loads == SUBSET (TodObs \cup ExternalObs \cup StartupObs)
 
 (* Priority classes other than the defaults [OBS-05]; none. *)
@@ -40,8 +40,8 @@ ObNumbers == -32768..32767
 Sdts == [ year : 1990..2089, month : 1..99, day : 1..99, hour : 0..99,
           minute : 0..99, second : 0..99, ms : 0..999 ]
 Words == 0..65535
-(* [T15-20] By how many minutes local time is ahead of the clock.          *)
-Zones == {0}
+(* [T15-09] SET_TINTL sets by local time, or not.                          *)
+Locals == {FALSE}
 Dtimes == -60000..600000
 Signs == Words
 IrtModes == 0..255
@@ -58,6 +58,10 @@ Moments == [min : 0..LastMinute, ms : 0..59999]
 PowerOnMoments == Moments
 \* @type: Set($moment);
 ClockTargets == Moments
+
+(* [T15-20] [T15-103] The minutes by which local time is ahead of the      *)
+(* clock, to begin with and later.                                         *)
+Zones == {0}
 
 (* Start events from outside, with the fault id of OB 80 and 85; errors of *)
 (* the running OB.                                                         *)

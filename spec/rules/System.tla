@@ -39,7 +39,7 @@ Seen(event, ob, value) == step' = Step(event, ob, value)
 Init ==
     /\ cpu \in [ family : Families, priority : Priorities,
                  step7 : Step7Settings, readings : ReadingSets,
-                 classes : ObClasses, queues : Queues ]
+                 classes : ObClasses, queues : Queues, zone : Zones ]
     /\ loaded \in Loads
     /\ mode = "STOP"
     /\ startup = "none"
@@ -102,8 +102,8 @@ CallSetTint ==
          \/ /\ SetTint(o, sdt, period, ret)
             /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
                            !.sdt = sdt, !.operand = period ]
-         \/ \E zone \in Zones, sign \in {0, 1} :
-              /\ SetTintL(o, sdt, zone, period, sign = 1, ret)
+         \/ \E local \in Locals, sign \in {0, 1} :
+              /\ SetTintL(o, sdt, local, period, sign = 1, ret)
               /\ step' = [ Step("SET_TINTL", o, ret) EXCEPT
                              !.sdt = sdt, !.operand = period, !.sign = sign ]
 
@@ -207,6 +207,14 @@ ClockIsSet ==
     /\ Settled
     /\ \E to \in ClockTargets : ClockSet(to) /\ Seen("clock", 0, 0)
 
+(* Somebody sets local time, or the CPU does by its rule of daylight       *)
+(* saving: `operand' is 1.                                                 *)
+LocalTimeIsSet ==
+    /\ Settled
+    /\ \E zone \in Zones, rule \in {0, 1} :
+         /\ LocalTimeSet(zone, rule = 1)
+         /\ step' = [Step("zone", 0, zone) EXCEPT !.operand = rule]
+
 BlockIsLoaded ==
     /\ Settled
     /\ \E o \in ChangingObs :
@@ -227,7 +235,7 @@ CpuIsHeld == Settled /\ HoldPossible /\ Hold /\ Seen("hold", 0, 0)
 
 CpuIsReleased == Settled /\ HoldPossible /\ Release /\ Seen("release", 0, 0)
 
-World == \/ EventFromOutside \/ ClockIsSet
+World == \/ EventFromOutside \/ ClockIsSet \/ LocalTimeIsSet
          \/ BlockIsLoaded \/ BlockIsDeleted
          \/ CpuIsRestarted \/ SwitchIsTurned \/ CpuIsHeld \/ CpuIsReleased
 

@@ -87,22 +87,22 @@ StartMoment(sdt, period) ==
                                        !.start  = MinuteOf(sdt)])
     ELSE IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt)) ELSE ExactMoment(sdt)
 
-(* [TINT-36] [TINT-37] [AMB-02] SDT of a local time that is `zone' minutes *)
-(* ahead of the clock, here and below [T15-20].                            *)
-\* @type: ($date, Int, Int) => Bool;
-StartIsPast(sdt, zone, period) ==
+(* [TINT-36] [TINT-37] [AMB-02] SDT is a local time or not, here and below *)
+(* [T15-20].                                                               *)
+\* @type: ($date, Bool, Int) => Bool;
+StartIsPast(sdt, local, period) ==
     /\ HasOnePoint(period) \/ EveryPastStartIsRefused
     /\ ValidMinute(sdt)
-    /\ IsPast([StartMoment(sdt, period) EXCEPT !.min = ByTheClock(@, zone)],
-              clock)
+    /\ IsPast([StartMoment(sdt, period) EXCEPT !.min =
+                  ByTheClock(@, ZoneOf(local))], clock)
 
 (* [TINT-35] *)
-\* @type: (Int, $date, Int, Int) => Set(Int);
-SetErrors(o, sdt, zone, period) ==
+\* @type: (Int, $date, Bool, Int) => Set(Int);
+SetErrors(o, sdt, local, period) ==
     ObErrors(o)
       \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
-      \cup (IF StartIsPast(sdt, zone, period) THEN {PastStart} ELSE {})
+      \cup (IF StartIsPast(sdt, local, period) THEN {PastStart} ELSE {})
 
 (* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, yearly on February   *)
 (* 29, and monthly from day 29 on may be refused.                          *)
@@ -119,9 +119,9 @@ OpenErrors(o, sdt, period, errors) ==
 
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)
-\* @type: (Int, $date, Int, Int) => Set(Int);
-SetAnswers(o, sdt, zone, period) ==
-    LET errors == SetErrors(o, sdt, zone, period)
+\* @type: (Int, $date, Bool, Int) => Set(Int);
+SetAnswers(o, sdt, local, period) ==
+    LET errors == SetErrors(o, sdt, local, period)
     IN  (IF ~OddSeconds(sdt) THEN SettingAnswers(o, errors)
          ELSE (IF OddSecondsMayPass THEN SettingAnswers(o, errors) ELSE {})
                 \cup (IF OddSecondsMayBeWrong
@@ -129,11 +129,12 @@ SetAnswers(o, sdt, zone, period) ==
           \cup OpenErrors(o, sdt, period, errors)
 
 (* [TINT-31] Set anew, it is not active. *)
-\* @type: ($tod, $date, Int, Int) => $tod;
-SetAnew(t, sdt, zone, period) ==
+\* @type: ($tod, $date, Bool, Int) => $tod;
+SetAnew(t, sdt, local, period) ==
     [ Unset(t) EXCEPT !.set    = TRUE,
                       !.start  = MinuteOf(sdt),
-                      !.zone   = zone,
+                      !.local  = local,
+                      !.zone   = ZoneOf(local),
                       !.offset = IF SecondsAreKept THEN ExactMoment(sdt).ms
                                                    ELSE 0,
                       !.period = period ]
@@ -143,8 +144,8 @@ SetAnew(t, sdt, zone, period) ==
 \* @type: (Int, $date, Int, Int) => Bool;
 SetTint(o, sdt, period, ret) ==
     /\ Called
-    /\ ret \in SetAnswers(o, sdt, 0, period)
-    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, 0, period))
+    /\ ret \in SetAnswers(o, sdt, FALSE, period)
+    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, FALSE, period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
        THEN SettingBecomes(o, Unset(tod[o]))
        ELSE SettingStays
@@ -153,16 +154,16 @@ SetTint(o, sdt, period, ret) ==
 
 (* [T15-08] [T15-09] [T15-141] SET_TINTL: it activates as well, if it is   *)
 (* told so.                                                                *)
-\* @type: (Int, $date, Int, Int, Bool, Int) => Bool;
-SetTintL(o, sdt, zone, period, activate, ret) ==
+\* @type: (Int, $date, Bool, Int, Bool, Int) => Bool;
+SetTintL(o, sdt, local, period, activate, ret) ==
     /\ Called /\ Family.setsLocal
-    /\ ret \in SetAnswers(o, sdt, zone, period)
+    /\ ret \in SetAnswers(o, sdt, local, period)
     /\ IF ret # OK
        THEN IF o \in TodObs /\ RefusedSetTintCancels
             THEN SettingBecomes(o, Unset(tod[o])) /\ UNCHANGED cpu
             ELSE SettingStays /\ UNCHANGED cpu
-       ELSE \E start \in StartsOf(SetAnew(tod[o], sdt, zone, period)) :
-              LET t == [ SetAnew(tod[o], sdt, zone, period) EXCEPT
+       ELSE \E start \in StartsOf(SetAnew(tod[o], sdt, local, period)) :
+              LET t == [ SetAnew(tod[o], sdt, local, period) EXCEPT
                            !.start = start, !.active = activate ]
               IN  \E c \in IF activate THEN CpusThatShow({t}, clock)
                                        ELSE {cpu} :

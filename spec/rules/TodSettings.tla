@@ -10,13 +10,13 @@
 (* as runs: from one point to another without an unserved point of the     *)
 (* series between.                                                         *)
 (*                                                                         *)
-(* Left out: daylight saving, and a zone that changes; runs of earlier     *)
-(* settings beyond the latest LongestMemory.                               *)
+(* Left out: runs of earlier settings beyond the latest LongestMemory.     *)
 (***************************************************************************)
 EXTENDS Calendar, Requests
 
 \* @type: $tod;
-NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0, zone |-> 0,
+NoSetting == [ set |-> FALSE, active |-> FALSE, start |-> 0,
+               local |-> FALSE, zone |-> 0,
                offset |-> 0, period |-> Once, next |-> Never, served |-> {},
                merged |-> {}, earlier |-> {}, repeatTo |-> -1,
                overTo |-> -1, called |-> FALSE, held |-> FALSE ]
@@ -169,7 +169,8 @@ NotServed(t, p) ==
 Memory(t) ==
     LET runs == t.earlier \cup
                   { [ from |-> i.from, to |-> i.to, start |-> t.start,
-                      zone |-> t.zone, period |-> t.period ]
+                      local |-> t.local, zone |-> t.zone,
+                      period |-> t.period ]
                     : i \in t.served \cup t.merged }
     IN  IF NewSettingForgets(cpu) THEN {}
         ELSE { i \in runs :

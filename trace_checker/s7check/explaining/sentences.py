@@ -23,6 +23,7 @@ _LINES = {
     "delete": "OB {ob} is deleted",
     "interrupt": "a start event for OB {ob} comes from outside",
     "clock": "the clock is set to {to}",
+    "zone": "local time is {zone} min ahead of the clock from now on",
     "done": "the log ends; nothing is missing up to here",
     "state": "the state of OB {ob} is read",
 }

@@ -23,6 +23,7 @@ final class Events {
   static final String FAULT = "flt_id";
   private static final String HOT = "hot";
   private static final String SET_LOCAL = "SET_TINTL";
+  private static final String LOCAL_TIME = "zone";
 
   /** Milliseconds; no log outlasts the years that the CPU clock can show. */
   private static final long LONGEST_UP = 100L * 366 * 86_400_000;
@@ -95,6 +96,10 @@ final class Events {
     kind("start", block, info);
     kind("end", block, none);
     kind("clock", Table.of("to", MOMENT), none);
+    kind(
+        LOCAL_TIME,
+        Table.of("zone", Header.MINUTES, "reason", Spellings.choice("zone", "daylight")),
+        none);
     kind("restart", Table.of("type", Spellings.choice("warm", "cold", HOT)), none);
     kind("run", none, none);
     kind("stop", none, Table.of("cause", word));
@@ -167,7 +172,7 @@ final class Events {
     if (unit > 1) {
       event.add("step", unit);
     }
-    if (name.equals(SET_LOCAL) && !local.contains(cpu.family())) {
+    if (List.of(SET_LOCAL, LOCAL_TIME).contains(name) && !local.contains(cpu.family())) {
       throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu.family(), EVENT);
     }
     if (!event.has(RET) && event.get(OB) instanceof Long ob && ob > lastOb && !cpu.numberedObs().contains(ob)) {

@@ -47,6 +47,8 @@ final class Header {
 
   private static final int EAST = 840;
 
+  static final Reader MINUTES = Spellings.integer(WEST, EAST);
+
   private static final String[] KINDS = {"call", "ob", "clock", "mode", "interrupt", "load", "diag", "state"};
   private static final List<String> DEFAULT_KINDS = List.of("call", "ob", "clock", "mode", "interrupt", "load");
 
@@ -134,7 +136,7 @@ final class Header {
                 "latency_ms",
                 Spellings.integer(0, Integer.MAX_VALUE),
                 ZONE,
-                Spellings.integer(WEST, EAST),
+                MINUTES,
                 "records",
                 Table.list(Spellings.choice(KINDS)),
                 "cycle",
