@@ -77,7 +77,7 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
 \* @type: $event;
 NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
              counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
-             local |-> -1, activate |-> -1, zone |-> 0, reason |-> "",
+             local |-> -1, activate |-> -1, zone |-> -9999, reason |-> "",
              dtime |-> -1, sign |-> -1,
              mode |-> -1, ret |-> -1,
              status |-> -1, to |-> NoMoment, type |-> "", cause |-> -1,

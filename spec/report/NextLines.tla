@@ -124,8 +124,9 @@ NextLines ==
       \cup { [LineOf("interrupt", f[1]) EXCEPT !.flt_id = f[2]]
              : f \in OutsideFaults }
       \cup { [Line("clock") EXCEPT !.to = m] : m \in ClockTimes }
-      \cup { [Line("zone") EXCEPT !.zone = cpu.zone + d, !.reason = reason]
-             : d \in IF Family.setsLocal THEN {60, -60} ELSE {},
+      \cup { [Line("zone") EXCEPT !.zone = zone, !.reason = reason]
+             : zone \in IF ~Family.setsLocal THEN {}
+                       ELSE {cpu.zone - 60, cpu.zone + 60} \cap ((-720)..840),
                reason \in {"zone", "daylight"} }
       \cup { LineOf("load", o)
              : o \in (Blockable \cup StartupObs \cup SyncErrorObs) \ loaded }
