@@ -111,6 +111,7 @@ struct s7log_tod {
     enum s7log_execution execution;
     int64_t start; /* or S7LOG_NONE */
     bool active, deselected; /* active: with an execution only */
+    bool local;              /* start: by local time, on S7-1500 */
 };
 
 /* A priority class that differs from the default. */
@@ -140,6 +141,7 @@ struct s7log_header {
     size_t tod_count;
     const struct s7log_reading *readings;
     size_t reading_count;
+    int zone; /* minutes by which local time is ahead, on S7-1500 */
 };
 
 /* Start information of an OB; begin with S7LOG_INFO_NONE and fill in the known fields. */
@@ -583,6 +585,8 @@ static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
     }
     if (t->start != S7LOG_NONE)
         s7log__clock(l, "start", t->start);
+    if (t->local)
+        s7log__text(l, ",\"local\":true");
     if (t->deselected)
         s7log__text(l, ",\"deselected\":true");
     s7log__end_object(l, begin);
@@ -646,6 +650,8 @@ static inline enum s7log_result s7log_header(struct s7log *l, const struct s7log
     s7log__records(l, h->records);
     if (h->cycle)
         s7log__text(l, ",\"cycle\":true");
+    if (h->zone != 0)
+        s7log__number(l, "zone", h->zone, -720, 840);
     s7log__priorities(l, h);
     s7log__tods(l, h);
     s7log__readings(l, h);
@@ -702,6 +708,21 @@ static inline enum s7log_result s7log_set_tint(struct s7log *l, struct s7log_now
     s7log__ob_nr(l, ob_nr);
     s7log__date(l, "sdt", sdt);
     s7log__word(l, "period", period);
+    s7log__ret(l, ret);
+    return s7log__end_event(l);
+}
+
+/* S7-1500 */
+static inline enum s7log_result s7log_set_tintl(struct s7log *l, struct s7log_now now, int ob_nr,
+                                                const struct s7log_dt *sdt, bool local, int period,
+                                                bool activate, int ret)
+{
+    s7log__begin_event(l, now, "SET_TINTL");
+    s7log__ob_nr(l, ob_nr);
+    s7log__date(l, "sdt", sdt);
+    s7log__text(l, local ? ",\"local\":true" : ",\"local\":false");
+    s7log__word(l, "period", period);
+    s7log__text(l, activate ? ",\"activate\":true" : ",\"activate\":false");
     s7log__ret(l, ret);
     return s7log__end_event(l);
 }

@@ -59,11 +59,11 @@ static void header(void)
 {
     static const int obs[] = {1, 10, 122};
     static const struct s7log_priority priorities[] = {{10, 23}, {85, 24}};
-    static const struct s7log_tod tods[] = {{10, S7LOG_DAILY, 0, true, false},
-                                            {17, S7LOG_NOT_GIVEN, S7LOG_NONE, false, true}};
+    static const struct s7log_tod tods[] = {{10, S7LOG_DAILY, 0, true, false, true},
+                                            {17, S7LOG_NOT_GIVEN, S7LOG_NONE, false, true, false}};
     static const struct s7log_reading readings[] = {{"AMB-02", 'a'}, {"AMB-77", 'd'}};
     struct s7log_header h = {S7LOG_CPU_318, obs, 3, 1500, S7LOG_RUN, 20, 255, true, priorities, 2,
-                             tods, 2, readings, 2};
+                             tods, 2, readings, 2, -90};
     struct s7log l;
     struct sink s;
     memset(&s, 0, sizeof s);
@@ -75,9 +75,9 @@ static void header(void)
                  "\"clock\":\"1990-01-01T00:00:01.500\",\"mode\":\"RUN\",\"latency_ms\":20,"
                  "\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\",\"diag\","
                  "\"state\"],"
-                 "\"cycle\":true,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
+                 "\"cycle\":true,\"zone\":-90,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
                  "\"10\":{\"execution\":\"daily\",\"active\":true,\"start\":"
-                 "\"1990-01-01T00:00:00.000\"},\"17\":{\"deselected\":true}}},"
+                 "\"1990-01-01T00:00:00.000\",\"local\":true},\"17\":{\"deselected\":true}}},"
                  "\"readings\":{\"AMB-02\":\"a\",\"AMB-77\":\"d\"}}\n") == 0);
     CHECK(s7log_header(&l, &h) == S7LOG_ORDER);
     CHECK(s.lines == 1 && l.events == 0);
@@ -125,6 +125,9 @@ static void events(void)
     LINE(s7log_set_tint(&l, later, -1, &sdt, 0x0201, 0x8091),
          "\"SET_TINT\",\"at\":\"2089-12-31T23:59:59.999\",\"up\":17,\"ob\":-1,"
          "\"sdt\":\"2090-02-30T24:00:00.007\",\"period\":\"16#0201\",\"ret\":\"16#8091\"");
+    LINE(s7log_set_tintl(&l, now, 10, &sdt, true, 0, false, 0x8091),
+         "\"SET_TINTL\"," AT ",\"ob\":10,\"sdt\":\"2090-02-30T24:00:00.007\",\"local\":true,"
+         "\"period\":\"16#0000\",\"activate\":false,\"ret\":\"16#8091\"");
     LINE(s7log_can_tint(&l, now, 10, 0), "\"CAN_TINT\"," AT ",\"ob\":10,\"ret\":\"16#0000\"");
     LINE(s7log_act_tint(&l, now, 10, S7LOG_NONE), "\"ACT_TINT\"," AT ",\"ob\":10,\"ret\":null");
     LINE(s7log_qry_tint(&l, now, 10, 0, 0x14),
@@ -181,7 +184,7 @@ static void events(void)
     LINE(s7log_done(&l, now), "\"done\"," AT);
 #undef LINE
     CHECK(s7log_run(&l, now) == S7LOG_ORDER && s7log_done(&l, now) == S7LOG_ORDER);
-    CHECK(l.events == 34 && s.lines == 35);
+    CHECK(l.events == 35 && s.lines == 36);
 }
 
 static void event_ranges(void)

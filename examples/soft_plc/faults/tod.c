@@ -5,23 +5,24 @@ static struct s7cpu_tod *tod_of(struct s7cpu *cpu, int ob_nr)
     return &cpu->tod[ob_nr - S7CPU_TOD_FIRST];
 }
 
-static int set_monthly_31(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt)
+static int set_monthly_31(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local)
 {
     struct s7cpu_date allowed = *sdt;
     allowed.day = 28;
-    int ret = s7_tod_set(cpu, ob_nr, &allowed, PERIOD_MONTHLY);
+    int ret = s7_tod_set(cpu, ob_nr, &allowed, local, PERIOD_MONTHLY);
     if (ret == RET_OK)
         tod_of(cpu, ob_nr)->start += (sdt->day - allowed.day) * S7CPU_DAY;
     return ret;
 }
 
-static int set_with_seconds(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period)
+static int set_with_seconds(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local,
+                            int period)
 {
     int64_t start = s7cpu_date_exists(sdt) ? s7cpu_ms(sdt) : 0;
     bool past = period == PERIOD_ONCE && start < s7cpu_clock(cpu);
     /* A periodic one is not refused where only the cut-off start is past. */
     int as = period == PERIOD_ONCE && !past ? PERIOD_MINUTE : period;
-    int ret = s7_tod_set(cpu, ob_nr, sdt, as);
+    int ret = s7_tod_set(cpu, ob_nr, sdt, local, as);
     if (ret == RET_OK) {
         tod_of(cpu, ob_nr)->start = start;
         tod_of(cpu, ob_nr)->period = period;
@@ -40,7 +41,8 @@ static int set_as(const struct s7cpu *cpu, const struct s7cpu_date *sdt, int per
     return start - start % S7CPU_MINUTE < s7cpu_clock(cpu) ? PERIOD_ONCE : period;
 }
 
-int faulty_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period)
+int faulty_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local,
+                   int period)
 {
     const struct s7cpu_date none = {0};
     if (has(cpu, FAULT_LEAP_CENTURY) && sdt->year == 2000 && sdt->month == 2 && sdt->day == 29)
@@ -49,10 +51,10 @@ int faulty_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, i
         period = set_as(cpu, sdt, period);
     if (has(cpu, FAULT_MONTHLY_31) && period == PERIOD_MONTHLY && sdt->day > 28 &&
         s7cpu_date_exists(sdt))
-        return set_monthly_31(cpu, ob_nr, sdt);
+        return set_monthly_31(cpu, ob_nr, sdt, local);
     if (has(cpu, FAULT_KEEP_SECONDS))
-        return set_with_seconds(cpu, ob_nr, sdt, period);
-    int ret = s7_tod_set(cpu, ob_nr, sdt, period);
+        return set_with_seconds(cpu, ob_nr, sdt, local, period);
+    int ret = s7_tod_set(cpu, ob_nr, sdt, local, period);
     if (ret == RET_OK && has(cpu, FAULT_SET_ACTIVATES)) {
         tod_of(cpu, ob_nr)->active = true;
         tod_of(cpu, ob_nr)->next =

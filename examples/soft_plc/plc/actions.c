@@ -16,6 +16,9 @@ void actions_step(struct s7cpu *cpu, const struct step *s)
     case STEP_SET_TINT:
         s7cpu_set_tint(cpu, s->ob, &s->sdt, s->period);
         break;
+    case STEP_SET_TINTL:
+        s7cpu_set_tintl(cpu, s->ob, &s->sdt, s->local, s->period, s->activate);
+        break;
     case STEP_CAN_TINT:
         s7cpu_can_tint(cpu, s->ob);
         break;

@@ -53,6 +53,9 @@ static void log_call(struct s7log *l, struct s7log_now t, const struct s7cpu_eve
     case S7CPU_SET_TINT:
         s7log_set_tint(l, t, e->ob, &sdt, e->period, e->ret);
         break;
+    case S7CPU_SET_TINTL:
+        s7log_set_tintl(l, t, e->ob, &sdt, e->local, e->period, e->activate, e->ret);
+        break;
     case S7CPU_CAN_TINT:
         s7log_can_tint(l, t, e->ob, e->ret);
         break;
@@ -208,7 +211,8 @@ static size_t step7_tods(const struct s7cpu_config *c, struct s7log_tod *tods)
                                            .execution = executions[s->execution],
                                            .start = s->start == S7CPU_NEVER ? S7LOG_NONE : s->start,
                                            .active = s->active,
-                                           .deselected = s->deselected};
+                                           .deselected = s->deselected,
+                                           .local = s->local};
     }
     return n;
 }
@@ -238,7 +242,8 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
         .priorities = priorities,
         .priority_count = set_priorities(c, priorities),
         .tods = tods,
-        .tod_count = step7_tods(c, tods)};
+        .tod_count = step7_tods(c, tods),
+        .zone = (int)(c->zone / S7CPU_MINUTE)};
     log->config = *config;
     s7log_header(&log->s7, &h);
 }

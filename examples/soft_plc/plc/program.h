@@ -11,6 +11,7 @@
 enum step_kind {
     STEP_BUSY,
     STEP_SET_TINT,
+    STEP_SET_TINTL,
     STEP_CAN_TINT,
     STEP_ACT_TINT,
     STEP_QRY_TINT,
@@ -34,6 +35,7 @@ struct step {
     int sign;
     int mode; /* of SFC 39 and 40 */
     struct s7cpu_date sdt;
+    bool local, activate;
     int64_t ms; /* DTIME; busy: duration; set clock: the new reading; move clock: by how much */
 };
 

@@ -165,6 +165,17 @@ static void draw_clock_change(struct random_program *r, const struct s7cpu *cpu,
     *to = clamp(t - t % 1000); /* [CLK-17] */
 }
 
+/* SET_TINT becomes SET_TINTL, mostly with the same point by local time. */
+static void draw_local(struct random_program *r, const struct s7cpu_config *c, struct step *step)
+{
+    step->kind = STEP_SET_TINTL;
+    step->local = percent(r, 70);
+    step->activate = percent(r, 60);
+    r->activates &= !step->activate;
+    if (step->local && percent(r, 80) && s7cpu_date_exists(&step->sdt))
+        step->sdt = s7cpu_date(clamp(s7cpu_ms(&step->sdt) + c->zone));
+}
+
 static void begin(struct program *p, const struct s7cpu *cpu, struct activation *a)
 {
     struct random_program *r = (struct random_program *)p;
@@ -237,6 +248,8 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         step->period = draw_period(r);
         draw_sdt(r, s7cpu_clock(cpu), step->period, &step->sdt);
         r->activates = percent(r, 70);
+        if (cpu->config.zone != 0 && percent(r, 60))
+            draw_local(r, &cpu->config, step);
         break;
     case STEP_ACT_TINT:
         step->ob = r->activates || percent(r, 60) ? r->last_set : draw_ob_nr(r);
@@ -435,6 +448,10 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
                                        .active = true,
                                        .start = c->clock - c->clock % S7CPU_HOUR};
     c->loaded[121] = c->loaded[122] = is_s7_1500(c) && percent(r, 75);
+    if (s7cpu_has_local_time(c->family) && percent(r, 70)) {
+        c->zone = between(r, -48, 56) * 15 * S7CPU_MINUTE;
+        c->step7[0].local = percent(r, 50);
+    }
     if (!is_s7_1500(c)) /* which deselects none */
         c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
     r->hot = c->family == S7CPU_S7_400; /* [OBS-57] */

@@ -60,7 +60,8 @@ static const struct s7_family families[] = {
                        .month_end_has_no_date = true,
                        .past_once_is_over = true,
                        .status_shows_delay = true,
-                       .names_running = true}};
+                       .names_running = true,
+                       .has_local_time = true}};
 
 const struct s7_family *s7_family(const struct s7cpu *cpu)
 {
@@ -85,6 +86,11 @@ bool s7cpu_ob_exists(enum s7cpu_family family, int ob)
 bool s7cpu_restart_exists(enum s7cpu_family family, enum s7cpu_restart type)
 {
     return families[family].restarts[type];
+}
+
+bool s7cpu_has_local_time(enum s7cpu_family family)
+{
+    return families[family].has_local_time;
 }
 
 int s7_ob_default_class(enum s7cpu_family family, int ob)

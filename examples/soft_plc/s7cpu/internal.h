@@ -75,6 +75,7 @@ struct s7_family {
     bool past_once_is_over; /* of STEP 7: nothing is made up for (A15-12, reading a) */
     bool status_shows_delay; /* STATUS bit 1 is that of SFC 41, not 39 [T15-53] */
     bool names_running; /* OB 80 names the OB that was being processed [T15-132] */
+    bool has_local_time; /* [T15-20] */
     bool takes_1202; /* AMB-01, reading c; A15-22, reading a */
 };
 const struct s7_family *s7_family(const struct s7cpu *cpu);
@@ -137,12 +138,14 @@ bool s7_is_skip(int flt_id);
 bool s7_queue_has_skip(const struct s7cpu *cpu);
 
 /* tod_sfc.c: SFC 28 to 31 */
-int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period);
+int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local, int period);
 int s7_tod_cancel(struct s7cpu *cpu, int ob_nr);
 int s7_tod_activate(struct s7cpu *cpu, int ob_nr);
 int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status);
 
 /* tod_points.c: start points of OB 10 + k */
+/* SDT, or the start of STEP 7, by the clock; it may be before the clock's range. */
+int64_t s7_tod_start(const struct s7cpu *cpu, const struct s7cpu_tod *t);
 int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from);
 
 /* tod_requests.c: start events of OB 10 + k */

@@ -80,6 +80,7 @@ struct s7cpu_step7 {
     int64_t start; /* a whole minute; S7CPU_NEVER where none is assigned */
     bool active;
     bool deselected;
+    bool local; /* start: by local time [T15-20] */
 };
 
 /* Where the requirements leave a choice (docs/rules/readings.md); all false is one right CPU. */
@@ -128,12 +129,15 @@ struct s7cpu_config {
      * is over; in STARTUP OB 100 is running, if it is loaded. */
     enum s7cpu_mode mode;
     int buffer; /* start events from outside that a class holds, 1 or more */
+    int64_t zone; /* ms by which local time is ahead of the clock; 0 without s7cpu_has_local_time() */
 };
 
 /* True where a CPU of this family has such an OB. */
 bool s7cpu_ob_exists(enum s7cpu_family family, int ob);
 /* True where s7cpu_interrupt() takes this OB. */
 bool s7cpu_ob_from_outside(int ob);
+/* True where a CPU has a zone, local time in STEP 7 and SET_TINTL [T15-01, T15-20]. */
+bool s7cpu_has_local_time(enum s7cpu_family family);
 /* The classes that may be assigned to an OB; false where it has a fixed one. */
 bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high);
 
@@ -141,6 +145,7 @@ bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high);
 
 enum s7cpu_event_kind {
     S7CPU_SET_TINT, /* ob, sdt, period, ret */
+    S7CPU_SET_TINTL, /* ob, sdt, local, period, activate, ret */
     S7CPU_CAN_TINT, /* ob, ret */
     S7CPU_ACT_TINT, /* ob, ret */
     S7CPU_QRY_TINT, /* ob, ret, status */
@@ -201,6 +206,7 @@ struct s7cpu_event {
     int ob;
     struct s7cpu_date sdt;
     int period, sign, mode;
+    bool local, activate;
     int64_t dtime;
     int ret, status;
     int flt_id, id;
@@ -219,6 +225,7 @@ struct s7cpu_tod {
     bool set, active;
     bool called; /* a one-shot interrupt whose OB runs */
     int64_t start;
+    bool local; /* start: by local time */
     int period;
     int64_t next;   /* the point that is due next; S7CPU_NEVER where none is left */
     int64_t served; /* the last point for which the OB was called; S7CPU_NONE where there is none */
@@ -328,6 +335,9 @@ int s7cpu_delay_count(const struct s7cpu *cpu);
 /* Operands are what the program passes, right or wrong. The result is RET_VAL as a word, 16#8090
  * for instance. */
 int s7cpu_set_tint(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period);
+/* SDT is local time; or the interrupt is active at once [T15-08, T15-09]. */
+int s7cpu_set_tintl(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local,
+                    int period, bool activate);
 int s7cpu_can_tint(struct s7cpu *cpu, int ob_nr);
 int s7cpu_act_tint(struct s7cpu *cpu, int ob_nr);
 /* *status is set where the result is 0. */

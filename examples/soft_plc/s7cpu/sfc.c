@@ -13,7 +13,19 @@ int s7cpu_set_tint(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, i
     return called(cpu,
                   (struct s7cpu_event){
                       .kind = S7CPU_SET_TINT, .ob = ob_nr, .sdt = *sdt, .period = period},
-                  s7_tod_set(cpu, ob_nr, sdt, period));
+                  s7_tod_set(cpu, ob_nr, sdt, false, period)); /* [T15-21] */
+}
+
+int s7cpu_set_tintl(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local,
+                    int period, bool activate)
+{
+    int ret = s7_tod_set(cpu, ob_nr, sdt, local, period);
+    if (ret == RET_OK && activate)
+        ret = s7_tod_activate(cpu, ob_nr);
+    return called(cpu,
+                  (struct s7cpu_event){.kind = S7CPU_SET_TINTL, .ob = ob_nr, .sdt = *sdt,
+                                       .local = local, .period = period, .activate = activate},
+                  ret);
 }
 
 int s7cpu_can_tint(struct s7cpu *cpu, int ob_nr)

@@ -20,7 +20,7 @@ bool s7_is_active(const struct s7cpu *cpu, int ob)
 
 int s7_status(const struct s7cpu *cpu, int ob)
 {
-    int status = 0; /* bits 3, 5 and 7 to 15 are 0, bit 6 too: base time [TINT-75, 77 to 79] */
+    int status = 0; /* bits 3, 5 and 7 to 15 are 0 [TINT-75, 77, 79] */
     if (cpu->mode == S7CPU_STARTUP)
         status |= 1 << 0; /* [TINT-72], AMB-03 */
     if (s7_family(cpu)->status_shows_delay ? s7_airt_delays(cpu) : cpu->mask[ob].blocked)
@@ -29,6 +29,8 @@ int s7_status(const struct s7cpu *cpu, int ob)
         status |= 1 << 2; /* [TINT-74] */
     if (cpu->loaded[ob])
         status |= 1 << 4; /* [TINT-76] */
+    if (s7_ob_kind(ob) == OB_TOD && cpu->tod[ob - S7CPU_TOD_FIRST].local)
+        status |= 1 << 6; /* [TINT-78, T15-144] */
     return status;
 }
 

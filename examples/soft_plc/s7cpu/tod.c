@@ -33,11 +33,12 @@ static void take_step7(struct s7cpu *cpu, int k)
     t->set = true;
     t->active = s->active;
     t->start = s->start;
+    t->local = s->local;
     t->period = period_of(s->execution);
     if (t->period == PERIOD_END_OF_MONTH && s7_family(cpu)->month_end_has_no_date)
         t->start %= S7CPU_DAY;
     if (t->active) /* [OBS-56]: a one-shot interrupt is called even where it is past */
-        t->next = t->period == PERIOD_ONCE ? t->start
+        t->next = t->period == PERIOD_ONCE ? s7_tod_start(cpu, t)
                                            : s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
     if (t->next < s7cpu_clock(cpu) && s7_family(cpu)->past_once_is_over)
         s7_tod_used_up(cpu, S7CPU_TOD_FIRST + k);

@@ -37,8 +37,9 @@ static int64_t last_served(const struct s7cpu *cpu, int k)
     return last;
 }
 
-/* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step. [CLK-09], AMB-56, either: the others serve again
- * only those after the last one served (reading d), or none before the point that was next (b). */
+/* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step. [CLK-09],
+ * AMB-56, either: the others serve again only those after the last one served (reading d), or none
+ * before the point that was next (b). */
 static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats)
 {
     int64_t from = s7cpu_clock(cpu);

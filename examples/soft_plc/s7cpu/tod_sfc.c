@@ -28,9 +28,9 @@ static int64_t start_point(const struct s7cpu_date *sdt)
 
 /* [TINT-36, TINT-37, TINT-61, TINT-62], AMB-02: only a one-shot interrupt can be past; equal is not
  * (AMB-37). */
-static bool is_past(const struct s7cpu *cpu, int64_t start, int period)
+static bool is_past(const struct s7cpu *cpu, const struct s7cpu_tod *t)
 {
-    return period == PERIOD_ONCE && start < s7cpu_clock(cpu);
+    return t->period == PERIOD_ONCE && s7_tod_start(cpu, t) < s7cpu_clock(cpu);
 }
 
 /* Setting and activating may need a loaded OB (A15-13). */
@@ -39,7 +39,7 @@ static bool may_be_set(const struct s7cpu *cpu, int ob_nr)
     return is_offered(cpu, ob_nr) && (cpu->loaded[ob_nr] || !s7_family(cpu)->refuses_missing);
 }
 
-int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int period)
+int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local, int period)
 {
     if (!may_be_set(cpu, ob_nr))
         return RET_BAD_OB;
@@ -47,14 +47,15 @@ int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, int p
         return RET_BAD_SDT;
     if (!s7_period_known(period) || (period == PERIOD_WEEKLY_ALT && !s7_family(cpu)->takes_1202))
         return RET_BAD_PERIOD;
-    int64_t start = start_point(sdt);
-    if (is_past(cpu, start, period))
+    const struct s7cpu_tod set = {
+        .set = true, .active = false, /* [TINT-05, TINT-30] */
+        .start = start_point(sdt), .local = local, .period = period, .next = S7CPU_NEVER,
+        .served = S7CPU_NONE};
+    if (is_past(cpu, &set))
         return RET_PAST;
 
     s7_queue_withdraw(cpu, ob_nr); /* [TINT-31] */
-    cpu->tod[ob_nr - S7CPU_TOD_FIRST] = (struct s7cpu_tod){
-        .set = true, .active = false, /* [TINT-05, TINT-30] */
-        .start = start, .period = period, .next = S7CPU_NEVER, .served = S7CPU_NONE};
+    cpu->tod[ob_nr - S7CPU_TOD_FIRST] = set;
     return RET_OK;
 }
 
@@ -81,7 +82,7 @@ int s7_tod_activate(struct s7cpu *cpu, int ob_nr)
         return RET_NOT_SET;
     if (t->active && !cpu->config.choices.waiting_once_is_past)
         return RET_OK; /* [TINT-63], AMB-10, AMB-60 */
-    if (is_past(cpu, t->start, t->period))
+    if (is_past(cpu, t))
         return RET_PAST;
     if (t->active)
         return RET_OK;

@@ -24,15 +24,30 @@ static bool ob_nr(struct reader *r, const struct json *object, struct step *step
     return true;
 }
 
-static bool call_set_tint(struct reader *r, const struct json *o, struct step *step)
+static bool set_operands(struct reader *r, const struct json *o, struct step *step)
 {
-    static const char *const names[] = {"call", "ob", "sdt", "period", NULL};
     const struct json *sdt = json_member(o, "sdt");
-    if (!reader_members(r, o, names) || !ob_nr(r, o, step))
+    if (!ob_nr(r, o, step))
         return false;
     if (sdt == NULL || sdt->kind != JSON_STRING || !value_civil(sdt->text, &step->sdt))
         return reader_fail(r, "sdt", sdt, "a date and time");
     return reader_word(r, o, "period", true, 0xFFFF, &step->period);
+}
+
+static bool call_set_tint(struct reader *r, const struct json *o, struct step *step)
+{
+    static const char *const names[] = {"call", "ob", "sdt", "period", NULL};
+    return reader_members(r, o, names) && set_operands(r, o, step);
+}
+
+static bool call_set_tintl(struct reader *r, const struct json *o, struct step *step)
+{
+    static const char *const names[] = {"call", "ob", "sdt", "local", "period", "activate", NULL};
+    if (!s7cpu_has_local_time(r->scenario->config.cpu.family))
+        return reader_fail(r, "call", o, "SET_TINTL on an S7-1500 only");
+    return reader_members(r, o, names) && set_operands(r, o, step) &&
+           reader_truth(r, o, "local", &step->local) &&
+           reader_truth(r, o, "activate", &step->activate);
 }
 
 static bool call_srt_dint(struct reader *r, const struct json *o, struct step *step)
@@ -79,7 +94,7 @@ static bool read_call(struct reader *r, const struct json *o, struct step *step)
         {"SRT_DINT", STEP_SRT_DINT, call_srt_dint}, {"CAN_DINT", STEP_CAN_DINT, call_with_ob},
         {"QRY_DINT", STEP_QRY_DINT, call_with_ob},  {"DIS_IRT", STEP_DIS_IRT, call_irt},
         {"EN_IRT", STEP_EN_IRT, call_irt},          {"DIS_AIRT", STEP_DIS_AIRT, call_plain},
-        {"EN_AIRT", STEP_EN_AIRT, call_plain},
+        {"EN_AIRT", STEP_EN_AIRT, call_plain},      {"SET_TINTL", STEP_SET_TINTL, call_set_tintl},
     };
     const struct json *name = json_member(o, "call");
     for (unsigned i = 0; i < sizeof calls / sizeof calls[0]; i++)

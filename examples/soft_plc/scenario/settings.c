@@ -46,7 +46,7 @@ static bool read_priority(struct reader *r, const struct json *header)
 
 static bool read_tod(struct reader *r, const struct json *object, struct s7cpu_step7 *t)
 {
-    static const char *const names[] = {"execution", "start", "active", "deselected", NULL};
+    static const char *const names[] = {"execution", "start", "active", "deselected", "local", NULL};
     static const char *const executions[] = {"none",   "once",    "minute", "hourly",       "daily",
                                              "weekly", "monthly", "yearly", "end_of_month", NULL};
     static const enum s7cpu_execution values[] = {
@@ -59,8 +59,11 @@ static bool read_tod(struct reader *r, const struct json *object, struct s7cpu_s
                        &execution) ||
         !reader_dt(r, object, "start", execution != 0, &t->start) ||
         !reader_truth(r, object, "active", &t->active) ||
-        !reader_truth(r, object, "deselected", &t->deselected))
+        !reader_truth(r, object, "deselected", &t->deselected) ||
+        !reader_truth(r, object, "local", &t->local))
         return false;
+    if (t->local && !s7cpu_has_local_time(r->scenario->config.cpu.family))
+        return reader_fail(r, "local", object, "local time on an S7-1500 only");
     t->execution = values[execution];
     if (t->deselected && json_member(object, "execution") == NULL)
         t->execution = S7CPU_NOT_CONFIGURED;
@@ -96,12 +99,13 @@ static bool read_step7(struct reader *r, const struct json *header)
 static bool read_header(struct reader *r, const struct json *header)
 {
     static const char *const names[] = {"cpu",      "obs",   "clock", "mode", "cycle",
-                                        "priority", "step7", NULL};
+                                        "priority", "step7", "zone",  NULL};
     static const char *const families[] = {"S7-300", "S7-400", "CPU 318", "S7-1500", NULL};
     static const char *const modes[] = {"STOP", "STARTUP", "RUN", NULL};
     static const enum s7cpu_mode values[] = {S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN};
     struct plc_config *c = &r->scenario->config;
     int family = 0, mode = 0;
+    int64_t zone = 0;
     if (!reader_members(r, header, names) ||
         !reader_choice(r, header, "cpu", true, families, "S7-300, S7-400, CPU 318 or S7-1500",
                        &family))
@@ -109,9 +113,13 @@ static bool read_header(struct reader *r, const struct json *header)
     c->cpu.family = (enum s7cpu_family)family;
     if (!read_obs(r, header) || !reader_dt(r, header, "clock", true, &c->cpu.clock) ||
         !reader_choice(r, header, "mode", false, modes, "STOP, STARTUP or RUN", &mode) ||
-        !reader_truth(r, header, "cycle", &c->log.cycle))
+        !reader_truth(r, header, "cycle", &c->log.cycle) ||
+        !reader_integer(r, header, "zone", false, -720, 840, &zone))
         return false;
     c->cpu.mode = values[mode];
+    c->cpu.zone = zone * S7CPU_MINUTE;
+    if (zone != 0 && !s7cpu_has_local_time(c->cpu.family))
+        return reader_fail(r, "zone", header, "a zone on an S7-1500 only");
     return read_priority(r, header) && read_step7(r, header);
 }
 

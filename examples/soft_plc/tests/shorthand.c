@@ -93,7 +93,7 @@ static void step(struct shorthand *s)
         fputs("{\"event\": \"state\"", to);
         member(to, "ob", w[1]);
     } else {
-        bool irt = strstr(name, "_IRT") != NULL, set = strcmp(name, "SET_TINT") == 0;
+        bool irt = strstr(name, "_IRT") != NULL, set = strncmp(name, "SET_TINT", 8) == 0;
         fprintf(to, "{\"call\": \"%s\"", name);
         if (irt)
             member(to, "mode", w[1]);
@@ -102,6 +102,8 @@ static void step(struct shorthand *s)
             member(to, set ? "sdt" : "dtime", w[2]);
             member(to, set ? "period" : "sign", w[3]);
         }
+        for (int i = 4; i < WORDS && w[2] != NULL && w[3] != NULL && w[i] != NULL; i++)
+            member(to, w[i], "on"); /* local, activate */
     }
     fputc('}', to);
 }
@@ -128,7 +130,7 @@ static void step7(struct shorthand *s)
     fprintf(to, "\"%s\": {\"x_\": 0", s->word[1]);
     for (int i = 2; s->word[i] != NULL; i++) {
         const char *w = s->word[i];
-        if (strcmp(w, "active") == 0 || strcmp(w, "deselected") == 0)
+        if (strcmp(w, "active") == 0 || strcmp(w, "deselected") == 0 || strcmp(w, "local") == 0)
             member(to, w, "on");
         else
             member(to, isdigit((unsigned char)*w) ? "start" : "execution", w);

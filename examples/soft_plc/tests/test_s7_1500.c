@@ -92,6 +92,39 @@ static void behind_ob_80(void)
     free(log);
 }
 
+/* SET_TINTL, and local time an hour ahead [T15-08, T15-09, T15-20, T15-21, T15-141, T15-144]: OB 10
+ * starts at this time, or its call answers this. */
+static void local_time(void)
+{
+    static const char *const logs[][2] = {
+        {"SET_TINTL 10 2026-11-21T07:01 16#0201 local activate", "06:01:00.000\",\"ob\":10,\"info\""},
+        {"SET_TINTL 10 2026-11-21T06:01 16#0000 activate", "06:01:00.000\",\"ob\":10,\"info\""},
+        {"SET_TINTL 10 2026-11-22T00:00 16#2001 local activate\nset_clock 2026-11-29T22:59:50",
+         "23:00:00.000\",\"ob\":10,\"info\""},
+        {"SET_TINTL 10 2026-11-21T06:01 16#0000 local activate", "\"16#80A1\""},
+        {"SET_TINTL 10 2026-11-31T07:01 16#0201 local", "\"16#8091\""},
+        {"SET_TINTL 20 2026-11-21T07:01 16#0201 local", "\"16#8090\""},
+        {"SET_TINTL 10 2026-11-21T07:01 16#1202 local", "\"16#8092\""},
+        {"SET_TINTL 10 2026-11-21T07:01 16#0201 local activate\nQRY_TINT 10", "\"16#0054\""},
+        {"SET_TINTL 10 2026-11-21T07:01 16#0201\nQRY_TINT 10", "\"16#0010\""},
+        {"SET_TINT 10 2026-11-21T06:01 16#0000\nACT_TINT 10", "06:01:00.000\",\"ob\":10,\"info\""},
+    };
+    for (unsigned i = 0; i < sizeof logs / sizeof logs[0]; i++) {
+        char text[500], whole[600];
+        test_join(text, sizeof text, "cpu S7-1500\nzone 60" LOADED " 80" REST "ob 1 run 1 {\n", logs[i][0]);
+        test_join(whole, sizeof whole, text, "\n}\n");
+        char *log = test_run(whole, FAULT_NONE);
+        if (test_count(log, logs[i][1]) == 0)
+            fprintf(stderr, "%s: %s\n%s", logs[i][0], logs[i][1], log);
+        CHECK(test_count(log, logs[i][1]) > 0);
+        free(log);
+    }
+    char *log = test_run("cpu S7-1500\nzone -30" LOADED REST
+                         "step7 10 daily 2026-11-01T05:31 active local\n", FAULT_NONE);
+    CHECK(test_count(log, "06:01:00.000\",\"ob\":10,\"info\"") == 1);
+    free(log);
+}
+
 void test_s7_1500(void)
 {
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -106,4 +139,5 @@ void test_s7_1500(void)
         free(new);
     }
     behind_ob_80();
+    local_time();
 }
