@@ -107,11 +107,25 @@ enum s7log_execution {
 
 /* STEP 7 parameters of a time-of-day interrupt. */
 struct s7log_tod {
-    int ob; /* 10 to 17 */
+    int ob; /* 10 to 17, or of such an event class */
     enum s7log_execution execution;
     int64_t start; /* or S7LOG_NONE */
     bool active, deselected; /* active: with an execution only */
     bool local;              /* start: by local time, on S7-1500 */
+};
+
+/* The event class with which an OB from 123 on was created, on S7-1500. */
+enum s7log_ob_class {
+    S7LOG_CLASS_TOD,
+    S7LOG_CLASS_DINT,
+    S7LOG_CLASS_CYCLIC,
+    S7LOG_CLASS_HARDWARE,
+    S7LOG_CLASS_STARTUP,
+    S7LOG_CLASS_CYCLE
+};
+struct s7log_class {
+    int ob;
+    enum s7log_ob_class ob_class;
 };
 
 /* A priority class that differs from the default. */
@@ -141,6 +155,8 @@ struct s7log_header {
     size_t tod_count;
     const struct s7log_reading *readings;
     size_t reading_count;
+    const struct s7log_class *classes;
+    size_t class_count;
     int zone; /* minutes by which local time is ahead, on S7-1500 */
 };
 
@@ -395,7 +411,7 @@ static inline void s7log__clock(struct s7log *l, const char *name, int64_t at)
 /* An OB that the CPU knows. */
 static inline void s7log__ob(struct s7log *l, int ob)
 {
-    s7log__number(l, "ob", ob, 1, 122);
+    s7log__number(l, "ob", ob, 1, 32767);
 }
 
 /* OB_NR of an SFC: any INT. */
@@ -519,7 +535,7 @@ static inline bool s7log__may_have_priority(int ob, int priority)
 {
     int low = ob >= 61 && ob <= 64 ? 16 : 2;
     int high = ob <= 38 || (ob >= 55 && ob <= 57) ? 24 : 26;
-    bool settable = (ob >= 10 && ob <= 17) || (ob >= 20 && ob <= 23) || (ob >= 30 && ob <= 38) ||
+    bool settable = ob >= 123 || (ob >= 10 && ob <= 17) || (ob >= 20 && ob <= 23) || (ob >= 30 && ob <= 38) ||
                     (ob >= 40 && ob <= 47) || (ob >= 55 && ob <= 57) || (ob >= 61 && ob <= 64) ||
                     ob == 82 || ob == 83 || ob == 86 || ob == 121 || ob == 122;
     return settable && priority >= low && priority <= high;
@@ -574,7 +590,7 @@ static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
     static const char *const names[] = {"none",   "once",    "minute", "hourly",      "daily",
                                         "weekly", "monthly", "yearly", "end_of_month"};
     size_t begin;
-    s7log__require(l, t->ob >= 10 && t->ob <= 17);
+    s7log__require(l, (t->ob >= 10 && t->ob <= 17) || t->ob >= 123);
     s7log__int(l, t->ob);
     s7log__text(l, "\":{");
     begin = l->length;
@@ -602,6 +618,25 @@ static inline void s7log__tods(struct s7log *l, const struct s7log_header *h)
         s7log__tod(l, &h->tods[i]);
     }
     s7log__text(l, "}}");
+}
+
+static inline void s7log__classes(struct s7log *l, const struct s7log_header *h)
+{
+    static const char *const names[] = {"tod", "dint", "cyclic", "hardware", "startup", "cycle"};
+    if (h->class_count == 0)
+        return;
+    s7log__text(l, ",\"classes\":{");
+    for (size_t i = 0; i < h->class_count; i++) {
+        const struct s7log_class *c = &h->classes[i];
+        s7log__require(l, c->ob >= 123 && c->ob <= 32767 && c->ob_class <= S7LOG_CLASS_CYCLE);
+        if (l->result == S7LOG_RANGE)
+            return;
+        s7log__text(l, i > 0 ? ",\"" : "\"");
+        s7log__int(l, c->ob);
+        s7log__text(l, "\":");
+        s7log__string(l, names[c->ob_class]);
+    }
+    s7log__char(l, '}');
 }
 
 static inline void s7log__readings(struct s7log *l, const struct s7log_header *h)
@@ -637,7 +672,7 @@ static inline enum s7log_result s7log_header(struct s7log *l, const struct s7log
     s7log__string(l, cpus[h->cpu]);
     s7log__text(l, ",\"obs\":[");
     for (size_t i = 0; i < h->ob_count; i++) {
-        s7log__require(l, h->obs[i] >= 1 && h->obs[i] <= 122);
+        s7log__require(l, h->obs[i] >= 1 && h->obs[i] <= (h->class_count > 0 ? 32767 : 122));
         if (i > 0)
             s7log__char(l, ',');
         s7log__int(l, h->obs[i]);
@@ -650,6 +685,7 @@ static inline enum s7log_result s7log_header(struct s7log *l, const struct s7log
     s7log__records(l, h->records);
     if (h->cycle)
         s7log__text(l, ",\"cycle\":true");
+    s7log__classes(l, h);
     if (h->zone != 0)
         s7log__number(l, "zone", h->zone, -720, 840);
     s7log__priorities(l, h);
@@ -892,7 +928,7 @@ static inline enum s7log_result s7log_interrupt(struct s7log *l, struct s7log_no
     s7log__begin_event(l, now, "interrupt");
     s7log__require(l, (ob >= 30 && ob <= 38) || (ob >= 40 && ob <= 47) || (ob >= 55 && ob <= 57) ||
                           ob == 60 || ob == 70 || ob == 72 || (ob >= 80 && ob <= 87) ||
-                          ob == 121 || ob == 122);
+                          ob >= 121);
     s7log__require(l, (ob == 80 || ob == 85) == (flt_id != S7LOG_NONE));
     s7log__ob(l, ob);
     if (flt_id != S7LOG_NONE)

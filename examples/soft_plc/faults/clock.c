@@ -32,7 +32,7 @@ static void arm_again(struct s7cpu *cpu, int64_t before)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         struct s7cpu_tod *t = &cpu->tod[k];
-        if (t->period != PERIOD_ONCE || !s7_ob_is_running(cpu, S7CPU_TOD_FIRST + k) ||
+        if (t->period != PERIOD_ONCE || !s7_ob_is_running(cpu, s7cpu_tod_ob(k)) ||
             (t->set && !t->called) || t->start > before || t->start < s7cpu_clock(cpu))
             continue;
         t->set = t->active = true;
@@ -117,7 +117,7 @@ static void per_period(struct s7cpu *cpu, int k, int64_t first)
 {
     int64_t point = first;
     for (int n = 0; n < MAX_CATCH_UPS && point < s7cpu_clock(cpu); n++) {
-        struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
+        struct s7cpu_request r = s7_request(cpu, s7cpu_tod_ob(k), point);
         r.info.period = cpu->tod[k].period;
         if (n > 0)
             s7_queue_put(cpu, &r);

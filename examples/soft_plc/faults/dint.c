@@ -5,7 +5,7 @@ enum { DTIME_MAX = 60000, COARSE_MS = 10 };
 /* NULL where the library refuses OB_NR. */
 static struct s7cpu_dint *dint_of(struct s7cpu *cpu, int ob_nr)
 {
-    return s7_ob_kind(ob_nr) == OB_DELAY ? &cpu->dint[ob_nr - S7CPU_DINT_FIRST] : NULL;
+    return s7_ob_kind(ob_nr) == OB_DELAY ? &cpu->dint[s7cpu_dint_index(ob_nr)] : NULL;
 }
 
 /* The limits of DTIME that the fault lifts. */

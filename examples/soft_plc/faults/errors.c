@@ -25,7 +25,7 @@ void faulty_error_overlap(struct s7cpu *cpu, int ob, int z1)
     if (s7_ob_kind(ob) == OB_DELAY && has(cpu, FAULT_DINT_OVERLAP_SILENT))
         return;
     if (s7_ob_kind(ob) == OB_DELAY && has(cpu, FAULT_DINT_OVERLAP_DTIME))
-        z1 = cpu->dint[ob - S7CPU_DINT_FIRST].dtime;
+        z1 = cpu->dint[s7cpu_dint_index(ob)].dtime;
     s7_error_overlap(cpu, ob, z1);
 }
 SUBSTITUTES(error_overlap);

@@ -70,7 +70,7 @@ bool faulty_irt_loses(struct s7cpu *cpu, int ob)
     if (!has(cpu, FAULT_IRT_JOB_STAYS) || !s7_irt_blocks(cpu, ob))
         return s7_irt_loses(cpu, ob);
     if (s7_ob_kind(ob) == OB_DELAY) {
-        struct s7cpu_dint *d = &cpu->dint[ob - S7CPU_DINT_FIRST];
+        struct s7cpu_dint *d = &cpu->dint[s7cpu_dint_index(ob)];
         d->started = true;
         d->end += S7CPU_LAST; /* never */
     }

@@ -2,7 +2,7 @@
 
 static struct s7cpu_tod *tod_of(struct s7cpu *cpu, int ob_nr)
 {
-    return &cpu->tod[ob_nr - S7CPU_TOD_FIRST];
+    return &cpu->tod[s7cpu_tod_index(ob_nr)];
 }
 
 static int set_monthly_31(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool local)
@@ -58,7 +58,7 @@ int faulty_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, b
     if (ret == RET_OK && has(cpu, FAULT_SET_ACTIVATES)) {
         tod_of(cpu, ob_nr)->active = true;
         tod_of(cpu, ob_nr)->next =
-            s7_tod_first_point(cpu, ob_nr - S7CPU_TOD_FIRST, s7cpu_clock(cpu));
+            s7_tod_first_point(cpu, s7cpu_tod_index(ob_nr), s7cpu_clock(cpu));
     }
     return ret;
 }
@@ -86,7 +86,7 @@ int faulty_tod_activate(struct s7cpu *cpu, int ob_nr)
     int ret = s7_tod_activate(cpu, ob_nr);
     if (ret == RET_OK && has(cpu, FAULT_BACK_BLOCKS_NEW) && highest > s7cpu_clock(cpu) &&
         cpu->config.family != S7CPU_S7_300)
-        tod_of(cpu, ob_nr)->next = s7_tod_first_point(cpu, ob_nr - S7CPU_TOD_FIRST, highest);
+        tod_of(cpu, ob_nr)->next = s7_tod_first_point(cpu, s7cpu_tod_index(ob_nr), highest);
     if (ret != RET_PAST || !has(cpu, FAULT_ACT_NO_80A1))
         return ret;
     tod_of(cpu, ob_nr)->active = true;
@@ -103,7 +103,7 @@ SUBSTITUTES(tod_used_up);
 
 static void overlap_with_run(struct s7cpu *cpu, int k, int64_t point)
 {
-    struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
+    struct s7cpu_request r = s7_request(cpu, s7cpu_tod_ob(k), point);
     r.info.period = cpu->tod[k].period;
     s7_error_overlap(cpu, r.ob, r.info.period);
     if (cpu->mode != S7CPU_STOP)
@@ -115,7 +115,7 @@ void faulty_tod_overlap(struct s7cpu *cpu, int k, int64_t point)
     if (has(cpu, FAULT_OVERLAP_SILENT))
         s7_tod_request(cpu, k, point);
     else if (has(cpu, FAULT_OVERLAP_LOST))
-        s7_error_overlap(cpu, S7CPU_TOD_FIRST + k, cpu->tod[k].period);
+        s7_error_overlap(cpu, s7cpu_tod_ob(k), cpu->tod[k].period);
     else if (has(cpu, FAULT_OVERLAP_RUNS_EACH))
         overlap_with_run(cpu, k, point);
     else

@@ -89,17 +89,22 @@ static void log_call(struct s7log *l, struct s7log_now t, const struct s7cpu_eve
     }
 }
 
+static int ob_number(const struct log *log, const struct s7cpu_event *e)
+{
+    return s7cpu_ob_number(log->cpu, e->ob);
+}
+
 static void log_start(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
 {
     const struct s7log_info i = convert(e->info);
-    if (e->ob != 1 || log->config.cycle)
-        s7log_start(&log->s7, t, e->ob, &i);
+    if (!s7cpu_ob_is_cycle(e->ob) || log->config.cycle)
+        s7log_start(&log->s7, t, ob_number(log, e), &i);
 }
 
 static void log_end(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
 {
-    if (e->ob != 1 || log->config.cycle)
-        s7log_end(&log->s7, t, e->ob);
+    if (!s7cpu_ob_is_cycle(e->ob) || log->config.cycle)
+        s7log_end(&log->s7, t, ob_number(log, e));
 }
 
 static void log_diag(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
@@ -108,20 +113,20 @@ static void log_diag(struct log *log, struct s7log_now t, const struct s7cpu_eve
         return;
     if (e->info != NULL) {
         const struct s7log_info i = convert(e->info);
-        s7log_diag(&log->s7, t, e->id, e->ob, e->info->priority, &i);
+        s7log_diag(&log->s7, t, e->id, ob_number(log, e), e->info->priority, &i);
     } else {
         s7log_diag(&log->s7, t, e->id, or_none(e->ob), S7LOG_NONE, NULL);
     }
 }
 
-static void log_state(struct s7log *l, struct s7log_now t, const struct s7cpu_event *e)
+static void log_state(struct log *log, struct s7log_now t, const struct s7cpu_event *e)
 {
     const struct s7log_ob_state state = {.active = or_none(e->state->active),
                                          .blocked = or_none(e->state->blocked),
                                          .loaded = or_none(e->state->loaded),
                                          .entries_off = or_none(e->state->entries_off),
                                          .left = or_none(e->state->left)};
-    s7log_state(l, t, e->ob, &state);
+    s7log_state(&log->s7, t, ob_number(log, e), &state);
 }
 
 void log_event(void *context, const struct s7cpu_event *e)
@@ -157,19 +162,19 @@ void log_event(void *context, const struct s7cpu_event *e)
         s7log_release(l, t);
         break;
     case S7CPU_INTERRUPT:
-        s7log_interrupt(l, t, e->ob, or_none(e->flt_id));
+        s7log_interrupt(l, t, ob_number(log, e), or_none(e->flt_id));
         break;
     case S7CPU_LOAD:
-        s7log_load(l, t, e->ob);
+        s7log_load(l, t, ob_number(log, e));
         break;
     case S7CPU_DELETE:
-        s7log_delete(l, t, e->ob);
+        s7log_delete(l, t, ob_number(log, e));
         break;
     case S7CPU_DIAG:
         log_diag(log, t, e);
         break;
     case S7CPU_STATE:
-        log_state(l, t, e);
+        log_state(log, t, e);
         break;
     default:
         log_call(l, t, e);
@@ -182,7 +187,7 @@ static size_t loaded_obs(const struct s7cpu_config *c, int *obs)
     size_t n = 0;
     for (int ob = 0; ob < S7CPU_OBS; ob++)
         if (c->loaded[ob])
-            obs[n++] = ob;
+            obs[n++] = s7cpu_ob_number(c, ob);
     return n;
 }
 
@@ -191,7 +196,21 @@ static size_t set_priorities(const struct s7cpu_config *c, struct s7log_priority
     size_t n = 0;
     for (int ob = 0; ob < S7CPU_OBS; ob++)
         if (c->priority[ob] != 0)
-            priorities[n++] = (struct s7log_priority){ob, c->priority[ob]};
+            priorities[n++] = (struct s7log_priority){s7cpu_ob_number(c, ob), c->priority[ob]};
+    return n;
+}
+
+static size_t event_classes(const struct s7cpu_config *c, struct s7log_class *classes)
+{
+    static const int ends[] = {S7CPU_MORE_DINTS,    S7CPU_MORE_CYCLICS, S7CPU_MORE_HARDWARE,
+                               S7CPU_MORE_STARTUPS, S7CPU_MORE_CYCLES,  S7CPU_OBS};
+    size_t n = 0;
+    int class = S7LOG_CLASS_TOD;
+    for (int ob = S7CPU_MORE; ob < S7CPU_OBS; ob++) {
+        class += ob == ends[class];
+        if (c->numbers[ob - S7CPU_MORE] != 0)
+            classes[n++] = (struct s7log_class){s7cpu_ob_number(c, ob), (enum s7log_ob_class)class};
+    }
     return n;
 }
 
@@ -207,7 +226,7 @@ static size_t step7_tods(const struct s7cpu_config *c, struct s7log_tod *tods)
     for (int k = 0; k < S7CPU_TODS; k++) {
         const struct s7cpu_step7 *s = &c->step7[k];
         if (s->execution != S7CPU_NOT_CONFIGURED || s->deselected)
-            tods[n++] = (struct s7log_tod){.ob = S7CPU_TOD_FIRST + k,
+            tods[n++] = (struct s7log_tod){.ob = s7cpu_ob_number(c, s7cpu_tod_ob(k)),
                                            .execution = executions[s->execution],
                                            .start = s->start == S7CPU_NEVER ? S7LOG_NONE : s->start,
                                            .active = s->active,
@@ -229,6 +248,7 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
     int obs[S7CPU_OBS];
     struct s7log_priority priorities[S7CPU_OBS];
     struct s7log_tod tods[S7CPU_TODS];
+    struct s7log_class classes[S7CPU_OBS - S7CPU_MORE];
     const struct s7log_header h = {
         .cpu = cpus[c->family],
         .obs = obs,
@@ -243,7 +263,10 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
         .priority_count = set_priorities(c, priorities),
         .tods = tods,
         .tod_count = step7_tods(c, tods),
+        .classes = classes,
+        .class_count = event_classes(c, classes),
         .zone = (int)(c->zone / S7CPU_MINUTE)};
     log->config = *config;
+    log->cpu = c;
     s7log_header(&log->s7, &h);
 }

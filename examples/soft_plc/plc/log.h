@@ -18,6 +18,7 @@ struct log_config {
 struct log {
     struct s7log s7;
     struct log_config config;
+    const struct s7cpu_config *cpu;
     FILE *out;
     bool flush_lines; /* so that a log of the real clock can be read while it is written */
 };
@@ -28,6 +29,7 @@ void log_done(struct log *log, int64_t at, int64_t up);
 /* Writes what is left; false where writing has failed. */
 bool log_close(struct log *log);
 
+/* `cpu` is read again with every event. */
 void log_header(struct log *log, const struct s7cpu_config *cpu, const struct log_config *config);
 /* The sink of the CPU; the context is a struct log. */
 void log_event(void *context, const struct s7cpu_event *event);

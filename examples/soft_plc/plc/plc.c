@@ -37,7 +37,7 @@ static bool cycle_goes_on(struct plc *plc, struct activation *a)
 {
     int64_t rest = a->began + plc->config.cycle_ms - plc->clock.up;
     if (!plc->config.log.cycle && s7cpu_delay_count(&plc->faulty.cpu) == 0 &&
-        plc->program->idle(plc->program, a->run)) {
+        plc->program->idle(plc->program, &plc->faulty.cpu)) {
         if (rest > 0) /* else something has come after many such cycles: the next one begins */
             wait_until(plc, INT64_MAX);
         return rest > 0;

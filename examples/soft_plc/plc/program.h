@@ -78,9 +78,8 @@ struct program {
     /* The next instruction of an OB; false at its end. */
     bool (*next)(struct program *p, const struct s7cpu *cpu, struct activation *a,
                  struct step *step);
-    /* True where this and all later cycles of OB 1 are empty, so that time may pass at once;
-     * `cycle` is the number of this one. */
-    bool (*idle)(struct program *p, uint32_t cycle);
+    /* True where this and all later cycles are empty, so that time may pass at once. */
+    bool (*idle)(struct program *p, const struct s7cpu *cpu);
     /* Elapsed time of the next action, INT64_MAX where there is none. */
     int64_t (*action_time)(struct program *p);
     /* Takes that action; false where nothing is to be done after all. */

@@ -32,12 +32,21 @@ static bool is_s7_1500(const struct s7cpu_config *c)
     return c->family == S7CPU_S7_1500;
 }
 
+/* The number of one of the first two OBs from 123 on of a class; of another one where there is none. */
+static int draw_created(struct random_program *r, const struct s7cpu_config *c, int range, int other)
+{
+    const int number = c->numbers[range - S7CPU_MORE + below(r, 2)];
+    return number != 0 ? number : other;
+}
+
 /* Mostly OB 10 to 13, so that calls meet each other; now and then a number that is wrong. */
-static int draw_ob_nr(struct random_program *r)
+static int draw_ob_nr(struct random_program *r, const struct s7cpu_config *c)
 {
     static const int wrong[] = {-1, 0, 1, 9, 18, 20, 80, 99};
     if (percent(r, 4))
         return wrong[below(r, 8)];
+    if (c->numbers[0] != 0 && percent(r, 25))
+        return draw_created(r, c, S7CPU_MORE_TODS, 124);
     return percent(r, 75) ? between(r, 10, 12) : between(r, 10, 17);
 }
 
@@ -50,10 +59,14 @@ static int draw_period(struct random_program *r)
 }
 
 /* Time-delay interrupts: right operands mostly, with delays that meet each other and OB 1's. */
-static int draw_dint_ob_nr(struct random_program *r)
+static int draw_dint_ob_nr(struct random_program *r, const struct s7cpu_config *c)
 {
     static const int wrong[] = {-20, 0, 2, 19, 24, 10, 35, 85};
-    return percent(r, 4) ? wrong[below(r, 8)] : between(r, 20, 23);
+    if (percent(r, 4))
+        return wrong[below(r, 8)];
+    if (!is_s7_1500(c))
+        return between(r, 20, 23);
+    return percent(r, 75) ? between(r, 20, 23) : draw_created(r, c, S7CPU_MORE_DINTS, 20);
 }
 
 static int64_t draw_dtime(struct random_program *r)
@@ -65,13 +78,15 @@ static int64_t draw_dtime(struct random_program *r)
 }
 
 /* MODE and OB_NR of SFC 39 and 40. Single OBs mostly, as a block for all hides everything. */
-static void draw_irt(struct random_program *r, struct step *step)
+static void draw_irt(struct random_program *r, const struct s7cpu_config *c, struct step *step)
 {
     static const int modes[] = {0x02, 0x82, 0x02, 0x82, 0x02, 0x01, 0x81, 0x00, 0x80};
     static const int wrong_modes[] = {0x03, 0x7F, 0x83, 0xFF};
     static const int classes[] = {10, 20, 30, 40, 50, 60, 70, 80};
     static const int wrong_obs[] = {-1, 0, 1, 15, 19, 61, 73, 88, 90, 100, 121, 99};
     static const int obs[] = {10, 11, 12, 20, 21, 35, 40, 55, 60, 70, 72, 80, 80, 85, 85, 82};
+    static const int ranges[] = {S7CPU_MORE_TODS, S7CPU_MORE_DINTS, S7CPU_MORE_CYCLICS,
+                                 S7CPU_MORE_HARDWARE};
     step->mode = percent(r, 5) ? wrong_modes[below(r, 4)] : modes[below(r, 9)];
     if (step->kind == STEP_EN_IRT && percent(r, 95))
         step->mode = percent(r, 50) ? 0 : step->mode & 0x0F;
@@ -81,6 +96,8 @@ static void draw_irt(struct random_program *r, struct step *step)
         step->ob = classes[below(r, 8)];
     else if ((step->mode & 0x0F) != 0 || percent(r, 10))
         step->ob = obs[below(r, 16)];
+    if (is_s7_1500(c) && (step->mode & 0x0F) == 2 && percent(r, 25))
+        step->ob = draw_created(r, c, ranges[below(r, 4)], step->ob);
 }
 
 static int64_t clamp(int64_t t)
@@ -185,14 +202,14 @@ static void begin(struct program *p, const struct s7cpu *cpu, struct activation 
 
 static bool is_tod(int ob)
 {
-    return ob >= S7CPU_TOD_FIRST && ob < S7CPU_TOD_FIRST + S7CPU_TODS;
+    return (ob >= 10 && ob <= 17) || (ob >= S7CPU_MORE_TODS && ob < S7CPU_MORE_DINTS);
 }
 
 static int64_t draw_busy(struct random_program *r, int ob)
 {
     if (ob == 1)
         return percent(r, 75) ? between(r, 1000, 40000) : between(r, 1, 800);
-    if (ob >= S7CPU_DINT_FIRST && ob < S7CPU_DINT_FIRST + S7CPU_DINTS && percent(r, 30))
+    if (ob >= 20 && ob <= 23 && percent(r, 30))
         return between(r, 200, 2000);
     if ((is_tod(ob) || ob >= 100) && percent(r, 8))
         return between(r, 30, 130) * INT64_C(1000);
@@ -244,7 +261,7 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         step->ms = draw_busy(r, a->ob);
         break;
     case STEP_SET_TINT:
-        step->ob = r->last_set = draw_ob_nr(r);
+        step->ob = r->last_set = draw_ob_nr(r, &cpu->config);
         step->period = draw_period(r);
         draw_sdt(r, s7cpu_clock(cpu), step->period, &step->sdt);
         r->activates = percent(r, 70);
@@ -252,25 +269,25 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
             draw_local(r, &cpu->config, step);
         break;
     case STEP_ACT_TINT:
-        step->ob = r->activates || percent(r, 60) ? r->last_set : draw_ob_nr(r);
+        step->ob = r->activates || percent(r, 60) ? r->last_set : draw_ob_nr(r, &cpu->config);
         r->activates = false;
         break;
     case STEP_CAN_TINT:
     case STEP_QRY_TINT:
-        step->ob = draw_ob_nr(r);
+        step->ob = draw_ob_nr(r, &cpu->config);
         break;
     case STEP_SRT_DINT:
-        step->ob = draw_dint_ob_nr(r);
+        step->ob = draw_dint_ob_nr(r, &cpu->config);
         step->ms = draw_dtime(r);
         step->sign = below(r, 0x10000);
         break;
     case STEP_CAN_DINT:
     case STEP_QRY_DINT:
-        step->ob = draw_dint_ob_nr(r);
+        step->ob = draw_dint_ob_nr(r, &cpu->config);
         break;
     case STEP_DIS_IRT:
     case STEP_EN_IRT:
-        draw_irt(r, step);
+        draw_irt(r, &cpu->config, step);
         break;
     case STEP_SET_CLOCK:
         draw_clock_change(r, cpu, &step->ms);
@@ -281,10 +298,10 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
     return true;
 }
 
-static bool idle(struct program *p, uint32_t cycle)
+static bool idle(struct program *p, const struct s7cpu *cpu)
 {
     (void)p;
-    (void)cycle;
+    (void)cpu;
     return false;
 }
 
@@ -318,6 +335,9 @@ static void draw_interrupt(struct random_program *r, const struct s7cpu *cpu, st
         a->ob = 35;
         return;
     }
+    if (is_newer && percent(r, 20))
+        a->ob = s7cpu_ob(&cpu->config, draw_created(r, &cpu->config, percent(r, 50) ? S7CPU_MORE_CYCLICS
+                                                                                  : S7CPU_MORE_HARDWARE, a->ob));
     if (is_newer && percent(r, 5))
         a->ob = between(r, 121, 122); /* [T15-63, T15-111] */
     if (!s7cpu_ob_exists(cpu->config.family, a->ob) ||
@@ -342,7 +362,10 @@ static void draw_block(struct random_program *r, const struct s7cpu *cpu, struct
 {
     static const int obs[] = {80, 85, 10, 11, 12, 20, 21, 35};
     const bool lacks_85 = s7cpu_ob_exists(cpu->config.family, 85) && !s7cpu_is_loaded(cpu, 85);
+    static const int ranges[] = {S7CPU_MORE_TODS, S7CPU_MORE_STARTUPS, S7CPU_MORE_CYCLES};
     a->ob = obs[below(r, 8)];
+    if (is_s7_1500(&cpu->config) && percent(r, 40))
+        a->ob = s7cpu_ob(&cpu->config, draw_created(r, &cpu->config, ranges[below(r, 3)], a->ob));
     if (!s7cpu_is_loaded(cpu, 80) || lacks_85)
         a->ob = s7cpu_is_loaded(cpu, 80) ? 85 : 80;
     else if (!s7cpu_ob_exists(cpu->config.family, a->ob))
@@ -425,6 +448,21 @@ static void draw_priorities(struct random_program *r, struct s7cpu_config *c)
     }
 }
 
+/* OBs from 123 on [T15-10]: up to two of a class, loaded or not. */
+static void draw_classes(struct random_program *r, struct s7cpu_config *c)
+{
+    static const int ranges[] = {S7CPU_MORE_TODS,     S7CPU_MORE_DINTS,    S7CPU_MORE_CYCLICS,
+                                 S7CPU_MORE_HARDWARE, S7CPU_MORE_STARTUPS, S7CPU_MORE_CYCLES};
+    for (int i = 0; i < 12; i++)
+        if (percent(r, 40))
+            s7cpu_add_ob(c, percent(r, 50) ? between(r, 123, 134) : between(r, 135, 32767), ranges[i / 2]);
+    for (int ob = S7CPU_MORE; ob < S7CPU_OBS; ob++) {
+        c->loaded[ob] = c->numbers[ob - S7CPU_MORE] != 0 && percent(r, 80);
+        if (s7cpu_ob_from_outside(ob) && c->numbers[ob - S7CPU_MORE] != 0)
+            c->priority[ob] = between(r, 2, 20); /* a cyclic one has no default */
+    }
+}
+
 void random_config(struct random_program *r, struct s7cpu_config *c,
                    const enum s7cpu_family *family)
 {
@@ -448,6 +486,8 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
                                        .active = true,
                                        .start = c->clock - c->clock % S7CPU_HOUR};
     c->loaded[121] = c->loaded[122] = is_s7_1500(c) && percent(r, 75);
+    if (is_s7_1500(c) && percent(r, 50))
+        draw_classes(r, c);
     if (s7cpu_has_local_time(c->family) && percent(r, 70)) {
         c->zone = between(r, -48, 56) * 15 * S7CPU_MINUTE;
         c->step7[0].local = percent(r, 50);

@@ -19,7 +19,7 @@ int s7_dint_start(struct s7cpu *cpu, int ob_nr, int64_t dtime, int sign)
     if (cpu->config.choices.waiting_delay_is_withdrawn)
         s7_queue_withdraw(cpu, ob_nr);
     /* [DINT-07]: a job that is started already begins anew, with its SIGN (AMB-74, reading a). */
-    cpu->dint[ob_nr - S7CPU_DINT_FIRST] = (struct s7cpu_dint){
+    cpu->dint[s7cpu_dint_index(ob_nr)] = (struct s7cpu_dint){
         .started = true, .end = cpu->up + dtime, .dtime = (int)dtime, .sign = sign};
     return RET_OK;
 }
@@ -30,7 +30,7 @@ int s7_dint_cancel(struct s7cpu *cpu, int ob_nr)
 {
     if (!is_offered(ob_nr))
         return RET_BAD_OB;
-    struct s7cpu_dint *d = &cpu->dint[ob_nr - S7CPU_DINT_FIRST];
+    struct s7cpu_dint *d = &cpu->dint[s7cpu_dint_index(ob_nr)];
     bool withdrawn = cpu->config.choices.waiting_delay_is_withdrawn && s7_queue_has(cpu, ob_nr);
     if (!d->started && !withdrawn)
         return RET_NOT_STARTED; /* [DINT-14] */
@@ -56,7 +56,7 @@ void s7_dint_restart(struct s7cpu *cpu)
 
 static void request(struct s7cpu *cpu, int ob)
 {
-    const struct s7cpu_dint *d = &cpu->dint[ob - S7CPU_DINT_FIRST];
+    const struct s7cpu_dint *d = &cpu->dint[s7cpu_dint_index(ob)];
     struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
     r.info.sign = d->sign;
     r.info.dtime = d->dtime; /* AMB-31, reading b: the DTIME that was passed */
@@ -68,7 +68,7 @@ static void request(struct s7cpu *cpu, int ob)
 static void elapsed(struct s7cpu *cpu, int k)
 {
     struct s7cpu_dint *d = &cpu->dint[k];
-    int ob = S7CPU_DINT_FIRST + k;
+    int ob = s7cpu_dint_ob(k);
     d->started = false; /* under SFC 39 too: the job is over [DINT-20], AMB-12 */
     if (s7_irt_loses(cpu, ob))
         return;

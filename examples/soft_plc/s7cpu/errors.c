@@ -17,7 +17,8 @@ static void blame(const struct s7cpu *cpu, struct s7cpu_request *r, int ob)
         r->info.ev = s7_ob_start_event(ob);
         r->info.ev_ob = ob;
     } else if (top != NULL) {
-        r->info.ev_ob = top->ob;
+        const int number = s7cpu_ob_number(&cpu->config, top->ob);
+        r->info.ev_ob = number > 254 ? 0xFF : number; /* [T15-133] */
     }
 }
 
@@ -37,7 +38,7 @@ void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
 {
     struct s7cpu_request r = error(cpu, 80, flt_id);
     r.keeps_time = true;
-    r.info.error_info = (int)late;
+    r.info.error_info = (int)(late & 0xFF); /* OB 10 to 17 only [T15-92] */
     s7_time_error(cpu, &r);
 }
 
@@ -116,8 +117,9 @@ void s7_error_missing(struct s7cpu *cpu, const struct s7cpu_request *r)
     }
 }
 
-/* At once, on top of the OB that failed and in its class, or its own (A15-23, reading a), whatever SFC 39 and 41 say. AMB-85,
- * either: inside an error OB the other one is called, the same one stops the CPU (reading a). */
+/* At once, on top of the OB that failed and in its class, or its own (A15-23, reading a), whatever
+ * SFC 39 and 41 say. AMB-85, either: inside an error OB the other one is called, the same one stops
+ * the CPU (reading a). */
 void s7_error_synchronous(struct s7cpu *cpu, int ob)
 {
     const struct s7cpu_frame *top = s7cpu_top(cpu);

@@ -34,6 +34,11 @@ static const struct row s7_1500[] = {
     {40, 47, 16, 0, 2, 26}, {55, 57, 4, 0, 2, 24},  {61, 64, 21, 0, 16, 26},
     {80, 80, 22, 0, 0, 0},  {82, 82, 5, 0, 2, 26},  {83, 83, 6, 0, 2, 26},
     {86, 86, 6, 0, 2, 26},  {100, 100, 1, 0, 0, 0}, {121, 122, 7, 0, 2, 26},
+    {S7CPU_MORE_TODS, S7CPU_MORE_DINTS - 1, 2, 0, 2, 24},
+    {S7CPU_MORE_DINTS, S7CPU_MORE_CYCLICS - 1, 3, 0, 2, 24},
+    {S7CPU_MORE_CYCLICS, S7CPU_MORE_HARDWARE - 1, 8, 0, 2, 24},
+    {S7CPU_MORE_HARDWARE, S7CPU_MORE_STARTUPS - 1, 16, 0, 2, 26},
+    {S7CPU_MORE_STARTUPS, S7CPU_OBS - 1, 1, 0, 0, 0},
     {0, 0, 0, 0, 0, 0}};
 
 static const struct s7_family families[] = {

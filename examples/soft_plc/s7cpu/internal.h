@@ -59,6 +59,9 @@ enum {
 /* Flags of MODE of SFC 39 and 40. */
 enum { SELECT_ALL = 0x00, SELECT_CLASS = 0x01, SELECT_OB = 0x02, NO_ENTRIES = 0x80 };
 
+/* STRT_INFO of a startup OB: manual warm restart. */
+enum { STRT_INFO_WARM = 0x81 };
+
 /* family.c */
 struct s7_family {
     bool restarts[3];
@@ -143,12 +146,12 @@ int s7_tod_cancel(struct s7cpu *cpu, int ob_nr);
 int s7_tod_activate(struct s7cpu *cpu, int ob_nr);
 int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status);
 
-/* tod_points.c: start points of OB 10 + k */
+/* tod_points.c: start points of the k-th time-of-day interrupt, s7cpu_tod_ob(k) */
 /* SDT, or the start of STEP 7, by the clock; it may be before the clock's range. */
 int64_t s7_tod_start(const struct s7cpu *cpu, const struct s7cpu_tod *t);
 int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from);
 
-/* tod_requests.c: start events of OB 10 + k */
+/* tod_requests.c: start events of s7cpu_tod_ob(k) */
 void s7_tod_request(struct s7cpu *cpu, int k, int64_t point);
 /* A point is due while the OB is processed [TINT-14]. */
 void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point);
@@ -230,6 +233,9 @@ bool s7_airt_delays(const struct s7cpu *cpu);
 
 /* scheduler.c */
 bool s7_may_start(const struct s7cpu *cpu, const struct s7cpu_request *r);
+/* The startup or cycle OB that comes after the last one, by number; S7CPU_NONE: STARTUP, or the
+ * cycle, is over [T15-79, T15-116]. */
+int s7_next_in_turn(const struct s7cpu *cpu);
 /* Starts an OB that is loaded. */
 void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r);
 /* An OB that is running already when the CPU begins: it has no event. */
@@ -242,7 +248,7 @@ bool s7_cycle_exceeded_again(struct s7cpu *cpu);
 /* Fault 02: the OB fell due while it is still processed [TINT-14, DINT-10]; `z1` is byte 6-7 of
  * its start information: PERIOD or SIGN. */
 void s7_error_overlap(struct s7cpu *cpu, int ob, int z1);
-/* Fault 05 or 06: bit k of `late` means OB 10+k [CLK-06, OBS-32]. */
+/* Fault 05 or 06: bit k of `late` means s7cpu_tod_ob(k) [CLK-06, OBS-32]. */
 void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late);
 /* Fault 07: the request buffer is full [OBS-08]. */
 void s7_error_overflow(struct s7cpu *cpu, int ob);

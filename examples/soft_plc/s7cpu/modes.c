@@ -41,7 +41,7 @@ void s7cpu_stop(struct s7cpu *cpu)
 bool s7_deselected_is_loaded(const struct s7cpu *cpu)
 {
     for (int k = 0; k < S7CPU_TODS; k++)
-        if (cpu->config.step7[k].deselected && cpu->loaded[S7CPU_TOD_FIRST + k])
+        if (cpu->config.step7[k].deselected && cpu->loaded[s7cpu_tod_ob(k)])
             return true;
     return false;
 }
@@ -49,9 +49,10 @@ bool s7_deselected_is_loaded(const struct s7cpu *cpu)
 static void start_startup_ob(struct s7cpu *cpu, enum s7cpu_restart type)
 {
     static const int obs[] = {[S7CPU_WARM] = 100, [S7CPU_COLD] = 102, [S7CPU_HOT] = 101};
-    static const int info[] = {[S7CPU_WARM] = 0x81, [S7CPU_COLD] = 0x85, [S7CPU_HOT] = 0x83};
+    static const int info[] = {[S7CPU_WARM] = STRT_INFO_WARM, [S7CPU_COLD] = 0x85, [S7CPU_HOT] = 0x83};
     struct s7cpu_request r = s7_request(cpu, obs[type], s7cpu_clock(cpu));
     r.info.strt_info = info[type]; /* manual restart */
+    cpu->turn = r.ob;
     if (cpu->loaded[r.ob])
         s7_start(cpu, &r);
 }

@@ -1,13 +1,70 @@
 /* The organization blocks: numbers and kinds (table 8.1), and the class that one has. */
 #include "internal.h"
 
+enum { OB_MORE_FIRST = 123 };
+
 static bool within(int ob, int low, int high)
 {
     return ob >= low && ob <= high;
 }
 
+bool s7cpu_add_ob(struct s7cpu_config *config, int number, int range)
+{
+    static const int ends[] = {S7CPU_MORE_DINTS,    S7CPU_MORE_CYCLICS, S7CPU_MORE_HARDWARE,
+                               S7CPU_MORE_STARTUPS, S7CPU_MORE_CYCLES,  S7CPU_OBS};
+    int i = 0;
+    while (ends[i] <= range)
+        i++;
+    int *first = &config->numbers[range - S7CPU_MORE], *last = &config->numbers[ends[i] - S7CPU_MORE - 1];
+    if (*last != 0 || s7cpu_ob(config, number) != S7CPU_NONE)
+        return false;
+    int *p = first;
+    while (*p != 0 && *p < number)
+        p++;
+    for (; *p != 0; p++) { /* in the order of their numbers */
+        const int other = *p;
+        *p = number;
+        number = other;
+    }
+    *p = number;
+    return true;
+}
+
+int s7cpu_ob(const struct s7cpu_config *config, int number)
+{
+    if (number < OB_MORE_FIRST)
+        return number;
+    for (int ob = S7CPU_MORE; ob < S7CPU_OBS; ob++)
+        if (config->numbers[ob - S7CPU_MORE] == number)
+            return ob;
+    return S7CPU_NONE;
+}
+
+int s7cpu_ob_number(const struct s7cpu_config *config, int ob)
+{
+    return ob < S7CPU_MORE ? ob : config->numbers[ob - S7CPU_MORE];
+}
+
+bool s7cpu_ob_is_cycle(int ob)
+{
+    return s7_ob_kind(ob) == OB_CYCLE;
+}
+
+/* Those from 123 on have the kind of an old one. */
+static enum ob_kind created_kind(int ob)
+{
+    return ob < S7CPU_MORE_DINTS      ? OB_TOD
+           : ob < S7CPU_MORE_CYCLICS  ? OB_DELAY
+           : ob < S7CPU_MORE_HARDWARE ? OB_CYCLIC
+           : ob < S7CPU_MORE_STARTUPS ? OB_HARDWARE
+           : ob < S7CPU_MORE_CYCLES   ? OB_STARTUP
+                                      : OB_CYCLE;
+}
+
 enum ob_kind s7_ob_kind(int ob)
 {
+    if (ob >= S7CPU_MORE)
+        return created_kind(ob);
     if (ob == 1)
         return OB_CYCLE;
     if (within(ob, 10, 17))
@@ -93,8 +150,27 @@ bool s7_ob_is_running(const struct s7cpu *cpu, int ob)
     return false;
 }
 
+/* [T15-133] */
+static int created_strt_info(int ob)
+{
+    switch (s7_ob_kind(ob)) {
+    case OB_TOD:
+        return 0x1F;
+    case OB_DELAY:
+        return 0x2F;
+    case OB_CYCLIC:
+        return 0x3F;
+    case OB_HARDWARE:
+        return 0x41;
+    default:
+        return S7CPU_NONE;
+    }
+}
+
 int s7_ob_strt_info(int ob)
 {
+    if (ob >= S7CPU_MORE)
+        return created_strt_info(ob);
     if (s7_ob_kind(ob) == OB_DELAY)
         return 0x21 + ob - S7CPU_DINT_FIRST;
     return s7_ob_kind(ob) == OB_TOD ? 0x11 + ob - S7CPU_TOD_FIRST : S7CPU_NONE;

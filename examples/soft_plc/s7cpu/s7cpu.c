@@ -5,6 +5,14 @@
 
 #include "internal.h"
 
+static void enter_startup(struct s7cpu *cpu)
+{
+    cpu->turn = 100;
+    const int first = cpu->loaded[100] ? 100 : s7_next_in_turn(cpu);
+    if (first != S7CPU_NONE)
+        s7_enter(cpu, first);
+}
+
 void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink *sink,
                 void *context)
 {
@@ -24,8 +32,8 @@ void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink
         s7_tod_restart(cpu);
         if (s7_deselected_is_loaded(cpu))
             s7_stop(cpu, CAUSE_DESELECTED_LOADED); /* [OBS-25] */
-        else if (cpu->loaded[100])
-            s7_enter(cpu, 100);
+        else
+            enter_startup(cpu);
     } else {
         s7_tod_restart(cpu); /* a hot restart finds the settings of STEP 7 */
     }
@@ -47,6 +55,11 @@ int64_t s7cpu_next_up(const struct s7cpu *cpu)
 enum s7cpu_mode s7cpu_mode(const struct s7cpu *cpu)
 {
     return cpu->mode;
+}
+
+uint32_t s7cpu_runs(const struct s7cpu *cpu, int ob)
+{
+    return cpu->runs[ob];
 }
 
 bool s7cpu_is_loaded(const struct s7cpu *cpu, int ob)

@@ -26,11 +26,19 @@
 #include <stdint.h>
 
 enum {
-    S7CPU_OBS = 128,      /* OB numbers are below this */
     S7CPU_TOD_FIRST = 10, /* OB 10 to 17 */
-    S7CPU_TODS = 8,
     S7CPU_DINT_FIRST = 20, /* OB 20 to 23 */
-    S7CPU_DINTS = 4,
+    /* OBs from 123 on, by event class: s7cpu_ob() [T15-10, T15-11]. */
+    S7CPU_MORE = 128,
+    S7CPU_MORE_TODS = S7CPU_MORE,
+    S7CPU_MORE_DINTS = S7CPU_MORE_TODS + 20,
+    S7CPU_MORE_CYCLICS = S7CPU_MORE_DINTS + 20,
+    S7CPU_MORE_HARDWARE = S7CPU_MORE_CYCLICS + 20,
+    S7CPU_MORE_STARTUPS = S7CPU_MORE_HARDWARE + 50,
+    S7CPU_MORE_CYCLES = S7CPU_MORE_STARTUPS + 100,
+    S7CPU_OBS = S7CPU_MORE_CYCLES + 100, /* all are below this */
+    S7CPU_TODS = 8 + 20,
+    S7CPU_DINTS = 4 + 20,
     S7CPU_DEPTH = 32,   /* OBs that have interrupted one another */
     S7CPU_WAITING = 512 /* start events that wait; with more the CPU stops (4541) */
 };
@@ -44,6 +52,29 @@ enum {
 
 enum s7cpu_family { S7CPU_S7_300, S7CPU_S7_400, S7CPU_CPU_318, S7CPU_S7_1500 };
 enum s7cpu_mode { S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN, S7CPU_HOLD };
+
+/* ---- OBs ---------------------------------------------------------------------------------- */
+
+/* Here an OB is named by its number, one from 123 on by a place in the range of its class, which
+ * s7cpu_ob() gives. SFCs have OB_NR, which is any number. */
+
+/* The places of time-of-day and time-delay interrupts in arrays of their own, and back. */
+static inline int s7cpu_tod_index(int ob)
+{
+    return ob < S7CPU_MORE ? ob - S7CPU_TOD_FIRST : ob - S7CPU_MORE_TODS + 8;
+}
+static inline int s7cpu_tod_ob(int index)
+{
+    return index < 8 ? S7CPU_TOD_FIRST + index : S7CPU_MORE_TODS + index - 8;
+}
+static inline int s7cpu_dint_index(int ob)
+{
+    return ob < S7CPU_MORE ? ob - S7CPU_DINT_FIRST : ob - S7CPU_MORE_DINTS + 4;
+}
+static inline int s7cpu_dint_ob(int index)
+{
+    return index < 4 ? S7CPU_DINT_FIRST + index : S7CPU_MORE_DINTS + index - 4;
+}
 
 /* ---- dates -------------------------------------------------------------------------------- */
 
@@ -121,9 +152,10 @@ struct s7cpu_choices {
 struct s7cpu_config {
     enum s7cpu_family family;
     struct s7cpu_choices choices;
+    int numbers[S7CPU_OBS - S7CPU_MORE]; /* of OBs from 123 on: s7cpu_add_ob(); 0: none */
     bool loaded[S7CPU_OBS];
     int priority[S7CPU_OBS]; /* 0: default class; s7cpu_class_range() says which may differ */
-    struct s7cpu_step7 step7[S7CPU_TODS]; /* OB 10 + index */
+    struct s7cpu_step7 step7[S7CPU_TODS]; /* s7cpu_tod_ob(index) */
     int64_t clock;
     /* STOP, STARTUP or RUN. In RUN OB 1 is running and its past STEP 7 one-shot interrupt
      * is over; in STARTUP OB 100 is running, if it is loaded. */
@@ -132,6 +164,14 @@ struct s7cpu_config {
     int64_t zone; /* ms by which local time is ahead of the clock; 0 without s7cpu_has_local_time() */
 };
 
+/* An OB from 123 on is created with the event class of this range, S7CPU_MORE_TODS for instance: all
+ * before anything else is said of one. False where there are too many or it is there already. */
+bool s7cpu_add_ob(struct s7cpu_config *config, int number, int range);
+/* The OB of this number, S7CPU_NONE where it is from 123 on and was not created; and back. */
+int s7cpu_ob(const struct s7cpu_config *config, int number);
+int s7cpu_ob_number(const struct s7cpu_config *config, int ob);
+/* OB 1, or one that follows it in the cycle [T15-79]. */
+bool s7cpu_ob_is_cycle(int ob);
 /* True where a CPU of this family has such an OB. */
 bool s7cpu_ob_exists(enum s7cpu_family family, int ob);
 /* True where s7cpu_interrupt() takes this OB. */
@@ -220,7 +260,7 @@ typedef void s7cpu_sink(void *context, const struct s7cpu_event *event);
 
 /* ---- state: the library's own, to be read by the functions below ----------------------------- */
 
-/* A time-of-day interrupt, OB 10 + index. */
+/* A time-of-day interrupt, s7cpu_tod_ob(index). */
 struct s7cpu_tod {
     bool set, active;
     bool called; /* a one-shot interrupt whose OB runs */
@@ -231,7 +271,7 @@ struct s7cpu_tod {
     int64_t served; /* the last point for which the OB was called; S7CPU_NONE where there is none */
 };
 
-/* The job of a time-delay interrupt, OB 20 + index. */
+/* The job of a time-delay interrupt, s7cpu_dint_ob(index). */
 struct s7cpu_dint {
     bool started;
     int64_t end; /* elapsed time */
@@ -292,6 +332,7 @@ struct s7cpu {
     struct s7cpu_frame stack[S7CPU_DEPTH];
     int depth;
     uint32_t runs[S7CPU_OBS];
+    int turn; /* the startup or cycle OB that was started last */
     struct s7cpu_stopped stopped;
     bool resuming; /* the STARTUP of a hot restart */
     bool overloaded[S7CPU_OBS]; /* OB 80 was called for it, and an event of it still waits or runs */
@@ -322,6 +363,8 @@ int s7cpu_depth(const struct s7cpu *cpu);
 void s7cpu_end_ob(struct s7cpu *cpu);
 
 enum s7cpu_mode s7cpu_mode(const struct s7cpu *cpu);
+/* How often an OB has been started. */
+uint32_t s7cpu_runs(const struct s7cpu *cpu, int ob);
 bool s7cpu_is_loaded(const struct s7cpu *cpu, int ob);
 /* Reading of the CPU clock. */
 int64_t s7cpu_clock(const struct s7cpu *cpu);

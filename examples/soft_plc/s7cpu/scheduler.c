@@ -42,6 +42,8 @@ static void push(struct s7cpu *cpu, int ob, int rank, int flt_id)
     cpu->stack[cpu->depth++] =
         (struct s7cpu_frame){.ob = ob, .rank = rank, .flt_id = flt_id, .run = ++cpu->runs[ob]};
     cpu->cycle_exceeded &= ob != 1;
+    if (s7_ob_kind(ob) == OB_STARTUP || s7_ob_kind(ob) == OB_CYCLE)
+        cpu->turn = ob;
 }
 
 void s7_start(struct s7cpu *cpu, const struct s7cpu_request *r)
@@ -64,7 +66,9 @@ void s7_enter(struct s7cpu *cpu, int ob)
 bool s7_cycle_exceeded_again(struct s7cpu *cpu)
 {
     const bool again = cpu->cycle_exceeded;
-    if (cpu->mode != S7CPU_RUN || !s7_ob_is_running(cpu, 1) ||
+    const bool in_cycle = cpu->depth > 0 && (s7_ob_kind(cpu->stack[0].ob) == OB_CYCLE ||
+                                             s7_next_in_turn(cpu) != S7CPU_NONE);
+    if (cpu->mode != S7CPU_RUN || !in_cycle ||
         cpu->config.choices.cycle_is_retriggered)
         return false;
     cpu->cycle_exceeded = true;
@@ -80,9 +84,32 @@ static void call(struct s7cpu *cpu, const struct s7cpu_request *r)
         s7_error_missing(cpu, r);
 }
 
-static void start_cycle(struct s7cpu *cpu)
+int s7_next_in_turn(const struct s7cpu *cpu)
 {
-    const struct s7cpu_request r = s7_request(cpu, 1, s7cpu_clock(cpu));
+    const bool startup = cpu->mode == S7CPU_STARTUP;
+    const int end = startup ? S7CPU_MORE_CYCLES : S7CPU_OBS;
+    int ob = startup ? S7CPU_MORE_STARTUPS : S7CPU_MORE_CYCLES;
+    if (s7_ob_kind(cpu->turn) != OB_CYCLE && !startup)
+        return S7CPU_NONE; /* the first cycle begins with OB 1 */
+    if (cpu->turn >= ob)
+        ob = cpu->turn + 1;
+    while (ob < end && !cpu->loaded[ob])
+        ob++;
+    return ob < end ? ob : S7CPU_NONE;
+}
+
+/* Of several startup and cycle OBs the next, then RUN and OB 1. */
+static void take_turn(struct s7cpu *cpu)
+{
+    const int next = s7_next_in_turn(cpu);
+    const bool startup = cpu->mode == S7CPU_STARTUP;
+    if (next == S7CPU_NONE && startup) {
+        s7_to_run(cpu);
+        return;
+    }
+    struct s7cpu_request r = s7_request(cpu, next == S7CPU_NONE ? 1 : next, s7cpu_clock(cpu));
+    if (startup)
+        r.info.strt_info = STRT_INFO_WARM;
     s7_start(cpu, &r);
 }
 
@@ -96,10 +123,8 @@ bool s7cpu_dispatch(struct s7cpu *cpu)
         call(cpu, &r);
     } else if (cpu->depth > 0) {
         return false;
-    } else if (cpu->mode == S7CPU_STARTUP) {
-        s7_to_run(cpu);
     } else {
-        start_cycle(cpu);
+        take_turn(cpu);
     }
     return true;
 }

@@ -2,14 +2,14 @@
 
 static bool tod_is_active(const struct s7cpu *cpu, int ob)
 {
-    const struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
+    const struct s7cpu_tod *t = &cpu->tod[s7cpu_tod_index(ob)];
     bool waiting_once = t->period == PERIOD_ONCE && s7_queue_has(cpu, ob);
     return t->active && !(waiting_once && cpu->config.choices.waiting_once_is_inactive);
 }
 
 static bool dint_is_active(const struct s7cpu *cpu, int ob)
 {
-    return cpu->dint[ob - S7CPU_DINT_FIRST].started ||
+    return cpu->dint[s7cpu_dint_index(ob)].started ||
            (cpu->config.choices.waiting_delay_is_active && s7_queue_has(cpu, ob));
 }
 
@@ -29,7 +29,7 @@ int s7_status(const struct s7cpu *cpu, int ob)
         status |= 1 << 2; /* [TINT-74] */
     if (cpu->loaded[ob])
         status |= 1 << 4; /* [TINT-76] */
-    if (s7_ob_kind(ob) == OB_TOD && cpu->tod[ob - S7CPU_TOD_FIRST].local)
+    if (s7_ob_kind(ob) == OB_TOD && cpu->tod[s7cpu_tod_index(ob)].local)
         status |= 1 << 6; /* [TINT-78, T15-144] */
     return status;
 }
@@ -37,7 +37,7 @@ int s7_status(const struct s7cpu *cpu, int ob)
 /* [DINT-17]; HOLD freezes the delay [DINT-19]. */
 static int left(const struct s7cpu *cpu, int ob)
 {
-    const struct s7cpu_dint *d = &cpu->dint[ob - S7CPU_DINT_FIRST];
+    const struct s7cpu_dint *d = &cpu->dint[s7cpu_dint_index(ob)];
     int64_t now = cpu->mode == S7CPU_HOLD ? cpu->hold_began : cpu->up;
     int64_t rest = d->end - now;
     if (rest > 0 && cpu->config.choices.shows_less_time_left)

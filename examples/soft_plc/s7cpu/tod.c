@@ -41,7 +41,7 @@ static void take_step7(struct s7cpu *cpu, int k)
         t->next = t->period == PERIOD_ONCE ? s7_tod_start(cpu, t)
                                            : s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
     if (t->next < s7cpu_clock(cpu) && s7_family(cpu)->past_once_is_over)
-        s7_tod_used_up(cpu, S7CPU_TOD_FIRST + k);
+        s7_tod_used_up(cpu, s7cpu_tod_ob(k));
 }
 
 void s7_tod_restart(struct s7cpu *cpu)
@@ -55,13 +55,13 @@ void s7_tod_begin_running(struct s7cpu *cpu)
     for (int k = 0; k < S7CPU_TODS; k++) {
         take_step7(cpu, k);
         if (cpu->tod[k].next < s7cpu_clock(cpu)) /* the past one-shot interrupt had its run */
-            s7_tod_used_up(cpu, S7CPU_TOD_FIRST + k);
+            s7_tod_used_up(cpu, s7cpu_tod_ob(k));
     }
 }
 
 void s7_tod_used_up(struct s7cpu *cpu, int ob)
 {
-    struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
+    struct s7cpu_tod *t = &cpu->tod[s7cpu_tod_index(ob)];
     if (t->set && t->period == PERIOD_ONCE) {
         t->set = t->active = t->called = false;
         t->next = S7CPU_NEVER;
@@ -71,7 +71,7 @@ void s7_tod_used_up(struct s7cpu *cpu, int ob)
 static void due(struct s7cpu *cpu, int k)
 {
     struct s7cpu_tod *t = &cpu->tod[k];
-    int ob = S7CPU_TOD_FIRST + k;
+    int ob = s7cpu_tod_ob(k);
     int64_t point = t->next;
     t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu) + 1); /* [TINT-09] */
     if (s7_irt_loses(cpu, ob))

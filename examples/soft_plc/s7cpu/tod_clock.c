@@ -12,7 +12,7 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
         struct s7cpu_tod *t = &cpu->tod[k];
         if (!t->active || t->next >= now)
             continue;
-        if (s7_irt_loses(cpu, S7CPU_TOD_FIRST + k)) /* AMB-50, either: no OB 80, no bit (b) */
+        if (s7_irt_loses(cpu, s7cpu_tod_ob(k))) /* AMB-50, either: no OB 80, no bit (b) */
             t->next = s7_tod_first_point(cpu, k, now);
         else
             late |= 1u << k;
@@ -32,7 +32,7 @@ static int64_t last_served(const struct s7cpu *cpu, int k)
 {
     int64_t last = cpu->tod[k].served;
     for (int i = 0; i < cpu->queue_length; i++)
-        if (cpu->queue[i].ob == S7CPU_TOD_FIRST + k && cpu->queue[i].info.time > last)
+        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && cpu->queue[i].info.time > last)
             last = cpu->queue[i].info.time;
     return last;
 }

@@ -5,7 +5,7 @@
 
 void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
 {
-    struct s7cpu_tod *t = &cpu->tod[ob - S7CPU_TOD_FIRST];
+    struct s7cpu_tod *t = &cpu->tod[s7cpu_tod_index(ob)];
     t->served = point;
     if (t->set && t->period == PERIOD_ONCE) {
         if (cpu->config.choices.once_ends_with_its_ob)
@@ -19,12 +19,12 @@ void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
  * a one-shot interrupt is used up. */
 void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point)
 {
-    cpu->tod[ob - S7CPU_TOD_FIRST].served = point;
+    cpu->tod[s7cpu_tod_index(ob)].served = point;
     s7_tod_used_up(cpu, ob);
 }
 
 void s7_tod_ended(struct s7cpu *cpu, int ob)
 {
-    if (cpu->tod[ob - S7CPU_TOD_FIRST].called)
+    if (cpu->tod[s7cpu_tod_index(ob)].called)
         s7_tod_used_up(cpu, ob);
 }

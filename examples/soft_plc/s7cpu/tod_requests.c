@@ -5,7 +5,7 @@
 
 static void put(struct s7cpu *cpu, int k, int64_t point, bool keeps_time)
 {
-    struct s7cpu_request r = s7_request(cpu, S7CPU_TOD_FIRST + k, point);
+    struct s7cpu_request r = s7_request(cpu, s7cpu_tod_ob(k), point);
     r.info.period = cpu->tod[k].period;
     r.keeps_time = keeps_time;
     r.after_skip = keeps_time && s7_queue_has_skip(cpu);
@@ -21,7 +21,7 @@ void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)
 /* OB 80 goes first, then the OB that runs, then the run that is due [TINT-15]. */
 void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point)
 {
-    s7_error_overlap(cpu, S7CPU_TOD_FIRST + k, cpu->tod[k].period);
+    s7_error_overlap(cpu, s7cpu_tod_ob(k), cpu->tod[k].period);
     if (cpu->mode != S7CPU_STOP)
         s7_tod_request(cpu, k, point);
 }

@@ -7,7 +7,7 @@ enum { MONTHLY_LAST_DAY = 28 };
 /* AMB-61, either: a deselected OB is no valid OB_NR here (reading a). */
 static bool is_offered(const struct s7cpu *cpu, int ob_nr) /* [TINT-01] */
 {
-    return s7_ob_kind(ob_nr) == OB_TOD && !cpu->config.step7[ob_nr - S7CPU_TOD_FIRST].deselected;
+    return s7_ob_kind(ob_nr) == OB_TOD && !cpu->config.step7[s7cpu_tod_index(ob_nr)].deselected;
 }
 
 /* [TINT-18, TINT-39], AMB-05 */
@@ -55,7 +55,7 @@ int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool 
         return RET_PAST;
 
     s7_queue_withdraw(cpu, ob_nr); /* [TINT-31] */
-    cpu->tod[ob_nr - S7CPU_TOD_FIRST] = set;
+    cpu->tod[s7cpu_tod_index(ob_nr)] = set;
     return RET_OK;
 }
 
@@ -63,7 +63,7 @@ int s7_tod_cancel(struct s7cpu *cpu, int ob_nr)
 {
     if (!is_offered(cpu, ob_nr))
         return RET_BAD_OB;
-    struct s7cpu_tod *t = &cpu->tod[ob_nr - S7CPU_TOD_FIRST];
+    struct s7cpu_tod *t = &cpu->tod[s7cpu_tod_index(ob_nr)];
     if (!t->set)
         return RET_NOT_SET; /* [TINT-51] */
     s7_queue_withdraw(cpu, ob_nr);          /* AMB-11; a running OB goes on [TINT-53] */
@@ -76,7 +76,7 @@ int s7_tod_activate(struct s7cpu *cpu, int ob_nr)
 {
     if (!may_be_set(cpu, ob_nr))
         return RET_BAD_OB;
-    int k = ob_nr - S7CPU_TOD_FIRST;
+    int k = s7cpu_tod_index(ob_nr);
     struct s7cpu_tod *t = &cpu->tod[k];
     if (!t->set)
         return RET_NOT_SET;

@@ -30,12 +30,13 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
     return true;
 }
 
-static bool idle(struct program *p, uint32_t cycle)
+static bool idle(struct program *p, const struct s7cpu *cpu)
 {
     const struct scenario *s = (const struct scenario *)p;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const struct body *b = &s->bodies[i];
-        if (b->ob == 1 && b->count > 0 && (b->run == 0 || b->run > cycle))
+        if (s7cpu_ob_is_cycle(b->ob) && b->count > 0 &&
+            (b->run == 0 || b->run > s7cpu_runs(cpu, b->ob)))
             return false;
     }
     return true;

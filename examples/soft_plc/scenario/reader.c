@@ -91,9 +91,9 @@ bool reader_truth(struct reader *r, const struct json *object, const char *name,
 bool reader_ob(struct reader *r, const struct json *object, int *ob)
 {
     int64_t n;
-    if (!reader_integer(r, object, "ob", true, 1, S7CPU_OBS - 1, &n))
+    if (!reader_integer(r, object, "ob", true, 1, INT16_MAX, &n))
         return false;
-    *ob = (int)n;
+    *ob = s7cpu_ob(&r->scenario->config.cpu, (int)n);
     return s7cpu_ob_exists(r->scenario->config.cpu.family, *ob) ||
            reader_fail(r, "ob", json_member(object, "ob"), "the number of an OB of this CPU");
 }

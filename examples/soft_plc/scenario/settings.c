@@ -4,25 +4,62 @@
 
 #include "choices.h"
 #include "reader.h"
+#include "values.h"
 
 /* A program can call itself without time passing, as an OB 80 that moves the clock. */
 enum { SCENARIO_MAX_EVENTS = 1000000, DEFAULT_CYCLE_MS = 10, DEFAULT_BUFFER = 16 };
 
+/* [T15-10, T15-11]: an event class for each OB from 123 on. */
+static bool read_classes(struct reader *r, const struct json *header)
+{
+    static const char *const names[] = {"tod", "dint", "cyclic", "hardware", "startup", "cycle", NULL};
+    static const int ranges[] = {S7CPU_MORE_TODS,     S7CPU_MORE_DINTS,    S7CPU_MORE_CYCLICS,
+                                 S7CPU_MORE_HARDWARE, S7CPU_MORE_STARTUPS, S7CPU_MORE_CYCLES};
+    struct s7cpu_config *c = &r->scenario->config.cpu;
+    const struct json *map = json_member(header, "classes");
+    int64_t number;
+    int class;
+    if (map == NULL)
+        return true;
+    if (map->kind != JSON_OBJECT)
+        return reader_fail(r, "classes", map, "an object");
+    for (const struct json *m = map->first; m != NULL; m = m->next) {
+        if (!s7cpu_ob_exists(c->family, S7CPU_MORE) || !value_integer(m->name, 123, INT16_MAX, &number))
+            return reader_fail(r, "classes", m, "OBs from 123 to 32767, on an S7-1500 only");
+        if (!reader_choice(r, map, m->name, true, names, "an event class, such as tod", &class))
+            return false;
+        if (!s7cpu_add_ob(c, (int)number, ranges[class]))
+            return reader_fail(r, "classes", m, "no more OBs of a class than the CPU has");
+    }
+    return true;
+}
+
+/* The default follows from the interval, which is not known [T15-66]. */
+static bool cyclics_have_priority(struct reader *r, const struct json *header)
+{
+    const struct s7cpu_config *c = &r->scenario->config.cpu;
+    for (int ob = S7CPU_MORE_CYCLICS; ob < S7CPU_MORE_HARDWARE; ob++)
+        if (c->numbers[ob - S7CPU_MORE] != 0 && c->priority[ob] == 0)
+            return reader_fail(r, "priority", header, "one for each cyclic OB from 123 on");
+    return true;
+}
+
 static bool read_obs(struct reader *r, const struct json *header)
 {
     const struct json *obs = json_member(header, "obs");
-    bool *loaded = r->scenario->config.cpu.loaded;
+    struct s7cpu_config *c = &r->scenario->config.cpu;
     if (obs == NULL || obs->kind != JSON_LIST)
         return reader_fail(r, "obs", obs, "a list of OBs");
     for (const struct json *e = obs->first; e != NULL; e = e->next) {
-        if (e->kind != JSON_INTEGER || e->integer < 1 || e->integer >= S7CPU_OBS ||
-            !s7cpu_ob_exists(r->scenario->config.cpu.family, (int)e->integer))
+        const bool is_number = e->kind == JSON_INTEGER && e->integer >= 1 && e->integer <= INT16_MAX;
+        const int ob = is_number ? s7cpu_ob(c, (int)e->integer) : S7CPU_NONE;
+        if (!s7cpu_ob_exists(c->family, ob))
             return reader_fail(r, "obs", e, "numbers of OBs of this CPU");
-        if (loaded[e->integer])
+        if (c->loaded[ob])
             return reader_fail(r, "obs", e, "each OB once");
-        loaded[e->integer] = true;
+        c->loaded[ob] = true;
     }
-    return loaded[1] || reader_fail(r, "obs", obs, "OB 1 among the loaded OBs");
+    return c->loaded[1] || reader_fail(r, "obs", obs, "OB 1 among the loaded OBs");
 }
 
 static bool read_priority(struct reader *r, const struct json *header)
@@ -34,8 +71,8 @@ static bool read_priority(struct reader *r, const struct json *header)
     if (map->kind != JSON_OBJECT)
         return reader_fail(r, "priority", map, "an object");
     for (const struct json *m = map->first; m != NULL; m = m->next) {
-        int ob = atoi(m->name), low, high;
-        if (ob < 1 || ob >= S7CPU_OBS || !s7cpu_class_range(c->family, ob, &low, &high))
+        int ob = s7cpu_ob(c, atoi(m->name)), low, high;
+        if (!s7cpu_class_range(c->family, ob, &low, &high))
             return reader_fail(r, "priority", m, "OBs whose class can be set on this CPU");
         if (m->kind != JSON_INTEGER || m->integer < low || m->integer > high)
             return reader_fail(r, "priority", m, "a class that this OB may have");
@@ -84,9 +121,9 @@ static bool read_step7(struct reader *r, const struct json *header)
         return false;
     const struct json *tod = json_member(step7, "tod");
     for (const struct json *m = tod != NULL ? tod->first : NULL; m != NULL; m = m->next) {
-        int k = atoi(m->name) - S7CPU_TOD_FIRST;
-        if (k < 0 || k >= S7CPU_TODS)
-            return reader_fail(r, "step7.tod", m, "OBs from 10 to 17");
+        const int ob = s7cpu_ob(&r->scenario->config.cpu, atoi(m->name)), k = s7cpu_tod_index(ob);
+        if (k < 0 || k >= S7CPU_TODS || s7cpu_tod_ob(k) != ob)
+            return reader_fail(r, "step7.tod", m, "time-of-day interrupts");
         size_t length = reader_enter(r, "step7.tod");
         reader_enter(r, m->name);
         if (!read_tod(r, m, &r->scenario->config.cpu.step7[k]))
@@ -99,7 +136,7 @@ static bool read_step7(struct reader *r, const struct json *header)
 static bool read_header(struct reader *r, const struct json *header)
 {
     static const char *const names[] = {"cpu",      "obs",   "clock", "mode", "cycle",
-                                        "priority", "step7", "zone",  NULL};
+                                        "priority", "step7", "zone",  "classes", NULL};
     static const char *const families[] = {"S7-300", "S7-400", "CPU 318", "S7-1500", NULL};
     static const char *const modes[] = {"STOP", "STARTUP", "RUN", NULL};
     static const enum s7cpu_mode values[] = {S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN};
@@ -111,7 +148,7 @@ static bool read_header(struct reader *r, const struct json *header)
                        &family))
         return false;
     c->cpu.family = (enum s7cpu_family)family;
-    if (!read_obs(r, header) || !reader_dt(r, header, "clock", true, &c->cpu.clock) ||
+    if (!read_classes(r, header) || !read_obs(r, header) || !reader_dt(r, header, "clock", true, &c->cpu.clock) ||
         !reader_choice(r, header, "mode", false, modes, "STOP, STARTUP or RUN", &mode) ||
         !reader_truth(r, header, "cycle", &c->log.cycle) ||
         !reader_integer(r, header, "zone", false, -720, 840, &zone))
@@ -120,7 +157,7 @@ static bool read_header(struct reader *r, const struct json *header)
     c->cpu.zone = zone * S7CPU_MINUTE;
     if (zone != 0 && !s7cpu_has_local_time(c->cpu.family))
         return reader_fail(r, "zone", header, "a zone on an S7-1500 only");
-    return read_priority(r, header) && read_step7(r, header);
+    return read_priority(r, header) && cyclics_have_priority(r, header) && read_step7(r, header);
 }
 
 static bool read_choices(struct reader *r, const struct json *own)

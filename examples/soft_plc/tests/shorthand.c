@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 64, PARTS = 7 };
+enum { WORDS = 64, PARTS = 8 };
 
 /* The lists and objects of the JSON text, each in a stream of its own. */
-enum part { HEADER, OWN, PRIORITY, TOD, CHOOSE, OUTSIDE, BODIES };
+enum part { HEADER, OWN, CLASSES, PRIORITY, TOD, CHOOSE, OUTSIDE, BODIES };
 
 struct shorthand {
     char *text[PARTS];
@@ -161,6 +161,8 @@ static void setting(struct shorthand *s)
         step7(s);
     else if (strcmp(name, "priority") == 0)
         fprintf(next(s, PRIORITY), "\"%s\": %s", value, s->word[2]);
+    else if (strcmp(name, "class") == 0)
+        fprintf(next(s, CLASSES), "\"%s\": \"%s\"", value, s->word[2]);
     else if (strcmp(name, "choose") == 0)
         fprintf(next(s, CHOOSE), "\"%s\"", value);
     else if (strcmp(name, "random") == 0)
@@ -237,6 +239,7 @@ bool shorthand_read(struct scenario *scenario, char *text)
     FILE *to = open_memstream(&whole, &length);
     fprintf(to, "{\"format\": \"s7-interrupt-program/1\", \"duration\": %s, \"header\": {\"x_\": 0%s, ",
             s.duration, s.text[HEADER]);
+    fprintf(to, "\"classes\": {%s}, ", s.text[CLASSES]);
     fprintf(to, "\"priority\": {%s}, \"step7\": {\"tod\": {%s}}}, ", s.text[PRIORITY], s.text[TOD]);
     fprintf(to, "\"x_soft_plc\": {\"choose\": [%s]%s}, ", s.text[CHOOSE], s.text[OWN]);
     fprintf(to, "\"outside\": [%s], \"bodies\": [%s]}\n", s.text[OUTSIDE], s.text[BODIES]);

@@ -66,6 +66,24 @@ static void errors(void)
     wrong(TEXT("x_soft_plc": {"buffer": 0}), "x_soft_plc.buffer: expected an integer from 1 to 64");
 }
 
+/* Fields of the header that an S7-1500 alone has, behind the CPU. */
+static void wrong_header(const char *cpu, const char *member, const char *message)
+{
+    char text[1000];
+    snprintf(text, sizeof text, "{\"format\": \"s7-interrupt-program/1\", \"header\": {\"cpu\": \"%s\", "
+             "\"obs\": [1], \"clock\": \"2026-11-21T05:59:30\", %s}}", cpu, member);
+    wrong_text(text, message);
+}
+
+static void headers(void)
+{
+    wrong_header("S7-400", TEXT("zone": 60), "header.zone: expected a zone on an S7-1500 only");
+    wrong_header("S7-400", TEXT("classes": {"123": "tod"}), "header.classes: expected OBs from 123");
+    wrong_header("S7-1500", TEXT("classes": {"122": "tod"}), "header.classes: expected OBs from 123");
+    wrong_header("S7-1500", TEXT("classes": {"123": "error"}), "header.123: expected an event class");
+    wrong_header("S7-1500", TEXT("classes": {"123": "cyclic"}), "header.priority: expected one for each");
+}
+
 static void program(void)
 {
     static const char text[] = HEAD ", " TEXT("outside": [{"after": 20, "every": 30, "event": "stop"},
@@ -101,6 +119,7 @@ static void values(void)
 void test_program(void)
 {
     errors();
+    headers();
     program();
     values();
 }

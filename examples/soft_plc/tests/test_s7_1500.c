@@ -125,6 +125,38 @@ static void local_time(void)
     free(log);
 }
 
+#define MORE                                                                                       \
+    "cpu S7-1500\nclass 300 startup\nclass 124 startup\nclass 32767 cycle\nclass 123 tod\n"          \
+    "class 500 dint\nclass 200 cyclic\nclass 201 hardware\npriority 200 9\n"                        \
+    "obs 1 80 100 300 124 32767 123 500 200 201" REST
+#define FROM(ob) "\"ob\":" #ob ",\"info\""
+
+/* OBs from 123 on [T15-10, T15-11, T15-79, T15-116, T15-132, T15-133], A15-21. */
+static void created(void)
+{
+    char *log = test_run(MORE "log_cycle on\nat +1s restart warm\nob 124 {\nbusy 1s\n}\nat 1500ms interrupt 201\n"
+                         "ob 32767 {\nbusy 2s\n}\n", FAULT_NONE);
+    CHECK(test_in_order(log, "\"restart\"", FROM(100), FROM(124), "\"interrupt\"", FROM(300), "\"run\"",
+                        FROM(201), FROM(1), FROM(32767), FROM(1), FROM(32767), NULL));
+    free(log);
+    log = test_run(MORE "step7 123 minute 2026-11-21T00:00 active\nat +1s interrupt 200\n"
+                   "at +35s clock +1h\nob 32767 run 1 {\nbusy 40s\n}\n"
+                   "ob 1 run 1 {\nSRT_DINT 500 100ms 16#7\nQRY_TINT 123\nQRY_TINT 124\nSRT_DINT 128 1s 16#7\n"
+                   "DIS_IRT 16#02 201\nEN_IRT 16#02 300\n}\n", FAULT_NONE);
+    CHECK(test_count(log, "\"strt_info\":\"16#1F\"") > 3 && test_count(log, "\"strt_info\":\"16#2F\"") == 1);
+    CHECK(test_count(log, FROM(200) ":{\"priority\":9,\"strt_info\":\"16#3F\"") == 1);
+    CHECK(test_count(log, "\"16#8090\"") == 3 && test_count(log, "\"16#0014\"") == 1);
+    CHECK(test_count(log, "\"flt_id\":\"16#05\",\"error_info\":\"16#0000\"") == 1);
+    free(log);
+    log = test_run(MORE "at +1s interrupt 80 16#01\nat +3s interrupt 80 16#01\nob 1 {\nbusy 2s\n}\n"
+                   "ob 32767 {\nbusy 2s\n}\n", FAULT_NONE); /* one cycle time for both */
+    CHECK(test_count(log, STOPS) == 1);
+    free(log);
+    log = test_run(MORE "step7 123 minute 2026-11-21T00:00 active\nob 123 run 1 {\nbusy 70s\n}\n", FAULT_NONE);
+    CHECK(test_count(log, "\"flt_id\":\"16#02\",\"error_info\":\"16#0201\",\"ev_ob\":123") == 1);
+    free(log);
+}
+
 void test_s7_1500(void)
 {
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -140,4 +172,5 @@ void test_s7_1500(void)
     }
     behind_ob_80();
     local_time();
+    created();
 }
