@@ -128,6 +128,13 @@ struct s7log_class {
     enum s7log_ob_class ob_class;
 };
 
+/* The parameters of a queue, on S7-1500. */
+struct s7log_queue {
+    int ob;
+    int events, threshold; /* threshold: 0 where the time error is not enabled */
+    int overflow;          /* 0, 1, or S7LOG_NONE where it is not known */
+};
+
 /* A priority class that differs from the default. */
 struct s7log_priority {
     int ob, priority;
@@ -157,6 +164,8 @@ struct s7log_header {
     size_t reading_count;
     const struct s7log_class *classes;
     size_t class_count;
+    const struct s7log_queue *queues;
+    size_t queue_count;
     int zone; /* minutes by which local time is ahead, on S7-1500 */
 };
 
@@ -639,6 +648,27 @@ static inline void s7log__classes(struct s7log *l, const struct s7log_header *h)
     s7log__char(l, '}');
 }
 
+static inline void s7log__queues(struct s7log *l, const struct s7log_header *h)
+{
+    if (h->queue_count == 0)
+        return;
+    s7log__text(l, ",\"queue\":{");
+    for (size_t i = 0; i < h->queue_count; i++) {
+        const struct s7log_queue *q = &h->queues[i];
+        s7log__text(l, i > 0 ? ",\"" : "\"");
+        s7log__int(l, q->ob);
+        s7log__text(l, "\":{\"events\":");
+        s7log__int(l, q->events);
+        s7log__require(l, q->events >= 1 && q->events <= 12);
+        if (q->threshold != 0)
+            s7log__number(l, "threshold", q->threshold, 1, q->events);
+        if (q->overflow != S7LOG_NONE)
+            s7log__text(l, q->overflow ? ",\"overflow\":true" : ",\"overflow\":false");
+        s7log__char(l, '}');
+    }
+    s7log__char(l, '}');
+}
+
 static inline void s7log__readings(struct s7log *l, const struct s7log_header *h)
 {
     if (h->reading_count == 0)
@@ -686,6 +716,7 @@ static inline enum s7log_result s7log_header(struct s7log *l, const struct s7log
     if (h->cycle)
         s7log__text(l, ",\"cycle\":true");
     s7log__classes(l, h);
+    s7log__queues(l, h);
     if (h->zone != 0)
         s7log__number(l, "zone", h->zone, -720, 840);
     s7log__priorities(l, h);

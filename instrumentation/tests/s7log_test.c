@@ -62,9 +62,10 @@ static void header(void)
     static const struct s7log_tod tods[] = {{10, S7LOG_DAILY, 0, true, false, true},
                                             {17, S7LOG_NOT_GIVEN, S7LOG_NONE, false, true, false}};
     static const struct s7log_class classes[] = {{123, S7LOG_CLASS_CYCLE}};
+    static const struct s7log_queue queues[] = {{10, 12, 1, 1}, {40, 1, 0, S7LOG_NONE}};
     static const struct s7log_reading readings[] = {{"AMB-02", 'a'}, {"AMB-77", 'd'}};
     struct s7log_header h = {S7LOG_CPU_318, obs, 3, 1500, S7LOG_RUN, 20, 255, true, priorities, 2,
-                             tods, 2, readings, 2, classes, 1, -90};
+                             tods, 2, readings, 2, classes, 1, queues, 2, -90};
     struct s7log l;
     struct sink s;
     memset(&s, 0, sizeof s);
@@ -76,7 +77,9 @@ static void header(void)
                  "\"clock\":\"1990-01-01T00:00:01.500\",\"mode\":\"RUN\",\"latency_ms\":20,"
                  "\"records\":[\"call\",\"ob\",\"clock\",\"mode\",\"interrupt\",\"load\",\"diag\","
                  "\"state\"],"
-                 "\"cycle\":true,\"classes\":{\"123\":\"cycle\"},\"zone\":-90,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
+                 "\"cycle\":true,\"classes\":{\"123\":\"cycle\"},"
+                 "\"queue\":{\"10\":{\"events\":12,\"threshold\":1,\"overflow\":true},"
+                 "\"40\":{\"events\":1}},\"zone\":-90,\"priority\":{\"10\":23,\"85\":24},\"step7\":{\"tod\":{"
                  "\"10\":{\"execution\":\"daily\",\"active\":true,\"start\":"
                  "\"1990-01-01T00:00:00.000\",\"local\":true},\"17\":{\"deselected\":true}}},"
                  "\"readings\":{\"AMB-02\":\"a\",\"AMB-77\":\"d\"}}\n") == 0);

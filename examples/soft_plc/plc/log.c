@@ -214,6 +214,17 @@ static size_t event_classes(const struct s7cpu_config *c, struct s7log_class *cl
     return n;
 }
 
+static size_t queue_parameters(const struct s7cpu_config *c, struct s7log_queue *queues)
+{
+    size_t n = 0;
+    for (int ob = 0; ob < S7CPU_OBS; ob++)
+        if (c->queue[ob].events != 0)
+            queues[n++] = (struct s7log_queue){s7cpu_ob_number(c, ob), c->queue[ob].events,
+                                               c->queue[ob].threshold,
+                                               or_none(c->queue[ob].overflow)};
+    return n;
+}
+
 static size_t step7_tods(const struct s7cpu_config *c, struct s7log_tod *tods)
 {
     static const enum s7log_execution executions[] = {
@@ -248,6 +259,7 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
     int obs[S7CPU_OBS];
     struct s7log_priority priorities[S7CPU_OBS];
     struct s7log_tod tods[S7CPU_TODS];
+    struct s7log_queue queues[S7CPU_OBS];
     struct s7log_class classes[S7CPU_OBS - S7CPU_MORE];
     const struct s7log_header h = {
         .cpu = cpus[c->family],
@@ -265,6 +277,8 @@ void log_header(struct log *log, const struct s7cpu_config *c, const struct log_
         .tod_count = step7_tods(c, tods),
         .classes = classes,
         .class_count = event_classes(c, classes),
+        .queues = queues,
+        .queue_count = queue_parameters(c, queues),
         .zone = (int)(c->zone / S7CPU_MINUTE)};
     log->config = *config;
     log->cpu = c;

@@ -463,6 +463,20 @@ static void draw_classes(struct random_program *r, struct s7cpu_config *c)
     }
 }
 
+/* Parameters of queues [T15-68 to T15-73] for OBs that meet. */
+static void draw_queues(struct random_program *r, struct s7cpu_config *c)
+{
+    static const int obs[] = {10, 11, 12, 35, 35, 40, 41, S7CPU_MORE_TODS, S7CPU_MORE_CYCLICS, S7CPU_MORE_HARDWARE};
+    for (unsigned i = 0; i < sizeof obs / sizeof obs[0]; i++) {
+        const int events = percent(r, 80) ? between(r, 1, 3) : between(r, 4, 12);
+        if (percent(r, 40) || s7cpu_ob_number(c, obs[i]) == 0)
+            continue;
+        c->queue[obs[i]] = (struct s7cpu_queue){.events = events,
+                                                .threshold = percent(r, 70) ? between(r, 1, events) : 0,
+                                                .overflow = between(r, S7CPU_NONE, 1)};
+    }
+}
+
 void random_config(struct random_program *r, struct s7cpu_config *c,
                    const enum s7cpu_family *family)
 {
@@ -488,6 +502,8 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
     c->loaded[121] = c->loaded[122] = is_s7_1500(c) && percent(r, 75);
     if (is_s7_1500(c) && percent(r, 50))
         draw_classes(r, c);
+    if (is_s7_1500(c) && percent(r, 50))
+        draw_queues(r, c);
     if (s7cpu_has_local_time(c->family) && percent(r, 70)) {
         c->zone = between(r, -48, 56) * 15 * S7CPU_MINUTE;
         c->step7[0].local = percent(r, 50);

@@ -1,6 +1,8 @@
 /* Requests of OB 80 and OB 85, and OBs that are missing. */
 #include "internal.h"
 
+enum { EVENT_OVERFLOW = 0x3507 };
+
 static struct s7cpu_request error(const struct s7cpu *cpu, int ob, int flt_id)
 {
     struct s7cpu_request r = s7_request(cpu, ob, s7cpu_clock(cpu));
@@ -25,7 +27,7 @@ static void blame(const struct s7cpu *cpu, struct s7cpu_request *r, int ob)
 void s7_error_overlap(struct s7cpu *cpu, int ob, int z1)
 {
     struct s7cpu_request r = error(cpu, 80, FLT_OVERLAP);
-    if (s7_family(cpu)->one_event_waits && cpu->overloaded[ob])
+    if (s7_family(cpu)->has_queues && cpu->overloaded[ob])
         return; /* [T15-73], A15-15, reading a */
     cpu->overloaded[ob] = true;
     r.info.error_info = z1;
@@ -42,11 +44,21 @@ void s7_error_skipped(struct s7cpu *cpu, int flt_id, unsigned late)
     s7_time_error(cpu, &r);
 }
 
+/* No OB 80 (A15-03, reading a), and once until all its events are processed (A15-06, reading a). */
+static void report_overflow(struct s7cpu *cpu, int ob)
+{
+    if (s7_queue_of(cpu, ob).overflow == 1 && !cpu->overflowed[ob])
+        s7_emit_diag(cpu, EVENT_OVERFLOW, S7CPU_NONE, NULL);
+    cpu->overflowed[ob] = true;
+}
+
 void s7_error_overflow(struct s7cpu *cpu, int ob)
 {
     struct s7cpu_request r = error(cpu, 80, FLT_OVERFLOW);
-    if (s7_family(cpu)->one_event_waits)
-        return; /* A15-03, reading a; "report event overflow" is off [T15-72] */
+    if (s7_family(cpu)->has_queues) {
+        report_overflow(cpu, ob);
+        return;
+    }
     blame(cpu, &r, ob);
     r.rank = r.info.priority = s7_family(cpu)->upper_class; /* AMB-13, reading d */
     s7_time_error(cpu, &r);

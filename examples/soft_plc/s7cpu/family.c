@@ -61,7 +61,7 @@ static const struct s7_family families[] = {
                        .refuses_missing = true,
                        .holds_startup = true,
                        .ob80_waits_for_run = true,
-                       .one_event_waits = true,
+                       .has_queues = true,
                        .month_end_has_no_date = true,
                        .past_once_is_over = true,
                        .status_shows_delay = true,
@@ -96,6 +96,12 @@ bool s7cpu_restart_exists(enum s7cpu_family family, enum s7cpu_restart type)
 bool s7cpu_has_local_time(enum s7cpu_family family)
 {
     return families[family].has_local_time;
+}
+
+bool s7cpu_has_queue(enum s7cpu_family family, int ob)
+{
+    const enum ob_kind kind = s7_ob_kind(ob);
+    return families[family].has_queues && (kind == OB_TOD || kind == OB_CYCLIC || kind == OB_HARDWARE);
 }
 
 int s7_ob_default_class(enum s7cpu_family family, int ob)

@@ -73,7 +73,7 @@ struct s7_family {
     bool refuses_missing; /* SFC 28, 30 and 32 for such an OB: 8090 (A15-13, reading a) */
     bool holds_startup; /* HOLD out of STARTUP, which goes on then [T15-121] */
     bool ob80_waits_for_run; /* in STARTUP [T15-117] */
-    bool one_event_waits; /* of OB 10 to 38; a further one is discarded [T15-68 to T15-73, A15-14] */
+    bool has_queues; /* of each OB; a further event is discarded [T15-68 to T15-73] */
     bool month_end_has_no_date; /* that of STEP 7: only its time of day counts [T15-22] */
     bool past_once_is_over; /* of STEP 7: nothing is made up for (A15-12, reading a) */
     bool status_shows_delay; /* STATUS bit 1 is that of SFC 41, not 39 [T15-53] */
@@ -134,6 +134,12 @@ void s7_queue_withdraw(struct s7cpu *cpu, int ob);
 bool s7_queue_has(const struct s7cpu *cpu, int ob);
 /* Index of the request that goes first of those that may start; -1 where none may. */
 int s7_queue_choose(const struct s7cpu *cpu);
+/* True where another event of this OB is a time error. */
+bool s7_queue_overloads(const struct s7cpu *cpu, int ob);
+/* True where no more events of this OB can wait. */
+bool s7_queue_holds_all(const struct s7cpu *cpu, int ob);
+/* The parameters of its queue, those that the CPU has without any, too. */
+struct s7cpu_queue s7_queue_of(const struct s7cpu *cpu, int ob);
 /* True where a start event from outside is lost. */
 bool s7_queue_is_full(const struct s7cpu *cpu, const struct s7cpu_request *r);
 /* True for fault ids 05 and 06; where OB 80 waits for one. */

@@ -15,6 +15,17 @@ void s7cpu_set_clock(struct s7cpu *cpu, int64_t to)
     s7_tod_clock_changed(cpu, before);
 }
 
+static void enqueue(struct s7cpu *cpu, const struct s7cpu_request *r)
+{
+    const bool overloads = s7_family(cpu)->has_queues && s7_queue_overloads(cpu, r->ob);
+    if (s7_queue_is_full(cpu, r))
+        s7_error_overflow(cpu, r->ob); /* [OBS-08, T15-69]: the new request is lost */
+    else
+        s7_queue_put(cpu, r);
+    if (overloads) /* its event came first [T15-73] */
+        s7_error_overlap(cpu, r->ob, S7CPU_NONE);
+}
+
 /* AMB-77, either: an OB that is requested again while it runs is buffered and runs again, without
  * OB 80 (reading b). AMB-67, either: an event that comes in STARTUP or HOLD is kept until RUN
  * (reading a); only OB 80 to 87 run in STARTUP [OBS-43]. */
@@ -38,10 +49,8 @@ void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id)
         s7_error_missing_async(cpu, &r);
     else if (ob == 80 && flt_id == FLT_CYCLE_TIME && s7_cycle_exceeded_again(cpu))
         s7_stop(cpu, CAUSE_OB80_MISSING); /* [OBS-26]; SFC 41 does not delay it [AIRT-11] */
-    else if (s7_queue_is_full(cpu, &r))
-        s7_error_overflow(cpu, ob); /* [OBS-08, T15-69]: the new request is lost */
     else
-        s7_queue_put(cpu, &r);
+        enqueue(cpu, &r);
 }
 
 void s7cpu_read_state(struct s7cpu *cpu, int ob, struct s7cpu_state *state)

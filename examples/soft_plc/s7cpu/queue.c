@@ -28,7 +28,7 @@ void s7_queue_put(struct s7cpu *cpu, const struct s7cpu_request *r)
         return;
     }
     if (!s7_queue_has(cpu, r->ob) && !s7_ob_is_running(cpu, r->ob))
-        cpu->overloaded[r->ob] = false; /* all earlier events have been processed */
+        cpu->overloaded[r->ob] = cpu->overflowed[r->ob] = false; /* all earlier events have been processed */
     cpu->queue[cpu->queue_length++] = *r;
 }
 
@@ -48,12 +48,43 @@ void s7_queue_withdraw(struct s7cpu *cpu, int ob)
             s7_queue_take(cpu, i);
 }
 
+static int waiting(const struct s7cpu *cpu, int ob)
+{
+    int n = 0;
+    for (int i = 0; i < cpu->queue_length; i++)
+        n += cpu->queue[i].ob == ob;
+    return n;
+}
+
 bool s7_queue_has(const struct s7cpu *cpu, int ob)
 {
-    for (int i = 0; i < cpu->queue_length; i++)
-        if (cpu->queue[i].ob == ob)
-            return true;
-    return false;
+    return waiting(cpu, ob) > 0;
+}
+
+/* A15-14, reading a: one event waits, and a second one of OB 10 to 23 is a time error. Hardware
+ * interrupts of several channels are kept [T15-80]. */
+struct s7cpu_queue s7_queue_of(const struct s7cpu *cpu, int ob)
+{
+    const enum ob_kind kind = s7_ob_kind(ob);
+    const bool by_time = kind == OB_TOD || kind == OB_DELAY;
+    if (cpu->config.queue[ob].events != 0)
+        return cpu->config.queue[ob];
+    return (struct s7cpu_queue){.events = by_time || kind == OB_CYCLIC ? 1 : S7CPU_WAITING,
+                                .threshold = by_time,
+                                .overflow = S7CPU_NONE};
+}
+
+/* Beside the event that is processed, or goes first (A15-07, reading a): with a threshold of 1 the
+ * second event [T15-73]. */
+bool s7_queue_overloads(const struct s7cpu *cpu, int ob)
+{
+    const int threshold = s7_queue_of(cpu, ob).threshold;
+    return threshold != 0 && waiting(cpu, ob) + s7_ob_is_running(cpu, ob) >= threshold;
+}
+
+bool s7_queue_holds_all(const struct s7cpu *cpu, int ob)
+{
+    return waiting(cpu, ob) >= s7_queue_of(cpu, ob).events;
 }
 
 /* Whether it is so young that a lower class may still start before it [OBS-03], AMB-69. */
@@ -93,11 +124,10 @@ static int held(const struct s7cpu *cpu, int rank)
     return n;
 }
 
-/* [T15-80]: hardware interrupts of several channels are kept. */
 bool s7_queue_is_full(const struct s7cpu *cpu, const struct s7cpu_request *r)
 {
-    if (s7_family(cpu)->one_event_waits)
-        return s7_ob_kind(r->ob) == OB_CYCLIC && s7_queue_has(cpu, r->ob);
+    if (s7_family(cpu)->has_queues)
+        return s7_queue_holds_all(cpu, r->ob);
     return r->ob != 80 && held(cpu, r->rank) >= cpu->config.buffer;
 }
 

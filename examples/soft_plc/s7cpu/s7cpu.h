@@ -149,6 +149,13 @@ struct s7cpu_choices {
     bool points_of_stop_are_reported;
 };
 
+/* The queue of OB 10 to 17, 30 to 38, 40 to 47 or of their event class [T15-68 to T15-73]. */
+struct s7cpu_queue {
+    int events;    /* to be queued, 1 to 12; 0: no parameters are assigned */
+    int threshold; /* for the time error, 1 to events; 0: it is not enabled */
+    int overflow;  /* 1: event 3507 is entered, 0: it is not, S7CPU_NONE: not assigned */
+};
+
 struct s7cpu_config {
     enum s7cpu_family family;
     struct s7cpu_choices choices;
@@ -156,6 +163,7 @@ struct s7cpu_config {
     bool loaded[S7CPU_OBS];
     int priority[S7CPU_OBS]; /* 0: default class; s7cpu_class_range() says which may differ */
     struct s7cpu_step7 step7[S7CPU_TODS]; /* s7cpu_tod_ob(index) */
+    struct s7cpu_queue queue[S7CPU_OBS]; /* by s7cpu_has_queue() */
     int64_t clock;
     /* STOP, STARTUP or RUN. In RUN OB 1 is running and its past STEP 7 one-shot interrupt
      * is over; in STARTUP OB 100 is running, if it is loaded. */
@@ -178,6 +186,8 @@ bool s7cpu_ob_exists(enum s7cpu_family family, int ob);
 bool s7cpu_ob_from_outside(int ob);
 /* True where a CPU has a zone, local time in STEP 7 and SET_TINTL [T15-01, T15-20]. */
 bool s7cpu_has_local_time(enum s7cpu_family family);
+/* True where parameters of a queue can be assigned to an OB. */
+bool s7cpu_has_queue(enum s7cpu_family family, int ob);
 /* The classes that may be assigned to an OB; false where it has a fixed one. */
 bool s7cpu_class_range(enum s7cpu_family family, int ob, int *low, int *high);
 
@@ -335,7 +345,8 @@ struct s7cpu {
     int turn; /* the startup or cycle OB that was started last */
     struct s7cpu_stopped stopped;
     bool resuming; /* the STARTUP of a hot restart */
-    bool overloaded[S7CPU_OBS]; /* OB 80 was called for it, and an event of it still waits or runs */
+    /* OB 80 was called for it, or 3507 entered, and an event of it still waits or runs. */
+    bool overloaded[S7CPU_OBS], overflowed[S7CPU_OBS];
     bool cycle_exceeded; /* in the cycle of OB 1 that runs, with OB 80 called for it [OBS-26] */
 };
 

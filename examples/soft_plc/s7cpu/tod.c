@@ -76,7 +76,7 @@ static void due(struct s7cpu *cpu, int k)
     t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu) + 1); /* [TINT-09] */
     if (s7_irt_loses(cpu, ob))
         return;
-    if (s7_ob_is_running(cpu, ob))
+    if (s7_family(cpu)->has_queues ? s7_queue_overloads(cpu, ob) : s7_ob_is_running(cpu, ob))
         s7_tod_overlap(cpu, k, point);
     else
         s7_tod_request(cpu, k, point);

@@ -1,4 +1,5 @@
-/* Start events of time-of-day interrupts. At most one request of an OB waits here: AMB-19 (reading
+/* Start events of time-of-day interrupts. At most one request of an OB waits here, or as many as its queue
+ * has: AMB-19 (reading
  * a) for the run after an overlap; AMB-18 and AMB-52, either: merged with the one that waits
  * (readings c and b). */
 #include "internal.h"
@@ -9,8 +10,10 @@ static void put(struct s7cpu *cpu, int k, int64_t point, bool keeps_time)
     r.info.period = cpu->tod[k].period;
     r.keeps_time = keeps_time;
     r.after_skip = keeps_time && s7_queue_has_skip(cpu);
-    if (!s7_queue_has(cpu, r.ob))
+    if (!s7_queue_holds_all(cpu, r.ob))
         s7_queue_put(cpu, &r);
+    else if (s7_family(cpu)->has_queues && !keeps_time)
+        s7_error_overflow(cpu, r.ob); /* [T15-27] */
 }
 
 void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)

@@ -81,6 +81,40 @@ static bool read_priority(struct reader *r, const struct json *header)
     return true;
 }
 
+static bool read_queue(struct reader *r, const struct json *object, struct s7cpu_queue *q)
+{
+    static const char *const names[] = {"events", "threshold", "overflow", NULL};
+    int64_t events, threshold = 0;
+    bool overflow = false;
+    if (!reader_members(r, object, names) ||
+        !reader_integer(r, object, "events", true, 1, 12, &events) ||
+        !reader_integer(r, object, "threshold", false, 1, events, &threshold) ||
+        !reader_truth(r, object, "overflow", &overflow))
+        return false;
+    *q = (struct s7cpu_queue){(int)events, (int)threshold,
+                              json_member(object, "overflow") != NULL ? overflow : S7CPU_NONE};
+    return true;
+}
+
+static bool read_queues(struct reader *r, const struct json *header)
+{
+    struct s7cpu_config *c = &r->scenario->config.cpu;
+    const struct json *map = json_member(header, "queue");
+    if (map != NULL && map->kind != JSON_OBJECT)
+        return reader_fail(r, "queue", map, "an object");
+    for (const struct json *m = map != NULL ? map->first : NULL; m != NULL; m = m->next) {
+        const int ob = s7cpu_ob(c, atoi(m->name));
+        if (!s7cpu_has_queue(c->family, ob))
+            return reader_fail(r, "queue", m, "OBs that have the parameters of a queue");
+        size_t length = reader_enter(r, "queue");
+        reader_enter(r, m->name);
+        if (!read_queue(r, m, &c->queue[ob]))
+            return false;
+        reader_leave(r, length);
+    }
+    return true;
+}
+
 static bool read_tod(struct reader *r, const struct json *object, struct s7cpu_step7 *t)
 {
     static const char *const names[] = {"execution", "start", "active", "deselected", "local", NULL};
@@ -136,7 +170,7 @@ static bool read_step7(struct reader *r, const struct json *header)
 static bool read_header(struct reader *r, const struct json *header)
 {
     static const char *const names[] = {"cpu",      "obs",   "clock", "mode", "cycle",
-                                        "priority", "step7", "zone",  "classes", NULL};
+                                        "priority", "step7", "zone",  "classes", "queue", NULL};
     static const char *const families[] = {"S7-300", "S7-400", "CPU 318", "S7-1500", NULL};
     static const char *const modes[] = {"STOP", "STARTUP", "RUN", NULL};
     static const enum s7cpu_mode values[] = {S7CPU_STOP, S7CPU_STARTUP, S7CPU_RUN};
@@ -157,7 +191,8 @@ static bool read_header(struct reader *r, const struct json *header)
     c->cpu.zone = zone * S7CPU_MINUTE;
     if (zone != 0 && !s7cpu_has_local_time(c->cpu.family))
         return reader_fail(r, "zone", header, "a zone on an S7-1500 only");
-    return read_priority(r, header) && cyclics_have_priority(r, header) && read_step7(r, header);
+    return read_priority(r, header) && cyclics_have_priority(r, header) && read_queues(r, header) &&
+           read_step7(r, header);
 }
 
 static bool read_choices(struct reader *r, const struct json *own)

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 64, PARTS = 8 };
+enum { WORDS = 64, PARTS = 9 };
 
 /* The lists and objects of the JSON text, each in a stream of its own. */
-enum part { HEADER, OWN, CLASSES, PRIORITY, TOD, CHOOSE, OUTSIDE, BODIES };
+enum part { HEADER, OWN, CLASSES, QUEUES, PRIORITY, TOD, CHOOSE, OUTSIDE, BODIES };
 
 struct shorthand {
     char *text[PARTS];
@@ -147,6 +147,18 @@ static void obs(struct shorthand *s)
     fputc(']', to);
 }
 
+/* queue 35 3 1 overflow: events, threshold where there is one, overflow */
+static void queue(struct shorthand *s)
+{
+    FILE *to = next(s, QUEUES);
+    fprintf(to, "\"%s\": {\"events\": %s", s->word[1], s->word[2]);
+    for (int i = 3; s->word[i] != NULL; i++) {
+        const bool number = isdigit((unsigned char)*s->word[i]);
+        member(to, number ? "threshold" : s->word[i], number ? s->word[i] : "on");
+    }
+    fputc('}', to);
+}
+
 static void setting(struct shorthand *s)
 {
     static const char *const own[][2] = {{"latency", "latency_ms"}, {"cycle_time", "cycle_ms"},
@@ -163,6 +175,8 @@ static void setting(struct shorthand *s)
         fprintf(next(s, PRIORITY), "\"%s\": %s", value, s->word[2]);
     else if (strcmp(name, "class") == 0)
         fprintf(next(s, CLASSES), "\"%s\": \"%s\"", value, s->word[2]);
+    else if (strcmp(name, "queue") == 0)
+        queue(s);
     else if (strcmp(name, "choose") == 0)
         fprintf(next(s, CHOOSE), "\"%s\"", value);
     else if (strcmp(name, "random") == 0)
@@ -240,6 +254,7 @@ bool shorthand_read(struct scenario *scenario, char *text)
     fprintf(to, "{\"format\": \"s7-interrupt-program/1\", \"duration\": %s, \"header\": {\"x_\": 0%s, ",
             s.duration, s.text[HEADER]);
     fprintf(to, "\"classes\": {%s}, ", s.text[CLASSES]);
+    fprintf(to, "\"queue\": {%s}, ", s.text[QUEUES]);
     fprintf(to, "\"priority\": {%s}, \"step7\": {\"tod\": {%s}}}, ", s.text[PRIORITY], s.text[TOD]);
     fprintf(to, "\"x_soft_plc\": {\"choose\": [%s]%s}, ", s.text[CHOOSE], s.text[OWN]);
     fprintf(to, "\"outside\": [%s], \"bodies\": [%s]}\n", s.text[OUTSIDE], s.text[BODIES]);

@@ -157,6 +157,48 @@ static void created(void)
     free(log);
 }
 
+#define LONG_35                                                                                    \
+    "at +1s interrupt 35\nat +2s interrupt 35\nat +3s interrupt 35\nat +4s interrupt 35\n"         \
+    "at +5s interrupt 35\nob 35 run 1 {\nbusy 10s\n}\n"
+#define LONG_10 EVERY_MINUTE "ob 10 run 1 {\nbusy 190s\n}\n"
+
+/* Events that come while their OB runs, four of OB 35 and three of OB 10 [T15-27, T15-68 to T15-74], A15-06,
+ * A15-07, A15-15: how often the OB starts, OB 80 starts, 3507 is entered. */
+static void queues(void)
+{
+    static const struct {
+        const char *text, *piece;
+        int runs, errors, entries;
+    } table[] = {
+        {LONG_35, FROM(35), 2, 0, 0},
+        {"queue 35 1\n" LONG_35, FROM(35), 2, 0, 0},
+        {"queue 35 3\n" LONG_35, FROM(35), 4, 0, 0},
+        {"queue 35 12\n" LONG_35, FROM(35), 5, 0, 0},
+        {"queue 35 1 1\n" LONG_35, FROM(35), 2, 1, 0},
+        {"queue 35 4 4\n" LONG_35, FROM(35), 5, 1, 0},
+        {"queue 35 5 5\n" LONG_35, FROM(35), 5, 0, 0},
+        {"queue 35 2 overflow\n" LONG_35, FROM(35), 3, 0, 1},
+        {"queue 35 1 1 overflow\n" LONG_35, FROM(35), 2, 1, 1},
+        {LONG_10, FROM(10), 3, 1, 0},
+        {"queue 10 1\n" LONG_10, FROM(10), 3, 0, 0},
+        {"queue 10 2 2\n" LONG_10, FROM(10), 4, 1, 0},
+        {"queue 10 3 overflow\n" LONG_10, FROM(10), 5, 0, 0},
+        {"queue 10 1 overflow\n" LONG_10, FROM(10), 3, 0, 1},
+    };
+    for (unsigned i = 0; i < sizeof table / sizeof table[0]; i++) {
+        char text[600];
+        test_join(text, sizeof text, "cpu S7-1500\nlog_diag on" LOADED " 80" REST, table[i].text);
+        char *log = test_run(text, FAULT_NONE);
+        bool shows = test_count(log, table[i].piece) == table[i].runs &&
+                     test_count(log, START_80) == table[i].errors &&
+                     test_count(log, "16#3507") == table[i].entries;
+        if (!shows)
+            fprintf(stderr, "%s\n%s", table[i].text, log);
+        CHECK(shows);
+        free(log);
+    }
+}
+
 void test_s7_1500(void)
 {
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -173,4 +215,5 @@ void test_s7_1500(void)
     behind_ob_80();
     local_time();
     created();
+    queues();
 }
