@@ -48,7 +48,7 @@ def test_the_kept_summary_is_read(tmp_path: Path) -> None:
     )
     records.write(tmp_path, "proofs", record)
     proofs = read_proofs(tmp_path / "proofs.json")
-    assert proofs["StackInv"] == Proof(0, 32)
+    assert proofs["StackInv"] == Proof(0, 31)
     assert {"EndProp", "AirtCountProp"} <= proofs.keys()
 
 

@@ -144,12 +144,13 @@ MayCount(t, p) == \/ CountsAsServed(t, p)
 \* @type: (Int, Int) => Set($request);
 RunsFor(o, p) == { r \in requests' : r.ob = o /\ r.since.min = p }
 
-(* Point p is served by these runs: definitely by a definite one. It may   *)
-(* have been served before the clock was set back in HOLD.                 *)
+(* Point p is served by these runs: definitely by a definite one, while    *)
+(* there is room for points that may count. It may have been served before *)
+(* the clock was set back in HOLD.                                         *)
 \* @type: (Int, Int, Bool) => Bool;
 ServedByRun(o, p, called) ==
     /\ MayCount(tod'[o], p) <=> MayCount(tod[o], p) \/ called
-    /\ LongestMemory > 0 =>
+    /\ Cardinality(tod[o].merged) < LongestMemory =>
          ( CountsAsServed(tod'[o], p)
              <=> \/ CountsAsServed(tod[o], p)
                  \/ called /\ \E r \in RunsFor(o, p) : ~r.open )
@@ -174,24 +175,31 @@ ServedProp ==
                    => ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
 
 (* [AMB-56] When the clock is set back, either all merged calls count, or  *)
-(* those alone whose run waits. A setting whose skip waits for the release *)
-(* stays [AMB-53].                                                         *)
+(* those alone whose run waits then. A setting whose skip waits for the    *)
+(* release stays [AMB-53], and a point that HOLD has passed and this step  *)
+(* skips may be merged by it.                                              *)
 MergedProp ==
     [][ /\ Did("clock") /\ Before(clock', clock) /\ Remembers
         /\ ~SetBackWithdrawsRuns
         => LET \* @type: (Int, Int) => Bool;
                counts(o, p) == CountsAsServed(tod'[o], p)
+               \* @type: (Int, Int) => Bool;
+               skipped(o, p) == o \in SkippedNow /\ p = tod[o].next
                left == { o \in TodObs : tod'[o].set /\
                            ~(/\ mode = "HOLD" /\ o \in SkippedNow
                              /\ tod'[o] = tod[o]) }
-           IN  /\ \A o \in left : tod'[o].merged = {}
-               /\ \/ \A o \in left : \A i \in tod[o].merged :
-                       counts(o, i.from) /\ counts(o, i.to)
+           IN  /\ \A o \in left : \A i \in tod'[o].merged :
+                    skipped(o, i.from) /\ skipped(o, i.to)
+               /\ \/ \A o \in left :
+                       \A i \in tod[o].merged : \A p \in {i.from, i.to} :
+                         counts(o, p) \/ skipped(o, p)
                   \/ \A o \in left :
                        \A i \in tod[o].merged : \A p \in {i.from, i.to} :
-                         counts(o, p) <=>
-                           \/ CountsAsServed(tod[o], p)
-                           \/ \E r \in RunsFor(o, p) : ~r.open ]_vars
+                         \/ skipped(o, p)
+                         \/ counts(o, p) <=>
+                              \/ CountsAsServed(tod[o], p)
+                              \/ \E r \in requests : /\ r.ob = o /\ ~r.open
+                                                    /\ r.since.min = p ]_vars
 
 (* [CLK-09] [AMB-57] Nothing makes the CPU forget served points, no        *)
 (* restart and no new setting either, while it has room for more of them.  *)

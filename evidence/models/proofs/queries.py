@@ -134,12 +134,14 @@ class Apart(Elsewhere, forbid_unknown_fields=True, kw_only=True):
 class OtherFamily(Elsewhere, forbid_unknown_fields=True, kw_only=True):
     """The induction once more, of the CPUs of another family: `formulas` of each action, from the `smaller` states.
 
-    Questions are read by the `letters` of the family, such as "AMB-27 a", the others by default.
+    Questions are read by the `letters` of the family, such as "AMB-27 a", the others by default. No other CPU takes the
+    actions `only`.
     """
 
     name: str
     formulas: list[str]
     letters: str
+    only: list[str] = []
 
 
 class World(msgspec.Struct, forbid_unknown_fields=True):
@@ -308,7 +310,8 @@ def load(root: Path) -> Proofs:
     except msgspec.MsgspecError as error:
         raise ManifestError(f"{path}: {error}") from error
     modules = read_modules(root / "spec")
-    actions = named_actions(modules)
+    others = {action for family in file.induction.families for action in family.only}
+    actions = tuple(action for action in named_actions(modules) if action not in others)
     steps, states = properties(modules)
     stated = {name for names in states.values() for name in names}
     formulas = {name for names in steps.values() for name in names} | set(file.induction.invariants)
@@ -507,22 +510,20 @@ def _queries(
         for cell in file.not_proved
         if cell.letter
     ]
-    controls = [
-        replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
-        for action in actions
-    ]
-    controls = [
-        replace(query, alone=base.able[query.actions[0]], shown=tuple(file.letters.shown))
-        if query.actions[0] in base.able
-        else query
-        for query in controls
-    ]
+
+    def control(action: str) -> Query:
+        query = replace(one(action, anywhere), name=f"control-{action}", kind="control", formulas=(base.control,))
+        letter = base.able.get(action)
+        return query if letter is None else replace(query, alone=letter, shown=tuple(file.letters.shown))
+
+    controls = list(map(control, actions))
     queries += controls
     for family in base.families:
         first = replace(anywhere, name="first", kind="begins", init=base.first, formulas=tuple(base.invariants))
-        asked = [step(name, "family", some, tuple(family.formulas)) for name, some in groups.items()]
+        its = groups | {action: [action] for action in family.only}
+        asked = [step(name, "family", some, tuple(family.formulas)) for name, some in its.items()]
         asked = [first, *(_begun_in(base, base.smaller, query) for query in asked), *controls]
-        queries += [_of_family(query, family, file) for query in asked]
+        queries += [_of_family(query, family, file) for query in [*asked, *map(control, family.only)]]
     of = {formula: refines[word] for word, refinement in file.refinements.items() for formula in refinement.steps}
     queries += [
         replace(
