@@ -352,14 +352,16 @@ ReportsAfter(d) ==
 
 -----------------------------------------------------------------------------
 
-(* A line shows an entry that no line has shown yet. *)
+(* A line shows an entry that no line has shown yet: the oldest, but of    *)
+(* those that need not come.                                               *)
 \* @type: $event => Bool;
 IsEntry(e) ==
     LET fits == { r \in reports : FitsEntry(r.entry, e) }
     IN  /\ UNCHANGED cpuVars
         /\ NothingEntered
         /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports
-           ELSE \E r \in { q \in fits : \A p \in fits : p.age <= q.age } :
+           ELSE \E r \in { q \in fits : \A p \in fits :
+                                        p.age <= q.age \/ p.entry.open } :
                   reports' = (reports \ {r}) \cup
                                IF OneLess(r.times) = 0 THEN {}
                                ELSE {[r EXCEPT !.times = OneLess(@)]}

@@ -9,10 +9,12 @@
 (***************************************************************************)
 EXTENDS Calls, Errors
 
-(* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]. *)
+(* [IRT-11] The numbers that MODE 01 and MODE 02 take [AMB-73]: a startup  *)
+(* or cycle OB from 123 on is no interrupt either.                         *)
 Lacking == IF LackingObsAreRefused THEN Family.lacks ELSE {}
 ObNumbersOfIrt ==
-    (OldTodObs \cup OldDintObs \cup ExternalObs \cup NumberedObs) \ Lacking
+    ( OldTodObs \cup OldDintObs \cup ExternalObs
+        \cup (NumberedObs \ (CycleObs \cup StartupObs)) ) \ Lacking
 ClassNumbersOfIrt == { ClassNumber(o) : o \in ObNumbersOfIrt }
 
 (* The numbers of all OBs of these CPUs. *)

@@ -144,3 +144,7 @@ def test_one_spelling_for_an_adapter() -> None:
         "11": {"deselected": True},
     }
     assert plain["clock"] == "2026-11-21T05:59:30.000"
+    call = {"call": "SET_TINTL", "ob": 10, "sdt": "2026-11-21T06:00", "period": 0, "local": True, "activate": False}
+    newer = PROGRAM | {"bodies": [{"ob": 1, "steps": [call]}]}
+    ((step,),) = (body["steps"] for body in json.loads(read_program(json.dumps(newer)).plain_line())["bodies"])
+    assert (step["local"], step["activate"]) == (True, False)

@@ -85,6 +85,8 @@ final class Programs {
       operands.putAll(events.required(name));
       operands.remove(Events.RET);
       operands.replace("sdt", PASSED_DATE);
+      operands.replace("local", Spellings.TRUTH);
+      operands.replace("activate", Spellings.TRUTH);
       calls.put(name, whole(new Table("call of " + name, operands, none)));
     }
     body =
