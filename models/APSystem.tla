@@ -110,6 +110,9 @@ Setting(execution, start, active, deselected) ==
 \* @type: Int => Bool;
 IsClass(c) == c = 0 \/ (2 <= c /\ c <= 23)
 
+(* No hot restart brings anything back. *)
+Kept == {NothingKept}
+
 ChosenCpu ==
     \E family \in {"S7-300", "S7-400", "CPU 318"},
        set \in SUBSET {10, 11, 20, 21, 40, 85}, c, d, e, f, g, h \in Nat,
@@ -157,7 +160,7 @@ StateWith(t, u, waiting, running) ==
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
-    /\ resume = NothingKept
+    /\ resume \in Kept
     /\ clock = Gen(1)
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j, k \in {Gen(1)} :
@@ -213,7 +216,7 @@ InWorld ==
     /\ loaded \subseteq APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
-    /\ resume = NothingKept
+    /\ resume \in Kept
     /\ DOMAIN tod = APTodObs
     /\ DOMAIN dint = APDintObs
     /\ irt.blocked \subseteq APBlockable

@@ -80,7 +80,7 @@ SettingDataInv ==
                                     /\ i.start \in 0..LastMinute
                                     /\ i.period \in Periods /\ i.zone = 0
       /\ tod[o].repeatTo >= -1
-      /\ tod[o].held => /\ mode \in {"HOLD", "STOP"}
+      /\ tod[o].held => /\ mode \in {"HOLD", "STOP"} \/ resume.due
                         /\ tod[o].active /\ tod[o].next # Never
                         /\ ~Deselected(o)
 
@@ -110,7 +110,7 @@ OnceInv ==
 (* its OB. In STARTUP an asynchronous error has class 28, by two letters.  *)
 \* @type: (Int, Int) => Bool;
 HasClass(o, c) ==
-    IF o \notin AsyncErrorObs THEN c = ClassOf(o)
+    IF o \notin AsyncErrorObs \/ ~Family.raises THEN c = ClassOf(o)
     ELSE \/ c = 28
          \/ /\ c = ClassOf(o)
             /\ mode # "STARTUP" \/ (o = TimeErrorOb /\ ~Class28InStartup)

@@ -31,10 +31,13 @@ SettingInv ==
 DeselectedInv ==
     \A o \in TodObs : Deselected(o) => ~PendingIn(requests, o) /\ ~OnStack(o)
 
-(* [TINT-09] No point is left behind. *)
+(* [TINT-09] No point is left behind, but for those that passed in STOP    *)
+(* until they are noticed [T15-120].                                       *)
 DueInv ==
     mode \in {"RUN", "STARTUP"} =>
-      \A o \in TodObs : tod[o].active => ~Before(At(tod[o].next), clock)
+      \A o \in TodObs :
+        tod[o].active /\ ~(tod[o].held /\ resume.due)
+          => ~Before(At(tod[o].next), clock)
 
 (* [AMB-19] Of the points that come while their OB runs one is kept. *)
 OverlapInv ==
