@@ -352,8 +352,8 @@ ReportsAfter(d) ==
 
 -----------------------------------------------------------------------------
 
-(* A line shows an entry that no line has shown yet: the oldest, but of    *)
-(* those that need not come.                                               *)
+(* A line shows the oldest entry that no line has shown yet. An entry that *)
+(* need not come may be passed over.                                       *)
 \* @type: $event => Bool;
 IsEntry(e) ==
     LET fits == { r \in reports : FitsEntry(r.entry, e) }
