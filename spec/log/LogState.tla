@@ -161,7 +161,7 @@ NoPace == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
 (* A request without the fields that change while it waits.                *)
 \* @type: $request => $request;
 AsItCame(r) == [ r EXCEPT !.rank = 0, !.open = FALSE,
-                          !.late = IF HasQueue(r.ob) THEN {} ELSE @ ]
+                          !.late = IF r.ob = TimeErrorOb THEN @ ELSE {} ]
 
 -----------------------------------------------------------------------------
 (* Kinds of event that the log has completely *)

@@ -280,6 +280,23 @@ LateRunProp ==
     [][ Did("reached") /\ OnStack(step'.ob) =>
           PendingIn(requests', step'.ob) ]_vars
 
+(* [T15-73] A point while the OB runs calls OB 80 if none did in this      *)
+(* overload; it remembers that until no event of the OB waits or runs.     *)
+(* [A15-15] Under (a) OB 80 is not called again.                           *)
+PointToldProp ==
+    [][ LET told(o, q, s) ==
+              \/ \E r \in q : r.ob = o /\ 2 \in r.late
+              \/ \E i \in DOMAIN s : s[i].ob = o /\ 2 \in s[i].told
+        IN  /\ Did("reached") /\ OnStack(step'.ob) /\ 80 \in loaded =>
+                 /\ ~told(step'.ob, requests, stack) => Reports(StillRunning)
+                 /\ told(step'.ob, requests, stack)
+                      /\ cpu.readings["A15-15"] = "a" => ~Reports(StillRunning)
+            /\ mode' = mode => \A o \in TodObs :
+                 /\ \/ told(o, requests, stack)
+                    \/ \E r \in Fresh : r.ob = 80 /\ r.fault = 2 /\ r.cause = o
+                 /\ (PendingIn(requests, o) \/ OnStack(o))'
+                 => told(o, requests', stack') ]_vars
+
 (* [T15-27] [A15-03] Where a run of the OB waits already, the point is     *)
 (* beyond the queue: an entry 3507 alone under (a), OB 80 with 07 under    *)
 (* (b). [A15-15] (a) OB 80 is not called with 02 again.                    *)

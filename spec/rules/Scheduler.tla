@@ -60,7 +60,7 @@ RequestsAfterCall(r) ==
 
 \* @type: $request => $frame;
 FrameOf(r) == [ Frame(r.ob, r.class) EXCEPT
-                  !.told = IF HasQueue(r.ob) THEN r.late ELSE {} ]
+                  !.told = IF r.ob = TimeErrorOb THEN {} ELSE r.late ]
 
 (* [OBS-01] [OBS-02] [OBS-03] The OB of request r starts. *)
 \* @type: $request => Bool;

@@ -58,6 +58,14 @@ ErrorsOf(again) ==
 WithObToRun(errors) ==
     IF TimeErrorOb \notin loaded \/ Blocked(TimeErrorOb) THEN {} ELSE errors
 
+(* [T15-72] [T15-73] What waits of an OB that has a queue tells which      *)
+(* faults were reported of its overload.                                   *)
+\* @type: (Set($request), Int, Set(Int)) => Set($request);
+WithTold(q, o, faults) ==
+    IF ~Family.queues \/ (o \notin TodObs /\ ~HasQueue(o)) THEN q
+    ELSE { IF r.ob = o THEN [r EXCEPT !.late = @ \cup faults] ELSE r
+           : r \in q }
+
 (* There may be a time error, the OB may run again, or nothing happens. *)
 \* @type: $request => Set($request);
 LeftOpen(again) ==
@@ -90,7 +98,8 @@ MayStop(new) == StopBy(ErrorsOf(new))
 
 \* @type: $request => Bool;
 AnyEffect(new) ==
-    \/ /\ requests' = EnterAll(requests, LeftOpen(new))
+    \/ /\ requests' = WithTold(EnterAll(requests, LeftOpen(new)),
+                              new.ob, {StillRunning})
        /\ UNCHANGED stopCause
        /\ entered' = OpenEntries(ErrorsOf(new))
     \/ MayStop(new)
@@ -112,15 +121,20 @@ AgainWhilePending(new) ==
       [] SecondRequestIsMerged    -> Nothing
       [] OTHER                    -> AnyEffect(new)
 
-\* @type: $request => $request;
-LateRun(new) == [new EXCEPT !.follows = StillRunning]
+(* [TINT-15] A late run comes after its OB 80. [T15-26] [T15-61] On an     *)
+(* S7-1500 by its class; if that is not below the class of OB 80, perhaps. *)
+\* @type: $request => Set($request);
+LateRuns(new) ==
+    LET after == [new EXCEPT !.follows = StillRunning]
+    IN  IF ~Family.queues THEN {after}
+        ELSE IF new.class < ClassOf(TimeErrorOb) THEN {new} ELSE {new, after}
 
 (* A running OB has at most one later run: the waiting run, or a new one.  *)
 (* An open waiting run is confirmed, or the new run replaces it.           *)
 \* @type: $request => Set(Set($request));
 WithOneLateRun(new) ==
     IF PendingIn(requests, new.ob) THEN {requests}
-    ELSE { Enter(Withdraw(requests, new.ob), LateRun(new)) }
+    ELSE { Enter(Withdraw(requests, new.ob), run) : run \in LateRuns(new) }
            \cup (IF OpenIn(requests, new.ob)
                  THEN { Confirmed(requests, {new.ob}) } ELSE {})
 
@@ -129,7 +143,13 @@ OverlapWithOneLateRun(new) ==
     \E kept \in WithOneLateRun(new) : Overlap(new, StillRunning, kept)
 
 -----------------------------------------------------------------------------
-(* Queues whose parameters are known: an S7-1500 *)
+(* The queues of an S7-1500 *)
+
+(* [T15-26] [A15-14] Its parameters, or those of a migrated program: one    *)
+(* event waits, and the second one calls OB 80.                            *)
+\* @type: Int => $queue;
+QueueOf(o) == IF o \in DOMAIN cpu.queues THEN cpu.queues[o]
+              ELSE [size |-> 1, limit |-> 1, told |-> -1]
 
 \* @type: Int => Set($request);
 WaitingOf(o) == { r \in requests : r.ob = o /\ ~r.open }
@@ -149,7 +169,7 @@ EventsOfOb(o) == Cardinality(WaitingOf(o)) + (IF OnStack(o) THEN 1 ELSE 0)
 (* [T15-68] [T15-76] [A15-07] Whether the queue is full.                   *)
 \* @type: Int => Set(Bool);
 QueueIsFull(o) ==
-    LET full(events) == {events >= cpu.queues[o].size}
+    LET full(events) == {events >= QueueOf(o).size}
     IN  (IF RunningEventCounts THEN {} ELSE full(Cardinality(WaitingOf(o))))
           \cup (IF RunningEventCountsNot THEN {} ELSE full(EventsOfOb(o)))
 
@@ -161,7 +181,7 @@ NothingTells(o, full) == full /\ WaitingOf(o) = {}
 (* [T15-73] [A15-15] Whether one more event calls OB 80.                   *)
 \* @type: (Int, Bool) => Set(Bool);
 ReachesThreshold(o, full) ==
-    LET limit == cpu.queues[o].limit
+    LET limit == QueueOf(o).limit
     IN  IF limit = 0 \/ EventsOfOb(o) < limit THEN {FALSE}
         ELSE IF StillRunning \notin ToldOf(o) /\ ~NothingTells(o, full)
         THEN {TRUE}
@@ -171,7 +191,7 @@ ReachesThreshold(o, full) ==
 (* [T15-72] [A15-06] The entry 3507 of an event that is dropped.           *)
 \* @type: $request => Set($entry);
 EntriesOfDropped(new) ==
-    LET told  == cpu.queues[new.ob].told
+    LET told  == QueueOf(new.ob).told
         entry == EntryOf(TimeError(BufferOverflow, {}, new.ob, new.word))
         again == BufferOverflow \in ToldOf(new.ob)
                    \/ NothingTells(new.ob, TRUE)
@@ -184,6 +204,16 @@ EntriesOfDropped(new) ==
 DropsBesideOb80(new) ==
     IF OverflowCallsOb80 /\ new.ob \in TodObs THEN {TRUE} ELSE {}
 
+(* One more event waits. Where one alone has a place, an open request is   *)
+(* this event, or it had no effect.                                        *)
+\* @type: ($request, Set(Int)) => Set(Set($request));
+OneMoreWaits(new, told) ==
+    LET runs == { [run EXCEPT !.late = told] : run \in LateRuns(new) }
+    IN  IF QueueOf(new.ob).size = 1 /\ OpenIn(requests, new.ob)
+        THEN { Enter(Withdraw(requests, new.ob), run) : run \in runs }
+               \cup { WithTold(Confirmed(requests, {new.ob}), new.ob, told) }
+        ELSE { Enter(requests, run) : run \in runs }
+
 (* [T15-68] [T15-69] [T15-73] One more event of an OB that waits or runs:  *)
 (* it waits, or the queue is full and drops it; OB 80 may be called.       *)
 \* @type: $request => Bool;
@@ -194,13 +224,11 @@ QueuesUp(new) ==
                      EXCEPT !.since = new.since ]
           told  == ToldOf(new.ob) \cup (IF calls THEN {StillRunning} ELSE {})
                      \cup (IF full THEN {BufferOverflow} ELSE {})
-          kept  == IF full
-                   THEN { IF r.ob = new.ob THEN [r EXCEPT !.late = told] ELSE r
-                          : r \in requests }
-                   ELSE Enter(requests, [new EXCEPT !.late = told])
-      IN  /\ requests' \in IF calls
-                           THEN RequestsAfterTimeError(kept, kept, error)
-                           ELSE {kept}
+      IN  /\ \E kept \in IF full THEN {WithTold(requests, new.ob, told)}
+                                 ELSE OneMoreWaits(new, told) :
+               requests' \in IF calls
+                             THEN RequestsAfterTimeError(kept, kept, error)
+                             ELSE {kept}
           /\ UNCHANGED stopCause
           /\ entered' =
                (IF calls /\ StillRunning \notin ToldOf(new.ob)
@@ -218,29 +246,15 @@ DropCallsOb80(new) ==
 
 -----------------------------------------------------------------------------
 
-(* [T15-27] [A15-03] The queue overflows, and there may be an entry.       *)
-\* @type: $request => Bool;
-MayEnterOverflow(new) ==
-    LET error == TimeError(BufferOverflow, {}, new.ob, new.word)
-    IN  UNCHANGED outcomeVars /\ entered' = OpenEntries({error})
-
-(* [T15-26] [T15-27] [T15-73] As many runs wait as the queue holds: one,   *)
-(* with the parameters of a migrated program [A15-14].                     *)
-\* @type: $request => Bool;
-PointWhileFull(new) ==
-    \/ /\ ~OverloadIsReportedAgain /\ ~OverflowCallsOb80
-       /\ MayEnterOverflow(new)
-    \/ ~OverloadIsReportedOnce /\ Overlap(new, StillRunning, requests)
-    \/ ~OverflowIsEnteredAlone /\ Overlap(new, BufferOverflow, requests)
-
 (* [TINT-14] [AMB-19] A time-of-day interrupt whose OB runs. *)
 \* @type: $request => Bool;
 TodWhileRunning(new) ==
     CASE /\ Family.queues
          /\ QueueIsUnknown \/ new.ob \in DOMAIN cpu.queues -> AnyEffect(new)
-      [] Family.queues /\ PendingIn(requests, new.ob) -> PointWhileFull(new)
+      [] Family.queues -> QueuesUp(new) \/ DropCallsOb80(new)
       [] EveryPointRunsLater ->
-           Overlap(new, StillRunning, Enter(requests, LateRun(new)))
+           \E run \in LateRuns(new) :
+             Overlap(new, StillRunning, Enter(requests, run))
       [] OnlyFirstPointIsReported /\ PendingIn(requests, new.ob) -> Nothing
       [] OTHER -> OverlapWithOneLateRun(new)
 
@@ -329,8 +343,11 @@ OutsideRun(new) ==
              run    == [new EXCEPT !.open =
                          again \/ (OutsideRunEventsAreOpen /\ ~KeptInStartup)]
              shown  == (IF new.fault = 0 THEN {} ELSE {new}) \cup errors
+             told   == IF again THEN {StillRunning} ELSE {}
          IN  \/ /\ requests' =
-                       EnterAll(requests, {run} \cup WithObToRun(errors))
+                       WithTold(EnterAll(requests,
+                                         {run} \cup WithObToRun(errors)),
+                                new.ob, told)
                 /\ UNCHANGED stopCause
                 /\ entered' = OpenEntries(shown)
              \/ mode = "STARTUP" /\ StopBy(errors)
