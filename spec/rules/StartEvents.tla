@@ -188,6 +188,10 @@ ReachesThreshold(o, full) ==
         ELSE (IF OverloadIsReportedAgain THEN {} ELSE {FALSE})
                \cup (IF OverloadIsReportedOnce THEN {} ELSE {TRUE})
 
+(* Whether it matters later that an overflow was entered.                  *)
+\* @type: Int => Bool;
+AsksForEntry(o) == QueueOf(o).told = 1 \/ OverflowIsEnteredOnce
+
 (* [T15-72] [A15-06] The entry 3507 of an event that is dropped.           *)
 \* @type: $request => Set($entry);
 EntriesOfDropped(new) ==
@@ -223,7 +227,8 @@ QueuesUp(new) ==
       LET error == [ TimeError(StillRunning, {new.ob}, new.ob, new.word)
                      EXCEPT !.since = new.since ]
           told  == ToldOf(new.ob) \cup (IF calls THEN {StillRunning} ELSE {})
-                     \cup (IF full THEN {BufferOverflow} ELSE {})
+                     \cup (IF full /\ AsksForEntry(new.ob)
+                           THEN {BufferOverflow} ELSE {})
       IN  /\ \E kept \in IF full THEN {WithTold(requests, new.ob, told)}
                                  ELSE OneMoreWaits(new, told) :
                requests' \in IF calls
