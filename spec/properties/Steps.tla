@@ -21,7 +21,8 @@ Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 (* its place changes, and an open one may be confirmed. A hot restart      *)
 (* brings some back.                                                       *)
 \* @type: $request => $request;
-Content(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
+Content(r) == [ r EXCEPT !.rank = 0, !.open = FALSE,
+                         !.late = IF r.ob = TimeErrorOb THEN @ ELSE {} ]
 Fresh == { r \in requests' : ~\E q \in requests \cup resume.requests :
                                Content(q) = Content(r) }
 

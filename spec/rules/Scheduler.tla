@@ -43,7 +43,8 @@ TodsAfterStart(r) ==
         ELSE IF ~LastCall(r) THEN {becomes(t)}
         ELSE (IF OnceMayEndAtItsStart THEN {becomes(UsedUp(t))} ELSE {})
                \cup (IF OnceMayEndAtItsEnd
-                     THEN {becomes([t EXCEPT !.next = Never, !.called = TRUE])}
+                     THEN {becomes([ t EXCEPT !.next = Never, !.called = TRUE,
+                                       !.held = FALSE ])}
                      ELSE {})
 
 \* @type: Int => (Int -> $tod);

@@ -191,7 +191,8 @@ Unset(t) == WithMemory(NoSetting, t)
 (* [AMB-08] A one-shot interrupt that has been called is no longer set. *)
 \* @type: $tod => $tod;
 UsedUp(t) == IF OnceIsUnsetByItsRun THEN Unset(t)
-             ELSE [t EXCEPT !.active = FALSE, !.next = Never, !.called = FALSE]
+             ELSE [ t EXCEPT !.active = FALSE, !.next = Never,
+                             !.called = FALSE, !.held = FALSE ]
 
 (* [CLK-12] [AMB-71] A one-shot interrupt whose call waits or runs is used *)
 (* up by it: setting the clock back does not arm it again.                 *)
