@@ -24,7 +24,7 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
         s7_error_skipped(cpu, flt_id, late); /* one for all of them [OBS-32] */
     for (int k = 0; k < S7CPU_TODS && cpu->mode != S7CPU_STOP; k++)
         if (late & 1u << k)
-            s7_tod_catch_up(cpu, k);
+            s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */
 }
 
 /* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. */
@@ -52,15 +52,21 @@ static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats)
     return s7_tod_first_point(cpu, k, from);
 }
 
-static void moved_back(struct s7cpu *cpu, bool repeats)
+/* The clock, or local time for those that go by it. */
+static void moved_back(struct s7cpu *cpu, bool repeats, bool local)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         struct s7cpu_tod *t = &cpu->tod[k];
+        const int64_t last = last_served(cpu, k);
+        if (local && !t->local)
+            continue;
         bool used = t->period == PERIOD_ONCE && t->next == S7CPU_NEVER; /* [CLK-12], AMB-71 */
         if (t->active && !used)
             t->next = next_again(cpu, k, repeats);
         if (repeats)
             t->served = S7CPU_NONE;
+        if (repeats && last > t->again)
+            t->again = last;
     }
 }
 
@@ -71,9 +77,28 @@ void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before)
     const struct s7_family *f = s7_family(cpu);
     const int64_t ahead = s7cpu_clock(cpu) - before;
     if (ahead < 0)
-        moved_back(cpu, -ahead >= f->repeats_from);
+        moved_back(cpu, -ahead >= f->repeats_from, false);
     else if (cpu->mode != S7CPU_HOLD) /* AMB-53: in HOLD they become part of fault 06 */
         skipped(cpu, FLT_SKIPPED, ahead >= f->skips_from); /* [CLK-02, T15-91], A15-09 (a) */
+}
+
+/* Points by local time move the other way. Back, they are served again [T15-97, T15-98]; ahead, caught up
+ * without OB 80 (A15-10, reading a) [T15-98]. */
+void s7_tod_zone_changed(struct s7cpu *cpu, int64_t ahead)
+{
+    if (cpu->mode == S7CPU_STOP)
+        return;
+    if (ahead < 0)
+        moved_back(cpu, true, true);
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        struct s7cpu_tod *t = &cpu->tod[k];
+        if (t->local && t->again != S7CPU_NONE)
+            t->again -= ahead;
+        if (t->local && t->next != S7CPU_NEVER && ahead > 0)
+            t->next -= ahead;
+    }
+    if (ahead > 0 && cpu->mode != S7CPU_HOLD)
+        skipped(cpu, FLT_SKIPPED, false);
 }
 
 void s7_tod_released(struct s7cpu *cpu)
