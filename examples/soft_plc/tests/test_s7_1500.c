@@ -26,6 +26,10 @@ static const struct {
     /* Back [T15-93, T15-94]. */
     {" 80", EVERY_MINUTE "at +35s clock -10s\n", START_10, 5, 5},
     {" 80", EVERY_MINUTE "at +35s clock -25s\n", START_10, 5, 6},
+    /* A run that waits over a large step back: its point comes again, also after a small one. */
+    {" 80", EVERY_MINUTE "ob 1 run 1 {\nDIS_AIRT\nbusy 35s\nset_clock 2026-11-21T05:59:30\nEN_AIRT\nbusy 5s\n"
+                         "set_clock 2026-11-21T05:59:30\n}\n",
+     "06:00:00.000\",\"ob\":10,\"info\"", 0, 1},
     /* Overload: OB 80 once, one later run [T15-73, T15-110]. */
     {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_80, 3, 1},
     {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_10, 3, 3},
