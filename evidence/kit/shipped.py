@@ -11,6 +11,7 @@ from evidence.kit.described import about, asks, name
 from s7check.engine import pool
 from s7check.kit.from_log import Json, program_of
 
+
 def programs(cases: Iterable[Case]) -> Iterator[Json]:
     """Programs with names of their own; of several that do the same, the smallest. Raises UnusableLogError."""
     same: dict[str, Json] = {}
