@@ -27,5 +27,7 @@ void s7_emit_start(struct s7cpu *cpu, int ob, const struct s7cpu_info *info)
 
 void s7_emit_diag(struct s7cpu *cpu, int id, int ob, const struct s7cpu_info *info)
 {
-    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_DIAG, .id = id, .ob = ob, .info = info});
+    const struct s7cpu_info shown = info != NULL ? in_layout(*info, false) : (struct s7cpu_info){0};
+    s7_emit(cpu, (struct s7cpu_event){
+                     .kind = S7CPU_DIAG, .id = id, .ob = ob, .info = info != NULL ? &shown : NULL});
 }
