@@ -140,7 +140,7 @@ struct s7log_priority {
     int ob, priority;
 };
 
-/* The reading to check against: "AMB-02", 'a'. */
+/* The reading to check against: "AMB-02", 'a'; on S7-1500 also of A15-01 to A15-24. */
 struct s7log_reading {
     const char *ambiguity;
     char letter;
@@ -178,11 +178,15 @@ struct s7log_info {
     int error_info, ev;            /* words */
     int ev_ob;                     /* 0 to 255 */
     int64_t time;
+    int caught_up, second_time;    /* 0 or 1; these and the next two lines on S7-1500 */
+    int csg_ob;                    /* 0 to 32767 */
+    int csg_priority, event_count; /* byte, word */
 };
 #define S7LOG_INFO_NONE                                                                            \
     {                                                                                              \
         S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE,        \
-            S7LOG_NONE, S7LOG_NONE, S7LOG_NONE                                                     \
+            S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE, S7LOG_NONE,    \
+            S7LOG_NONE                                                                             \
     }
 
 /* The state of an OB by SZL 16#0222, INDEX = OB number. Truth values: 0 or 1. A field that was not
@@ -480,6 +484,15 @@ static inline void s7log__end_object(struct s7log *l, size_t begin)
     s7log__char(l, '}');
 }
 
+static inline void s7log__truth(struct s7log *l, const char *name, int value)
+{
+    if (value == S7LOG_NONE)
+        return;
+    s7log__require(l, value == 0 || value == 1);
+    s7log__name(l, name);
+    s7log__text(l, value ? "true" : "false");
+}
+
 static inline void s7log__info(struct s7log *l, const struct s7log_info *i)
 {
     size_t begin;
@@ -505,6 +518,14 @@ static inline void s7log__info(struct s7log *l, const struct s7log_info *i)
         s7log__number(l, "ev_ob", i->ev_ob, 0, 255);
     if (i->time != S7LOG_NONE)
         s7log__clock(l, "time", i->time);
+    s7log__truth(l, "caught_up", i->caught_up);
+    s7log__truth(l, "second_time", i->second_time);
+    if (i->csg_ob != S7LOG_NONE)
+        s7log__number(l, "csg_ob", i->csg_ob, 0, 32767);
+    if (i->csg_priority != S7LOG_NONE)
+        s7log__byte(l, "csg_priority", i->csg_priority);
+    if (i->event_count != S7LOG_NONE)
+        s7log__word(l, "event_count", i->event_count);
     s7log__end_object(l, begin);
 }
 
@@ -576,22 +597,26 @@ static inline void s7log__records(struct s7log *l, unsigned records)
     s7log__char(l, ']');
 }
 
+/* The name of the i-th member of an object whose members are OBs; the first one begins it. */
+static inline void s7log__of_ob(struct s7log *l, const char *begin, size_t i, int ob)
+{
+    s7log__text(l, i > 0 ? "," : begin);
+    s7log__char(l, '"');
+    s7log__int(l, ob);
+    s7log__text(l, "\":");
+}
+
 static inline void s7log__priorities(struct s7log *l, const struct s7log_header *h)
 {
-    if (h->priority_count == 0)
-        return;
-    s7log__require(l, h->cpu != S7LOG_S7_300);
-    s7log__text(l, ",\"priority\":{");
+    s7log__require(l, h->priority_count == 0 || h->cpu != S7LOG_S7_300);
     for (size_t i = 0; i < h->priority_count; i++) {
         const struct s7log_priority *p = &h->priorities[i];
         s7log__require(l, h->cpu == S7LOG_S7_1500 ? s7log__may_have_priority(p->ob, p->priority)
                                                   : s7log__may_have_class(p->ob, p->priority));
-        s7log__text(l, i > 0 ? ",\"" : "\"");
-        s7log__int(l, p->ob);
-        s7log__text(l, "\":");
+        s7log__of_ob(l, ",\"priority\":{", i, p->ob);
         s7log__int(l, p->priority);
     }
-    s7log__char(l, '}');
+    s7log__text(l, h->priority_count > 0 ? "}" : "");
 }
 
 static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
@@ -600,8 +625,7 @@ static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
                                         "weekly", "monthly", "yearly", "end_of_month"};
     size_t begin;
     s7log__require(l, (t->ob >= 10 && t->ob <= 17) || t->ob >= 123);
-    s7log__int(l, t->ob);
-    s7log__text(l, "\":{");
+    s7log__char(l, '{');
     begin = l->length;
     if (t->execution >= S7LOG_NO_EXECUTION && t->execution <= S7LOG_END_OF_MONTH) {
         s7log__name(l, "execution");
@@ -619,54 +643,41 @@ static inline void s7log__tod(struct s7log *l, const struct s7log_tod *t)
 
 static inline void s7log__tods(struct s7log *l, const struct s7log_header *h)
 {
-    if (h->tod_count == 0)
-        return;
-    s7log__text(l, ",\"step7\":{\"tod\":{");
     for (size_t i = 0; i < h->tod_count; i++) {
-        s7log__text(l, i > 0 ? ",\"" : "\"");
+        s7log__of_ob(l, ",\"step7\":{\"tod\":{", i, h->tods[i].ob);
         s7log__tod(l, &h->tods[i]);
     }
-    s7log__text(l, "}}");
+    s7log__text(l, h->tod_count > 0 ? "}}" : "");
 }
 
 static inline void s7log__classes(struct s7log *l, const struct s7log_header *h)
 {
     static const char *const names[] = {"tod", "dint", "cyclic", "hardware", "startup", "cycle"};
-    if (h->class_count == 0)
-        return;
-    s7log__text(l, ",\"classes\":{");
     for (size_t i = 0; i < h->class_count; i++) {
         const struct s7log_class *c = &h->classes[i];
         s7log__require(l, c->ob >= 123 && c->ob <= 32767 && c->ob_class <= S7LOG_CLASS_CYCLE);
         if (l->result == S7LOG_RANGE)
             return;
-        s7log__text(l, i > 0 ? ",\"" : "\"");
-        s7log__int(l, c->ob);
-        s7log__text(l, "\":");
+        s7log__of_ob(l, ",\"classes\":{", i, c->ob);
         s7log__string(l, names[c->ob_class]);
     }
-    s7log__char(l, '}');
+    s7log__text(l, h->class_count > 0 ? "}" : "");
 }
 
 static inline void s7log__queues(struct s7log *l, const struct s7log_header *h)
 {
-    if (h->queue_count == 0)
-        return;
-    s7log__text(l, ",\"queue\":{");
     for (size_t i = 0; i < h->queue_count; i++) {
         const struct s7log_queue *q = &h->queues[i];
-        s7log__text(l, i > 0 ? ",\"" : "\"");
-        s7log__int(l, q->ob);
-        s7log__text(l, "\":{\"events\":");
+        s7log__of_ob(l, ",\"queue\":{", i, q->ob);
+        s7log__text(l, "{\"events\":");
         s7log__int(l, q->events);
         s7log__require(l, q->events >= 1 && q->events <= 12);
         if (q->threshold != 0)
             s7log__number(l, "threshold", q->threshold, 1, q->events);
-        if (q->overflow != S7LOG_NONE)
-            s7log__text(l, q->overflow ? ",\"overflow\":true" : ",\"overflow\":false");
+        s7log__truth(l, "overflow", q->overflow);
         s7log__char(l, '}');
     }
-    s7log__char(l, '}');
+    s7log__text(l, h->queue_count > 0 ? "}" : "");
 }
 
 static inline void s7log__readings(struct s7log *l, const struct s7log_header *h)
@@ -677,8 +688,9 @@ static inline void s7log__readings(struct s7log *l, const struct s7log_header *h
     for (size_t i = 0; i < h->reading_count; i++) {
         const struct s7log_reading *r = &h->readings[i];
         const char letter[] = {r->letter, '\0'};
-        s7log__require(l, strncmp(r->ambiguity, "AMB-", 4) == 0 && r->letter >= 'a' &&
-                              r->letter <= 'd');
+        const bool newer = h->cpu == S7LOG_S7_1500 && strncmp(r->ambiguity, "A15-", 4) == 0;
+        s7log__require(l, newer || strncmp(r->ambiguity, "AMB-", 4) == 0);
+        s7log__require(l, r->letter >= 'a' && r->letter <= (newer ? 'f' : 'd'));
         if (i > 0)
             s7log__char(l, ',');
         s7log__string(l, r->ambiguity);
@@ -908,6 +920,16 @@ static inline enum s7log_result s7log_clock(struct s7log *l, struct s7log_now no
     return s7log__end_event(l);
 }
 
+/* On S7-1500. zone: minutes by which local time is ahead from now on; daylight: because daylight saving
+ * begins or ends, else because another zone was set */
+static inline enum s7log_result s7log_zone(struct s7log *l, struct s7log_now now, int zone, bool daylight)
+{
+    s7log__begin_event(l, now, "zone");
+    s7log__number(l, "zone", zone, -720, 840);
+    s7log__text(l, daylight ? ",\"reason\":\"daylight\"" : ",\"reason\":\"zone\"");
+    return s7log__end_event(l);
+}
+
 static inline enum s7log_result s7log_restart(struct s7log *l, struct s7log_now now,
                                               enum s7log_restart_type type)
 {
@@ -990,15 +1012,6 @@ static inline enum s7log_result s7log_diag(struct s7log *l, struct s7log_now now
     if (info != NULL)
         s7log__info(l, info);
     return s7log__end_event(l);
-}
-
-static inline void s7log__truth(struct s7log *l, const char *name, int value)
-{
-    if (value == S7LOG_NONE)
-        return;
-    s7log__require(l, value == 0 || value == 1);
-    s7log__name(l, name);
-    s7log__text(l, value ? "true" : "false");
 }
 
 static inline enum s7log_result s7log_state(struct s7log *l, struct s7log_now now, int ob,

@@ -11,15 +11,12 @@ from evidence.kit.described import about, asks, name
 from s7check.engine import pool
 from s7check.kit.from_log import Json, program_of
 
-_NOT_OF_PROGRAMS = {"classes", "queue"}
-"""Fields of a log's header that a program cannot have."""
-
 
 def programs(cases: Iterable[Case]) -> Iterator[Json]:
     """Programs with names of their own; of several that do the same, the smallest. Raises UnusableLogError."""
     same: dict[str, Json] = {}
     for case in cases:
-        if case.verdict == "unusable" or _NOT_OF_PROGRAMS & case.header.keys() or b'"event": "zone"' in case.log:
+        if case.verdict == "unusable" or b'"event": "zone"' in case.log:  # no program changes its zone
             continue
         program = _program(case)
         if not asks(program):

@@ -115,6 +115,30 @@ static void header_ranges(void)
     CHECK(s.lines == 1);
 }
 
+/* A15- is of an S7-1500 alone, with more letters. */
+static void readings(void)
+{
+    static const struct {
+        struct s7log_reading reading;
+        enum s7log_cpu cpu;
+        enum s7log_result result;
+    } table[] = {
+        {{"AMB-02", 'd'}, S7LOG_S7_1500, S7LOG_OK},    {{"AMB-02", 'e'}, S7LOG_S7_1500, S7LOG_RANGE},
+        {{"A15-18", 'f'}, S7LOG_S7_1500, S7LOG_OK},    {{"A15-18", 'g'}, S7LOG_S7_1500, S7LOG_RANGE},
+        {{"A15-18", 'a'}, S7LOG_S7_400, S7LOG_RANGE},  {{"T15-18", 'a'}, S7LOG_S7_1500, S7LOG_RANGE},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        struct s7log l;
+        struct sink s;
+        struct s7log_header h = simple_header();
+        h.cpu = table[i].cpu;
+        h.readings = &table[i].reading;
+        h.reading_count = 1;
+        s7log_open(&l, take, &s);
+        CHECK(s7log_header(&l, &h) == table[i].result);
+    }
+}
+
 static void events(void)
 {
     struct s7log l;
@@ -154,14 +178,17 @@ static void events(void)
     info.dtime = 60000;
     LINE(s7log_start(&l, now, 20, &info),
          "\"start\"," AT ",\"ob\":20,\"info\":{\"sign\":\"16#0000\",\"dtime\":60000}");
-    const struct s7log_info all = {26, 0x11, 2, 0x0201, 7, 1, 3, 0x1111, 10, 1};
+    const struct s7log_info all = {26, 0x11, 2, 0x0201, 7, 1, 3, 0x1111, 10, 1, 1, 0, 32767, 24, 3};
     LINE(s7log_start(&l, now, 80, &all),
          "\"start\"," AT ",\"ob\":80,\"info\":{\"priority\":26,\"strt_info\":\"16#11\","
          "\"flt_id\":\"16#02\",\"period\":\"16#0201\",\"sign\":\"16#0007\",\"dtime\":1,"
          "\"error_info\":\"16#0003\",\"ev\":\"16#1111\",\"ev_ob\":10,"
-         "\"time\":\"1990-01-01T00:00:00.001\"}");
+         "\"time\":\"1990-01-01T00:00:00.001\",\"caught_up\":true,\"second_time\":false,"
+         "\"csg_ob\":32767,\"csg_priority\":\"16#18\",\"event_count\":\"16#0003\"}");
     LINE(s7log_end(&l, now, 1), "\"end\"," AT ",\"ob\":1");
     LINE(s7log_clock(&l, now, 60000), "\"clock\"," AT ",\"to\":\"1990-01-01T00:01:00.000\"");
+    LINE(s7log_zone(&l, now, -720, true), "\"zone\"," AT ",\"zone\":-720,\"reason\":\"daylight\"");
+    LINE(s7log_zone(&l, now, 840, false), "\"zone\"," AT ",\"zone\":840,\"reason\":\"zone\"");
     LINE(s7log_restart(&l, now, S7LOG_WARM), "\"restart\"," AT ",\"type\":\"warm\"");
     LINE(s7log_restart(&l, now, S7LOG_COLD), "\"restart\"," AT ",\"type\":\"cold\"");
     LINE(s7log_restart(&l, now, S7LOG_HOT), "\"restart\"," AT ",\"type\":\"hot\"");
@@ -188,7 +215,7 @@ static void events(void)
     LINE(s7log_done(&l, now), "\"done\"," AT);
 #undef LINE
     CHECK(s7log_run(&l, now) == S7LOG_ORDER && s7log_done(&l, now) == S7LOG_ORDER);
-    CHECK(l.events == 35 && s.lines == 36);
+    CHECK(l.events == 37 && s.lines == 38);
 }
 
 static void event_ranges(void)
@@ -217,6 +244,10 @@ static void event_ranges(void)
     CHECK(s7log_interrupt(&l, now, 35, 1) == S7LOG_RANGE);
     info.priority = 30;
     CHECK(s7log_start(&l, now, 10, &info) == S7LOG_RANGE);
+    info.priority = S7LOG_NONE;
+    info.caught_up = 2;
+    CHECK(s7log_start(&l, now, 10, &info) == S7LOG_RANGE);
+    CHECK(s7log_zone(&l, now, 841, true) == S7LOG_RANGE);
     struct s7log_ob_state state = S7LOG_OB_STATE_NONE;
     state.active = 2;
     CHECK(s7log_state(&l, now, 10, &state) == S7LOG_RANGE);
@@ -299,6 +330,7 @@ int main(void)
 {
     header();
     header_ranges();
+    readings();
     events();
     event_ranges();
     notes();

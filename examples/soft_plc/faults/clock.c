@@ -138,14 +138,14 @@ static void move_error_behind(struct s7cpu *cpu)
     }
 }
 
-void faulty_tod_catch_up(struct s7cpu *cpu, int k)
+void faulty_tod_catch_up(struct s7cpu *cpu, int k, bool by_change)
 {
     int64_t first = cpu->tod[k].next;
     if (has(cpu, FAULT_NO_CATCH_UP)) {
         cpu->tod[k].next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu));
         return;
     }
-    s7_tod_catch_up(cpu, k);
+    s7_tod_catch_up(cpu, k, by_change);
     if (has(cpu, FAULT_CATCH_UP_PER_PERIOD))
         per_period(cpu, k, first);
     if (has(cpu, FAULT_CATCH_UP_FIRST))

@@ -13,6 +13,9 @@ void actions_step(struct s7cpu *cpu, const struct step *s)
     case STEP_MOVE_CLOCK:
         s7cpu_set_clock(cpu, s7cpu_clock(cpu) + s->ms);
         break;
+    case STEP_SET_ZONE:
+        s7cpu_set_zone(cpu, s->ms, s->daylight);
+        break;
     case STEP_SET_TINT:
         s7cpu_set_tint(cpu, s->ob, &s->sdt, s->period);
         break;
@@ -64,6 +67,9 @@ void actions_act(struct s7cpu *cpu, const struct action *a)
         break;
     case ACTION_MOVE_CLOCK:
         s7cpu_set_clock(cpu, s7cpu_clock(cpu) + a->ms);
+        break;
+    case ACTION_SET_ZONE:
+        s7cpu_set_zone(cpu, a->ms, a->daylight);
         break;
     case ACTION_INTERRUPT:
         s7cpu_interrupt(cpu, a->ob, a->flt_id);

@@ -38,6 +38,8 @@ static const struct {
            "the time in the start information"),
     CHOICE("OBS-52", "lost", "reported", points_of_stop_are_reported,
            "start points that passed in STOP before a hot restart"),
+    CHOICE("T15-130", "new", "old", old_obs_are_optimised,
+           "S7-1500, the optimised start information: OBs from 123 on have it, or those below"),
 #undef CHOICE
 };
 

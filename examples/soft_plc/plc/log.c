@@ -32,7 +32,7 @@ static int or_none(int value)
 
 static struct s7log_info convert(const struct s7cpu_info *i)
 {
-    return (struct s7log_info){.priority = i->priority,
+    return (struct s7log_info){.priority = or_none(i->priority),
                                .strt_info = or_none(i->strt_info),
                                .flt_id = or_none(i->flt_id),
                                .period = or_none(i->period),
@@ -41,7 +41,12 @@ static struct s7log_info convert(const struct s7cpu_info *i)
                                .error_info = or_none(i->error_info),
                                .ev = or_none(i->ev),
                                .ev_ob = or_none(i->ev_ob),
-                               .time = i->time};
+                               .time = i->time == S7CPU_NONE ? S7LOG_NONE : i->time,
+                               .caught_up = or_none(i->caught_up),
+                               .second_time = or_none(i->second_time),
+                               .csg_ob = or_none(i->csg_ob),
+                               .csg_priority = or_none(i->csg_priority),
+                               .event_count = or_none(i->event_count)};
 }
 
 static void log_call(struct s7log *l, struct s7log_now t, const struct s7cpu_event *e)
@@ -145,6 +150,9 @@ void log_event(void *context, const struct s7cpu_event *e)
         break;
     case S7CPU_CLOCK:
         s7log_clock(l, t, e->to);
+        break;
+    case S7CPU_ZONE:
+        s7log_zone(l, t, (int)(e->zone / S7CPU_MINUTE), e->daylight);
         break;
     case S7CPU_RESTART:
         s7log_restart(l, t, types[e->restart]);

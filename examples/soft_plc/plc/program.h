@@ -24,6 +24,7 @@ enum step_kind {
     STEP_EN_AIRT,
     STEP_SET_CLOCK,
     STEP_MOVE_CLOCK,
+    STEP_SET_ZONE,
     STEP_STATE /* SZL 16#0222 of an OB is read */
 };
 
@@ -36,12 +37,14 @@ struct step {
     int mode; /* of SFC 39 and 40 */
     struct s7cpu_date sdt;
     bool local, activate;
-    int64_t ms; /* DTIME; busy: duration; set clock: the new reading; move clock: by how much */
+    bool daylight; /* set zone: because of it */
+    int64_t ms; /* DTIME; busy: duration; set clock: the new reading; move clock: by how much; set zone */
 };
 
 enum action_kind {
     ACTION_SET_CLOCK,
     ACTION_MOVE_CLOCK,
+    ACTION_SET_ZONE,
     ACTION_INTERRUPT,
     ACTION_STOP,
     ACTION_RESTART_WARM,
@@ -59,7 +62,8 @@ struct action {
     enum action_kind kind;
     int ob;
     int flt_id; /* OB 80 and 85 only, else S7CPU_NONE */
-    int64_t ms; /* set clock: the new reading; move clock: by how much */
+    bool daylight;
+    int64_t ms; /* set clock: the new reading; move clock: by how much; set zone */
 };
 
 /* A run of an OB. */

@@ -182,15 +182,27 @@ static void draw_clock_change(struct random_program *r, const struct s7cpu *cpu,
     *to = clamp(t - t % 1000); /* [CLK-17] */
 }
 
+/* In place of a change of the clock local time moves, where starts go by it [T15-96 to T15-98, T15-103]. */
+static bool draw_zone(struct random_program *r, const struct s7cpu *cpu, bool *daylight, int64_t *to)
+{
+    if (cpu->config.zone == 0 || percent(r, 60))
+        return false;
+    *daylight = percent(r, 50);
+    int64_t zone = s7cpu_zone(cpu) / S7CPU_MINUTE + 15 * (*daylight ? 4 - 8 * below(r, 2) : between(r, -12, 12));
+    zone = zone < -720 ? -720 : zone > 840 ? 840 : zone;
+    *to = zone * S7CPU_MINUTE;
+    return true;
+}
+
 /* SET_TINT becomes SET_TINTL, mostly with the same point by local time. */
-static void draw_local(struct random_program *r, const struct s7cpu_config *c, struct step *step)
+static void draw_local(struct random_program *r, const struct s7cpu *cpu, struct step *step)
 {
     step->kind = STEP_SET_TINTL;
     step->local = percent(r, 70);
     step->activate = percent(r, 60);
     r->activates &= !step->activate;
     if (step->local && percent(r, 80) && s7cpu_date_exists(&step->sdt))
-        step->sdt = s7cpu_date(clamp(s7cpu_ms(&step->sdt) + c->zone));
+        step->sdt = s7cpu_date(clamp(s7cpu_ms(&step->sdt) + s7cpu_zone(cpu)));
 }
 
 static void begin(struct program *p, const struct s7cpu *cpu, struct activation *a)
@@ -266,7 +278,7 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         draw_sdt(r, s7cpu_clock(cpu), step->period, &step->sdt);
         r->activates = percent(r, 70);
         if (cpu->config.zone != 0 && percent(r, 60))
-            draw_local(r, &cpu->config, step);
+            draw_local(r, cpu, step);
         break;
     case STEP_ACT_TINT:
         step->ob = r->activates || percent(r, 60) ? r->last_set : draw_ob_nr(r, &cpu->config);
@@ -290,7 +302,10 @@ static bool next(struct program *p, const struct s7cpu *cpu, struct activation *
         draw_irt(r, &cpu->config, step);
         break;
     case STEP_SET_CLOCK:
-        draw_clock_change(r, cpu, &step->ms);
+        if (draw_zone(r, cpu, &step->daylight, &step->ms))
+            step->kind = STEP_SET_ZONE;
+        else
+            draw_clock_change(r, cpu, &step->ms);
         break;
     default: /* SFC 41 and 42 have no operands */
         break;
@@ -406,8 +421,11 @@ static bool take_action(struct program *p, const struct s7cpu *cpu, struct actio
     } else if (n < 950) {
         draw_interrupt(r, cpu, action);
     } else if (n < 980) {
-        action->kind = ACTION_SET_CLOCK;
-        draw_clock_change(r, cpu, &action->ms);
+        action->kind = ACTION_SET_ZONE;
+        if (!draw_zone(r, cpu, &action->daylight, &action->ms)) {
+            action->kind = ACTION_SET_CLOCK;
+            draw_clock_change(r, cpu, &action->ms);
+        }
     } else if (n < 985) {
         action->kind = ACTION_STOP;
     } else if (n < 993) {
@@ -508,6 +526,8 @@ void random_config(struct random_program *r, struct s7cpu_config *c,
         c->zone = between(r, -48, 56) * 15 * S7CPU_MINUTE;
         c->step7[0].local = percent(r, 50);
     }
+    if (is_s7_1500(c) && percent(r, 50))
+        c->choices.old_obs_are_optimised = true;
     if (!is_s7_1500(c)) /* which deselects none */
         c->step7[7] = (struct s7cpu_step7){.deselected = true, .start = S7CPU_NEVER};
     r->hot = c->family == S7CPU_S7_400; /* [OBS-57] */

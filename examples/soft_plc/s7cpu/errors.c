@@ -14,13 +14,11 @@ static struct s7cpu_request error(const struct s7cpu *cpu, int ob, int flt_id)
  * and no event [T15-132] (AMB-27). */
 static void blame(const struct s7cpu *cpu, struct s7cpu_request *r, int ob)
 {
-    const struct s7cpu_frame *top = s7cpu_top(cpu);
     if (!s7_family(cpu)->names_running) {
         r->info.ev = s7_ob_start_event(ob);
         r->info.ev_ob = ob;
-    } else if (top != NULL) {
-        const int number = s7cpu_ob_number(&cpu->config, top->ob);
-        r->info.ev_ob = number > 254 ? 0xFF : number; /* [T15-133] */
+    } else if (r->info.csg_ob != 0) {
+        r->info.ev_ob = r->info.csg_ob > 254 ? 0xFF : r->info.csg_ob; /* [T15-133] */
     }
 }
 
@@ -50,6 +48,7 @@ static void report_overflow(struct s7cpu *cpu, int ob)
     if (s7_queue_of(cpu, ob).overflow == 1 && !cpu->overflowed[ob])
         s7_emit_diag(cpu, EVENT_OVERFLOW, S7CPU_NONE, NULL);
     cpu->overflowed[ob] = true;
+    cpu->discarded[ob]++;
 }
 
 void s7_error_overflow(struct s7cpu *cpu, int ob)

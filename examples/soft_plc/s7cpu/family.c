@@ -66,7 +66,8 @@ static const struct s7_family families[] = {
                        .past_once_is_over = true,
                        .status_shows_delay = true,
                        .names_running = true,
-                       .has_local_time = true}};
+                       .has_local_time = true,
+                       .has_layouts = true}};
 
 const struct s7_family *s7_family(const struct s7cpu *cpu)
 {

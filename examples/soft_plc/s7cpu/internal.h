@@ -79,6 +79,7 @@ struct s7_family {
     bool status_shows_delay; /* STATUS bit 1 is that of SFC 41, not 39 [T15-53] */
     bool names_running; /* OB 80 names the OB that was being processed [T15-132] */
     bool has_local_time; /* [T15-20] */
+    bool has_layouts; /* of start information [T15-130] */
     bool takes_1202; /* AMB-01, reading c; A15-22, reading a */
 };
 const struct s7_family *s7_family(const struct s7cpu *cpu);
@@ -109,6 +110,8 @@ int s7_ob_class(const struct s7cpu *cpu, int ob);
 int s7_ob_strt_info(int ob);
 /* Class and number of the start event (table 8.3), or S7CPU_NONE. */
 int s7_ob_start_event(int ob);
+/* True where its start information has the optimised layout. */
+bool s7_ob_is_optimised(const struct s7cpu *cpu, int ob);
 /* True from its start to its end, interrupted or not. */
 bool s7_ob_is_running(const struct s7cpu *cpu, int ob);
 
@@ -161,8 +164,9 @@ int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from);
 void s7_tod_request(struct s7cpu *cpu, int k, int64_t point);
 /* A point is due while the OB is processed [TINT-14]. */
 void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point);
-/* Points before the present clock have been skipped [CLK-03]. */
-void s7_tod_catch_up(struct s7cpu *cpu, int k);
+/* Points before the present clock have been skipped [CLK-03], by a change of it or of local time, or in
+ * HOLD. */
+void s7_tod_catch_up(struct s7cpu *cpu, int k, bool by_change);
 
 /* tod_once.c */
 /* The OB is called for this point, or it is missing; it has been processed to its end. */
@@ -186,6 +190,8 @@ int64_t s7_tod_next_up(const struct s7cpu *cpu);
 /* tod_clock.c */
 /* The clock has been moved from `before` to its present reading. */
 void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before);
+/* Local time has been moved ahead by so many ms, or back. */
+void s7_tod_zone_changed(struct s7cpu *cpu, int64_t ahead);
 /* Points that passed in HOLD [OBS-46]. */
 void s7_tod_released(struct s7cpu *cpu);
 /* Points that passed in STOP before a hot restart (AMB-26). */

@@ -64,6 +64,7 @@ static void reset(struct s7cpu *cpu)
     s7_dint_restart(cpu);
     s7_tod_restart(cpu);
     cpu->stopped.depth = cpu->stopped.delay_count = 0;
+    memset(cpu->discarded, 0, sizeof cpu->discarded);
 }
 
 /* [OBS-52], AMB-26 (reading a): settings, blocks, delays and requests are as they were; diagnostic

@@ -142,6 +142,12 @@ int s7_ob_class(const struct s7cpu *cpu, int ob)
     return s7_ob_default_class(cpu->config.family, ob);
 }
 
+bool s7_ob_is_optimised(const struct s7cpu *cpu, int ob)
+{
+    return s7_family(cpu)->has_layouts &&
+           (ob >= S7CPU_MORE) != cpu->config.choices.old_obs_are_optimised;
+}
+
 bool s7_ob_is_running(const struct s7cpu *cpu, int ob)
 {
     for (int i = 0; i < cpu->depth; i++)

@@ -15,6 +15,20 @@ void s7cpu_set_clock(struct s7cpu *cpu, int64_t to)
     s7_tod_clock_changed(cpu, before);
 }
 
+void s7cpu_set_zone(struct s7cpu *cpu, int64_t zone, bool daylight)
+{
+    const enum s7cpu_mode mode = cpu->mode;
+    const int64_t before = cpu->zone;
+    if (!s7cpu_has_local_time(cpu->config.family))
+        return;
+    s7_tod_poll(cpu);
+    if (cpu->mode != mode)
+        return;
+    s7_emit(cpu, (struct s7cpu_event){.kind = S7CPU_ZONE, .zone = zone, .daylight = daylight});
+    cpu->zone = zone;
+    s7_tod_zone_changed(cpu, zone - before);
+}
+
 static void enqueue(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
     const bool overloads = s7_family(cpu)->has_queues && s7_queue_overloads(cpu, r->ob);

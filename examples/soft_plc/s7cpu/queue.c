@@ -5,8 +5,9 @@
 
 struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
 {
-    int class = s7_ob_class(cpu, ob);
-    return (struct s7cpu_request){.ob = ob,
+    const int class = s7_ob_class(cpu, ob);
+    const struct s7cpu_frame *top = s7cpu_top(cpu);
+    struct s7cpu_request r = {.ob = ob,
                                   .rank = class,
                                   .up = cpu->up,
                                   .info = {.priority = class,
@@ -18,7 +19,19 @@ struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
                                            .error_info = S7CPU_NONE,
                                            .ev = S7CPU_NONE,
                                            .ev_ob = S7CPU_NONE,
-                                           .time = time}};
+                                           .time = time,
+                                           .caught_up = S7CPU_NONE,
+                                           .second_time = S7CPU_NONE,
+                                           .csg_ob = S7CPU_NONE,
+                                           .csg_priority = S7CPU_NONE,
+                                           .event_count = S7CPU_NONE}};
+    if (ob == 80) { /* [T15-132] */
+        r.info.csg_ob = top != NULL ? s7cpu_ob_number(&cpu->config, top->ob) : 0;
+        r.info.csg_priority = top != NULL ? top->rank : 0;
+    }
+    if (s7_ob_kind(ob) == OB_CYCLIC)
+        r.info.event_count = cpu->discarded[ob]; /* of the next new event [T15-70] */
+    return r;
 }
 
 void s7_queue_put(struct s7cpu *cpu, const struct s7cpu_request *r)
@@ -30,6 +43,7 @@ void s7_queue_put(struct s7cpu *cpu, const struct s7cpu_request *r)
     if (!s7_queue_has(cpu, r->ob) && !s7_ob_is_running(cpu, r->ob))
         cpu->overloaded[r->ob] = cpu->overflowed[r->ob] = false; /* all earlier events have been processed */
     cpu->queue[cpu->queue_length++] = *r;
+    cpu->discarded[r->ob] = 0;
 }
 
 struct s7cpu_request s7_queue_take(struct s7cpu *cpu, int index)

@@ -21,6 +21,7 @@ void s7cpu_init(struct s7cpu *cpu, const struct s7cpu_config *config, s7cpu_sink
     cpu->sink = sink;
     cpu->context = context;
     cpu->offset = config->clock;
+    cpu->zone = config->zone;
     cpu->mode = config->mode;
     memcpy(cpu->loaded, config->loaded, sizeof cpu->loaded);
     for (int k = 0; k < S7CPU_TODS; k++)
@@ -70,6 +71,11 @@ bool s7cpu_is_loaded(const struct s7cpu *cpu, int ob)
 int64_t s7cpu_clock(const struct s7cpu *cpu)
 {
     return cpu->offset + cpu->up;
+}
+
+int64_t s7cpu_zone(const struct s7cpu *cpu)
+{
+    return cpu->zone;
 }
 
 int s7cpu_delay_count(const struct s7cpu *cpu)

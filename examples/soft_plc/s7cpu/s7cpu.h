@@ -147,6 +147,9 @@ struct s7cpu_choices {
     /* OBS-52, AMB-26 (a): after a hot restart OB 80 reports the start points that passed in
      * STOP; else they are lost. */
     bool points_of_stop_are_reported;
+    /* T15-130: OBs below 123 have the optimised start information, those from 123 on that of 20 bytes;
+     * else it is the other way round. */
+    bool old_obs_are_optimised;
 };
 
 /* The queue of OB 10 to 17, 30 to 38, 40 to 47 or of their event class [T15-68 to T15-73]. */
@@ -169,7 +172,7 @@ struct s7cpu_config {
      * is over; in STARTUP OB 100 is running, if it is loaded. */
     enum s7cpu_mode mode;
     int buffer; /* start events from outside that a class holds, 1 or more */
-    int64_t zone; /* ms by which local time is ahead of the clock; 0 without s7cpu_has_local_time() */
+    int64_t zone; /* ms by which local time is ahead of the clock at first; 0 without s7cpu_has_local_time() */
 };
 
 /* An OB from 123 on is created with the event class of this range, S7CPU_MORE_TODS for instance: all
@@ -209,6 +212,7 @@ enum s7cpu_event_kind {
     S7CPU_OB_START, /* ob, info */
     S7CPU_OB_END,   /* ob */
     S7CPU_CLOCK,    /* to; at is the reading before */
+    S7CPU_ZONE,     /* zone, daylight */
     S7CPU_RESTART,  /* restart */
     S7CPU_TO_RUN,
     S7CPU_TO_STOP, /* id: the cause, or S7CPU_NONE */
@@ -221,7 +225,8 @@ enum s7cpu_event_kind {
     S7CPU_STATE      /* ob, state */
 };
 
-/* Start information of an OB. A field that does not apply is S7CPU_NONE. */
+/* Start information of an OB. A field that does not apply, or that its layout has not [T15-130 to
+ * T15-135], is S7CPU_NONE. */
 struct s7cpu_info {
     int priority;
     int strt_info;
@@ -233,6 +238,10 @@ struct s7cpu_info {
     int ev;
     int ev_ob;
     int64_t time;
+    /* In the optimised layout alone, beside sign and flt_id. */
+    int caught_up, second_time; /* 0 or 1 */
+    int csg_ob, csg_priority;   /* 0 where no OB was processed */
+    int event_count;
 };
 
 /* The state of an OB, as SZL 16#0222 shows it [OBS-60]: 0 or 1, or S7CPU_NONE where the CPU does
@@ -261,6 +270,8 @@ struct s7cpu_event {
     int ret, status;
     int flt_id, id;
     int64_t to;
+    int64_t zone;  /* ms */
+    bool daylight; /* daylight saving begins or ends; else another zone was set */
     enum s7cpu_restart restart;
     const struct s7cpu_info *info; /* this and the next: valid until the sink returns */
     const struct s7cpu_state *state;
@@ -279,6 +290,7 @@ struct s7cpu_tod {
     int period;
     int64_t next;   /* the point that is due next; S7CPU_NEVER where none is left */
     int64_t served; /* the last point for which the OB was called; S7CPU_NONE where there is none */
+    int64_t again;  /* a run up to this point is the second one [T15-94]; S7CPU_NONE: none is */
 };
 
 /* The job of a time-delay interrupt, s7cpu_dint_ob(index). */
@@ -329,6 +341,7 @@ struct s7cpu {
     void *context;
     int64_t up;
     int64_t offset; /* CPU clock minus elapsed time */
+    int64_t zone;   /* local time minus CPU clock */
     enum s7cpu_mode mode;
     enum s7cpu_mode held; /* that HOLD has interrupted */
     int64_t hold_began; /* elapsed time */
@@ -347,6 +360,7 @@ struct s7cpu {
     bool resuming; /* the STARTUP of a hot restart */
     /* OB 80 was called for it, or 3507 entered, and an event of it still waits or runs. */
     bool overloaded[S7CPU_OBS], overflowed[S7CPU_OBS];
+    int discarded[S7CPU_OBS]; /* events, since the last one that was kept [T15-69] */
     bool cycle_exceeded; /* in the cycle of OB 1 that runs, with OB 80 called for it [OBS-26] */
 };
 
@@ -379,6 +393,8 @@ uint32_t s7cpu_runs(const struct s7cpu *cpu, int ob);
 bool s7cpu_is_loaded(const struct s7cpu *cpu, int ob);
 /* Reading of the CPU clock. */
 int64_t s7cpu_clock(const struct s7cpu *cpu);
+/* ms by which local time is ahead of it. */
+int64_t s7cpu_zone(const struct s7cpu *cpu);
 /* Elapsed time, as of the last s7cpu_tick(). */
 int64_t s7cpu_up(const struct s7cpu *cpu);
 /* Delays that SFC 41 has set and SFC 42 has not taken back. */
@@ -408,6 +424,9 @@ int s7cpu_en_airt(struct s7cpu *cpu);
 
 /* The clock is set, by SFC 0, an operator or a clock master [CLK-01]; 0 to S7CPU_LAST. */
 void s7cpu_set_clock(struct s7cpu *cpu, int64_t to);
+/* Local time is so many ms ahead of the clock from now on, by daylight saving or by another zone
+ * [T15-96 to T15-98, T15-103]; where s7cpu_has_local_time(). */
+void s7cpu_set_zone(struct s7cpu *cpu, int64_t zone, bool daylight);
 /* A start event for an OB that s7cpu_ob_from_outside() takes. flt_id: for OB 80 and 85, one that
  * no rule of the CPU makes; else S7CPU_NONE. */
 void s7cpu_interrupt(struct s7cpu *cpu, int ob, int flt_id);

@@ -27,7 +27,7 @@ static void take_step7(struct s7cpu *cpu, int k)
 {
     const struct s7cpu_step7 *s = &cpu->config.step7[k];
     struct s7cpu_tod *t = &cpu->tod[k];
-    *t = (struct s7cpu_tod){.next = S7CPU_NEVER, .served = S7CPU_NONE};
+    *t = (struct s7cpu_tod){.next = S7CPU_NEVER, .served = S7CPU_NONE, .again = S7CPU_NONE};
     if (s->deselected || s->execution < S7CPU_ONCE)
         return; /* AMB-62: with "none" [TINT-07] nothing is set */
     t->set = true;

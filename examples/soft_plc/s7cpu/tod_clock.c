@@ -24,43 +24,53 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
         s7_error_skipped(cpu, flt_id, late); /* one for all of them [OBS-32] */
     for (int k = 0; k < S7CPU_TODS && cpu->mode != S7CPU_STOP; k++)
         if (late & 1u << k)
-            s7_tod_catch_up(cpu, k);
+            s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */
 }
 
-/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. */
-static int64_t last_served(const struct s7cpu *cpu, int k)
+/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. On an
+ * S7-1500 not one behind `before`: it has waited over a large step back and comes again [T15-94]. */
+static int64_t last_served(const struct s7cpu *cpu, int k, int64_t before)
 {
-    int64_t last = cpu->tod[k].served;
-    for (int i = 0; i < cpu->queue_length; i++)
-        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && cpu->queue[i].info.time > last)
-            last = cpu->queue[i].info.time;
+    const int64_t end = s7_family(cpu)->serves_uncalled ? before : S7CPU_NEVER;
+    int64_t last = cpu->tod[k].served <= end ? cpu->tod[k].served : S7CPU_NONE;
+    for (int i = 0; i < cpu->queue_length; i++) {
+        const int64_t time = cpu->queue[i].info.time;
+        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && time > last && time <= end)
+            last = time;
+    }
     return last;
 }
 
 /* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step. [CLK-09],
  * AMB-56, either: the others serve again only those after the last one served (reading d), or none
  * before the point that was next (b). */
-static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats)
+static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats, int64_t last)
 {
     int64_t from = s7cpu_clock(cpu);
     if (!repeats) {
         if (!cpu->config.choices.uncalled_points_are_served && !s7_family(cpu)->serves_uncalled)
             return cpu->tod[k].next;
-        if (last_served(cpu, k) >= from)
-            from = last_served(cpu, k) + 1;
+        if (last >= from)
+            from = last + 1;
     }
     return s7_tod_first_point(cpu, k, from);
 }
 
-static void moved_back(struct s7cpu *cpu, bool repeats)
+/* The clock, or local time for those that go by it. */
+static void moved_back(struct s7cpu *cpu, int64_t before, bool repeats, bool local)
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         struct s7cpu_tod *t = &cpu->tod[k];
+        const int64_t last = last_served(cpu, k, before);
+        if (local && !t->local)
+            continue;
         bool used = t->period == PERIOD_ONCE && t->next == S7CPU_NEVER; /* [CLK-12], AMB-71 */
         if (t->active && !used)
-            t->next = next_again(cpu, k, repeats);
+            t->next = next_again(cpu, k, repeats, last);
         if (repeats)
             t->served = S7CPU_NONE;
+        if (repeats && last > t->again)
+            t->again = last;
     }
 }
 
@@ -71,9 +81,28 @@ void s7_tod_clock_changed(struct s7cpu *cpu, int64_t before)
     const struct s7_family *f = s7_family(cpu);
     const int64_t ahead = s7cpu_clock(cpu) - before;
     if (ahead < 0)
-        moved_back(cpu, -ahead >= f->repeats_from);
+        moved_back(cpu, before, -ahead >= f->repeats_from, false);
     else if (cpu->mode != S7CPU_HOLD) /* AMB-53: in HOLD they become part of fault 06 */
         skipped(cpu, FLT_SKIPPED, ahead >= f->skips_from); /* [CLK-02, T15-91], A15-09 (a) */
+}
+
+/* Points by local time move the other way. Back, they are served again [T15-97, T15-98]; ahead, caught up
+ * without OB 80 (A15-10, reading a) [T15-98]. */
+void s7_tod_zone_changed(struct s7cpu *cpu, int64_t ahead)
+{
+    if (cpu->mode == S7CPU_STOP)
+        return;
+    if (ahead < 0)
+        moved_back(cpu, s7cpu_clock(cpu), true, true);
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        struct s7cpu_tod *t = &cpu->tod[k];
+        if (t->local && t->again != S7CPU_NONE)
+            t->again -= ahead;
+        if (t->local && t->next != S7CPU_NEVER && ahead > 0)
+            t->next -= ahead;
+    }
+    if (ahead > 0 && cpu->mode != S7CPU_HOLD)
+        skipped(cpu, FLT_SKIPPED, false);
 }
 
 void s7_tod_released(struct s7cpu *cpu)

@@ -3,7 +3,7 @@
 
 static int64_t ahead(const struct s7cpu *cpu, const struct s7cpu_tod *t)
 {
-    return t->local ? cpu->config.zone : 0;
+    return t->local ? cpu->zone : 0;
 }
 
 int64_t s7_tod_start(const struct s7cpu *cpu, const struct s7cpu_tod *t)

@@ -50,7 +50,7 @@ int s7_tod_set(struct s7cpu *cpu, int ob_nr, const struct s7cpu_date *sdt, bool 
     const struct s7cpu_tod set = {
         .set = true, .active = false, /* [TINT-05, TINT-30] */
         .start = start_point(sdt), .local = local, .period = period, .next = S7CPU_NEVER,
-        .served = S7CPU_NONE};
+        .served = S7CPU_NONE, .again = S7CPU_NONE};
     if (is_past(cpu, &set))
         return RET_PAST;
 

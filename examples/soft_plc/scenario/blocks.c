@@ -14,6 +14,22 @@ static bool read_clock(struct reader *r, const struct json *object, bool *moves,
                   : reader_dt(r, object, "to", true, ms);
 }
 
+/* Local time is set by daylight saving, or with another zone. */
+static bool read_zone(struct reader *r, const struct json *object, bool *daylight, int64_t *ms)
+{
+    static const char *const reasons[] = {"zone", "daylight", NULL};
+    int64_t minutes;
+    int reason;
+    if (!s7cpu_has_local_time(r->scenario->config.cpu.family))
+        return reader_fail(r, "event", object, "a zone on an S7-1500 only");
+    if (!reader_integer(r, object, "zone", true, -720, 840, &minutes) ||
+        !reader_choice(r, object, "reason", true, reasons, "zone or daylight", &reason))
+        return false;
+    *ms = minutes * S7CPU_MINUTE;
+    *daylight = reason == 1;
+    return true;
+}
+
 /* OB_NR of an SFC: any INT, right or wrong. */
 static bool ob_nr(struct reader *r, const struct json *object, struct step *step)
 {
@@ -105,19 +121,22 @@ static bool read_call(struct reader *r, const struct json *o, struct step *step)
     return reader_fail(r, "call", name, "the name of an SFC");
 }
 
-/* SFC 0 and SFC 51. */
+/* SFC 0, SFC 51 and SET_TIMEZONE [T15-103]. */
 static bool read_own_event(struct reader *r, const struct json *o, struct step *step)
 {
-    static const char *const names[] = {"event", "to", "by", "ob", NULL};
-    static const char *const events[] = {"clock", "state", NULL};
+    static const char *const names[] = {"event", "to", "by", "ob", "zone", "reason", NULL};
+    static const char *const events[] = {"clock", "state", "zone", NULL};
     int event;
     bool moves;
     if (!reader_members(r, o, names) ||
-        !reader_choice(r, o, "event", true, events, "clock or state", &event))
+        !reader_choice(r, o, "event", true, events, "clock, state or zone", &event))
         return false;
     step->kind = STEP_STATE;
     if (event == 1)
         return reader_ob(r, o, &step->ob);
+    step->kind = STEP_SET_ZONE;
+    if (event == 2)
+        return read_zone(r, o, &step->daylight, &step->ms);
     if (!read_clock(r, o, &moves, &step->ms))
         return false;
     step->kind = moves ? STEP_MOVE_CLOCK : STEP_SET_CLOCK;
@@ -236,7 +255,7 @@ static bool read_block(struct reader *r, const struct json *o, struct action *a)
 static bool read_action(struct reader *r, const struct json *o, struct action *a)
 {
     static const char *const events[] = {"clock", "interrupt", "stop",   "restart", "hold",
-                                         "release", "load",    "delete", "state",   NULL};
+                                         "release", "load",    "delete", "state",   "zone", NULL};
     static const char *const types[] = {"warm", "cold", "hot", NULL};
     int event, type;
     bool moves;
@@ -263,6 +282,9 @@ static bool read_action(struct reader *r, const struct json *o, struct action *a
     case 8:
         a->kind = ACTION_STATE;
         return reader_ob(r, o, &a->ob);
+    case 9:
+        a->kind = ACTION_SET_ZONE;
+        return read_zone(r, o, &a->daylight, &a->ms);
     default:
         a->kind = event == 2 ? ACTION_STOP : event == 4 ? ACTION_HOLD : ACTION_RELEASE;
         return true;
@@ -272,7 +294,7 @@ static bool read_action(struct reader *r, const struct json *o, struct action *a
 bool read_outside(struct reader *r, const struct json *list)
 {
     static const char *const names[] = {"after", "every",  "event", "ob",
-                                        "to",    "flt_id", "by",    "type", NULL};
+                                        "to",    "flt_id", "by",    "type", "zone", "reason", NULL};
     struct scenario *s = r->scenario;
     int place = 1;
     if (list != NULL && list->kind != JSON_LIST)

@@ -77,6 +77,13 @@ static void clock_change(FILE *to, const char *word)
     member(to, *word == '+' || *word == '-' ? "by" : "to", word);
 }
 
+/* set_zone 60 daylight: minutes and the reason */
+static void zone_change(FILE *to, const char *const *w)
+{
+    member(to, "zone", w[1]);
+    member(to, "reason", w[2]);
+}
+
 static void step(struct shorthand *s)
 {
     const char *name = s->word[0], *const *w = (const char *const *)s->word;
@@ -89,6 +96,9 @@ static void step(struct shorthand *s)
     } else if (strcmp(name, "set_clock") == 0) {
         fputs("{\"event\": \"clock\"", to);
         clock_change(to, w[1]);
+    } else if (strcmp(name, "set_zone") == 0) {
+        fputs("{\"event\": \"zone\"", to);
+        zone_change(to, w);
     } else if (strcmp(name, "state") == 0) {
         fputs("{\"event\": \"state\"", to);
         member(to, "ob", w[1]);
@@ -117,6 +127,8 @@ static void event(struct shorthand *s, int64_t after, int64_t every)
         fprintf(to, ", \"every\": %" PRId64, every);
     if (strcmp(w[0], "clock") == 0)
         clock_change(to, w[1]);
+    else if (strcmp(w[0], "zone") == 0)
+        zone_change(to, w);
     else
         member(to, strcmp(w[0], "restart") == 0 ? "type" : "ob", w[1]);
     if (strcmp(w[0], "interrupt") == 0)

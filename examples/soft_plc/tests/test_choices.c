@@ -10,6 +10,7 @@
 #define CPU(family)                                                                                \
     "cpu " family "\nobs 1 10 11 20 35 80 85 100\nclock 2026-11-21T05:59:30\nmode RUN\n"           \
     "duration 10min\nat +9min load 12\n"
+#define NEWER "cpu S7-1500\nobs 1 10 80 100\nclock 2026-11-21T05:59:30\nmode RUN\nduration 10min\n"
 #define ONCE_10 "step7 10 once 2026-11-21T06:00 active\n"
 #define STATUS(word) "\"status\":\"16#" word "\""
 #define RET(word) "\"ret\":\"16#" word "\""
@@ -106,6 +107,9 @@ static const struct {
     /* The time of a catch-up is that of the point that was skipped first [CLK-07]. */
     {"OBS-10=event", "OBS-10=call", CPU("S7-300") ONCE_10 "at +1s clock +5min\n",
      "\"time\":\"2026-11-21T06:00:00.000\"", 1, 1},
+    {"T15-130=new", "T15-130=old", NEWER ONCE_10, "{\"priority\":2,\"strt_info\":\"16#11\"", 1, 0},
+    {"T15-130=new", "T15-130=old", NEWER ONCE_10, "\"second_time\"", 0, 1},
+    {"T15-130=new", "T15-130=old", CPU("S7-400") ONCE_10, "\"second_time\"", 0, 0},
 };
 
 static char *run(const char *choice, const char *text)

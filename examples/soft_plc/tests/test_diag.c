@@ -25,6 +25,7 @@ static void errors(void)
                         "16#350B", "16#35A3", "\"end\"", NULL));
     CHECK(test_count(log, "16#35A2") == 1); /* OB 11 */
     CHECK(test_count(log, "\"diag\"") == 1 + 6);
+    CHECK(test_count(log, "csg_ob") == 0); /* of an S7-1500 alone */
     free(log);
 }
 

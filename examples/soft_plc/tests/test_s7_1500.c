@@ -26,6 +26,10 @@ static const struct {
     /* Back [T15-93, T15-94]. */
     {" 80", EVERY_MINUTE "at +35s clock -10s\n", START_10, 5, 5},
     {" 80", EVERY_MINUTE "at +35s clock -25s\n", START_10, 5, 6},
+    /* A run that waits over a large step back: its point comes again, also after a small one. */
+    {" 80", EVERY_MINUTE "ob 1 run 1 {\nDIS_AIRT\nbusy 35s\nset_clock 2026-11-21T05:59:30\nEN_AIRT\nbusy 5s\n"
+                         "set_clock 2026-11-21T05:59:30\n}\n",
+     "06:00:00.000\",\"ob\":10,\"info\"", 0, 1},
     /* Overload: OB 80 once, one later run [T15-73, T15-110]. */
     {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_80, 3, 1},
     {" 80", EVERY_MINUTE "ob 10 run 1 {\nbusy 185s\n}\n", START_10, 3, 3},
@@ -125,11 +129,82 @@ static void local_time(void)
     free(log);
 }
 
+/* Local time is set in the night of 2027-03-28 [T15-96 to T15-99, T15-103]: 02:30 is skipped, or comes
+ * again. How often OB 10 and OB 80 start, and a piece of the log that is there so often. */
+static void zone_changes(void)
+{
+#define AT_NIGHT "cpu S7-1500\nobs 1 10 80 100\nclock 2027-03-28T00:50:00\nmode RUN\nduration 3h\nzone 60\nchoose T15-130=old\n"
+#define LOCAL "step7 10 daily 2026-11-01T02:30 active local\n"
+#define CAUGHT_UP "\"caught_up\":true,\"second_time\":false"
+#define SECOND "\"caught_up\":false,\"second_time\":true"
+    static const struct {
+        const char *text;
+        int runs, errors;
+        const char *piece;
+        int times;
+    } table[] = {
+        {LOCAL, 1, 0, "01:30:00.000\"," START_10, 1},
+        {LOCAL "at 10min zone 120 daylight\n", 1, 0, "01:00:00.000\",\"ob\":10,\"info\":{" CAUGHT_UP, 1},
+        {LOCAL "ob 1 run 1 {\nbusy 10min\nset_zone 120 zone\n}\n", 1, 0, CAUGHT_UP, 1},
+        {LOCAL "at 10min zone 90 daylight\n", 1, 0, "01:00:00.000\",\"ob\":10,\"info\":{\"caught_up\":false", 1},
+        {LOCAL "at 70min zone 0 daylight\n", 2, 0, "02:30:00.000\",\"ob\":10,\"info\":{" SECOND, 1},
+        {LOCAL "at 70min zone 0 zone\n", 2, 0, SECOND, 1},
+        {LOCAL "at 10min zone 0 zone\n", 1, 0, SECOND, 0},
+        {"step7 10 daily 2026-11-01T01:30 active\nat 10min zone 120 daylight\nat 70min zone 0 zone\n", 1, 0,
+         "\"caught_up\":false,\"second_time\":false", 1},
+        {LOCAL "at 5min hold\nat 10min zone 120 daylight\nat 15min release\n", 1, 1, CAUGHT_UP, 0},
+        {LOCAL "at 5min stop\nat 10min zone 120 daylight\nat 15min restart warm\n", 0, 0, "\"reason\":\"daylight\"", 1},
+        {"ob 1 run 1 {\nset_zone 120 zone\nSET_TINTL 10 2027-03-28T02:55 16#1001 local activate\n}\n", 1, 0,
+         "00:55:00.000\"," START_10, 1},
+    };
+    for (unsigned i = 0; i < sizeof table / sizeof table[0]; i++) {
+        char text[600];
+        test_join(text, sizeof text, AT_NIGHT, table[i].text);
+        char *log = test_run(text, FAULT_NONE);
+        bool shows = test_count(log, START_10) == table[i].runs && test_count(log, START_80) == table[i].errors &&
+                     test_count(log, table[i].piece) == table[i].times;
+        if (!shows)
+            fprintf(stderr, "%s\n%s", table[i].text, log);
+        CHECK(shows);
+        free(log);
+    }
+}
+
+/* Tags of the clock: CaughtUp and SecondTime, which the first repeated run alone has (A15-18), no run
+ * before. [T15-90, T15-91, T15-94, T15-119, T15-131, T15-132]. */
+static void tags_of_the_clock(void)
+{
+    static const struct {
+        const char *text, *piece;
+        int times;
+    } table[] = {
+        {"at +20s clock +15s\n", CAUGHT_UP, 1},
+        {"at +20s clock +1h\n", CAUGHT_UP, 1},
+        {"at +20s clock +1h\n", "\"ob\":80,\"info\":{\"flt_id\":\"16#05\",\"csg_ob\":1,\"csg_priority\":\"16#01\"}", 1},
+        {"at +20s hold\nat +50s release\n", "\"caught_up\":true", 0},
+        {"at +35s clock -10s\n", "\"second_time\":true", 0},
+        {"at +125s clock -100s\n", SECOND, 1},
+        {"at +125s clock -100s\nat +215s clock -100s\n", SECOND, 2},
+        {"at +20s clock -100s\n", SECOND, 0},
+        {"at +125s clock -100s\nat +126s clock +95s\n", "\"caught_up\":true,\"second_time\":true", 1},
+    };
+    for (unsigned i = 0; i < sizeof table / sizeof table[0]; i++) {
+        char text[600];
+        test_join(text, sizeof text, "cpu S7-1500\nchoose T15-130=old" LOADED " 80" REST EVERY_MINUTE, table[i].text);
+        char *log = test_run(text, FAULT_NONE);
+        if (test_count(log, table[i].piece) != table[i].times)
+            fprintf(stderr, "%s\n%s", table[i].text, log);
+        CHECK(test_count(log, table[i].piece) == table[i].times);
+        free(log);
+    }
+}
+
 #define MORE                                                                                       \
     "cpu S7-1500\nclass 300 startup\nclass 124 startup\nclass 32767 cycle\nclass 123 tod\n"          \
     "class 500 dint\nclass 200 cyclic\nclass 201 hardware\npriority 200 9\n"                        \
     "obs 1 80 100 300 124 32767 123 500 200 201" REST
 #define FROM(ob) "\"ob\":" #ob ",\"info\""
+#define OF_20_BYTES "choose T15-130=old\n"
 
 /* OBs from 123 on [T15-10, T15-11, T15-79, T15-116, T15-132, T15-133], A15-21. */
 static void created(void)
@@ -139,13 +214,20 @@ static void created(void)
     CHECK(test_in_order(log, "\"restart\"", FROM(100), FROM(124), "\"interrupt\"", FROM(300), "\"run\"",
                         FROM(201), FROM(1), FROM(32767), FROM(1), FROM(32767), NULL));
     free(log);
-    log = test_run(MORE "step7 123 minute 2026-11-21T00:00 active\nat +1s interrupt 200\n"
+    log = test_run(MORE OF_20_BYTES "step7 123 minute 2026-11-21T00:00 active\nat +1s interrupt 200\n"
                    "at +35s clock +1h\nob 32767 run 1 {\nbusy 40s\n}\n"
                    "ob 1 run 1 {\nSRT_DINT 500 100ms 16#7\nQRY_TINT 123\nQRY_TINT 124\nSRT_DINT 128 1s 16#7\n"
                    "DIS_IRT 16#02 201\nEN_IRT 16#02 300\n}\n", FAULT_NONE);
     CHECK(test_count(log, "\"strt_info\":\"16#1F\"") > 3 && test_count(log, "\"strt_info\":\"16#2F\"") == 1);
     CHECK(test_count(log, FROM(200) ":{\"priority\":9,\"strt_info\":\"16#3F\"") == 1);
     CHECK(test_count(log, "\"16#8090\"") == 3 && test_count(log, "\"16#0014\"") == 1);
+    CHECK(test_count(log, "\"flt_id\":\"16#05\",\"csg_ob\":32767,\"csg_priority\":\"16#01\"}") == 1);
+    free(log);
+    log = test_run(MORE "step7 123 minute 2026-11-21T00:00 active\nat +1s interrupt 200\nat +2s interrupt 201\n"
+                   "at +35s clock +1h\nob 1 run 1 {\nSRT_DINT 500 100ms 16#7\n}\n", FAULT_NONE);
+    CHECK(test_count(log, FROM(123) ":{" CAUGHT_UP "}") == 1);
+    CHECK(test_count(log, FROM(500) ":{\"sign\":\"16#0007\"}") == 1);
+    CHECK(test_count(log, FROM(200) ":{\"event_count\":\"16#0000\"}") == 1 && test_count(log, FROM(201) ":{}") == 1);
     CHECK(test_count(log, "\"flt_id\":\"16#05\",\"error_info\":\"16#0000\"") == 1);
     free(log);
     log = test_run(MORE "at +1s interrupt 80 16#01\nat +3s interrupt 80 16#01\nob 1 {\nbusy 2s\n}\n"
@@ -199,6 +281,23 @@ static void queues(void)
     }
 }
 
+/* OB 200 keeps one event and runs for 4 s: those at 3 s and 4 s are discarded, and the event of 7 s, the next
+ * new one, has their number [T15-69, T15-70]; a start-up forgets it. */
+static void event_count(void)
+{
+    static const char *const count_2 = "37.000\",\"ob\":200,\"info\":{\"event_count\":\"16#0002\"}";
+    char *log = test_run(MORE "at +1s interrupt 200\nat +2s interrupt 200\n"
+                         "at +3s interrupt 200\nat +4s interrupt 200\nat +7s interrupt 200\n"
+                         "at +8s interrupt 200\nob 200 run 1 {\nbusy 4s\n}\n", FAULT_NONE);
+    CHECK(test_count(log, count_2) == 1 && test_count(log, "16#0000\"}") == 3);
+    free(log);
+    log = test_run(MORE "at +1s interrupt 200\nat +2s interrupt 200\n"
+                   "at +3s interrupt 200\nat +4s restart warm\nat +7s interrupt 200\n"
+                   "ob 200 run 1 {\nbusy 4s\n}\n", FAULT_NONE);
+    CHECK(test_count(log, "37.000\",\"ob\":200,\"info\":{\"event_count\":\"16#0000\"}") == 1);
+    free(log);
+}
+
 void test_s7_1500(void)
 {
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -214,6 +313,9 @@ void test_s7_1500(void)
     }
     behind_ob_80();
     local_time();
+    zone_changes();
+    tags_of_the_clock();
     created();
+    event_count();
     queues();
 }

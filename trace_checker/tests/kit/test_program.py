@@ -6,6 +6,7 @@ from pathlib import Path
 import jsonschema_rs
 import pytest
 
+from s7check.kit.collection import programs_of
 from s7check.kit.program import FORMAT, read_program, read_programs
 from s7check.log.errors import UnusableLogError
 from s7check.resources import CHECKOUT
@@ -100,6 +101,11 @@ def test_accepted(path: str, value: object) -> None:
     program = changed(path, value)
     read_program(text(program))
     assert SCHEMA.is_valid(program)
+
+
+def test_kit_is_of_the_schema() -> None:
+    """Programs for an S7-1500 are, too."""
+    assert [program.name for program in programs_of() if not SCHEMA.is_valid(program.raw)] == []
 
 
 def test_beyond_the_schema() -> None:
