@@ -20,7 +20,7 @@ APInit ==
                classes |-> [o \in {} |-> 0],
                queues |->
                  [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
-               zone |-> 0 ]
+               zone |-> 0, hour |-> NoHour ]
     /\ loaded = {1, 10, 40, 80, 85}
     /\ mode = "RUN"
     /\ startup = "none"

@@ -135,7 +135,7 @@ ChosenCpu ==
                               ELSE IF r = "AMB-56" THEN v ELSE w ],
              classes |-> [o \in {} |-> 0],
              queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
-             zone |-> 0 ]
+             zone |-> 0, hour |-> NoHour ]
 
 AnyConstants ==
     /\ ChosenCpu

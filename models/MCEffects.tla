@@ -59,17 +59,17 @@ PastAgrees ==
     LET late == [Date(0) EXCEPT !.second = 40]
         odd  == [Date(1) EXCEPT !.second = 75]
         new  == SetAnew(NoSetting, late, FALSE, Hourly)
-    IN  /\ StartIsPast(Date(0), FALSE, Once)
-        /\ ~StartIsPast(Date(1), FALSE, Once)
-        /\ Holds("AMB-14", "a", {"a"}, StartIsPast(late, FALSE, Once))
-        /\ Holds("AMB-02", "b", {"a"}, StartIsPast(Date(0), FALSE, Minutely))
+    IN  /\ StartIsPast(Date(0), 0, Once)
+        /\ ~StartIsPast(Date(1), 0, Once)
+        /\ Holds("AMB-14", "a", {"a"}, StartIsPast(late, 0, Once))
+        /\ Holds("AMB-02", "b", {"a"}, StartIsPast(Date(0), 0, Minutely))
         /\ Holds("AMB-37", "a", {"b"}, IsPast(clock, clock))
-        /\ SetAnswers(10, Date(1), FALSE, Once) = {OK}
-        /\ IF SecondsAreKept THEN SetAnswers(10, odd, FALSE, Once) = {BadSdt}
+        /\ SetAnswers(10, Date(1), 0, Once) = {OK}
+        /\ IF SecondsAreKept THEN SetAnswers(10, odd, 0, Once) = {BadSdt}
            ELSE /\ Holds("AMB-79", "c", {"a", "c"},
-                         OK \in SetAnswers(10, odd, FALSE, Once))
+                         OK \in SetAnswers(10, odd, 0, Once))
                 /\ Holds("AMB-79", "c", {"b", "c"},
-                         BadSdt \in SetAnswers(10, odd, FALSE, Once))
+                         BadSdt \in SetAnswers(10, odd, 0, Once))
         /\ Holds("AMB-14", "a", {"c"}, new.offset = 40000)
         /\ Holds("AMB-14", "a", {"a", "b"}, new.offset = 0)
         /\ new.set /\ ~new.active /\ new.start = Six /\ new.period = Hourly

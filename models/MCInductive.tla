@@ -39,7 +39,7 @@ Cpu(family, step7) ==
       step7 |-> [o \in TodObs |-> step7], readings |-> [a \in {} |-> ""],
       classes |-> [o \in {} |-> 0],
       queues |-> [o \in {} |-> [size |-> 1, limit |-> 0, told |-> 0]],
-      zone |-> 0 ]
+      zone |-> 0, hour |-> NoHour ]
 
 (* CPUs with their loaded OBs. *)
 Cpus == { <<Cpu("S7-300", Activated("once", 0)), {10, 40, 80, 85}>>,

@@ -49,6 +49,41 @@ LocalPeriods == {Once, Daily, EndOfMonth}
 LocalMoments == {Moment(0, 55000), Moment(1, 0), Moment(1, 15000)}
 JustOb10 == {10}
 LocalRetVals == {OK, PastStart, NotSet}
+(* By the clock or by local time, as the letter has it.                    *)
+DailyByBoth ==
+    { [o \in TodObs |-> [Activated("daily", 62) EXCEPT !.local = local]]
+      : local \in BOOLEAN }
+LettersOfBase ==
+    { [ a \in DOMAIN l \cup {"A15-01"} |->
+          IF a = "A15-01" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b", "c"} }
+OnceOrDaily == {Once, Daily}
+\* @type: Set(Bool);
+NoLocals == {}
+(* In its place where SET_TINTL names a local time that daylight saving    *)
+(* skips or doubles, or one behind it.                                     *)
+JustLocal == {TRUE}
+HourSdts == { [Date(30) EXCEPT !.hour = h] : h \in {7, 8} }
+LettersOfHours ==
+    { [ a \in DOMAIN l \cup {"A15-20"} |->
+          IF a = "A15-20" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in {"a", "b", "d", "e", "f"} }
+HourLoads == {{10}}
+HourBounded == /\ delay = 0 /\ requests = {} /\ Len(stack) <= 1
+               /\ \A o \in TodObs : ~tod[o].set
+(* In its place where the clock is set back step by step, over a point     *)
+(* that was never served.                                                  *)
+MinuteByStep7 == {[o \in TodObs |-> Activated("minute", 0)]}
+BackMoments == {Moment(1, 0), Moment(1, 5000), Moment(2, 0)}
+BackTargets == { Moment(0, 50000), Moment(1, 5000), Moment(1, 20000),
+                 Moment(1, 35000), Moment(1, 50000), Moment(2, 5000) }
+BackPowerOn == {Moment(1, 5000)}
+LettersOfBack ==
+    { [ a \in DOMAIN l \cup {"A15-17"} |->
+          IF a = "A15-17" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in {"a", "c"} }
+BackBounded == /\ delay = 0 /\ Waiting(1)
+               /\ (mode = "STOP" => clock \in PowerOnMoments)
 (* In their place where local time changes between one and two hours       *)
 (* ahead: OB 10 is hourly by it, or by the clock.                          *)
 OneOrTwoHours == {60, 120}

@@ -18,8 +18,10 @@ CallEvents == {"SET_TINT", "SET_TINTL", "CAN_TINT", "ACT_TINT", "QRY_TINT",
 (* The values that RET_VAL may have.                                       *)
 \* @type: $event => Set(Int);
 AnswersTo(e) ==
-    CASE e.event \in {"SET_TINT", "SET_TINTL"} ->
-           SetAnswers(e.ob, e.sdt, e.local = 1, e.period)
+    CASE e.event = "SET_TINT" ->
+           SetAnswers(e.ob, e.sdt, ZoneOf(SdtIsLocal(e.ob)), e.period)
+      [] e.event = "SET_TINTL" ->
+           SetLocalAnswers(e.ob, e.sdt, e.local = 1, e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
       [] e.event = "ACT_TINT" -> ActAnswers(e.ob)
       [] e.event = "QRY_TINT" -> QryAnswers(e.ob)

@@ -101,6 +101,14 @@ Either(may, mayNot) == (IF may THEN {TRUE} ELSE {})
 AnyDisAirtAnswer == { CHOOSE r \in DisAirtAnswers(c) : TRUE : c \in 0..32766 }
 AnyEnAirtAnswer  == { CHOOSE r \in EnAirtAnswers(c) : TRUE : c \in 0..32768 }
 
+(* [T15-103] Local time may have been set unseen, to any that a header may *)
+(* name: a start by it may be past or not.                                 *)
+\* @type: $event => Bool;
+ByUnseenZone(e) ==
+    /\ Unseen("clock")
+    /\ \/ e.event = "SET_TINTL" /\ e.local = 1
+       \/ e.event = "SET_TINT" /\ SdtIsLocal(e.ob)
+
 (* The answers that some unseen events allow. *)
 \* @type: $event => Set(Int);
 LooseAnswers(e) ==
@@ -123,6 +131,11 @@ LooseAnswers(e) ==
                ELSE UNION { DisAirtAnswers(c) : c \in Counts }
           [] e.event = "EN_AIRT" -> IF Unseen("call") THEN AnyEnAirtAnswer
                ELSE UNION { EnAirtAnswers(c) : c \in Counts }
+          [] ByUnseenZone(e) ->
+               UNION { SetAnswers(o, e.sdt, zone, e.period)
+                       : zone \in {-720, 840} }
+                 \cup (IF e.event = "SET_TINT" \/ SkippedTimeIsTaken THEN {}
+                       ELSE AnyCode)
           [] OTHER                -> AnswersTo(e)
 
 \* @type: Int => Set(Bool);
@@ -170,10 +183,20 @@ IsLooseAnswer(e) ==
     /\ UNCHANGED <<deviceVars, modeVars, clock, irt, outcomeVars, stack>>
 
 \* @type: $event => Bool;
+LooseSet(e) ==
+    \E ret \in LooseAnswers(e) \cup FailuresOf(e) :
+      /\ e.ret \in {-1, ret}
+      /\ IF IsGeneralError(ret) THEN Fails(ret)
+         ELSE IF e.event = "SET_TINT"
+         THEN SetsOrNot(e.ob, e.sdt, e.period, ret)
+         ELSE SetsLocalOrNot(e.ob, e.sdt, TRUE, e.period, e.activate = 1, ret)
+
+\* @type: $event => Bool;
 LooseCall(e) ==
     /\ Called
-    /\ IF e.event \in {"SET_TINT", "SET_TINTL", "SRT_DINT",
-                       "DIS_IRT", "EN_IRT"}
+    /\ IF ByUnseenZone(e) THEN LooseSet(e)
+       ELSE IF e.event \in {"SET_TINT", "SET_TINTL", "SRT_DINT",
+                            "DIS_IRT", "EN_IRT"}
        THEN IsCall(e) ELSE IsLooseAnswer(e)
 
 -----------------------------------------------------------------------------
@@ -391,7 +414,7 @@ LooseClock(e) ==
 (* OB 80 may report what daylight saving skips.                            *)
 \* @type: $event => Bool;
 LooseZone(e) ==
-    /\ cpu' = [cpu EXCEPT !.zone = e.zone]
+    /\ cpu' = InZone(cpu, e.zone, e.reason = "daylight")
     /\ tod' = [o \in DOMAIN tod |-> Moved(tod[o], e.zone - cpu.zone)]
     /\ requests' = IF mode = "STOP" THEN requests
                    ELSE requests \cup {Mark(TimeErrorOb, SkippedByDaylight)}

@@ -140,13 +140,14 @@ FitsCause(r, i) ==
        /\ IF r.cause \in TodObs THEN FitsPeriod(i.error_info, r.word)
           ELSE r.cause \in DintObs => Fits(i.error_info, r.word)
 
-(* [CLK-06] At least one OB is late, even if the log does not tell which. *)
+(* [CLK-06] At least one OB is late, even if the log does not tell which.  *)
+(* [T15-92] The 20 bytes have bits for OB 10 to 17 alone.                  *)
 \* @type: ($request, Int) => Bool;
 FitsMask(r, given) ==
     \/ r.fault \in Skips
     \/ r.fault = SkippedByDaylight /\ r.late # {}
     => IF r.late # {} THEN Fits(given, LateMask(r.late))
-                                        ELSE given \in {-1} \cup (1..255)
+       ELSE given \in {-1} \cup ((IF TodObs = OldTodObs THEN 1 ELSE 0)..255)
 
 (* [T15-132] The OB that was being processed, and its priority.            *)
 \* @type: ($request, $info) => Bool;
@@ -198,6 +199,15 @@ FitsTags(r, i) ==
     ELSE /\ i.caught_up = -1 /\ i.second_time = -1
          /\ r.ob \in DintObs => i.event_count = -1
 
+(* [T15-135] An S7-1500 tells of a start by 20 bytes or by tags, and these *)
+(* have no PERIOD, no DTIME and no time.                                   *)
+\* @type: $info => Bool;
+HasOneLayout(i) ==
+    LET tags  == {i.caught_up, i.second_time, i.event_count, i.csg_ob,
+                  i.csg_priority}
+        bytes == {i.period, i.dtime, i.time.min}
+    IN  Family.byKind => tags = {-1} \/ bytes = {-1}
+
 (* [DINT-03] *)
 \* @type: ($request, $info) => Bool;
 FitsInterrupt(r, i) ==
@@ -211,6 +221,7 @@ FitsInterrupt(r, i) ==
 FitsRequest(r, e) ==
     /\ IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN FitsError(r, e.info)
                                                  ELSE FitsInterrupt(r, e.info)
+    /\ HasOneLayout(e.info)
     /\ FitsTime(r, e)
 
 -----------------------------------------------------------------------------

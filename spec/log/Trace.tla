@@ -20,7 +20,7 @@ Init ==
                step7 |-> [o \in {} |-> NoParameters],
                readings |-> [a \in {} |-> ""],
                classes |-> [o \in {} |-> 0],
-               queues |-> [o \in {} |-> NoQueue], zone |-> 0 ]
+               queues |-> [o \in {} |-> NoQueue], zone |-> 0, hour |-> NoHour ]
     /\ loaded = {} /\ mode = "STOP" /\ startup = "none" /\ resume = NothingKept
     /\ clock = At(0)
     /\ tod = [o \in {} |-> NoSetting] /\ dint = NoJobs /\ irt = NoneBlocked
@@ -76,7 +76,8 @@ CpuOf(h) ==
                                   deselected |-> s.deselected,
                                   local |-> s.local ]
                        ELSE NoParameters ],
-      zone     |-> h.zone ]
+      zone     |-> h.zone,
+      hour     |-> NoHour ]
 
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
 (* past moment has already run. A point that equals the clock may have     *)

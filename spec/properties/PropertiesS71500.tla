@@ -97,6 +97,22 @@ SetBackProp ==
                  tod'[o].next = PointFrom(tod[o], FirstMinute(tod[o], clock'))
       ]_vars
 
+(* [T15-93] [A15-17] Set back by less than 20 s, the clock arms the first  *)
+(* point that was not served; under (a) the first that also lies behind    *)
+(* the last one that was.                                                  *)
+LastServedProp ==
+    [][ Did("clock") /\ mode = "RUN" /\ Before(clock', clock)
+          /\ Distance20 < 20000 =>
+          \A o \in TodObs : tod[o].active =>
+            LET t == tod'[o]
+                was(p) == \E i \in t.served : i.from <= p /\ p <= i.to
+                over(p) == /\ cpu'.readings["A15-17"] = "a"
+                           /\ \E i \in t.served : p <= i.to
+                now == FirstMinute(t, clock')
+                ahead == { PointFrom(t, m) : m \in now..(now + 4) }
+                free == { p \in ahead : ~was(p) /\ ~over(p) }
+            IN  \A p \in free : t.next <= p /\ t.next \in free ]_vars
+
 (* [T15-93] [T15-94] A clock that is set back arms a one-shot interrupt    *)
 (* that ran only over its point, and only by 20 s or more.                 *)
 OnceAgainProp ==
@@ -117,10 +133,9 @@ StopPointsProp ==
 
 (* [T15-08] [T15-09] [T15-20] [T15-99] [T15-141] SET_TINTL sets and, if it *)
 (* is told so, activates. Its points are those of its start by local time; *)
-(* a one-shot start is past by the clock. [T15-21] SET_TINT goes by it.    *)
+(* a one-shot start is past by the clock.                                  *)
 SetLocalProp ==
-    [][ /\ Did("SET_TINT") /\ step'.value = 0 => tod'[step'.ob].zone = 0
-        /\ Did("SET_TINTL") =>
+    [][ Did("SET_TINTL") =>
           LET o == step'.ob
               t == tod'[o]
               sdt == MinuteOf(step'.sdt)
@@ -138,6 +153,47 @@ SetLocalProp ==
                    /\ t.active /\ t.period # Once =>
                         IsFirst(t.start, t.period, t.next + t.zone,
                                 t.zone + Ahead) ]_vars
+
+(* [T15-141] [A15-20] Where LOCAL is true in every call: a local time that *)
+(* daylight saving skipped is refused, taken or either; of one that it     *)
+(* doubled, the first is past for a one-shot interrupt.                    *)
+TwiceOrNeverProp ==
+    [][ /\ Did("zone") =>
+             cpu'.hour = IF step'.operand = 0 THEN [from |-> 0, to |-> 0]
+                         ELSE [ from |-> clock.min + cpu.zone,
+                                to   |-> clock.min + step'.value ]
+        /\ Did("SET_TINTL") =>
+          LET sdt     == MinuteOf(step'.sdt)
+              ret     == step'.value
+              letter  == cpu.readings["A15-20"]
+              skipped == cpu.hour.from <= sdt /\ sdt < cpu.hour.to
+              doubled == cpu.hour.to <= sdt /\ sdt < cpu.hour.from
+              past    == /\ step'.operand = Once
+                         /\ Before(At(sdt - cpu.zone), clock)
+          IN  /\ skipped /\ letter = "a" => ret # 0
+              /\ ret = \h80A0 => letter = "a"
+                                  \/ (skipped /\ letter # "b")
+              /\ ret = 0 => ~past
+              /\ ret = \h80A1 /\ ~past =>
+                   \/ letter = "a"
+                   \/ skipped /\ letter # "b"
+                   \/ doubled /\ letter # "e" /\ step'.operand = Once
+              /\ doubled /\ letter = "d" /\ step'.operand = Once =>
+                   ret = \h80A1 ]_vars
+
+(* [T15-21] [A15-01] SDT of SET_TINT is system time; local time under (b); *)
+(* under (c) that which STEP 7 gives the OB.                               *)
+SetBaseProp ==
+    [][ Did("SET_TINT") =>
+          LET o == step'.ob
+              zone == CASE cpu.readings["A15-01"] = "a" -> 0
+                        [] cpu.readings["A15-01"] = "b" -> cpu.zone
+                        [] cpu.step7[o].local           -> cpu.zone
+                        [] OTHER                        -> 0
+              past == Before(At(MinuteOf(step'.sdt) - zone), clock)
+          IN  /\ step'.value = 0 => tod'[o].zone = zone
+              /\ step'.operand = Once => (step'.value = \h80A1 <=> past)
+      ]_vars
 
 (* [T15-10] [T15-11] A call takes an OB from 123 on that has its event     *)
 (* class, here OB 123, and no other. [T15-54] [A15-21] What a class number *)

@@ -7,7 +7,7 @@
 (* No action uses this module.                                             *)
 (* Source: the requirement IDs.                                            *)
 (***************************************************************************)
-EXTENDS Calendar, LogState, Readings
+EXTENDS ReportedData, Readings
 
 (* A requirement of S7-300/400, and that of the S7-1500 in its place. *)
 \* @type: Set(<<Str, Str>>);
@@ -96,7 +96,9 @@ OfTheInfo(e, past) ==
                   THEN {"T15-133"} ELSE {})
             \cup (IF e.ob = CycleOb /\ i.strt_info # -1 THEN {"T15-134"}
                   ELSE {})
-    IN  IF tags = {} THEN {"OBS-10"} ELSE tags
+    IN  CASE ~HasOneLayout(i) -> {"T15-135"}
+          [] tags = {}         -> {"OBS-10"}
+          [] OTHER             -> tags
 
 (* Of a queue whose parameters are known.                                  *)
 \* @type: Str => Set(Str);

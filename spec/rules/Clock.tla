@@ -199,6 +199,15 @@ Moved(t, d) ==
                         !.repeatTo = MovedMinute(@, d),
                         !.overTo   = MovedMinute(@, d) ]
 
+(* [A15-20] Daylight saving skips the minutes from the one to the other,   *)
+(* or doubles them. What another zone does to them is not known.           *)
+\* @type: ($cpu, Int, Bool) => $cpu;
+InZone(c, zone, daylight) ==
+    [ c EXCEPT !.zone = zone,
+               !.hour = IF ~daylight THEN NoHour
+                        ELSE [ from |-> clock.min + cpu.zone,
+                               to   |-> clock.min + zone ] ]
+
 LocalObs == { o \in DOMAIN tod : tod[o].local }
 
 (* [T15-97] Interrupts that serve their points again: all if daylight      *)
@@ -240,7 +249,7 @@ LocalTimeSet(zone, daylight) ==
               again \in ServedAgain(d, daylight),
               ones \in SUBSET LocalOnes(d, to) :
            \E c \in CpusThatShow(active(count), to) :
-             /\ cpu' = [c EXCEPT !.zone = zone]
+             /\ cpu' = InZone(c, zone, daylight)
              /\ tod' = [ o \in DOMAIN tod |->
                   Moved(IF o \in again \cup ones
                         THEN Forgetful(o, to, c, o \in ones)

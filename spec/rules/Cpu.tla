@@ -123,6 +123,10 @@ Deselected(o) == \/ o \in TodObs /\ cpu.step7[o].deselected
 \* @type: Bool => Int;
 ZoneOf(local) == IF local THEN cpu.zone ELSE 0
 
+(* [A15-20] No hour of daylight saving is known.                           *)
+\* @type: $run;
+NoHour == [from |-> 0, to |-> 0]
+
 (* [T15-68] The parameters of its queue are known, and so is what waits.   *)
 \* @type: Int => Bool;
 HasQueue(o) == o \in DOMAIN cpu.queues /\ cpu.queues[o].size > 0

@@ -133,7 +133,7 @@ Questions ==
     <<"A15-17", "b", ABC>>,
     <<"A15-18", "c", ABC>>,
     <<"A15-19", "d", ABCD>>,
-    <<"A15-20", "c", ABC>>,
+    <<"A15-20", "f", AToF>>,
     <<"A15-21", "f", AToF>>,
     <<"A15-22", "c", ABC>>,
     <<"A15-23", "c", ABC>>,
@@ -141,8 +141,7 @@ Questions ==
 
 (* No formula asks these; docs/rules/readings.md says why. *)
 \* @type: Set(Str);
-NotAsked == { "AMB-24", "AMB-30", "AMB-64", "AMB-78",
-              "A15-01", "A15-17", "A15-20" }
+NotAsked == {"AMB-24", "AMB-30", "AMB-64", "AMB-78"}
 
 \* @type: Str => <<Str, Str, Set(Str)>>;
 RowOf(a) == CHOOSE q \in Questions : q[1] = a
@@ -367,9 +366,12 @@ UnservedAreOverToLastCall(c) == ReadingOf(c, "AMB-56") = "d"
 \* @type: $cpu => Bool;
 NewSettingForgets(c) == ReadingOf(c, "AMB-57") = "a"
 
-(* [AMB-56] [AMB-57] An open reading shows one way, and the CPU keeps to it. *)
-CpusByMemory == UNION { Turned(c, "AMB-57", "c", {"a", "b"}) :
-                          c \in Turned(cpu, "AMB-56", "c", {"a", "b", "d"}) }
+(* [AMB-56] [AMB-57] [A15-17] An open reading shows one way, and the CPU   *)
+(* keeps to it.                                                            *)
+CpusByMemory ==
+    UNION { UNION { Turned(d, "A15-17", "c", {"a", "b"})
+                    : d \in Turned(c, "AMB-57", "c", {"a", "b"}) }
+            : c \in Turned(cpu, "AMB-56", "c", {"a", "b", "d"}) }
 
 (* [AMB-58] A clock set forward skips points that were served already. *)
 ServedPointsAreSkipped == Reading("AMB-58") = "b"
@@ -475,6 +477,10 @@ ErrorTakesClassOfRun == Reading("AMB-88") = "b"
 -----------------------------------------------------------------------------
 (* The answers about an S7-1500                                            *)
 
+(* [A15-01] SDT of SET_TINT is local time; or the base is that which STEP  *)
+(* 7 gives the OB.                                                         *)
+SetTintTakesLocal    == Reading("A15-01") = "b"
+SetTintTakesItsBase  == Reading("A15-01") = "c"
 (* [A15-02] Monthly from day 29 on is taken; or refused by some code.      *)
 (* Yearly on February 29 is taken; or refused.                             *)
 LateDaysAreTaken     == Reading("A15-02") = "b"
@@ -542,6 +548,10 @@ OverloadIsReportedOnce  == Reading("A15-15") = "a"
 OverloadIsReportedAgain == Reading("A15-15") = "b"
 (* [A15-16] CaughtUp tells a clock that was set forward, nothing else.     *)
 CaughtUpIsOfTheClock == Reading("A15-16") = "a"
+(* [A15-17] In time that a small jump repeats, the points up to the last   *)
+(* one that was served are over.                                           *)
+\* @type: $cpu => Bool;
+SmallJumpEndsUnserved(c) == ReadingOf(c, "A15-17") = "a"
 (* [A15-18] SecondTime is told of the first repeated run alone; or of each. *)
 FirstAloneIsSecondTime == Reading("A15-18") = "a"
 EachIsSecondTime       == Reading("A15-18") = "b"
@@ -550,6 +560,12 @@ EachIsSecondTime       == Reading("A15-18") = "b"
 CallTakesTimeAlone == Reading("A15-19") = "a"
 CallTakesTheDate   == Reading("A15-19") = "b"
 CallRefusesOtherDays == Reading("A15-19") = "c"
+(* [A15-20] SET_TINTL refuses a local time that daylight saving skips; or  *)
+(* takes it. One that is doubled is the first one; or the second.          *)
+SkippedTimeIsRefused  == Reading("A15-20") = "a"
+SkippedTimeIsTaken    == Reading("A15-20") = "b"
+DoubledTimeIsTheFirst == Reading("A15-20") = "d"
+DoubledTimeIsTheLast  == Reading("A15-20") = "e"
 (* [A15-21] A class of SFC 39 and 40 has the OBs from 123 on; or it has    *)
 (* not. DIS_IRT takes the MODEs 80 to 82; or it refuses them.              *)
 NumberedHaveAClass  == Reading("A15-21") = "a"

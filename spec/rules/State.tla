@@ -16,8 +16,10 @@ VARIABLES
     (* may miss some), by how many there OB 80 is called (0: by none), and  *)
     (* whether what is beyond is entered as 3507 (1, 0; -1 is not known);   *)
     (* zone: the minutes by which local time is ahead of the clock, which   *)
-    (* may be set [T15-103]. Nothing else changes, but: where the default   *)
-    (* is "either", the CPU may show its letter later.                      *)
+    (* may be set [T15-103]; hour: if daylight saving did it last, the      *)
+    (* local minutes before and after [A15-20], else 0 and 0. Nothing else  *)
+    (* changes, but: where the default is "either", the CPU may show its    *)
+    (* letter later.                                                        *)
     \* @type: $cpu;
     cpu,
     (* The OBs that are loaded. *)
@@ -95,7 +97,7 @@ VARIABLES
 (* @typeAlias: cpu = { family: Str, priority: Int -> Int,                  *)
 (*                     step7: Int -> $step7, readings: Str -> Str,         *)
 (*                     classes: Int -> Int, queues: Int -> $queue,         *)
-(*                     zone: Int };                                        *)
+(*                     zone: Int, hour: $run };                            *)
 (* @typeAlias: queue = { size: Int, limit: Int, told: Int };               *)
 (* @typeAlias: run = { from: Int, to: Int };                               *)
 (* @typeAlias: tod = { set: Bool, active: Bool, start: Int,                *)

@@ -39,7 +39,8 @@ Seen(event, ob, value) == step' = Step(event, ob, value)
 Init ==
     /\ cpu \in [ family : Families, priority : Priorities,
                  step7 : Step7Settings, readings : ReadingSets,
-                 classes : ObClasses, queues : Queues, zone : Zones ]
+                 classes : ObClasses, queues : Queues, zone : Zones,
+                 hour : {NoHour} ]
     /\ loaded \in Loads
     /\ mode = "STOP"
     /\ startup = "none"

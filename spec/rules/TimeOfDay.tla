@@ -87,22 +87,22 @@ StartMoment(sdt, period) ==
                                        !.start  = MinuteOf(sdt)])
     ELSE IF SecondsAreDroppedFirst THEN At(MinuteOf(sdt)) ELSE ExactMoment(sdt)
 
-(* [TINT-36] [TINT-37] [AMB-02] SDT is a local time or not, here and below *)
-(* [T15-20].                                                               *)
-\* @type: ($date, Bool, Int) => Bool;
-StartIsPast(sdt, local, period) ==
+(* [TINT-36] [TINT-37] [AMB-02] SDT is of a time that is zone minutes      *)
+(* ahead of the clock, here and below [T15-20].                            *)
+\* @type: ($date, Int, Int) => Bool;
+StartIsPast(sdt, zone, period) ==
     /\ HasOnePoint(period) \/ EveryPastStartIsRefused
     /\ ValidMinute(sdt)
-    /\ IsPast([StartMoment(sdt, period) EXCEPT !.min =
-                  ByTheClock(@, ZoneOf(local))], clock)
+    /\ IsPast([StartMoment(sdt, period) EXCEPT !.min = ByTheClock(@, zone)],
+              clock)
 
 (* [TINT-35] *)
-\* @type: (Int, $date, Bool, Int) => Set(Int);
-SetErrors(o, sdt, local, period) ==
+\* @type: (Int, $date, Int, Int) => Set(Int);
+SetErrors(o, sdt, zone, period) ==
     ObErrors(o)
       \cup (IF ValidSdt(sdt, period) THEN {} ELSE {BadSdt})
       \cup (IF period \in ValidPeriods THEN {} ELSE {BadPeriod})
-      \cup (IF StartIsPast(sdt, local, period) THEN {PastStart} ELSE {})
+      \cup (IF StartIsPast(sdt, zone, period) THEN {PastStart} ELSE {})
 
 (* [T15-32] [T15-23] [A15-22] [A15-02] A PERIOD 1202, yearly on February   *)
 (* 29, and monthly from day 29 on may be refused.                          *)
@@ -119,9 +119,9 @@ OpenErrors(o, sdt, period, errors) ==
 
 (* [TINT-11] [AMB-79] Seconds that no date has are dropped like any, or    *)
 (* are an error.                                                           *)
-\* @type: (Int, $date, Bool, Int) => Set(Int);
-SetAnswers(o, sdt, local, period) ==
-    LET errors == SetErrors(o, sdt, local, period)
+\* @type: (Int, $date, Int, Int) => Set(Int);
+SetAnswers(o, sdt, zone, period) ==
+    LET errors == SetErrors(o, sdt, zone, period)
     IN  (IF ~OddSeconds(sdt) THEN SettingAnswers(o, errors)
          ELSE (IF OddSecondsMayPass THEN SettingAnswers(o, errors) ELSE {})
                 \cup (IF OddSecondsMayBeWrong
@@ -139,25 +139,60 @@ SetAnew(t, sdt, local, period) ==
                                                    ELSE 0,
                       !.period = period ]
 
+(* [T15-21] [A15-01] Whether SDT of SET_TINT is local time.                *)
+\* @type: Int => Bool;
+SdtIsLocal(o) ==
+    /\ Family.setsLocal
+    /\ \/ SetTintTakesLocal
+       \/ SetTintTakesItsBase /\ o \in TodObs /\ cpu.step7[o].local
+
 (* [TINT-30] [TINT-05] [TINT-38] A refused call changes nothing, or it     *)
 (* cancels the old setting [AMB-20].                                       *)
 \* @type: (Int, $date, Int, Int) => Bool;
-SetTint(o, sdt, period, ret) ==
-    /\ Called
-    /\ ret \in SetAnswers(o, sdt, FALSE, period)
-    /\ IF ret = OK THEN SettingBecomes(o, SetAnew(tod[o], sdt, FALSE, period))
+SetsOrNot(o, sdt, period, ret) ==
+    /\ IF ret = OK
+       THEN SettingBecomes(o, SetAnew(tod[o], sdt, SdtIsLocal(o), period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
        THEN SettingBecomes(o, Unset(tod[o]))
        ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
 
-(* [T15-08] [T15-09] [T15-141] SET_TINTL: it activates as well, if it is   *)
-(* told so.                                                                *)
+\* @type: (Int, $date, Int, Int) => Bool;
+SetTint(o, sdt, period, ret) ==
+    /\ Called
+    /\ ret \in SetAnswers(o, sdt, ZoneOf(SdtIsLocal(o)), period)
+    /\ SetsOrNot(o, sdt, period, ret)
+
+(* [A15-20] The log has told that daylight saving skipped this local time; *)
+(* or that it doubled it.                                                  *)
+\* @type: $date => Bool;
+IsSkipped(sdt) == cpu.hour.from <= MinuteOf(sdt) /\ MinuteOf(sdt) < cpu.hour.to
+\* @type: $date => Bool;
+IsDoubled(sdt) == cpu.hour.to <= MinuteOf(sdt) /\ MinuteOf(sdt) < cpu.hour.from
+
+(* [T15-141] [A15-20] A local time that is skipped may be refused by any   *)
+(* code; if it is doubled, the first one is past for a one-shot interrupt. *)
+(* Nobody knows of one that is still ahead: a CPU that refuses such times  *)
+(* may refuse it.                                                          *)
+\* @type: (Int, $date, Bool, Int) => Set(Int);
+SetLocalAnswers(o, sdt, local, period) ==
+    LET usual == SetAnswers(o, sdt, ZoneOf(local), period)
+        first == SetAnswers(o, sdt, cpu.zone + cpu.hour.from - cpu.hour.to,
+                            period)
+    IN  CASE ~local \/ ~ValidMinute(sdt) -> usual
+          [] IsSkipped(sdt) ->
+               (IF SkippedTimeIsRefused THEN {} ELSE usual)
+                 \cup (IF SkippedTimeIsTaken THEN {} ELSE AnyCode)
+          [] IsDoubled(sdt) ->
+               (IF DoubledTimeIsTheFirst THEN {} ELSE usual)
+                 \cup (IF DoubledTimeIsTheLast THEN {} ELSE first)
+          [] OTHER ->
+               usual \cup (IF SkippedTimeIsRefused THEN AnyCode ELSE {})
+
+(* [T15-08] [T15-09] SET_TINTL activates as well, if it is told so.        *)
 \* @type: (Int, $date, Bool, Int, Bool, Int) => Bool;
-SetTintL(o, sdt, local, period, activate, ret) ==
-    /\ Called /\ Family.setsLocal
-    /\ ret \in SetAnswers(o, sdt, local, period)
+SetsLocalOrNot(o, sdt, local, period, activate, ret) ==
     /\ IF ret # OK
        THEN IF o \in TodObs /\ RefusedSetTintCancels
             THEN SettingBecomes(o, Unset(tod[o])) /\ UNCHANGED cpu
@@ -173,6 +208,12 @@ SetTintL(o, sdt, local, period, activate, ret) ==
                     /\ requests' = Withdrawn(o)
     /\ NothingEntered
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
+
+\* @type: (Int, $date, Bool, Int, Bool, Int) => Bool;
+SetTintL(o, sdt, local, period, activate, ret) ==
+    /\ Called /\ Family.setsLocal
+    /\ ret \in SetLocalAnswers(o, sdt, local, period)
+    /\ SetsLocalOrNot(o, sdt, local, period, activate, ret)
 
 -----------------------------------------------------------------------------
 (* SFC 29 *)

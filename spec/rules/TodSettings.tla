@@ -223,14 +223,16 @@ WasServed(t, p, c) ==
 LastCalls(t, c) ==
     { i.to : i \in t.served } \cup { i.to : i \in Remembered(t, c) }
 
-(* [AMB-56] Unserved points up to this minute are over, too, if the        *)
-(* interrupt was active when the clock was set back.                       *)
+(* [AMB-56] [A15-17] Unserved points up to this minute are over, too, if   *)
+(* the interrupt was active when the clock was set back.                   *)
 \* @type: ($tod, $cpu) => Int;
 OverUntil(t, c) ==
     LET calls == LastCalls(t, c)
         last  == CHOOSE p \in calls : \A q \in calls : q <= p
     IN  IF UnservedAreOver(c) THEN t.overTo
-        ELSE IF UnservedAreOverToLastCall(c) /\ calls # {}
+        ELSE IF /\ \/ UnservedAreOverToLastCall(c)
+                   \/ Family.jump # 0 /\ SmallJumpEndsUnserved(c)
+                /\ calls # {}
         THEN IF last < t.overTo THEN last ELSE t.overTo
         ELSE -1
 
