@@ -107,6 +107,7 @@ FitsTime(r, e) ==
                  ELSE time
     IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
+        \/ r.follows \in LocalSkips  \* no text says by which local time
         \/ /\ ~exact
            /\ \/ ~Before(shown, r.since) /\ ~Before(Latest(e), time)
               \/ /\ changes # {} \/ Before(clock, r.since)
@@ -149,12 +150,13 @@ FitsMask(r, given) ==
     => IF r.late # {} THEN Fits(given, LateMask(r.late))
        ELSE given \in {-1} \cup ((IF TodObs = OldTodObs THEN 1 ELSE 0)..255)
 
-(* [T15-132] The OB that was being processed, and its priority.            *)
+(* [T15-132] The OB that was being processed, and its priority; of an      *)
+(* error from outside it may be any.                                       *)
 \* @type: ($request, $info) => Bool;
 FitsRunning(r, i) ==
-    /\ Fits(i.csg_ob, r.during)
-    /\ r.during > 0 => Fits(i.csg_priority, ClassOf(r.during))
-    /\ r.during = 0 => Fits(i.csg_priority, 0)
+    \/ r.during = 0 /\ r.cause = 0 /\ r.late = {}
+    \/ /\ Fits(i.csg_ob, r.during)
+       /\ Fits(i.csg_priority, IF r.during = 0 THEN 0 ELSE ClassOf(r.during))
 
 (* The fields that the start information and the entry of an error share. *)
 \* @type: ($request, $info) => Bool;
@@ -177,14 +179,16 @@ CaughtUps(r) ==
       [] OTHER -> {0}
 
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
-(* point that the OB serves again has it.                                  *)
+(* point that the OB serves again has it. Nothing tells it of a run that   *)
+(* waited while the clock was set back, or of a catch-up of such a point.   *)
 \* @type: $request => Set(Int);
 SecondTimes(r) ==
     LET t     == tod[r.ob]
         point == r.since.min
         again == t.repeatTo < t.overTo /\ point <= t.overTo
         begins == ~\E i \in t.served \cup t.merged : i.from < point
-    IN  IF r.since = NoMoment THEN {0, 1}
+    IN  IF r.since = NoMoment \/ Before(clock, r.since) THEN {0, 1}
+        ELSE IF 1 \in CaughtUps(r) /\ t.overTo >= 0 THEN {0, 1}
         ELSE IF ~again THEN {0}
         ELSE IF begins \/ EachIsSecondTime THEN {1}
         ELSE IF FirstAloneIsSecondTime THEN {0} ELSE {0, 1}

@@ -115,7 +115,9 @@ ServedUntil(t) ==
 \* @type: (Int, $moment, $cpu, Bool) => $tod;
 Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
-                             !.repeatTo = -1, !.overTo = ServedUntil(tod[o]),
+                             !.repeatTo = -1,
+                             !.overTo = LET u == ServedUntil(tod[o])
+                                        IN  IF @ > u THEN @ ELSE u,
                              !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
         i == CHOOSE r \in RanOnce(o, to) : TRUE
     IN  IF runsAgain

@@ -101,8 +101,11 @@ RestartRequests ==
                          !.since = At(cpu.step7[o].start
                                         - ZoneOf(cpu.step7[o].local)),
                          !.word = Once,
-                         !.dtime = clock.min ]
-      : o \in { p \in TodObs : PastOnce(p) } }
+                         !.dtime = clock.min,
+                         !.open = Family.missesInStop ]
+      : o \in { p \in TodObs : /\ PastOnce(p)
+                              /\ ~(Family.missesInStop
+                                     /\ StopPointsAreNothing) } }
 
 NoneBlocked == [blocked |-> {}, silent |-> {}]
 \* @type: $resume;
