@@ -147,9 +147,12 @@ RestartProp ==
                               /\ DayOf(s.start \div 1440) > 28
                            THEN LateMonthly(tod'[o].period)
                            ELSE <<s.execution, tod'[o].period>> \in PeriodTable
-                   /\ PendingIn(requests', o) <=>
-                        /\ s.execution = "once" /\ s.active /\ ~Deselected(o)
-                        /\ Before(At(s.start), clock)
+                   /\ (IF Family.missesInStop  \* [T15-120] [A15-12]
+                       THEN OpenIn(requests', o) \/ StopPointsAreNothing
+                       ELSE PendingIn(requests', o)) <=>
+                        \/ Family.missesInStop /\ StopPointsAreNothing
+                        \/ /\ s.execution = "once" /\ s.active
+                           /\ ~Deselected(o) /\ Before(At(s.start), clock)
           /\ stopCause' = \h454A <=> \E o \in loaded : Deselected(o) ]_vars
 
 (* [OBS-52] [OBS-53] [IRT-03] [DINT-13] [AMB-26] A hot restart is one of a *)
