@@ -11,7 +11,7 @@ from pathlib import Path
 
 from evidence.common.cases import all_cases
 from evidence.common.checkout import MANIFEST, ROOT
-from evidence.kit import calendar, calls, failing, meetings, nesting, resuming, shipped, steps, waiting
+from evidence.kit import calendar, calls, failing, meetings, nesting, resuming, shipped, steps, waiting, zones
 from evidence.kit.files import PATHS, REACHED, Json, as_line, read_lines
 from evidence.models.manifest import load
 from s7check.kit.program import FORMAT
@@ -36,6 +36,7 @@ def programs() -> list[Json]:
         *meetings.programs(SEED),
         *resuming.programs(SEED),
         *failing.programs(SEED),
+        *zones.programs(SEED),
         *_paths(),
     ]
 

@@ -95,7 +95,7 @@ class AwlAdapter(Adapter):
             if self.outside and self.outside[0]["after"] <= self.now:
                 self.cpu.poll()  # what is due by now was due before the event
                 event = self.outside.pop(0)
-                self.set_clock(event) if event["event"] == "clock" else self.cpu.outside(event)
+                self.bring_about(event)
             elif self.begun:
                 self.execute(self.begun.pop())
             else:

@@ -49,18 +49,19 @@ class Adapter:
             return False
         else:
             step = steps.pop(0)
-            self.cpu.call(step.pop("call"), step) if "call" in step else self.set_clock(step)
+            self.cpu.call(step.pop("call"), step) if "call" in step else self.bring_about(step)
         return True
 
-    def set_clock(self, event):
-        """Sets the clock to a date, or moves it; another event or a wait of 0 does nothing."""
-        if event.get("event") != "clock":
-            return
-        before = self.clock + timedelta(milliseconds=self.now)
-        to = datetime.fromisoformat(event["to"]) if "to" in event else before + timedelta(milliseconds=event["by"])
-        self.log("clock", to=to.isoformat(timespec="milliseconds"))
-        self.clock += to - before
-        self.cpu.clock_set(before, to)
+    def bring_about(self, event):
+        """Sets the clock to a date, or moves it; SFC 51 and a wait of 0 do nothing, the CPU knows the other events."""
+        if event.get("event") == "clock":
+            before = self.clock + timedelta(milliseconds=self.now)
+            to = datetime.fromisoformat(event["to"]) if "to" in event else before + timedelta(milliseconds=event["by"])
+            self.log("clock", to=to.isoformat(timespec="milliseconds"))
+            self.clock += to - before
+            self.cpu.clock_set(before, to)
+        elif event.get("event", "state") != "state":
+            self.cpu.outside(event)
 
     def run(self):
         """Runs the program to its end."""
@@ -69,8 +70,7 @@ class Adapter:
             raise UnsupportedError("no events that come again")
         while self.now < self.program["duration"]:
             while outside and outside[0]["after"] <= self.now:
-                self.set_clock(outside[0]) if outside[0]["event"] == "clock" else self.cpu.outside(outside[0])
-                outside.pop(0)
+                self.bring_about(outside.pop(0))
             self.cpu.poll()
             if self.cpu.dispatch() or self.step():
                 continue

@@ -14,6 +14,7 @@ from s7check.engine.client import Engine
 from s7check.kit.adapter import Ran
 from s7check.kit.collection import programs_of
 from s7check.kit.followed import departure
+from s7check.kit.from_log import program_of
 from s7check.kit.program import Program, read_program
 from s7check.kit.whole import whole
 from s7check.log.errors import UnusableLogError
@@ -118,6 +119,31 @@ def test_an_ob_is_loaded(real_engine: Engine) -> None:
     header = PROGRAM["header"] | {"obs": [1, 85]}
     log = told(simulated(real_engine, program(header=header, outside=outside, bodies=[])))
     assert "30.200 start 40" in log
+
+
+def test_local_time(real_engine: Engine) -> None:
+    """It is set by a step, though it is so already, and from outside, in STOP too; the clock goes on."""
+    zone = {"event": "zone", "zone": 120, "reason": "daylight"}
+    steps = [{"wait": 1000}, zone, zone, {"wait": 10}, {"call": "EN_AIRT"}]
+    header = PROGRAM["header"] | {"cpu": "S7-1500", "obs": [1, 100], "zone": 60}
+    outside = [{"after": 1500, "event": "stop"}, {"after": 2000, **zone, "zone": 60, "every": 2000}]
+    log = simulated(real_engine, program(header=header, outside=outside, bodies=[{"ob": 1, "run": 1, "steps": steps}]))
+    assert told(log) == [
+        "31.000 zone",
+        "31.000 zone",
+        "31.010 EN_AIRT W#16#8080",
+        "31.500 stop",
+        "32.000 zone",
+        "34.000 zone",
+    ]
+    assert [line["zone"] for line in log if line.get("event") == "zone"] == [120, 120, 60, 60]
+    back = program_of(real_engine, [json.dumps(line).encode() for line in log], "zone", "Of the log.", ["T15-103"])
+    made = [{"after": after, **zone} for after in (1000, 1000)] + [
+        {"after": 1500, "event": "stop"},
+        *({"after": after, **zone, "zone": 60} for after in (2000, 4000)),
+    ]
+    assert (back["header"]["zone"], back["outside"]) == (60, made)
+    assert read_program(json.dumps(back)).plain["outside"] == made
 
 
 def test_modes(real_engine: Engine) -> None:

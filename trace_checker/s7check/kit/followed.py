@@ -89,7 +89,8 @@ def _lacks(after: int, event: dict[str, Any]) -> str:
 
 def _kind(event: dict[str, Any]) -> tuple[object, ...]:
     fault = event.get("flt_id", -1)
-    return (event["event"], event.get("ob"), fault if event["event"] == "interrupt" else -1)
+    zone = (event["zone"], event["reason"]) if event["event"] == "zone" else None
+    return (event["event"], event.get("ob"), fault if event["event"] == "interrupt" else -1, zone)
 
 
 def _without_line(program: Program, log: Whole) -> Iterator[tuple[int, dict[str, Any]]]:

@@ -88,8 +88,10 @@ def _may_run(family: str, program: Program) -> bool:
     words = pool.alternatives()
     header = program.header
     local = any(fields.get("local") for fields in header.get("step7", {}).get("tod", {}).values())
-    calls = {step.get("call") for body in program.bodies for step in body.steps}
-    if family not in words.local and (local or WITHOUT_NUMBER in calls or not header.keys().isdisjoint(OF_S7_1500)):
+    steps = [step for body in program.bodies for step in body.steps]
+    local = local or any(event.get("event") == "zone" for event in (*steps, *program.outside))
+    local = local or any(step.get("call") == WITHOUT_NUMBER for step in steps)
+    if family not in words.local and (local or not header.keys().isdisjoint(OF_S7_1500)):
         return False
     return _may_have(words, family, header.get("priority", {}))
 

@@ -137,6 +137,8 @@ def _statements(body: Body) -> Iterator[str]:
             yield _call(step)
         elif step["event"] == "state":
             yield f"FC151(OB_NR := {step['ob']});"
+        elif step["event"] == "zone":
+            raise NotForCpuError("a zone: S7-300/400 have none")
         elif "to" in step:
             yield f"ret := FC100(PDT := {_date(step['to'])});"
         else:

@@ -15,9 +15,12 @@ from s7check.kit.whole import elapsed
 from s7check.log.calls import MODES, OPERANDS
 
 Call = tuple[int, dict[str, Any]]
-"""A call, or a step that sets the clock, with the milliseconds for which its OB is at work before."""
+"""A call, or a step that sets the clock or local time, with the milliseconds for which its OB is at work before."""
 
 _CLOCK = {"call": "clock"}
+"""A clock that is right already needs no line."""
+
+_SETTINGS = ("clock", "zone")
 
 _CYCLE = 200
 """Milliseconds that a cycle of OB 1 may take beside its waits."""
@@ -37,6 +40,14 @@ def _called(event: dict[str, Any]) -> dict[str, Any]:
     """The call of a line, as a program in one spelling has it."""
     operands = {name: event[name] for name in OPERANDS[event["event"]]}
     return {"call": event["event"], **operands, **({"sdt": passed_date(event["sdt"])} if "sdt" in operands else {})}
+
+
+def _setting(event: dict[str, Any]) -> dict[str, Any]:
+    return _CLOCK if event["event"] == "clock" else {"call": "zone", "zone": event["zone"], "reason": event["reason"]}
+
+
+def _without_clocks(calls: list[Call]) -> list[Call]:
+    return [*dropwhile(lambda one: one[1] is _CLOCK, calls)]
 
 
 class _Runs:
@@ -70,8 +81,8 @@ class _Runs:
             worked += step.get("wait", 0)
             if "call" in step:
                 calls.append((worked, _call(step)))
-            elif step.get("event") == "clock":
-                calls.append((worked, _CLOCK))
+            elif step.get("event") in _SETTINGS:
+                calls.append((worked, _setting(step)))
         return calls, worked
 
     def cycle_with_calls(self, begun: int) -> tuple[list[Call], int]:
@@ -131,8 +142,8 @@ class _Turns:
         wrong = ""
         if name in OPERANDS:
             wrong = self._take_call(event)
-        elif name == "clock":
-            self._take_clock()
+        elif name in _SETTINGS:
+            self._take_setting(_setting(event))
         elif name == "start":
             self._start(event["ob"])
         elif name == "end":
@@ -247,7 +258,7 @@ class _Turns:
         if not self._stack:
             self._fetch()
         frame = self._stack[-1] if self._stack else self._below
-        frame.calls = [*dropwhile(lambda one: one[1] is _CLOCK, frame.calls)]  # a clock that was right needs no line
+        frame.calls = _without_clocks(frame.calls)
         if not frame.calls:
             return "no call of the program is left here"
         late, call = frame.done()
@@ -256,11 +267,13 @@ class _Turns:
         self._next_cycle += late if frame is self._below else 0
         return ""
 
-    def _take_clock(self) -> None:
+    def _take_setting(self, setting: dict[str, Any]) -> None:
         if not self._stack and self._mode != "STOP":
             self._fetch()
         frame = self._stack[-1] if self._stack else self._below
-        if frame.calls and frame.calls[0][1] is _CLOCK and frame.calls[0][0] <= frame.worked + self._slack:
+        calls = frame.calls if setting is _CLOCK else _without_clocks(frame.calls)
+        if calls and calls[0][1] == setting and calls[0][0] <= frame.worked + self._slack:
+            frame.calls = calls
             frame.done()
 
 

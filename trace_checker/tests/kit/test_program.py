@@ -103,6 +103,29 @@ def test_accepted(path: str, value: object) -> None:
     assert SCHEMA.is_valid(program)
 
 
+ZONE = {"event": "zone", "zone": -720, "reason": "daylight"}
+
+
+def zoned(cpu: str = "S7-1500", **fields: object) -> dict[str, object]:
+    """A program with a step and an event from outside that set local time; None takes a field away."""
+    zone = {name: value for name, value in (ZONE | fields).items() if value is not None}
+    header = changed("header.cpu", cpu)["header"] | {"obs": [1, 10, 35, 80, 100]}
+    return PROGRAM | {"header": header, "outside": [{"after": 10, **zone}], "bodies": [{"ob": 1, "steps": [zone]}]}
+
+
+def test_a_zone() -> None:
+    """An S7-1500 alone has one; its values are those of a log."""
+    program = read_program(text(zoned()))
+    assert (program.plain["outside"], program.bodies[0].steps) == ([{"after": 10, **ZONE}], (ZONE,))
+    assert SCHEMA.is_valid(zoned())
+    for wrong in ({"zone": 841}, {"reason": "summer"}, {"zone": None}, {"reason": None}, {"to": "2026-11-21T06:00"}):
+        with pytest.raises(UnusableLogError):
+            read_program(text(zoned(**wrong)))
+        assert not SCHEMA.is_valid(zoned(**wrong))
+    with pytest.raises(UnusableLogError):
+        read_program(text(zoned("S7-400")))
+
+
 def test_kit_is_of_the_schema() -> None:
     """Programs for an S7-1500 are, too."""
     assert [program.name for program in programs_of() if not SCHEMA.is_valid(program.raw)] == []

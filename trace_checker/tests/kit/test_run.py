@@ -197,6 +197,7 @@ def test_fitted() -> None:
         ({"classes": {"123": "hardware"}}, [], "no S7-1500"),
         ({"step7": {"tod": {"10": {"local": True}}}}, [], "no S7-1500"),
         ({}, [{"call": "SET_TINTL", "local": True, "activate": True, **WEEKLY}], "no S7-1500"),
+        ({}, [{"event": "zone", "zone": 60, "reason": "daylight"}], "no S7-1500"),
     ],
 )
 def test_what_only_an_s7_1500_has(header: dict[str, object], steps: list[dict[str, object]], lack: str) -> None:

@@ -23,7 +23,7 @@ final class Events {
   static final String FAULT = "flt_id";
   private static final String HOT = "hot";
   private static final String SET_LOCAL = "SET_TINTL";
-  private static final String LOCAL_TIME = "zone";
+  static final String LOCAL_TIME = "zone";
 
   /** Milliseconds; no log outlasts the years that the CPU clock can show. */
   private static final long LONGEST_UP = 100L * 366 * 86_400_000;
@@ -172,8 +172,8 @@ final class Events {
     if (unit > 1) {
       event.add("step", unit);
     }
-    if (List.of(SET_LOCAL, LOCAL_TIME).contains(name) && !local.contains(cpu.family())) {
-      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu.family(), EVENT);
+    if (List.of(SET_LOCAL, LOCAL_TIME).contains(name)) {
+      checkLocal(cpu.family());
     }
     if (!event.has(RET) && event.get(OB) instanceof Long ob && ob > lastOb && !cpu.numberedObs().contains(ob)) {
       throw new Unusable("an OB " + obs + " or one of the header's \"classes\"", String.valueOf(ob), OB);
@@ -186,6 +186,13 @@ final class Events {
       throw new Unusable("where \"ret\" is 0", "none", STATUS);
     }
     return event;
+  }
+
+  /** An event of local time is one of a CPU that has it. */
+  void checkLocal(String cpu) {
+    if (!local.contains(cpu)) {
+      throw new Unusable("on " + String.join(" and ", local) + " only", "on " + cpu, EVENT);
+    }
   }
 
   /** A hot restart is one of a CPU that knows it [OBS-57]. */

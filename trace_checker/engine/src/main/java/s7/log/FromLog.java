@@ -145,7 +145,7 @@ final class FromLog implements LogReader.Taker {
       case "stop" -> stop(event);
       case "restart" -> restart(given);
       case "run" -> run();
-      case "interrupt", "hold", "release", "clock", "load", "delete" -> fromOutside(event, given);
+      case "interrupt", "hold", "release", "clock", "zone", "load", "delete" -> fromOutside(event, given);
       default -> {
       }
     }
@@ -172,7 +172,7 @@ final class FromLog implements LogReader.Taker {
       return;
     }
     var kept = new Fields().put("event", event.text("event"));
-    for (String name : List.of("ob", Events.FAULT, "to")) {
+    for (String name : List.of("ob", Events.FAULT, "to", "zone", "reason")) {
       if (given.has(name)) {
         kept.put(name, given.get(name));
       }

@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
@@ -71,6 +72,7 @@ final class Programs {
     lastOb = words.obs.last();
     Reader ob = Spellings.integer(words.obs.first(), words.numbers.last());
     event("clock", none, Table.of("to", DATE, "by", Spellings.integer(-LONGEST, LONGEST)));
+    event(Events.LOCAL_TIME, events.required(Events.LOCAL_TIME), none);
     event("interrupt", events.required("interrupt"), Table.of(Events.FAULT, Spellings.BYTE));
     for (String name : new String[] {"load", "delete", "restart"}) {
       event(name, events.required(name), none);
@@ -79,7 +81,7 @@ final class Programs {
       event(name, none, none);
     }
     event("state", Table.of("ob", ob), none);
-    own.keySet().retainAll(List.of("clock", "state"));
+    own.keySet().retainAll(List.of("clock", Events.LOCAL_TIME, "state"));
     for (String name : events.calls()) {
       var operands = Table.of("call", SAME);
       operands.putAll(events.required(name));
@@ -185,16 +187,41 @@ final class Programs {
     }
     var read = (Fields) program.read(raw);
     Fields classes = read.object("header").get("classes") instanceof Fields given ? given : new Fields();
+    String cpu = read.object("header").text("cpu");
     for (String list : new String[] {"bodies", "outside"}) {
-      List<?> all = read.has(list) ? read.list(list) : List.of();
-      for (int i = 0; i < all.size(); i++) {
-        Object ob = ((Fields) all.get(i)).get("ob");
+      checkEach(read, list, each -> {
+        Object ob = each.get("ob");
         if (ob instanceof Long number && number > lastOb && !classes.has(ob.toString())) {
-          throw new Unusable("one of the header's \"classes\"", "OB " + ob, "ob").inside(i + 1 + "").inside(list);
+          throw new Unusable("one of the header's \"classes\"", "OB " + ob, "ob");
         }
-      }
+        checkLocal(each, cpu);
+        checkEach(each, "steps", step -> checkLocal(step, cpu));
+      });
     }
     return read;
+  }
+
+  private void checkLocal(Fields step, String cpu) {
+    if (Events.LOCAL_TIME.equals(step.get("event"))) {
+      events.checkLocal(cpu);
+    }
+  }
+
+  /** Checks each object of a list, if there is one; an error names its place. */
+  private static void checkEach(Fields of, String list, Consumer<Fields> check) {
+    if (!of.has(list)) {
+      return;
+    }
+    Reader checked =
+        value -> {
+          check.accept((Fields) value);
+          return value;
+        };
+    try {
+      each(checked).read(of.get(list));
+    } catch (Unusable wrong) {
+      throw wrong.inside(list);
+    }
   }
 
   /** What a CPU offers: lists of names or numbers, yes or no, and the milliseconds of the {@code longest} program. */

@@ -36,6 +36,7 @@ final class Simulation {
   private static final String EVENT = "event";
   private static final String OB = "ob";
   private static final String CLOCK = "clock";
+  private static final String ZONE = "zone";
   private static final String STOP = "stop";
   private static final String RESTART = "restart";
   private static final String START = "start";
@@ -372,6 +373,8 @@ final class Simulation {
         if (!Days.iso(clock).equals(line.get("to"))) {
           return List.of(line);
         }
+      } else if (ZONE.equals(step.get(EVENT))) {
+        return List.of(step);
       }
       work.top().goOn();
     }
