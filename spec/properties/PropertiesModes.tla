@@ -147,12 +147,13 @@ RestartProp ==
                               /\ DayOf(s.start \div 1440) > 28
                            THEN LateMonthly(tod'[o].period)
                            ELSE <<s.execution, tod'[o].period>> \in PeriodTable
-                   /\ (IF Family.missesInStop  \* [T15-120] [A15-12]
-                       THEN OpenIn(requests', o) \/ StopPointsAreNothing
-                       ELSE PendingIn(requests', o)) <=>
-                        \/ Family.missesInStop /\ StopPointsAreNothing
-                        \/ /\ s.execution = "once" /\ s.active
-                           /\ ~Deselected(o) /\ Before(At(s.start), clock)
+                   /\ LET past == /\ s.execution = "once" /\ s.active
+                                  /\ ~Deselected(o)
+                                  /\ Before(At(s.start), clock)
+                      IN  IF ~Family.missesInStop
+                          THEN PendingIn(requests', o) <=> past
+                          ELSE /\ ~PendingIn(requests', o)  \* [T15-120]
+                               /\ OpenIn(requests', o) => past
           /\ stopCause' = \h454A <=> \E o \in loaded : Deselected(o) ]_vars
 
 (* [OBS-52] [OBS-53] [IRT-03] [DINT-13] [AMB-26] A hot restart is one of a *)
