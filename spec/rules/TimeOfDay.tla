@@ -178,7 +178,7 @@ IsDoubled(sdt) == cpu.hour.to <= MinuteOf(sdt) /\ MinuteOf(sdt) < cpu.hour.from
 \* @type: (Int, $date, Bool, Int) => Set(Int);
 SetLocalAnswers(o, sdt, local, period) ==
     LET usual == SetAnswers(o, sdt, ZoneOf(local), period)
-        first == SetAnswers(o, sdt, cpu.zone + cpu.hour.from - cpu.hour.to,
+        early == SetAnswers(o, sdt, cpu.zone + cpu.hour.from - cpu.hour.to,
                             period)
     IN  CASE ~local \/ ~ValidMinute(sdt) -> usual
           [] IsSkipped(sdt) ->
@@ -186,7 +186,7 @@ SetLocalAnswers(o, sdt, local, period) ==
                  \cup (IF SkippedTimeIsTaken THEN {} ELSE AnyCode)
           [] IsDoubled(sdt) ->
                (IF DoubledTimeIsTheFirst THEN {} ELSE usual)
-                 \cup (IF DoubledTimeIsTheLast THEN {} ELSE first)
+                 \cup (IF DoubledTimeIsTheLast THEN {} ELSE early)
           [] OTHER ->
                usual \cup (IF SkippedTimeIsRefused THEN AnyCode ELSE {})
 
