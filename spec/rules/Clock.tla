@@ -216,9 +216,9 @@ LocalObs == { o \in DOMAIN tod : tod[o].local }
 (* saving ends, [T15-98] some, or none, if a zone does.                    *)
 \* @type: (Int, Bool) => Set(Set(Int));
 ServedAgain(d, daylight) ==
-    CASE d > 0    -> {{}}
-      [] daylight -> {LocalObs}
-      [] OTHER    -> SUBSET LocalObs
+    { CASE d > 0    -> {}
+        [] daylight -> LocalObs
+        [] OTHER    -> some : some \in SUBSET LocalObs }
 
 (* One-shot interrupts by local time that ran, and may run again.          *)
 \* @type: (Int, $moment) => Set(Int);
