@@ -291,7 +291,7 @@ LEFT_OUT = 8
 """Accepted logs of which every subset of the kinds of event is left out."""
 
 MUTANTS, SEED = 4, 54
-"""A sample in which the shipped logs notice every mutant, in a quarter of a minute; models run only for mutants left."""
+"""A sample in which the shipped logs notice nearly every mutant, in seconds; models run only for mutants left."""
 
 STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,
