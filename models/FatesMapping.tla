@@ -55,7 +55,7 @@ ErrorsOccurring(o) ==
 
 (* A skip may wait for the end of HOLD [AMB-53].                           *)
 \* @type: Int => Bool;
-IsSkipped(o) ==
+ComesOfASkip(o) ==
     \/ /\ step'.event \in {"clock", "release"} /\ mode # "STOP"
        /\ Skipped(o) /\ tod'[o].next # tod[o].next
     \/ PassedInHold(o)
@@ -67,7 +67,7 @@ Occurring(o) ==
     ELSE IF /\ ~Deselected(o)
             /\ \/ /\ step'.event \in {"interrupt", "reached", "elapsed"}
                   /\ step'.ob = o /\ mode # "STOP"
-               \/ o \in TodObs /\ IsSkipped(o)
+               \/ o \in TodObs /\ ComesOfASkip(o)
                \/ Did("restart") /\ PendingIn(requests', o)
     THEN 1 ELSE 0
 
@@ -84,7 +84,7 @@ IsTakenAlong(o) ==
     \/ Did("interrupt") /\ Silenced(TimeErrorOb) /\ ClassIsTaken(ClassOf(o))
     \/ \E n \in entered' : /\ n.id = ErrorEntry + BufferOverflow
                            /\ n.of.cause = o
-    \/ o \in TodObs /\ IsSkipped(o) /\ Blocked(TimeErrorOb)
+    \/ o \in TodObs /\ ComesOfASkip(o) /\ Blocked(TimeErrorOb)
 
 \* @type: Int => Bool;
 IsLost(o) == /\ ~Did("restart")
