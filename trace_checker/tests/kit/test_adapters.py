@@ -129,8 +129,8 @@ def test_half_of_the_time_does_not_pass(soft_plc: str, tmp_path: Path) -> None:
             # Beside what may lag behind its wait by 100 ms and the latency of 10 ms.
             other_half = range(program.duration // 2 + 1, program.duration - 110)
             late = [line for line in lines if line.get("up", 0) in other_half]
-            # A cycle of OB 1 lasts as long as the implementation likes.
-            assert [line for line in late if line.get("ob") != 1] == [], program.name
+            # A cycle of OB 1 lasts as long as the implementation likes, and a `state` line need not come.
+            assert [line for line in late if line.get("ob") != 1 and line["event"] != "state"] == [], program.name
 
 
 def test_silence_about_what_may_be_silent(soft_plc: str, tmp_path: Path) -> None:
