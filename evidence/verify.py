@@ -236,7 +236,7 @@ def _requirements() -> list[Row]:
 
 def _views() -> list[Row]:
     begun = time.monotonic()
-    # Beside the ones that others read meanwhile.
+    # Tests may read those in build/views meanwhile.
     command = [sys.executable, "-m", "evidence", "views", "make", "--output", str(BUILD / "views")]
     run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     said, *problems = run.stdout.splitlines() or [""]
@@ -292,7 +292,7 @@ LEFT_OUT = 8
 """Accepted logs of which every subset of the kinds of event is left out."""
 
 MUTANTS, SEED = 4, 54
-"""A sample in which the shipped logs notice nearly every mutant, in seconds; models run only for mutants left."""
+"""A sample in which the shipped logs notice every mutant, in seconds; models run only for mutants left."""
 
 STEPS: dict[str, Callable[[], list[Row]]] = {
     "models of the CI lane": _models,

@@ -150,8 +150,8 @@ FitsMask(r, given) ==
     => IF r.late # {} THEN Fits(given, LateMask(r.late))
        ELSE given \in {-1} \cup ((IF TodObs = OldTodObs THEN 1 ELSE 0)..255)
 
-(* [T15-132] The OB that was being processed, and its priority; of an      *)
-(* error from outside it may be any.                                       *)
+(* [T15-132] The OB that was being processed, and its priority. An error   *)
+(* from outside may name any OB: its line does not tell which one ran.     *)
 \* @type: ($request, $info) => Bool;
 FitsRunning(r, i) ==
     \/ r.during = 0 /\ r.cause = 0 /\ r.late = {}
@@ -179,8 +179,8 @@ CaughtUps(r) ==
       [] OTHER -> {0}
 
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
-(* point that the OB serves again has it. Nothing tells it of a run that   *)
-(* waited while the clock was set back, or of a catch-up of such a point.   *)
+(* point that the OB serves again has it. No text says what a run has that *)
+(* waited while the clock was set back, or a catch-up of such a point.     *)
 \* @type: $request => Set(Int);
 SecondTimes(r) ==
     LET t     == tod[r.ob]

@@ -74,8 +74,8 @@ SomeCatchUpProp ==
         \/ \E o \in TodObs : OnStack(o) \/ \E r \in requests' : r.ob = o
       ]_vars
 
-(* [T15-91] A late run comes after its OB 80, whatever the class of its    *)
-(* OB: it does not interrupt OB 80.                                        *)
+(* [T15-91] A run that follows an OB 80 comes after it, whatever the class *)
+(* of its OB: it does not interrupt OB 80.                                 *)
 LateRunWaitsProp ==
     [][ Dispatched =>
           \E r \in requests :

@@ -228,8 +228,8 @@ StopsUncalled(r) ==
     /\ r.ob = ProgramErrorOb /\ StopsTheCpu(r) /\ MissingOb85StopsAtOnce
     /\ Undelayed \/ StopIsNotDelayed
 
-(* [TINT-15] [CLK-03] [T15-91] A run comes after the OB 80 that reports     *)
-(* it, which its class may be above on an S7-1500.                         *)
+(* [TINT-15] [CLK-03] [T15-91] A run comes after the OB 80 that reports    *)
+(* it. On an S7-1500 the class of the run may be the higher one.           *)
 \* @type: $request => Bool;
 Reported(r) ==
     r.follows # 0 =>
