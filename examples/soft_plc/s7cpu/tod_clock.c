@@ -27,15 +27,16 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
             s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */
 }
 
-/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. On an
- * S7-1500 not one behind `before`: it has waited over a large step back and comes again [T15-94]. */
+/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. On an S7-1500 not one
+ * behind `before` that has waited over a large step back: it comes again [T15-94]. */
 static int64_t last_served(const struct s7cpu *cpu, int k, int64_t before)
 {
-    const int64_t end = s7_family(cpu)->serves_uncalled ? before : S7CPU_NEVER;
-    int64_t last = cpu->tod[k].served <= end ? cpu->tod[k].served : S7CPU_NONE;
+    const struct s7cpu_tod *t = &cpu->tod[k];
+    const bool all = !s7_family(cpu)->serves_uncalled;
+    int64_t last = all || t->served <= before || t->served > t->again ? t->served : S7CPU_NONE;
     for (int i = 0; i < cpu->queue_length; i++) {
         const int64_t time = cpu->queue[i].info.time;
-        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && time > last && time <= end)
+        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && time > last && (all || time <= before || time > t->again))
             last = time;
     }
     return last;
