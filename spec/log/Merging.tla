@@ -80,14 +80,18 @@ MeetingPlace ==
 Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
           reports |-> reports]
 
+(* A request without its place. What was told of its overload stays.       *)
+\* @type: $request => $request;
+Unplaced(r) == [r EXCEPT !.rank = 0, !.open = FALSE]
+
 (* A request without its place, and its number among equal requests. *)
 \* @type: (Set($request), $request) => $tag;
 Tag(q, r) ==
-    LET of == AsItCame(r)
+    LET of == Unplaced(r)
     IN  [ of  |-> of,
           nth |-> Cardinality({ s \in q : /\ s.since = of.since
                                          /\ s.rank <= r.rank
-                                         /\ AsItCame(s) = of }) ]
+                                         /\ Unplaced(s) = of }) ]
 
 \* @type: Set($request) => Set({ tag: $tag, r: $request });
 Tagged(q) == { [tag |-> Tag(q, r), r |-> r] : r \in q }
@@ -191,7 +195,8 @@ Meet(all) ==
                          !.unsure = @ \cup
                            { r.ob : r \in { q \in requests' : q.open } },
                          !.endless = @ \cup
-                           { g.of : g \in { h \in DOMAIN places :
+                           { AsItCame(g.of) :
+                             g \in { h \in DOMAIN places :
                                              ~Apart(h, places) } } ]
 
 -----------------------------------------------------------------------------

@@ -179,15 +179,16 @@ QueueIsFull(o) ==
 \* @type: (Int, Bool) => Bool;
 NothingTells(o, full) == full /\ WaitingOf(o) = {}
 
-(* [T15-73] [A15-15] Whether one more event calls OB 80.                   *)
-\* @type: (Int, Bool) => Set(Bool);
+(* [T15-73] OB 80 was called for this overload, or that is not known.      *)
+\* @type: (Int, Bool) => Bool;
+MayBeTold(o, full) == StillRunning \in ToldOf(o) \/ NothingTells(o, full)
+
+(* [T15-73] [A15-15] Whether one more event calls OB 80, or may call it.   *)
+\* @type: (Int, Bool) => Bool;
 ReachesThreshold(o, full) ==
     LET limit == QueueOf(o).limit
-    IN  IF limit = 0 \/ EventsOfOb(o) < limit THEN {FALSE}
-        ELSE IF StillRunning \notin ToldOf(o) /\ ~NothingTells(o, full)
-        THEN {TRUE}
-        ELSE (IF OverloadIsReportedAgain THEN {} ELSE {FALSE})
-               \cup (IF OverloadIsReportedOnce THEN {} ELSE {TRUE})
+    IN  /\ limit # 0 /\ EventsOfOb(o) >= limit
+        /\ ~(MayBeTold(o, full) /\ OverloadIsReportedOnce)
 
 (* Whether it matters later that an overflow was entered.                  *)
 \* @type: Int => Bool;
@@ -224,9 +225,10 @@ OneMoreWaits(new, told) ==
 \* @type: $request => Bool;
 QueuesUp(new) ==
     \E full \in QueueIsFull(new.ob) \ DropsBesideOb80(new) :
-    \E calls \in ReachesThreshold(new.ob, full) :
-      LET error == [ TimeError(StillRunning, {new.ob}, new.ob, new.word)
-                     EXCEPT !.since = new.since ]
+      LET calls == ReachesThreshold(new.ob, full)
+          again == MayBeTold(new.ob, full) /\ ~OverloadIsReportedAgain
+          error == [ TimeError(StillRunning, {new.ob}, new.ob, new.word)
+                     EXCEPT !.since = new.since, !.open = again ]
           told  == ToldOf(new.ob) \cup (IF calls THEN {StillRunning} ELSE {})
                      \cup (IF full /\ AsksForEntry(new.ob)
                            THEN {BufferOverflow} ELSE {})

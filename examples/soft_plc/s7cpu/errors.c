@@ -25,7 +25,8 @@ static void blame(const struct s7cpu *cpu, struct s7cpu_request *r, int ob)
 void s7_error_overlap(struct s7cpu *cpu, int ob, int z1)
 {
     struct s7cpu_request r = error(cpu, 80, FLT_OVERLAP);
-    if (s7_family(cpu)->has_queues && cpu->overloaded[ob])
+    const bool each_time = !s7_family(cpu)->has_queues || s7_ob_kind(ob) == OB_DELAY; /* [T15-36] */
+    if (cpu->overloaded[ob] && !each_time)
         return; /* [T15-73], A15-15, reading a */
     cpu->overloaded[ob] = true;
     r.info.error_info = z1;
