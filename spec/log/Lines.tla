@@ -270,6 +270,21 @@ NextPace(e) ==
 
 -----------------------------------------------------------------------------
 
+(* [T15-69] What the queue of an OB has dropped, or may have, and no run   *)
+(* has shown.                                                              *)
+\* @type: $event => Bool;
+NextDropped(e) ==
+    LET drops == \/ OpenIn(requests, e.ob)
+                 \/ Cardinality(WaitingOf(e.ob))'
+                      = Cardinality(WaitingOf(e.ob))
+    IN  CASE e.event = "interrupt" /\ HasQueue(e.ob) ->
+               terms' = [ terms EXCEPT !.dropped[e.ob] =
+                            @ + (IF drops THEN 1 ELSE 0) ]
+          [] e.event = "start" /\ e.info.event_count > 0 /\ HasQueue(e.ob) ->
+               terms' = [ terms EXCEPT !.dropped[e.ob] =
+                            @ - e.info.event_count ]
+          [] OTHER -> UNCHANGED terms
+
 (* [AMB-69] (b) A call or the start of OB 1 while another OB may start.    *)
 \* @type: $event => Bool;
 StandsBefore(e) ==
@@ -299,5 +314,6 @@ Shows(e) ==
          \* The log ends: nothing is missing up to this moment.
          [] e.event = "done"       -> UNCHANGED cpuVars /\ NothingEntered
     /\ IF e.event = "diag" THEN UNCHANGED <<waiting, eventVars>> ELSE Rewait
-    /\ UNCHANGED <<terms, up>>
+    /\ NextDropped(e)
+    /\ UNCHANGED up
 =============================================================================

@@ -23,7 +23,8 @@ EXTENDS Cpu
 (*                       records: Set(Str), loose: Bool,                   *)
 (*                       endless: Set($request),                           *)
 (*                       unsure: Set(Int),                                 *)
-(*                       early: Set({ ob: Int, since: $moment }) };        *)
+(*                       early: Set({ ob: Int, since: $moment }),          *)
+(*                       dropped: Int -> Int };                            *)
 (* @typeAlias: obStep7 = { ob: Int, execution: Str, start: Int,            *)
 (*                         active: Bool, deselected: Bool, local: Bool };  *)
 (* @typeAlias: header = { cpu: Str, obs: Set(Int), clock: $moment,         *)
@@ -117,7 +118,8 @@ VARIABLES
     (* requests that stand for any number of requests; unsure, the OBs for *)
     (* which some explanations had a request and others had none. early:   *)
     (* the delays that were over 1 ms before their time, each with the     *)
-    (* moment.                                                             *)
+    (* moment. dropped: of each OB with a queue, how many start events     *)
+    (* this queue has dropped that no run has shown.                       *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)

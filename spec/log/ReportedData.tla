@@ -195,6 +195,11 @@ SecondTimes(r) ==
         ELSE IF begins \/ EachIsSecondTime THEN {1}
         ELSE IF FirstAloneIsSecondTime THEN {0} ELSE {0, 1}
 
+(* [T15-69] [T15-70] A run shows some or all events that were dropped.     *)
+\* @type: ($request, $info) => Bool;
+FitsDropped(r, i) == HasQueue(r.ob) /\ ~Unseen("interrupt")
+                       => i.event_count <= terms.dropped[r.ob]
+
 (* [T15-71] [T15-131] *)
 \* @type: ($request, $info) => Bool;
 FitsTags(r, i) ==
@@ -203,7 +208,8 @@ FitsTags(r, i) ==
          /\ i.second_time # -1 => i.second_time \in SecondTimes(r)
          /\ i.event_count = -1
     ELSE /\ i.caught_up = -1 /\ i.second_time = -1
-         /\ r.ob \in DintObs => i.event_count = -1
+         /\ IF r.ob \in DintObs THEN i.event_count = -1
+            ELSE FitsDropped(r, i)
 
 (* [T15-135] An S7-1500 tells of a start by 20 bytes or by tags, and these *)
 (* have no PERIOD, no DTIME and no time.                                   *)

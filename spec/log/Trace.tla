@@ -28,7 +28,7 @@ Init ==
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
                 loose |-> FALSE, endless |-> {}, unsure |-> {},
-                early |-> {}]
+                early |-> {}, dropped |-> [o \in {} |-> 0]]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoPace
     /\ arrivals = [r \in {} |-> At(0)]
@@ -132,7 +132,8 @@ Begin(h) ==
                   records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
                   loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
-                  early |-> {}]
+                  early |-> {},
+                  dropped |-> [o \in DOMAIN cpu'.queues |-> 0]]
     /\ up'     = At(0)
     /\ waiting' = [ c \in IF stopCause' = NoCause THEN {} ELSE {StopDuty}
                      |-> 0 ]
@@ -234,7 +235,7 @@ HidesBefore(e) == \/ stack = <<>>
 Distinct == <<cpu.readings, loaded, mode, startup, resume, clock, tod, dint,
               irt, requests, stack, delay, stopCause, up, waiting, first,
               overruns, arrivals, changes, reports, terms.endless,
-              terms.unsure, EarlyDelays>>
+              terms.unsure, terms.dropped, EarlyDelays>>
 
 (* The same between two lines. If loading is not recorded, an OB is loaded *)
 (* or deleted unseen as soon as something depends on it. So the loaded OBs *)
@@ -244,5 +245,5 @@ DistinctAfterLine ==
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
       mode, startup, resume, clock, tod, dint, irt, requests, stack, delay,
       stopCause, up, waiting, first, overruns, arrivals, changes, reports,
-      terms.endless, terms.unsure, EarlyDelays>>
+      terms.endless, terms.unsure, terms.dropped, EarlyDelays>>
 =============================================================================

@@ -127,7 +127,7 @@ FrameDataInv ==
           c == stack[i].class
       IN  /\ stack[i].error = 0
           /\ \/ o = CycleOb /\ c = 1
-             \/ o \in StartupObs /\ c = 27
+             \/ o \in StartupObs /\ c = StartupClass
              \/ /\ o \in TodObs \cup DintObs \cup ExternalObs
                 /\ HasClass(o, c)
                 /\ ~Deselected(o)

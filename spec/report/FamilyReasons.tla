@@ -88,7 +88,9 @@ OfTheInfo(e, past) ==
         tags ==
           (IF i.caught_up = -1 THEN {} ELSE tag("T15-90"))
             \cup (IF i.second_time = -1 THEN {} ELSE tag("T15-94"))
-            \cup (IF i.event_count = -1 THEN {} ELSE {"T15-71"})
+            \cup (IF i.event_count = -1 THEN {}
+                  ELSE IF e.ob \in TodObs \cup DintObs THEN {"T15-71"}
+                  ELSE {"T15-69"})
             \cup (IF i.csg_ob = -1 /\ i.csg_priority = -1 THEN {}
                   ELSE {"T15-132"})
             \cup (IF i.strt_info # -1

@@ -145,9 +145,9 @@ OverlapWithOneLateRun(new) ==
 -----------------------------------------------------------------------------
 (* The queues of an S7-1500 *)
 
-(* The parameters of the queue of an OB. If none are known, they are those *)
-(* of a migrated program [T15-26] [A15-14]: one event waits, and the       *)
-(* second one calls OB 80.                                                 *)
+(* [T15-74] The parameters of the queue of an OB. If none are known, they  *)
+(* are those of a migrated program [T15-26] [A15-14]: one event waits, and *)
+(* the second one calls OB 80.                                             *)
 \* @type: Int => $queue;
 QueueOf(o) == IF o \in DOMAIN cpu.queues THEN cpu.queues[o]
               ELSE [size |-> 1, limit |-> 1, told |-> -1]
