@@ -22,11 +22,14 @@ StoppedInv == mode = "STOP" => /\ stack = <<>> /\ requests = {} /\ delay = 0
 
 (* [OBS-42] [OBS-43] STARTUP and its OB belong together. Behind the OB no  *)
 (* delay is on, so that no error of STARTUP waits when RUN begins.         *)
+(* [T15-121] An S7-1500 may be held in STARTUP.                            *)
 StartingInv ==
-    /\ (mode = "STARTUP") = (startup # "none")
-    /\ mode = "STARTUP" /\ stack = <<>> => delay = 0
+    /\ mode = "STARTUP" => startup # "none"
+    /\ startup # "none" =>
+         /\ mode = "STARTUP" \/ (mode = "HOLD" /\ Family.holdsStartup)
+         /\ stack = <<>> => delay = 0
     /\ \A i \in DOMAIN stack :
-         IF mode = "STARTUP"
+         IF startup # "none"
          THEN stack[i].ob \in StartupObs \cup AsyncErrorObs \cup SyncErrorObs
          ELSE stack[i].ob \notin StartupObs
 
