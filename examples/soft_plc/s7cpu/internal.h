@@ -68,7 +68,7 @@ struct s7_family {
     int upper_class; /* of OB 80 to 87 in STARTUP, and for a full buffer; 0: the one that they have */
     int64_t skips_from;   /* the least step ahead, in ms, that OB 80 reports [CLK-02, T15-90] */
     int64_t repeats_from; /* the least step back that serves points again [CLK-10, T15-94] */
-    bool serves_uncalled; /* after a lesser one, points that were never served: A15-17, reading b */
+    bool serves_uncalled; /* after a lesser one, the points behind the last one served: A15-17, reading a */
     bool ignores_missing; /* no STOP for an OB that is missing, but for two [T15-110, T15-111] */
     bool refuses_missing; /* SFC 28, 30 and 32 for such an OB: 8090 (A15-13, reading a) */
     bool holds_startup; /* HOLD out of STARTUP, which goes on then [T15-121] */
