@@ -68,7 +68,7 @@ struct s7_family {
     int upper_class; /* of OB 80 to 87 in STARTUP, and for a full buffer; 0: the one that they have */
     int64_t skips_from;   /* the least step ahead, in ms, that OB 80 reports [CLK-02, T15-90] */
     int64_t repeats_from; /* the least step back that serves points again [CLK-10, T15-94] */
-    bool serves_uncalled; /* after a lesser one, the points behind the last one served: A15-17, reading a */
+    bool serves_uncalled; /* after a lesser one, points that were never served: A15-17, reading b */
     bool ignores_missing; /* no STOP for an OB that is missing, but for two [T15-110, T15-111] */
     bool refuses_missing; /* SFC 28, 30 and 32 for such an OB: 8090 (A15-13, reading a) */
     bool holds_startup; /* HOLD out of STARTUP, which goes on then [T15-121] */
@@ -159,6 +159,8 @@ int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status);
 /* SDT, or the start of STEP 7, by the clock; it may be before the clock's range. */
 int64_t s7_tod_start(const struct s7cpu *cpu, const struct s7cpu_tod *t);
 int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from);
+bool s7_tod_served(const struct s7cpu_tod *t, int64_t point);
+int64_t s7_tod_unserved_point(const struct s7cpu *cpu, int k, int64_t from);
 
 /* tod_requests.c: start events of s7cpu_tod_ob(k) */
 void s7_tod_request(struct s7cpu *cpu, int k, int64_t point);

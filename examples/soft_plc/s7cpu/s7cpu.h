@@ -290,6 +290,7 @@ struct s7cpu_tod {
     int period;
     int64_t next;   /* the point that is due next; S7CPU_NEVER where none is left */
     int64_t served; /* the last point for which the OB was called; S7CPU_NONE where there is none */
+    int64_t served_from; /* the first one since the clock was last set far back */
     int64_t again;  /* a run up to this point is the second one [T15-94]; S7CPU_NONE: none is */
 };
 

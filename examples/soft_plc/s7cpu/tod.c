@@ -73,7 +73,7 @@ static void due(struct s7cpu *cpu, int k)
     struct s7cpu_tod *t = &cpu->tod[k];
     int ob = s7cpu_tod_ob(k);
     int64_t point = t->next;
-    t->next = s7_tod_first_point(cpu, k, s7cpu_clock(cpu) + 1); /* [TINT-09] */
+    t->next = s7_tod_unserved_point(cpu, k, s7cpu_clock(cpu) + 1); /* [TINT-09] */
     if (s7_irt_loses(cpu, ob))
         return;
     if (s7_family(cpu)->has_queues ? s7_queue_overloads(cpu, ob) : s7_ob_is_running(cpu, ob))

@@ -27,34 +27,44 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
             s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */
 }
 
-/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. On an S7-1500 not one
- * behind `before` that has waited over a large step back: it comes again [T15-94]. */
-static int64_t last_served(const struct s7cpu *cpu, int k, int64_t before)
+/* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. */
+static int64_t last_served(const struct s7cpu *cpu, int k)
 {
-    const struct s7cpu_tod *t = &cpu->tod[k];
-    const bool all = !s7_family(cpu)->serves_uncalled;
-    int64_t last = all || t->served <= before || t->served > t->again ? t->served : S7CPU_NONE;
-    for (int i = 0; i < cpu->queue_length; i++) {
-        const int64_t time = cpu->queue[i].info.time;
-        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && time > last && (all || time <= before || time > t->again))
-            last = time;
-    }
+    int64_t last = cpu->tod[k].served;
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && cpu->queue[i].info.time > last)
+            last = cpu->queue[i].info.time;
     return last;
 }
 
-/* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step. [CLK-09],
- * AMB-56, either: the others serve again only those after the last one served (reading d), or none
- * before the point that was next (b). */
-static int64_t next_again(const struct s7cpu *cpu, int k, bool repeats, int64_t last)
+/* The OB waits for this point. A run that has waited over a large step back does not count: its point
+ * comes again [T15-94]. */
+static bool waits(const struct s7cpu *cpu, int k, int64_t point, int64_t before)
 {
-    int64_t from = s7cpu_clock(cpu);
-    if (!repeats) {
-        if (!cpu->config.choices.uncalled_points_are_served && !s7_family(cpu)->serves_uncalled)
-            return cpu->tod[k].next;
-        if (last >= from)
-            from = last + 1;
+    for (int i = 0; i < cpu->queue_length; i++)
+        if (cpu->queue[i].ob == s7cpu_tod_ob(k) && cpu->queue[i].info.time == point &&
+            (point <= before || point > cpu->tod[k].again))
+            return true;
+    return false;
+}
+
+/* [CLK-10, T15-94]: an S7-300 serves the points again, an S7-1500 after a large step; after a small one
+ * those that were never served (A15-17, reading b). [CLK-09], AMB-56, either: the others serve again only
+ * those after the last one served (reading d), or none before the point that was next (b). */
+static int64_t next_again(const struct s7cpu *cpu, int k, int64_t before, bool repeats)
+{
+    const int64_t now = s7cpu_clock(cpu), last = last_served(cpu, k);
+    if (repeats)
+        return s7_tod_first_point(cpu, k, now);
+    if (s7_family(cpu)->serves_uncalled) {
+        int64_t point = s7_tod_unserved_point(cpu, k, now);
+        while (waits(cpu, k, point, before))
+            point = s7_tod_unserved_point(cpu, k, point + 1);
+        return point;
     }
-    return s7_tod_first_point(cpu, k, from);
+    if (!cpu->config.choices.uncalled_points_are_served)
+        return cpu->tod[k].next;
+    return s7_tod_first_point(cpu, k, last >= now ? last + 1 : now);
 }
 
 /* The clock, or local time for those that go by it. */
@@ -62,16 +72,16 @@ static void moved_back(struct s7cpu *cpu, int64_t before, bool repeats, bool loc
 {
     for (int k = 0; k < S7CPU_TODS; k++) {
         struct s7cpu_tod *t = &cpu->tod[k];
-        const int64_t last = last_served(cpu, k, before);
         if (local && !t->local)
             continue;
         bool used = t->period == PERIOD_ONCE && t->next == S7CPU_NEVER; /* [CLK-12], AMB-71 */
         if (t->active && !used)
-            t->next = next_again(cpu, k, repeats, last);
-        if (repeats)
-            t->served = S7CPU_NONE;
-        if (repeats && last > t->again)
-            t->again = last;
+            t->next = next_again(cpu, k, before, repeats);
+        if (!repeats)
+            continue;
+        const int64_t last = last_served(cpu, k);
+        t->again = last > t->again ? last : t->again;
+        t->served = S7CPU_NONE;
     }
 }
 

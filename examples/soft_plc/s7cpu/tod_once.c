@@ -3,10 +3,21 @@
  * again [CLK-12], and a SET_TINT inside the OB lasts [TINT-65]. */
 #include "internal.h"
 
+/* A run that has waited over a large step back serves nothing: its point comes again [T15-94]. */
+static void serve(const struct s7cpu *cpu, struct s7cpu_tod *t, int64_t point)
+{
+    if (point <= t->again && point > s7cpu_clock(cpu))
+        return;
+    if (t->served == S7CPU_NONE || point < t->served_from)
+        t->served_from = point;
+    if (t->served == S7CPU_NONE || point > t->served)
+        t->served = point;
+}
+
 void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
 {
     struct s7cpu_tod *t = &cpu->tod[s7cpu_tod_index(ob)];
-    t->served = point;
+    serve(cpu, t, point);
     if (t->set && t->period == PERIOD_ONCE) {
         if (cpu->config.choices.once_ends_with_its_ob)
             t->called = true;
@@ -19,7 +30,7 @@ void s7_tod_called(struct s7cpu *cpu, int ob, int64_t point)
  * a one-shot interrupt is used up. */
 void s7_tod_missed(struct s7cpu *cpu, int ob, int64_t point)
 {
-    cpu->tod[s7cpu_tod_index(ob)].served = point;
+    serve(cpu, &cpu->tod[s7cpu_tod_index(ob)], point);
     s7_tod_used_up(cpu, ob);
 }
 
