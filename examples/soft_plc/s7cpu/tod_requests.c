@@ -10,14 +10,16 @@ static void put(struct s7cpu *cpu, int k, int64_t point, bool keeps_time, bool c
     r.info.period = t->period;
     r.info.caught_up = caught_up;
     r.info.second_time = point <= t->again;
-    if (r.info.second_time)
-        t->again = S7CPU_NONE; /* A15-18, reading a */
     r.keeps_time = keeps_time;
     r.after_skip = keeps_time && s7_queue_has_skip(cpu);
-    if (!s7_queue_holds_all(cpu, r.ob))
-        s7_queue_put(cpu, &r);
-    else if (s7_family(cpu)->has_queues && !keeps_time)
-        s7_error_overflow(cpu, r.ob); /* [T15-27] */
+    if (s7_queue_holds_all(cpu, r.ob)) {
+        if (s7_family(cpu)->has_queues && !keeps_time)
+            s7_error_overflow(cpu, r.ob); /* [T15-27] */
+        return;
+    }
+    if (r.info.second_time)
+        t->again = S7CPU_NONE; /* A15-18, reading a */
+    s7_queue_put(cpu, &r);
 }
 
 void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)
