@@ -180,16 +180,22 @@ CaughtUps(r) ==
       [] r.follows = SkippedInHold \/ ~CaughtUpIsOfTheClock -> {0, 1}
       [] OTHER -> {0}
 
+(* The point of a run by local time came before daylight saving ended.     *)
+\* @type: $request => Bool;
+BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour # NoHour
+                    /\ r.since.min <= cpu.hour.to - cpu.zone
+
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
 (* point that the OB serves again has it. No text says what a run has that *)
-(* waited while the clock was set back, or a catch-up of such a point.     *)
+(* waited while the time was set back, or a catch-up of such a point.      *)
 \* @type: $request => Set(Int);
 SecondTimes(r) ==
     LET t     == tod[r.ob]
         point == r.since.min
         again == t.repeatTo < t.overTo /\ point <= t.overTo
         begins == ~\E i \in t.served \cup t.merged : i.from < point
-    IN  IF r.since = NoMoment \/ Before(clock, r.since) THEN {0, 1}
+    IN  IF \/ r.since = NoMoment \/ Before(clock, r.since)
+           \/ BeforeTheHour(r) THEN {0, 1}
         ELSE IF 1 \in CaughtUps(r) /\ t.overTo >= 0 THEN {0, 1}
         ELSE IF ~again THEN {0}
         ELSE IF begins \/ EachIsSecondTime THEN {1}
