@@ -274,9 +274,10 @@ NextPace(e) ==
 (* has shown.                                                              *)
 \* @type: $event => Bool;
 NextDropped(e) ==
-    LET drops == \/ OpenIn(requests, e.ob)
-                 \/ Cardinality(WaitingOf(e.ob))'
-                      = Cardinality(WaitingOf(e.ob))
+    LET \* @type: Set($request) => Int;
+        held(q) == Cardinality({ r \in q : r.ob = e.ob /\ ~r.open })
+        drops == \/ OpenIn(requests, e.ob)
+                 \/ held(requests') = held(requests)
     IN  CASE e.event = "interrupt" /\ HasQueue(e.ob) ->
                terms' = [ terms EXCEPT !.dropped[e.ob] =
                             @ + (IF drops THEN 1 ELSE 0) ]

@@ -159,7 +159,6 @@ int s7_tod_query(const struct s7cpu *cpu, int ob_nr, int *status);
 /* SDT, or the start of STEP 7, by the clock; it may be before the clock's range. */
 int64_t s7_tod_start(const struct s7cpu *cpu, const struct s7cpu_tod *t);
 int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from);
-bool s7_tod_served(const struct s7cpu_tod *t, int64_t point);
 int64_t s7_tod_unserved_point(const struct s7cpu *cpu, int k, int64_t from);
 
 /* tod_requests.c: start events of s7cpu_tod_ob(k) */

@@ -19,7 +19,7 @@ int64_t s7_tod_first_point(const struct s7cpu *cpu, int k, int64_t from)
     return point == S7CPU_NEVER ? S7CPU_NEVER : point - ahead(cpu, t);
 }
 
-bool s7_tod_served(const struct s7cpu_tod *t, int64_t point)
+static bool is_served(const struct s7cpu_tod *t, int64_t point)
 {
     return t->served != S7CPU_NONE && t->served_from <= point && point <= t->served;
 }
@@ -29,5 +29,5 @@ int64_t s7_tod_unserved_point(const struct s7cpu *cpu, int k, int64_t from)
 {
     const struct s7cpu_tod *t = &cpu->tod[k];
     const int64_t point = s7_tod_first_point(cpu, k, from);
-    return s7_tod_served(t, point) ? s7_tod_first_point(cpu, k, t->served + 1) : point;
+    return is_served(t, point) ? s7_tod_first_point(cpu, k, t->served + 1) : point;
 }
