@@ -338,7 +338,8 @@ LateRunProp ==
 
 (* [T15-73] A point while the OB runs calls OB 80 if none did in this      *)
 (* overload; it remembers that until no event of the OB waits or runs.     *)
-(* [A15-15] Under (a) OB 80 is not called again.                           *)
+(* [A15-15] Under (a) OB 80 is not called again. The models have no call   *)
+(* that withdraws what waits while the OB runs: it makes that forgotten.   *)
 PointToldProp ==
     [][ LET told(o, q, s) ==
               \/ \E r \in q : r.ob = o /\ 2 \in r.late
