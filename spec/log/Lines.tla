@@ -270,8 +270,8 @@ NextPace(e) ==
 
 -----------------------------------------------------------------------------
 
-(* [T15-69] What the queue of an OB has dropped, or may have, and no run   *)
-(* has shown.                                                              *)
+(* [T15-69] A queue drops a start event, or may drop it; a run shows how   *)
+(* many were dropped.                                                      *)
 \* @type: $event => Bool;
 NextDropped(e) ==
     LET \* @type: Set($request) => Int;

@@ -180,7 +180,7 @@ CaughtUps(r) ==
       [] r.follows = SkippedInHold \/ ~CaughtUpIsOfTheClock -> {0, 1}
       [] OTHER -> {0}
 
-(* The point of a run by local time came before daylight saving ended.     *)
+(* The point of a run by local time came before daylight saving changed.   *)
 \* @type: $request => Bool;
 BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour # NoHour
                     /\ r.since.min <= cpu.hour.to - cpu.zone
