@@ -90,11 +90,11 @@ class _Place:
 
 def conditions(modules: Mapping[str, Module]) -> list[Condition]:
     """All conditions of these modules. Raises `SyntaxTreeError`."""
-    context = Actions(acting(modules.values()))
     found: list[Condition] = []
     for name, module in modules.items():
         if any(fnmatch.fnmatchcase(name, pattern) for pattern in WORDING):
             continue
+        context = Actions(acting(name, modules))
         names = Names(name)
         for definition, unit in module.definitions.items():
             body = operand(unit, "definition")

@@ -36,8 +36,7 @@ class Mutant:
 
 def mutants(modules: Mapping[str, Module], names: Iterable[str]) -> list[Mutant]:
     """All mutants of the modules of these names. Raises `SyntaxTreeError`."""
-    actions = acting(modules.values())
-    return [mutant for name in sorted(names) for mutant in _of_module(modules[name], actions)]
+    return [mutant for name in sorted(names) for mutant in _of_module(modules[name], acting(name, modules))]
 
 
 def _of_module(module: Module, actions: frozenset[str]) -> Iterator[Mutant]:

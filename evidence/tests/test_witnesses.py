@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from evidence.common import reasons
 from evidence.common.cases import Case
 from evidence.common.reasons import Excuse
 from evidence.mutants import logs_model as logs
@@ -145,6 +146,22 @@ def test_ids_last() -> None:
     assert moved.id == first.id
     twice = found("guard", "\\/ x = 1 /\\ x' = 1\n\\/ x = 1 /\\ x' = 2")
     assert len({c.id for c in twice}) == len(twice) == 2
+
+
+def test_a_name_is_what_its_module_knows() -> None:
+    """An action is no guard where another module, which it is not built on, has a predicate of that name."""
+    one = "---- MODULE A ----\nVARIABLE x\nStep == x' = 1\nNext == x = 0 /\\ Step\n====\n"
+    other = "---- MODULE B ----\nVARIABLE y\nStep == y = 1\nNext == Step /\\ y' = 0\n====\n"
+    modules = {name: Module(name, text.encode()) for name, text in (("A", one), ("B", other))}
+    for order in (["A", "B"], ["B", "A"]):
+        guards = [(c.module, c.text) for c in conditions({name: modules[name] for name in order}) if c.kind == "guard"]
+        assert sorted(guards) == [("A", "x = 0"), ("B", "Step")]
+
+
+def test_reasons_are_of_conditions() -> None:
+    """Each reason of models/witnesses.json is of a condition of the specification."""
+    known = {c.id for c in conditions(read_modules(ROOT / "spec"))}
+    assert [why.id for why in reasons.read(ROOT / "models" / "witnesses.json", Excuse) if why.id not in known] == []
 
 
 def test_actions_of_the_system() -> None:

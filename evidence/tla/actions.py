@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from evidence.tla.modules import closure
 from evidence.tla.syntax import Module, meaningful, operand, references, symbol, walk
 
 INITIAL = "Init"
@@ -30,9 +31,9 @@ class Actions:
         return self.initial and assigns(node)
 
 
-def acting(modules: Iterable[Module]) -> frozenset[str]:
-    """The definitions with a prime, and the definitions that use them."""
-    uses = {name: unit for module in modules for name, unit in module.definitions.items()}
+def acting(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
+    """The definitions with a prime, and the definitions that use them, as a module of `modules` knows the names."""
+    uses = {name: unit for known in closure(root, modules) for name, unit in modules[known].definitions.items()}
     found = {name for name, unit in uses.items() if any(n.type in ("prime", "unchanged") for n in walk(unit))}
     used = {name: references(unit) for name, unit in uses.items()}
     while more := {name for name, names in used.items() if names & found} - found:

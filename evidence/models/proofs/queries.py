@@ -22,7 +22,7 @@ from evidence.common.checkout import MANIFEST as MODELS
 from evidence.models.entries import Entry, Mutation, read
 from evidence.models.entries import ManifestError as ModelsError
 from evidence.tla.actions import acting, disjuncts
-from evidence.tla.modules import closure, read_modules
+from evidence.tla.modules import read_modules
 from evidence.tla.syntax import Module, operand, token
 
 MANIFEST = Path("models/proofs.json")
@@ -385,7 +385,7 @@ def _shows(model: Entry | None, cell: NotProved) -> bool:
 def named_actions(modules: dict[str, Module]) -> tuple[str, ...]:
     """The actions of which Next of System is the disjunction."""
     system = modules["System"]
-    steps = acting(modules[name] for name in closure("System", modules))
+    steps = acting("System", modules)
 
     def parts(node: Node) -> list[str]:
         found = [name for part in disjuncts(node) for name in parts(part) or [token(part)]]
