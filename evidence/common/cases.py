@@ -136,6 +136,12 @@ def all_cases(folder: Path = TRACES) -> list[Case]:
     return [case for file in files for case in read_cases(file)]
 
 
+def every_case(folder: Path = TRACES) -> list[Case]:
+    """The cases of all files of a folder, and the logs judged by hand in it. Raises as `all_cases` does."""
+    by_hand = folder / "by_hand"
+    return all_cases(folder) + (all_cases(by_hand) if by_hand.is_dir() else [])
+
+
 def difference(case: Case, report: Report) -> str | None:
     """The difference between the verdict of a case and the one that its log got."""
     line = report.line if report.verdict != "accepted" else None

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from evidence.common.cases import Case, all_cases
+from evidence.common.cases import Case, every_case
 
 
 class RevisionError(ValueError):
@@ -43,8 +43,7 @@ class Checkout:
         indexes = sorted(traces.glob("*/index.json"))
         if indexes:
             return [_of_index(entry, index.parent) for index in indexes for entry in json.loads(index.read_bytes())]
-        by_hand = traces / "by_hand"
-        return all_cases(traces) + (all_cases(by_hand) if by_hand.is_dir() else [])
+        return every_case(traces)
 
 
 def _of_index(entry: dict[str, Any], area: Path) -> Case:

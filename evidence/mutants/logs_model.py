@@ -11,13 +11,15 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 
-from evidence.common.cases import Case, all_cases
+from evidence.common.cases import Case, every_case
 from evidence.models.entries import Expect
-from evidence.models.manifest import HEAP_MB, Model
+from evidence.models.manifest import Model
 from evidence.tla import log_as_tla
 
 NAME = "logs"
 MODULE = "ShippedLogs"
+_HEAP_MB = 4000
+"""The logs are six megabytes of TLA+."""
 
 _CONSUMED = 'Consumed == index > Len(Logs[log].events) => Out!PrintT(<<"consumed", log>>)'
 _SAID = re.compile(r'<<"consumed", (\d+)>>')
@@ -37,7 +39,7 @@ def model(timeout: float) -> Model:
         deadlock=False,
         workers=1,
         brief=False,
-        heap=HEAP_MB,
+        heap=_HEAP_MB,
         args=(),
         seconds=(0.0, timeout),
         expect=Expect(exit=0),
@@ -45,8 +47,8 @@ def model(timeout: float) -> Model:
 
 
 def readable(traces: Path) -> list[Case]:
-    """The cases whose log can be read. Raises OSError, `CasesError`."""
-    return [case for case in all_cases(traces) if case.verdict != "unusable"]
+    """The cases whose log can be read, those judged by hand among them. Raises OSError, `CasesError`."""
+    return [case for case in every_case(traces) if case.verdict != "unusable"]
 
 
 def module(cases: Sequence[Case]) -> str:

@@ -15,6 +15,14 @@ def test_fields(tmp_path: Path) -> None:
     assert all(event.startswith("[NoEvent EXCEPT !.") and "!.line" not in event for event in events)
 
 
+def test_no_fields(tmp_path: Path) -> None:
+    """TLA+ has no EXCEPT without a field."""
+    file = tmp_path / "a.ndjson"
+    header = '{"format":"s7-interrupt-log/1","cpu":"S7-300","obs":[1,40],"clock":"2026-03-02T08:00:00","mode":"RUN"}'
+    file.write_text(f'{header}\n{{"at":"2026-03-02T08:00:01","event":"start","ob":40,"info":{{}}}}\n')
+    assert "!.info = NoInfo," in read(file)[1][0]
+
+
 def test_values() -> None:
     """JSON in TLA+; TLC reads no 2147483648 to negate."""
     assert value({"a": True, "b": ["x", -1]}) == '[a |-> TRUE, b |-> <<"x", -1>>]'

@@ -85,6 +85,8 @@ def _event(event: dict[str, Any]) -> str:
 
 
 def _changed(record: str, fields: dict[str, str]) -> str:
+    if not fields:
+        return record
     return f"[{record} EXCEPT {', '.join(f'!.{name} = {text}' for name, text in sorted(fields.items()))}]"
 
 
