@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections import Counter
 from datetime import timedelta
 from pathlib import Path
 from random import Random
@@ -15,8 +16,8 @@ from click.testing import CliRunner
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
 from evidence.common.processes import Processes
+from evidence.logs import agree, damage, tlc_batch
 from evidence.logs import agree_command as command
-from evidence.logs import damage, tlc_batch
 from evidence.logs.agree_command import agree_command
 from evidence.logs.damage import Log
 from evidence.logs.random_logs import UNCHANGED, Generated, Generator, SoftPlcError
@@ -25,6 +26,7 @@ from evidence.logs.verdicts import Compared, Judged
 from evidence.tla import tlc
 from s7check.engine import pool
 from s7check.engine.answer import Alternatives
+from s7check.report.report import Report
 from s7check.resources import SPECIFICATION
 from tests.logs import event, log_text
 
@@ -123,6 +125,19 @@ def test_how_long_the_clock_runs() -> None:
     assert damage.elapses(log) == timedelta(seconds=1)
     del log.events[1]
     assert damage.elapses(log) == timedelta(minutes=10, seconds=30)
+
+
+@pytest.mark.parametrize(("certain_from", "endless"), [(None, 0), (2, 0), (3, 1)])
+def test_logs_that_the_engine_does_not_follow(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, generator: Generator, certain_from: int | None, endless: int
+) -> None:
+    """A log with definite facts alone from its first line on can be compared; from a later line on another is drawn."""
+    reports = iter([Report("a", "accepted", "", certain_from=certain_from), Report("a", "accepted", "")])
+    monkeypatch.setattr(agree, "check_log", lambda *_: next(reports))
+    refused: Counter[str] = Counter()
+    with pool.engine() as engine:
+        agree._decided(generator, engine, 1, tmp_path / "1.ndjson", refused)
+    assert refused["endless"] == endless
 
 
 def test_verdicts_of_tlc(tools: tlc.Toolchain, tmp_path: Path) -> None:
