@@ -161,7 +161,7 @@ RUNS = {
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
         "witnesses",
         summaries.witnesses,
-        totals=("conditions", "by models", "by logs alone", "with a reason", "without"),
+        totals=("conditions", "by models", "by logs alone", "with reason", "without"),
         parts=("spec", "models", "cases"),
     ),
     "kit": _s7spec(
@@ -201,7 +201,7 @@ RUNS = {
         "make fuzz",
         (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
-        totals=("accepted", "rejected", "unusable", "imported", "refused"),
+        totals=("accepted", "rejected", "unusable", "written", "refused", "failed"),
         parts=("spec", "engine", "checker"),
     ),
     "bench": Run(
