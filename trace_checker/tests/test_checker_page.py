@@ -345,6 +345,21 @@ def test_a_call_is_answered_by_its_operands(page: Page) -> None:
     expect(call.locator(".answers")).to_contain_text("ret=W#16#8091")
 
 
+def test_what_is_typed_before_the_values_come_stays(page: Page) -> None:
+    """The form opens at once, its values come from the engine; what nobody typed has one of them."""
+    page.click("#new >> text=Begin")
+    call = page.locator("details.call", has_text="SRT_DINT")
+    typed = {"ob": "20", "dtime": "0"}
+    call.evaluate(
+        """(box, typed) => {
+          box.open = true;
+          for (const [name, value] of Object.entries(typed)) box.querySelector(`[name=${name}]`).value = value;
+        }""",
+        typed,
+    )
+    expect(call.locator(".answers")).to_contain_text("ob=20 sign=W#16#0000 dtime=0 ret=W#16#8091")
+
+
 def test_a_form_begins_with_a_call_that_is_taken_and_old_answers_go(page: Page) -> None:
     """A typed value takes the place of the old one; one that cannot be used is told where the buttons were."""
     page.click("#new >> text=Begin")

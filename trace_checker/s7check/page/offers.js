@@ -116,7 +116,7 @@ function call(name, here) {
         list.append(...values.map((value) => h("option", { value })));
         box.append(list);
         input.setAttribute("list", list.id);
-        input.value = first?.event[input.name] ?? "";
+        input.value ||= first?.event[input.name] ?? ""; // somebody may have typed before the answer came
         input.addEventListener("input", show);
       }
       await show();
