@@ -28,6 +28,7 @@ HARDWARE = range(40, 48)
 ERRORS = range(81, 88)
 RIGHT = "16#0000"
 EACH_MINUTE = "16#0201"
+EACH_HOUR = "16#0401"
 
 
 class Book:
@@ -113,6 +114,20 @@ def delayed_for_years(years: int) -> Log:
     book.now = years * 365 * 1440 * MINUTE
     book.call("EN_AIRT")
     book.add("start", ob=10)
+    return book.log
+
+
+def behind_its_time_error(years: int) -> Log:
+    """An hourly interrupt waits for years behind the OB 80 for its point in HOLD."""
+    book = Book(10, 80, 85)
+    book.call("SET_TINT", ob=10, sdt="2026-11-21T06:00", period=EACH_HOUR)
+    book.call("ACT_TINT", ob=10)
+    book.add("hold")
+    book.now = MINUTE
+    book.add("release")
+    book.add("start", ob=80, info={"flt_id": "16#06"})
+    book.now = years * 365 * 1440 * MINUTE
+    book.add("end", ob=80)
     return book.log
 
 
@@ -416,6 +431,7 @@ def kinds() -> Iterator[Kind]:
     yield Kind("ten lines", small, 1, 1, 2, 3)
     yield Kind("minute interrupt blocked, unblocked years later", blocked_for_years, 1, 16, 2, 3)
     yield Kind("S7-400, minute interrupt delayed by SFC 41 for years", delayed_for_years, 1, 5, 8, 20)
+    yield Kind("hourly interrupt behind OB 80 for years", behind_its_time_error, 1, 16, 2, 20)
     yield Kind("S7-400, 8 minute interrupts in STARTUP for days", passed_in_startup, 1, 30, 8, 20)
     yield Kind("minute interrupt in STARTUP for years", passed_for_years, 1, 16, 8, 9)
     yield Kind("asynchronous errors in one millisecond", errors_at_once, 8, 16, 260, 20)

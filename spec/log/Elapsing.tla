@@ -296,19 +296,24 @@ DropsBeforePoint ==
 -----------------------------------------------------------------------------
 (* Points without effect *)
 
+(* An OB that may start at once starts within the latency, and so comes a  *)
+(* STOP. Of a point before this moment line e sees neither.                *)
+\* @type: $event => $moment;
+Settled(e) == After(e.at, -terms.latency)
+
 (* [AMB-18] Another start event of a waiting OB adds nothing to its        *)
-(* endless requests.                                                       *)
-\* @type: Int => Bool;
-Repeats(o) ==
-    LET has(ob, cause, fault) ==
-          \E r \in requests : /\ r.ob = ob /\ r.cause = cause
-                              /\ r.fault = fault /\ Endless(r)
+(* endless requests; an error for which OB 80 may start at once is over    *)
+(* when the latency is.                                                    *)
+\* @type: (Int, $event) => Bool;
+Repeats(o, e) ==
+    LET has(r) == \E q \in requests : /\ q.ob = r.ob /\ q.cause = r.cause
+                                      /\ q.fault = r.fault /\ Endless(q)
+        again  == TodRequest(o, clock, 0)
+        errors == EnterAll(requests, WithObToRun(ErrorsOf(again))) \ requests
     IN  /\ terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
+        /\ Before(clock, Settled(e))
         /\ PendingIn(requests, o) /\ ~OnStack(o) /\ TakesEvents(o)
-        /\ has(o, 0, 0)
-        /\ TimeErrorOb \in loaded =>
-             /\ has(TimeErrorOb, o, StillRunning)
-             /\ has(TimeErrorOb, o, BufferOverflow)
+        /\ has(again) /\ \A r \in errors : has(r) \/ MayStart(r)
 
 (* The minutes from point to point; 0 where they are not always as many.   *)
 \* @type: $tod => Int;
@@ -327,14 +332,20 @@ MayMergeAll(o) == ~Remembers \/ MinutesBetween(tod[o]) > 0
 (* event is lost without an entry, deferred in STARTUP to a run that waits *)
 (* already, or added to endless requests. There may be millions of them    *)
 (* before the next line.                                                   *)
-PassedOver ==
+\* @type: $event => Set(Int);
+PassedOver(e) ==
     IF ~Watching THEN {}
     ELSE { o \in DOMAIN tod :
              /\ tod[o].active /\ ~HasOnePoint(tod[o].period)
              /\ clock.min > tod[o].repeatTo /\ ~tod[o].held
              /\ \/ Blocked(o) /\ EntriesOfLost(o) = {}
                 \/ RunIsDeferred(o) /\ StartupDefersOneRun /\ MayMergeAll(o)
-                \/ Repeats(o) /\ MayMergeAll(o) }
+                \/ Repeats(o, e) /\ MayMergeAll(o) }
+
+(* Up to this moment they have none.                                       *)
+\* @type: $event => $moment;
+PassedUpTo(e) == IF \E o \in PassedOver(e) : Repeats(o, e) THEN Settled(e)
+                                                          ELSE e.at
 
 (* The setting of OB o when all its points before moment m are over.       *)
 \* @type: (Int, $moment) => $tod;
@@ -348,20 +359,20 @@ PassedUntil(o, m) ==
     IN  IF ~Before(NextMoment(t), m) THEN t
         ELSE [over EXCEPT !.next = PointFrom(t, from)]
 
-\* @type: $moment => Bool;
-PassesNoOther(t) ==
-    \A o \in DOMAIN tod \ PassedOver :
+\* @type: ($event, $moment) => Bool;
+PassesNoOther(e, t) ==
+    \A o \in DOMAIN tod \ PassedOver(e) :
       tod[o].active => \/ /\ ~Before(NextMoment(tod[o]), t)
                           /\ clock # NextMoment(tod[o])
                        \/ tod[o].held
 
 (* Time passes, as in TimePasses, and points without effect pass with it. *)
-\* @type: ($moment, Int) => Bool;
-PassesOver(t, d) ==
-    /\ Before(clock, t) /\ PassesNoOther(t) /\ PassesNoDelay(d)
+\* @type: ($event, $moment, Int) => Bool;
+PassesOver(e, t, d) ==
+    /\ Before(clock, t) /\ PassesNoOther(e, t) /\ PassesNoDelay(d)
     /\ clock' = t
     /\ tod' = [ o \in DOMAIN tod |->
-                  IF o \in PassedOver THEN PassedUntil(o, t) ELSE tod[o] ]
+                  IF o \in PassedOver(e) THEN PassedUntil(o, t) ELSE tod[o] ]
     /\ dint' = JobsAfter(d)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, irt, outcomeVars, runVars>>
@@ -370,8 +381,9 @@ PassesOver(t, d) ==
 (* How far time can elapse in one step *)
 
 (* The next start point, on the CPU clock. *)
-NextPointDue ==
-    LET obs == { p \in DOMAIN tod \ PassedOver :
+\* @type: $event => $moment;
+NextPointDue(e) ==
+    LET obs == { p \in DOMAIN tod \ PassedOver(e) :
                    tod[p].active /\ ~tod[p].held }
         n   == { NextMoment(tod[o]) : o \in obs }
     IN  CHOOSE m \in n : \A k \in n : ~Before(k, m)
@@ -396,9 +408,9 @@ UpAt(b, e) ==
 (* Steps *)
 
 (* Time elapses to `until' on the clock of `up', and to `to' on the CPU    *)
-(* clock.                                                                  *)
-\* @type: ($moment, $moment) => Bool;
-ElapseTo(until, to) ==
+(* clock, towards line e.                                                  *)
+\* @type: ($event, $moment, $moment) => Bool;
+ElapseTo(e, until, to) ==
     LET d == Span(up, until)
     IN  /\ InTime(d)
         /\ waiting' = [c \in DOMAIN waiting |-> waiting[c] + d]
@@ -406,8 +418,8 @@ ElapseTo(until, to) ==
         /\ UNCHANGED eventVars
         /\ up' = until
         /\ IF to # clock
-           THEN IF PassedOver = {} THEN TimePasses(to, d)
-                ELSE PassesOver(to, d)
+           THEN IF PassedOver(e) = {} THEN TimePasses(to, d)
+                ELSE PassesOver(e, to, d)
            ELSE /\ dint' = JobsAfter(d)
                 /\ NothingEntered
                 /\ UNCHANGED <<deviceVars, modeVars, clock, tod, irt,
@@ -417,16 +429,17 @@ ElapseTo(until, to) ==
 (* next end of a delay.                                                    *)
 \* @type: $event => Bool;
 Advance(e) ==
-    LET straight == clock = e.at \/ ~Watching \/ PassesNoOther(e.at)
-        point == IF straight THEN e.at ELSE NextPointDue
-        there == IF straight THEN e.up ELSE UpAt(point, e)
+    LET goal     == PassedUpTo(e)
+        straight == clock = e.at \/ ~Watching \/ PassesNoOther(e, goal)
+        point == IF straight THEN goal ELSE NextPointDue(e)
+        there == IF point = e.at THEN e.up ELSE UpAt(point, e)
         over  == IF Jobs = {} THEN there ELSE NextDelayOver
         until == IF Before(over, there) THEN over ELSE there
         by    == After(clock, Span(up, until))
         to    == IF until = there \/ clock = e.at \/ ~Before(by, point)
                  THEN point ELSE by
         stale == IF requests = {} THEN {} ELSE Stale(Span(up, until))
-    IN  IF stale # {} THEN Expire(stale) ELSE ElapseTo(until, to)
+    IN  IF stale # {} THEN Expire(stale) ELSE ElapseTo(e, until, to)
 
 \* @type: $event => Bool;
 Arrived(e) == clock = e.at /\ up = e.up
@@ -445,7 +458,7 @@ MissingMayWait(e) ==
     IN  /\ terms.latency > 0 /\ ~NothingStandsBefore /\ ~Partial
         /\ mode = "RUN" /\ stack # <<>>
         /\ PointsNow = {} /\ OverBefore(e) = {}
-        /\ clock = e.at \/ PassesNoOther(e.at)
+        /\ clock = e.at \/ PassesNoOther(e, e.at)
         /\ Jobs = {} \/ Before(e.up, NextDelayOver)
         /\ InTime(d)
         /\ \A q \in MayStartNow : old(q) \/ ~ages(q)

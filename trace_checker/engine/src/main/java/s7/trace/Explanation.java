@@ -53,8 +53,11 @@ final class Explanation {
   /** What a state costs that meets others, in steps. */
   private static final int MEETING = 4;
 
-  /** Each so many lines, and steps of time, a state is asked if there is too much in it. */
-  private static final int NOW_AND_THEN = 16;
+  /**
+   * Each so many lines, and steps of time, a state is asked if there is too much in it: a prime, since several states
+   * take turns.
+   */
+  private static final int NOW_AND_THEN = 17;
 
   /** The most steps of several states from one line to the next. */
   private static final int MOST_STEPS = 1_000_000;
