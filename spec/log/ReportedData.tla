@@ -182,7 +182,7 @@ CaughtUps(r) ==
 
 (* The point of a run by local time came before daylight saving changed.   *)
 \* @type: $request => Bool;
-BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour # NoHour
+BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour.from > cpu.hour.to
                     /\ r.since.min <= cpu.hour.to - cpu.zone
 
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
