@@ -12,7 +12,7 @@
 (*                                                                         *)
 (* Source: requirements, sections 5 and 6.                                 *)
 (* Left out: start information (ReportedData); the latency of a real CPU   *)
-(* (Elapsing).                                                             *)
+(* (Latency).                                                              *)
 (***************************************************************************)
 EXTENDS Surroundings, Airt, Irt, TimeOfDay, Clock, Scheduler, SyncErrors,
         Modes
