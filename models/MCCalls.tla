@@ -24,6 +24,9 @@ MCRestartTypes == {"warm"}
 MCRetVals == {OK, BadOb, BadSdt, BadPeriod, NotSet, PastStart, 1, 2,
               NotDelayed}
 MCStatusWords == {0, 4, 5, 16, 18, 20, 22}
+(* Bits 3 and 6, and one that is always 0. *)
+OpenStatusWords == {0, 8, 24, 80, 88, 128}
+JustOK == {OK}
 
 (* Behaviours after a STOP are left to MCRestart. *)
 Bounded == /\ delay = 0

@@ -4,7 +4,7 @@
 (* while the OB waits, runs, is missing, in STARTUP and around HOLD, with  *)
 (* a clock that is set meanwhile (section 2).                              *)
 (***************************************************************************)
-EXTENDS MCBase
+EXTENDS MCBase, Inductive
 
 MCTodObs == {10}
 MCDintObs == {20}

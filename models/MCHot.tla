@@ -19,6 +19,7 @@ MCIrtModes == {2}
 MCDtimes == {30000}
 MCSigns == {0}
 MCMoments == {Moment(1, 0), Moment(1, 30000)}
+ALaterMinute == MCMoments \cup {Moment(2, 0)}
 MCPowerOnMoments == {Moment(0, 30000)}
 MCInterrupts == {<<40, 0>>, <<82, 0>>}
 MCRestartTypes == {"warm", "hot"}

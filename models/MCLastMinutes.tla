@@ -21,6 +21,8 @@ MCWords == PeriodCodes
 MCRetVals == {OK}
 AllRetVals == {OK, BadSdt, BadPeriod, NotSet, PastStart}
 LeapDay == {[LateDate(29, 58) EXCEPT !.year = 2088, !.month = 2]}
+LastOfFebruary == { [LateDate(29, 58) EXCEPT !.year = year, !.month = 2]
+                    : year \in {2088, 2089} }
 \* @type: (Int, Int) => $moment;
 Late(m, ms) == [min |-> LastMinute + m, ms |-> ms]
 MCMoments == { Late(m, ms) : m \in {-1, 0}, ms \in {0, 30000} }

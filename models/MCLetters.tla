@@ -67,6 +67,7 @@ Letter72b == ReadBy("AMB-72", "b")
 Letter73b == ReadBy("AMB-73", "b")
 Letter74b == ReadBy("AMB-74", "b")
 Letter76b == ReadBy("AMB-76", "b")
+Letter80b82b == BothBy("AMB-80", "AMB-82", "b")
 Letter81b == ReadBy("AMB-81", "b")
 Letter86d == ReadBy("AMB-86", "d")
 =============================================================================

@@ -64,10 +64,16 @@ LogVars == <<logVars, line, lines>>
 
 LogInit == Init /\ line = NoEvent /\ lines = 0
 
+(* How many lines have been explained when another one is taken, and       *)
+(* afterwards. A merge stands for the lines that lack.                     *)
+TakesAt == 0..2
+AfterMerge == 4
+
 Opens == /\ terms.records = {} /\ \E h \in Headers : Begin(h)
          /\ UNCHANGED <<line, lines>>
 Between == terms.records # {} /\ line = NoEvent
-Takes == /\ Between /\ lines < 3 /\ UNCHANGED lines
+Takes == /\ Between /\ ~terms.loose
+         /\ lines \in TakesAt /\ UNCHANGED lines
          /\ line' \in LinesAt(clock) \cup LinesAt(Later)
          /\ UNCHANGED logVars
 Elapses == /\ line # NoEvent /\ ~Arrived(line)
@@ -102,13 +108,29 @@ Twins == { Without(r) : r \in FromOutside }
                                      /\ q.rank = r.rank + 1 } }
                         : r \in FromOutside }
 
-Merges == /\ Between /\ lines < 4 /\ lines' = 4 /\ UNCHANGED line
+Merges == /\ Between /\ lines < AfterMerge /\ lines' = AfterMerge
+          /\ UNCHANGED line
           /\ \/ Crowd
              \/ ~terms.loose /\ \E w \in Twins \ {Waits} : Meet({Waits, w})
              \/ LastResort
 
 LogNext == Opens \/ Takes \/ Elapses \/ Hides \/ Explains \/ Merges
 LogSpec == LogInit /\ [][LogNext]_LogVars
+
+-----------------------------------------------------------------------------
+(* In the places of the first two in a model that goes on after a merge:   *)
+(* OB 41 and OB 81 are missing, and OB 85 is there; AMB-45 in two ways.    *)
+
+\* @type: (Set(Int), Str) => $header;
+Missing41(obs, letter) ==
+    [ Interrupted EXCEPT !.obs = {1, 40, 85, 100} \cup obs,
+                         !.readings = {<<"AMB-45", letter>>} ]
+MissingHeaders == {Missing41({}, "b"), Missing41({80}, "c")}
+MissingLines ==
+    { Line("interrupt", o, -1) : o \in {41, 81} }
+      \cup { [Line("DIS_IRT", o, 0) EXCEPT !.mode = 2] : o \in {80, 85} }
+TwoAndTwo == {0, 1, 3, 4}
+AfterTwo == 3
 
 -----------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@
 (* merge [AMB-52]. Then the clock is set back before the point: the CPU    *)
 (* has to show whether it is over [AMB-56] (sections 1 and 6).             *)
 (***************************************************************************)
-EXTENDS MCBase
+EXTENDS MCBase, Inductive
 
 MCTodObs == {10}
 MCFamilies == {"S7-400"}

@@ -27,6 +27,10 @@ MCRestartTypes == {"warm", "cold"}
 FarMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 15000)}
 FarTargets == {Moment(0, 30000), Moment(1, 15000)}
 JustWarm == {"warm"}
+(* [T15-62] [T15-63] [T15-66] *)
+EventsOfKinds == {<<35, 0>>, <<83, 0>>, <<121, 0>>}
+LoadsOfKinds == {{35, 83, 121}}
+KindsBounded == Cardinality(requests) <= 1 /\ Len(stack) <= 2
 MayBeHeld == TRUE
 NestedRetVals == {0, 1, 2, NotDelayed}
 JustOb40 == {<<40, 0>>}

@@ -12,7 +12,7 @@ MCLoads == {{40, 100, 121}, {40, 121, 122}}
 MCStep7Settings == {[o \in {} |-> NotConfigured]}
 MCObNumbers == {0}
 MCIrtModes == {0}
-MCBlockable == {40, 80}
+MCBlockable == {35, 40, 57, 60, 72, 80}
 MCRetVals == {0, 1, 2, NotDelayed}
 MCPowerOnMoments == {Moment(0, 0)}
 (* OB 80 is missing: under a delay its STOP may wait [AMB-49].             *)
