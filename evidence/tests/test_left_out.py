@@ -1,14 +1,18 @@
 """Kinds of event left out of accepted logs."""
 
 import json
+import subprocess
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
+from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.logs import left_out_command as command
 from evidence.logs.damage import Log
 from evidence.logs.drop import EVERY_KIND, subsets, without
+from evidence.logs.growth_costs import answer_of
+from s7check.engine.client import Engine
 from s7check.report.report import Report
 
 LOG = Log({"cycle": True}, [{"event": name} for name in ("SET_TINT", "start", "clock", "stop", "interrupt", "load")])
@@ -61,3 +65,13 @@ def test_some_subsets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     drawn = [file for file in files if file.startswith("1-1-")]
     assert drawn[:5] == drawn[5:]
     assert len(set(drawn)) == 5
+
+
+def test_a_line_is_taken_once_where_the_engine_gives_up_behind_it() -> None:
+    """The work for this log ends at its line `run`: definite facts go on with that line, not behind it."""
+    random = [SOFT_PLC_PROGRAM, "--random", "75", "--cpu", "S7-400", "--events", "80", "--diag"]
+    header, *events = map(json.loads, subprocess.run(random, capture_output=True, check=True).stdout.splitlines())
+    header["records"] = [*EVERY_KIND, "diag"]
+    with Engine() as engine:
+        answer = answer_of(engine, without(Log(header, events), {"ob"}))
+    assert (answer.verdict, answer.loose) == ("accepted", 26)

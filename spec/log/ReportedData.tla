@@ -282,10 +282,12 @@ FitsEntry(entry, e) ==
           /\ FitsError(entry.of, e.info)
 
 (* An unseen event may have caused this entry. Only DIS_IRT causes the     *)
-(* entry of disabled entries.                                              *)
+(* entry of disabled entries. Unseen starts and ends of OBs, and unseen    *)
+(* loading, are steps with entries of their own (PartialLogs).             *)
 \* @type: Int => Bool;
 CauseUnseen(id) ==
-    LET kinds == IF id = EntriesDisabled THEN {"call"} ELSE Kinds \ {"load"}
+    LET kinds == IF id = EntriesDisabled THEN {"call"}
+                 ELSE Kinds \ {"ob", "load"}
     IN  ~(kinds \subseteq terms.records)
 
 -----------------------------------------------------------------------------

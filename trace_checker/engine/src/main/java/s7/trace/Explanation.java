@@ -356,11 +356,12 @@ final class Explanation {
 
   private Refusal explained(List<State> after, RecordValue event) {
     limit(after.size());
-    states = distinct(after, spec::keyAfterLine);
-    if (++lines % NOW_AND_THEN == 0) {
-      states = distinct(states.stream().map(this::smaller).toList());
+    List<State> now = distinct(after, spec::keyAfterLine);
+    if ((lines + 1) % NOW_AND_THEN == 0) {
+      now = distinct(now.stream().map(this::smaller).toList());
     }
-    states = few(states);
+    states = few(now); // where it gives up, the line is still to come
+    lines++;
     past.add(event);
     Object ob = spec.startedOb(event);
     if (ob != null && startedObs.add(ob)) {
