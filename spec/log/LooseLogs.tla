@@ -70,6 +70,9 @@ MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
 Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Interrupting)
                         THEN {} ELSE {0})
 
+(* [OBS-52] An unseen hot restart may have brought back an earlier one.    *)
+CountsUnknown == Unseen("call") \/ (~ModeKnown /\ HotRestartExists)
+
 (* [OBS-25] STARTUP may be over.                                           *)
 MayRun == \/ Unseen("load") \/ stopCause = NoCause
           \/ ~ModeKnown /\ RestartStop = NoCause
@@ -127,9 +130,9 @@ LooseAnswers(e) ==
           [] e.event = "CAN_DINT" /\ o \in DintObs ->
                OpenCodes(any({ CanDintErrorsIf(started)
                  : started \in Either(MayBeStarted(o), MayBeOver(o)) }))
-          [] e.event = "DIS_AIRT" -> IF Unseen("call") THEN AnyDisAirtAnswer
+          [] e.event = "DIS_AIRT" -> IF CountsUnknown THEN AnyDisAirtAnswer
                ELSE UNION { DisAirtAnswers(c) : c \in Counts }
-          [] e.event = "EN_AIRT" -> IF Unseen("call") THEN AnyEnAirtAnswer
+          [] e.event = "EN_AIRT" -> IF CountsUnknown THEN AnyEnAirtAnswer
                ELSE UNION { EnAirtAnswers(c) : c \in Counts }
           [] ByUnseenZone(e) ->
                UNION { SetAnswers(o, e.sdt, zone, e.period)
@@ -191,6 +194,22 @@ LooseSet(e) ==
          THEN SetsOrNot(e.ob, e.sdt, e.period, ret)
          ELSE SetsLocalOrNot(e.ob, e.sdt, TRUE, e.period, e.activate = 1, ret)
 
+(* [A15-13] What an S7-1500 answers depends on whether the OB is loaded,   *)
+(* which no line tells.                                                    *)
+\* @type: $event => Bool;
+AnswerNeedsLoad(e) ==
+    /\ Unseen("load") /\ ~Family.stops /\ e.ob \in TodObs \cup DintObs
+    /\ e.event \in {"SET_TINT", "SET_TINTL", "SRT_DINT"}
+
+\* @type: $event => Bool;
+LooseUnseenLoad(e) ==
+    /\ AnswerNeedsLoad(e)
+    /\ loaded' = IF e.ob \in loaded THEN loaded \ {e.ob}
+                                    ELSE loaded \cup {e.ob}
+    /\ NothingEntered
+    /\ UNCHANGED <<cpu, modeVars, clock, settingVars, outcomeVars, runVars,
+                   up, waiting, reports, lineVars, eventVars>>
+
 \* @type: $event => Bool;
 LooseCall(e) ==
     /\ Called
@@ -217,6 +236,10 @@ LoadedTooLate ==
     { IF r.cause \in TodObs \cup DintObs THEN r.cause ELSE 0
       : r \in { q \in requests : q.ob = ProgramErrorOb /\ q.cause # 0 } }
 
+(* What OB 80 reports of points that an unseen setting of the clock skips. *)
+UnseenJumps == (IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+                 \cup (IF Family.setsLocal THEN {SkippedByDaylight} ELSE {})
+
 (* The OBs that may have caused OB 80 or OB 85. 0 stands for all causes    *)
 (* but time-of-day and time-delay interrupts.                              *)
 \* @type: (Int, Int) => Set(Int);
@@ -224,10 +247,7 @@ MayCause(o, fault) ==
     LET told(f) == fault \in {UnknownFault} \cup f
         outside == \/ Unseen("interrupt")
                    \/ \E r \in requests : r.ob = o /\ told({r.fault})
-        skipped == /\ Unseen("clock")
-                   /\ told((IF ModeKnown THEN {SkippedByClock} ELSE Skips)
-                             \cup IF Family.setsLocal THEN {SkippedByDaylight}
-                                  ELSE {})
+        skipped == Unseen("clock") /\ told(UnseenJumps)
         others  == /\ told({StillRunning, BufferOverflow})
                    /\ \E r \in requests : r.ob \in ExternalObs
     IN  IF o = TimeErrorOb
@@ -268,6 +288,13 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
 (* OBs start and end *)
 
 (* Cycle and startup OBs stand first in the stack: their order is unseen.  *)
+(* [OBS-52] Behind the startup OB of an unseen hot restart the interrupted *)
+(* OBs go on.                                                              *)
+\* @type: Int => Seq($frame);
+StackAround(o) ==
+    IF ~ModeKnown /\ HotRestartExists /\ o = StartupOb("hot") THEN stack
+    ELSE <<stack[1]>>
+
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
@@ -276,7 +303,7 @@ LooseFirstStarts(e) ==
     /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1
                                 ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
-    /\ stack' = <<stack[1]>>
+    /\ stack' = StackAround(e.ob)
     /\ delay' = 0
 
 \* @type: $event => Bool;
@@ -297,7 +324,7 @@ LooseEnd(e) ==
           /\ ModeKnown =>
                /\ Len(stack) = 1
                /\ mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
-          /\ stack' = <<stack[1]>>
+          /\ stack' = StackAround(e.ob)
     /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
@@ -351,10 +378,7 @@ LooseRun(e) ==
 LooseStop ==
     IF ModeKnown /\ mode # "STOP" THEN Stop
     ELSE IF ~ModeKnown /\ HotRestartExists
-    THEN /\ stack' = <<Frame(CycleOb, 1)>>
-         /\ NothingEntered
-         /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
-                        delay>>
+    THEN UNCHANGED cpuVars /\ NothingEntered
     ELSE /\ Clears
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
@@ -402,6 +426,10 @@ SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
 (* Settings of the clock; a hot restart finds points that passed in STOP.  *)
 UnseenSkips == SkipsInHold \cup (IF ~ModeKnown /\ HotRestartExists
                                 THEN {SkippedByClock} ELSE {})
+
+(* An unseen setting of the clock may have skipped any point.              *)
+JumpMarks == IF Unseen("clock") /\ mode # "STOP" /\ MayBeDue \cap TodObs # {}
+             THEN { Mark(TimeErrorOb, f) : f \in UnseenJumps } ELSE {}
 
 \* @type: $event => Bool;
 LooseClock(e) ==
@@ -512,7 +540,7 @@ LooseElapse(e) ==
         /\ requests' = requests
              \cup { Mark(o, 0) : o \in { j \in DintObs :
                                    dint'[j].started /\ dint'[j].left = Gone } }
-             \cup SkipMarks(e.at, UnseenSkips)
+             \cup SkipMarks(e.at, UnseenSkips) \cup JumpMarks
         /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
         /\ NothingEntered
         /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,

@@ -34,6 +34,7 @@ DependsOn(e) ==
                         ELSE {})
       [] e.event \in {"QRY_TINT", "QRY_DINT", "state"} -> {e.ob}
       [] e.event \in {"ACT_TINT", "SRT_DINT"} -> {e.ob, ProgramErrorOb}
+      [] e.event \in {"SET_TINT", "SET_TINTL"} /\ AnswerNeedsLoad(e) -> {e.ob}
       [] e.event = "end" /\ e.ob = ProgramErrorOb -> { r.ob : r \in requests }
       [] e.event \in {"stop", "diag"} ->
            { r.ob : r \in requests } \cup {TimeErrorOb, ProgramErrorOb}
@@ -98,12 +99,11 @@ StartsUnseen(e) ==
       /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                      delay>>
 
-(* An unseen event may have caused this entry.                             *)
+(* A start event that no line shows may have caused this entry.  That of   *)
+(* a STOP by a time error may come from two excesses of the cycle time,    *)
+(* also where OB 80 is loaded [OBS-26].                                    *)
 \* @type: $event => Bool;
 EntersUnseen(e) ==
-    /\ e.id - ErrorEntry \in ObNotLoaded =>
-         Unseen("interrupt") \/ \E o \in TodObs \cup DintObs : MayBeMissing(o)
-    /\ e.id = NoTimeErrorOb => MayBeMissing(TimeErrorOb)
     /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
     /\ NothingEntered
     /\ UNCHANGED <<cpuVars, waiting, eventVars, reports>>
@@ -133,17 +133,18 @@ Elapse(e) ==
 
 \* @type: $event => Bool;
 Silent(e) ==
-    /\ ~terms.loose
-    /\ \/ HiddenBefore(e)
-       \/ /\ \/ Unseen("ob") /\ UnseenOb
-             \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupsAhead)
-             \/ Unseen("interrupt") /\ UnseenEvents(e)
-          /\ Rewait
-          /\ UNCHANGED <<lineVars, up>>
+    IF terms.loose THEN LooseUnseenLoad(e)
+    ELSE \/ HiddenBefore(e)
+         \/ /\ \/ Unseen("ob") /\ UnseenOb
+               \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupsAhead)
+               \/ Unseen("interrupt") /\ UnseenEvents(e)
+            /\ Rewait
+            /\ UNCHANGED <<lineVars, up>>
 
 (* Quick to evaluate: may a silent step be possible?                       *)
 \* @type: $event => Bool;
-Stirs(e) == ~terms.loose /\ (HidesBefore(e) \/ Partial)
+Stirs(e) == IF terms.loose THEN AnswerNeedsLoad(e)
+                           ELSE HidesBefore(e) \/ Partial
 
 \* @type: $event => Bool;
 Observe(e) == /\ KeepsPace(e)

@@ -111,13 +111,15 @@ ServedUntil(t) ==
     IN  IF ends = {} THEN -1 ELSE CHOOSE p \in ends : \A q \in ends : q <= p
 
 (* The setting of an OB that serves its points again: those up to overTo.  *)
-(* One that is still held stays.                                           *)
+(* What a small step repeated was not served by that. One that is still    *)
+(* held stays.                                                             *)
 \* @type: (Int, $moment, $cpu, Bool) => $tod;
 Forgetful(o, to, c, runsAgain) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
                              !.repeatTo = -1,
                              !.overTo = LET u == ServedUntil(tod[o])
-                                        IN  IF @ > u THEN @ ELSE u,
+                                        IN  IF @ > u /\ @ > tod[o].repeatTo
+                                            THEN @ ELSE u,
                              !.held = @ /\ IsPast(NextMoment(tod[o]), to) ]
         i == CHOOSE r \in RanOnce(o, to) : TRUE
     IN  IF runsAgain
