@@ -185,6 +185,14 @@ CaughtUps(r) ==
 BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour.from > cpu.hour.to
                     /\ r.since.min <= cpu.hour.to - cpu.zone
 
+(* It has waited for longer than the clock has gone on since its point: it *)
+(* came before the clock was set back.                                     *)
+\* @type: $request => Bool;
+BeforeTheStep(r) ==
+    LET came == AsItCame(r)
+    IN  /\ came \in DOMAIN arrivals
+        /\ Span(arrivals[came], up) > Span(r.since, clock) + terms.latency
+
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
 (* point that the OB serves again has it. No text says what a run has that *)
 (* waited while the time was set back, or a catch-up of such a point.      *)
@@ -195,7 +203,7 @@ SecondTimes(r) ==
         again == t.repeatTo < t.overTo /\ point <= t.overTo
         begins == ~\E i \in t.served \cup t.merged : i.from < point
     IN  IF \/ r.since = NoMoment \/ Before(clock, r.since)
-           \/ BeforeTheHour(r) THEN {0, 1}
+           \/ BeforeTheStep(r) \/ BeforeTheHour(r) THEN {0, 1}
         ELSE IF 1 \in CaughtUps(r) /\ t.overTo >= 0 THEN {0, 1}
         ELSE IF ~again THEN {0}
         ELSE IF begins \/ EachIsSecondTime THEN {1}
