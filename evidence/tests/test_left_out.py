@@ -69,7 +69,7 @@ def test_some_subsets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_line_is_taken_once_where_the_engine_gives_up_behind_it() -> None:
     """The work for this log ends at its line `run`: definite facts go on with that line, not behind it."""
-    random = [SOFT_PLC_PROGRAM, "--random", "75", "--cpu", "S7-400", "--events", "80", "--diag"]
+    random = [str(SOFT_PLC_PROGRAM), "--random", "75", "--cpu", "S7-400", "--events", "80", "--diag"]
     header, *events = map(json.loads, subprocess.run(random, capture_output=True, check=True).stdout.splitlines())
     header["records"] = [*EVERY_KIND, "diag"]
     with Engine() as engine:
