@@ -113,6 +113,18 @@ LastServedProp ==
                 free == { p \in ahead : ~was(p) /\ ~over(p) }
             IN  \A p \in free : t.next <= p /\ t.next \in free ]_vars
 
+(* [T15-94] The points that come for the second time end with one that     *)
+(* the OB served: what small steps alone repeated does not count.          *)
+SecondTimeProp ==
+    [][ Did("clock") /\ Before(clock', clock) /\ Distance20 > 20000 =>
+          \A o \in TodObs :
+            LET t    == tod[o]
+                over == tod'[o].overTo
+            IN  \/ over = -1
+                \/ \E i \in t.served : over = i.to
+                \/ \E i \in t.earlier : over = i.to
+                \/ over = t.overTo /\ over > t.repeatTo ]_vars
+
 (* [T15-93] [T15-94] A clock that is set back arms a one-shot interrupt    *)
 (* that ran only over its point, and only by 20 s or more.                 *)
 OnceAgainProp ==
