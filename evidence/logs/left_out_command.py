@@ -1,4 +1,4 @@
-"""``s7spec logs left-out``: does an accepted log stay accepted when kinds of event are left out?"""
+"""``s7spec logs left-out``: is a faultless log accepted, and does it stay so when kinds of event are left out?"""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ SUBSETS = list(subsets())
 
 @dataclass
 class Found:
-    """How many complete logs were accepted, what became of them with kinds left out, and the logs that got worse.
+    """How many complete logs were accepted, what became of them with kinds left out, and the logs that were not.
 
-    Of a worse one: its file, the verdict and the line.
+    Those are `worse`. Of each: its file, the verdict and the line.
     """
 
     logs: int = 0
@@ -54,6 +54,12 @@ class Found:
         self.verdicts += one.verdicts
         self.loose += one.loose
         self.worse += one.worse
+
+    def add_worse(self, file: Path, report: Report, keep: Path) -> None:
+        """Keep a log that should have been accepted."""
+        keep.mkdir(parents=True, exist_ok=True)
+        place = shutil.copy(file, keep)
+        self.worse.append({"file": str(place), "verdict": report.verdict, "line": report.line})
 
 
 @click.command(name="left-out", short_help="Do accepted logs stay accepted with kinds of event left out?")
@@ -72,15 +78,15 @@ class Found:
     type=click.Path(path_type=Path, file_okay=False),
     default=Path("build") / "left_out",
     show_default=True,
-    help="Where the logs go that got worse.",
+    help="Where the logs go that are not accepted.",
 )
 @json_option
 def left_out_command(
     logs: int, seed: int, subsets: int, events: int | None, keep: Path, json_path: Path | None
 ) -> None:
-    """Draw random logs, and leave subsets of the kinds of event out of each that is accepted.
+    """Draw random logs without a mistake, and leave subsets of the kinds of event out of each.
 
-    None may be rejected then, and none may be without a verdict.
+    None may be rejected, with or without them, and none may be without a verdict.
     """
     began = time.monotonic()
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
@@ -88,7 +94,7 @@ def left_out_command(
         for one in found.worse:
             plain(console, f"{one['file']}: {one['verdict']} at line {one['line']}", style="red")
         total = found.verdicts.total()
-        plain(console, f"{found.logs:,} accepted logs, {total:,} with kinds left out: {len(found.worse):,} got worse")
+        plain(console, f"{found.logs:,} accepted logs, {total:,} with kinds left out: {len(found.worse):,} not accepted")
         plain(console, f"of {found.loose:,} only definite facts were followed from some line on")
         document = {
             "logs": found.logs, "subsets": subsets, "events": events, "seed": seed, "left_out": total,
@@ -100,7 +106,7 @@ def left_out_command(
 
 @dataclass(frozen=True)
 class Drawing:
-    """Which logs are drawn, how many subsets of kinds of each, and where the logs go that got worse."""
+    """Which logs are drawn, how many subsets of kinds of each, and where the logs go that are not accepted."""
 
     seed: int
     subsets: int
@@ -122,13 +128,17 @@ def leave_out(logs: int, drawing: Drawing) -> Found:
 
 
 def _of_a_log(drawing: Drawing, generator: Generator, number: int, engine: Engine) -> Found:
-    """What was found of the log with this number; nothing if the complete log is not accepted."""
+    """What was found of the log with this number."""
     name = f"left out/{drawing.seed}/{number}"
     log = generator.written(Random(name), drawing.events)  # noqa: S311
     with tempfile.TemporaryDirectory(prefix="s7check-left-out-") as temporary:
-        if _judge(_write(Path(temporary) / "whole.ndjson", log), engine).verdict != "accepted":
-            return Found()
-        found = Found(logs=1)
+        found = Found()
+        whole = _write(Path(temporary) / f"{drawing.seed}-{number}.ndjson", log)
+        report = _judge(whole, engine)
+        if report.verdict != "accepted":
+            found.add_worse(whole, report, drawing.keep)
+            return found
+        found.logs = 1
         for kinds in Random(f"{name}/subsets").sample(SUBSETS, drawing.subsets):  # noqa: S311
             kept = f"{drawing.seed}-{number}-{'-'.join(sorted(kinds))}.ndjson"
             file = _write(Path(temporary) / kept, without(log, kinds))
@@ -136,9 +146,7 @@ def _of_a_log(drawing: Drawing, generator: Generator, number: int, engine: Engin
             found.verdicts[report.verdict] += 1
             found.loose += report.certain_from is not None
             if report.verdict != "accepted":
-                drawing.keep.mkdir(parents=True, exist_ok=True)
-                place = shutil.copy(file, drawing.keep)
-                found.worse.append({"file": str(place), "verdict": report.verdict, "line": report.line})
+                found.add_worse(file, report, drawing.keep)
     return found
 
 

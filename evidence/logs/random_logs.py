@@ -55,6 +55,7 @@ class Generator:
         self._words = words
         told = self._run("--fault", "help")
         self._faults = [line.split()[0] for line in told.splitlines() if line.strip()]
+        self._behaviours = dict(map(_behaviour, self._run("--choose", "help").splitlines()))
 
     def draw(self, number: int, attempt: int) -> Generated:
         """Draw a log, which may be unreadable. Raises `SoftPlcError`."""
@@ -81,8 +82,14 @@ class Generator:
         return Generated(_text(random, log), log.header["cpu"], tuple(dict.fromkeys(done)) or (UNCHANGED,))
 
     def written(self, random: Random, events: int | None = None) -> Log:
-        """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`."""
-        options = ["--up"] if random.random() < 0.5 else []
+        """A log as the soft PLC writes it, without a mistake, of so many events. Raises `SoftPlcError`.
+
+        What the requirements leave open it does in one of the ways that it has.
+        """
+        options = [option for option in ("--up", "--state") if random.random() < 0.5]
+        for name, ways in self._behaviours.items():
+            if random.random() < 0.4:
+                options += ["--choose", f"{name}={random.choice(ways)}"]
         program = setups.scenario(random, self._words, events)
         header, *lines = map(json.loads, self._run(*options, "-", stdin=program).splitlines())
         return Log(header, lines)
@@ -105,6 +112,12 @@ class Generator:
         except subprocess.CalledProcessError as error:
             raise SoftPlcError(f"the soft PLC failed: {error.stderr.strip()}\n{stdin}") from error
         return run.stdout
+
+
+def _behaviour(line: str) -> tuple[str, list[str]]:
+    """A name and its ways, as the soft PLC tells them: `OBS-03 =highest or lowest: ...`."""
+    name, told = line.split("=", 1)
+    return name.strip(), told.partition(":")[0].split(" or ")
 
 
 def _text(random: Random, log: Log) -> bytes:

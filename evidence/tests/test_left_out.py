@@ -46,7 +46,7 @@ def test_a_log_that_gets_worse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(command, "_judge", judge)
     run = CliRunner().invoke(command.left_out_command, ["--logs", "2", "--keep", str(tmp_path)])
     assert run.exit_code == command.WORSE
-    assert "2 accepted logs, 126 with kinds left out: 2 got worse" in run.output
+    assert "2 accepted logs, 126 with kinds left out: 2 not accepted" in run.output
     assert len(list(tmp_path.iterdir())) == 2
 
 
@@ -61,7 +61,7 @@ def test_some_subsets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(command, "_judge", judge)
     for _ in range(2):
         run = CliRunner().invoke(command.left_out_command, ["--logs", "1", "--subsets", "5", "--keep", str(tmp_path)])
-        assert "1 accepted logs, 5 with kinds left out: 0 got worse" in run.output
+        assert "1 accepted logs, 5 with kinds left out: 0 not accepted" in run.output
     drawn = [file for file in files if file.startswith("1-1-")]
     assert drawn[:5] == drawn[5:]
     assert len(set(drawn)) == 5

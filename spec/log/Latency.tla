@@ -62,18 +62,21 @@ Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
 
 (* [OBS-26] The cycle and its overruns: OB 1 starts, the last cycle OB     *)
 (* ends [T15-79], a restart begins, or the cycle time is exceeded. A       *)
-(* blocked OB 80 is not called [IRT-01].                                   *)
+(* blocked OB 80 is not called [IRT-01]. A hot restart goes on with the    *)
+(* cycle: no text says whether an overrun before STOP counts [AMB-26].     *)
 NextCycle ==
     LET restarts == mode = "STOP" /\ mode' = "STARTUP"
         begins   == mode = "RUN" /\ stack = <<>> /\ OnStack(CycleOb)'
         ends     == /\ stack # <<>> /\ stack[1].ob \in CycleObs
+                    /\ mode' # "STOP"
                     /\ stack' = <<>> /\ LaterInCycle' = {}
         exceeded ==
           /\ ~Blocked(TimeErrorOb)
           /\ \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
     IN  /\ first' = IF restarts THEN startup'
                     ELSE IF begins THEN "none" ELSE first
-        /\ overruns' = IF restarts \/ begins \/ ends THEN 0
+        /\ overruns' = IF restarts /\ startup' = "hot" THEN Earlier(overruns, 1)
+                       ELSE IF restarts \/ begins \/ ends THEN 0
                        ELSE IF exceeded THEN Earlier(overruns + 1, 2)
                        ELSE overruns
 

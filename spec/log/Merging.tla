@@ -29,7 +29,8 @@ MayRepeat(r) == /\ r.open /\ r.ob \in loaded
                 /\ {r.fault, r.follows} \cap Skips = {}
 
 (* The requests of this kind, if there are many and no definite request    *)
-(* stands behind the first of them.                                        *)
+(* stands behind the first of them. The one for them takes the last place: *)
+(* the start of a request that stands between ends those before it.        *)
 \* @type: $request => Set($request);
 CrowdOf(kind) ==
     LET alike == { r \in requests : MayRepeat(r) /\ Kind(r) = kind }
@@ -39,9 +40,9 @@ CrowdOf(kind) ==
         THEN alike ELSE {}
 
 \* @type: Set($request) => $request;
-FirstOf(crowd) == CHOOSE r \in crowd : \A s \in crowd : r.rank <= s.rank
+LastOf(crowd) == CHOOSE r \in crowd : \A s \in crowd : s.rank <= r.rank
 \* @type: Set($request) => $request;
-OneFor(crowd) == [FirstOf(crowd) EXCEPT !.since = NoMoment]
+OneFor(crowd) == [LastOf(crowd) EXCEPT !.since = NoMoment]
 
 Crowded == Cardinality(requests) > 8
 

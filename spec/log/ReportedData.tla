@@ -186,12 +186,16 @@ BeforeTheHour(r) == /\ tod[r.ob].local /\ cpu.hour.from > cpu.hour.to
                     /\ r.since.min <= cpu.hour.to - cpu.zone
 
 (* It has waited for longer than the clock has gone on since its point: it *)
-(* came before the clock was set back.                                     *)
+(* came before the clock was set back. For less, and it is no catch-up: it *)
+(* came before the clock was set forward, and perhaps back as well.        *)
 \* @type: $request => Bool;
 BeforeTheStep(r) ==
-    LET came == AsItCame(r)
+    LET came   == AsItCame(r)
+        waited == Span(arrivals[came], up)
+        passed == Span(r.since, clock)
     IN  /\ came \in DOMAIN arrivals
-        /\ Span(arrivals[came], up) > Span(r.since, clock) + terms.latency
+        /\ \/ waited > passed + terms.latency
+           \/ r.follows = 0 /\ passed > waited + terms.latency
 
 (* [T15-94] [A15-18] What SecondTime may tell of a run: the first for a    *)
 (* point that the OB serves again has it. No text says what a run has that *)

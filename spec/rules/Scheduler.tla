@@ -63,12 +63,20 @@ RequestsAfterCall(r) ==
 FrameOf(r) == [ Frame(r.ob, r.class) EXCEPT
                   !.told = IF r.ob = TimeErrorOb THEN {} ELSE r.late ]
 
+(* [T15-63] Where OB 121 or 122 stands between two runs of an OB, both     *)
+(* know what was told of its overload.                                     *)
+\* @type: $request => Seq($frame);
+StackBelow(r) ==
+    [ i \in DOMAIN stack |->
+        IF stack[i].ob # r.ob THEN stack[i]
+        ELSE [stack[i] EXCEPT !.told = @ \cup FrameOf(r).told] ]
+
 (* [OBS-01] [OBS-02] [OBS-03] The OB of request r starts. *)
 \* @type: $request => Bool;
 Start(r) ==
     /\ MayStart(r)
     /\ r.ob \in loaded
-    /\ stack'    = Append(stack, FrameOf(r))
+    /\ stack'    = Append(StackBelow(r), FrameOf(r))
     /\ requests' = RequestsAfterCall(r)
     /\ tod'      \in TodsAfterStart(r)
     /\ NothingEntered

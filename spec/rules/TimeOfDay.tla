@@ -277,7 +277,9 @@ ActAnswersWhenCalled(o) ==
 (* [TINT-61] *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    IF Spent(o) THEN ActAnswersWhenSpent(o)
+    IF Spent(o) /\ OpenIn(requests, o)
+    THEN ActAnswersWhenSpent(o) \cup ActAnswersWhenCalled(o)
+    ELSE IF Spent(o) THEN ActAnswersWhenSpent(o)
     ELSE IF o \in TodObs /\ CallUsesUp(o) THEN ActAnswersWhenCalled(o)
     ELSE OpenCodes(SettingAnswers(o, ActErrors(o)))
 

@@ -85,13 +85,13 @@ def agreement(text: str) -> list[Table]:
 
 
 def left_out(text: str) -> list[Table]:
-    """Accepted logs with kinds left out, and how many got worse."""
+    """Accepted logs with kinds left out, and how many were not."""
     report: dict[str, Any] = json.loads(text)
     counts = {
         "accepted logs": report["logs"],
         "with kinds left out": report["left_out"],
         "only certain facts from some line on": report["loose"],
-        "got worse": len(report["worse"]),
+        "not accepted": len(report["worse"]),
     }
     return [Table(list(counts), [list(counts.values())])]
 

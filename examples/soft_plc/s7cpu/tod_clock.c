@@ -22,9 +22,14 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
     if (late != 0 && reported &&
         (cpu->mode == S7CPU_RUN || cpu->resuming || s7_family(cpu)->ob80_waits_for_run))
         s7_error_skipped(cpu, flt_id, late); /* one for all of them [OBS-32] */
-    for (int k = 0; k < S7CPU_TODS && cpu->mode != S7CPU_STOP; k++)
-        if (late & 1u << k)
+    for (int k = 0; k < S7CPU_TODS; k++) {
+        if (!(late & 1u << k))
+            continue;
+        if (cpu->mode == S7CPU_STOP) /* without OB 80: reported once, no catch-up [OBS-22] */
+            cpu->tod[k].next = s7_tod_first_point(cpu, k, now);
+        else
             s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */
+    }
 }
 
 /* The last point for which the OB was called or waits (AMB-59, reading a); S7CPU_NONE: none. */
