@@ -9,6 +9,8 @@ struct s7cpu_request s7_request(const struct s7cpu *cpu, int ob, int64_t time)
     const struct s7cpu_frame *top = s7cpu_top(cpu);
     struct s7cpu_request r = {.ob = ob,
                                   .rank = class,
+                                  .stops = ob == 80 && !cpu->loaded[ob] &&
+                                           cpu->mode != S7CPU_HOLD,
                                   .up = cpu->up,
                                   .info = {.priority = class,
                                            .strt_info = s7_ob_strt_info(ob),

@@ -313,6 +313,7 @@ struct s7cpu_request {
     int ob;
     int rank; /* the class it is dispatched in */
     bool after_skip; /* not before OB 80 has reported skipped points [T15-91] */
+    bool stops; /* OB 80 was missing: the CPU stops even if it is loaded under SFC 41 [OBS-22] */
     int64_t up; /* elapsed time when it occurred */
     bool keeps_time; /* info.time is not the time of the call, whatever the choice of OBS-10 */
     struct s7cpu_info info;

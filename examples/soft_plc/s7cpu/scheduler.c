@@ -78,7 +78,7 @@ bool s7_cycle_exceeded_again(struct s7cpu *cpu)
 /* AMB-06 and AMB-44: a missing OB is noticed when it would be called. */
 static void call(struct s7cpu *cpu, const struct s7cpu_request *r)
 {
-    if (cpu->loaded[r->ob])
+    if (cpu->loaded[r->ob] && !r->stops)
         s7_start(cpu, r);
     else
         s7_error_missing(cpu, r);
