@@ -165,7 +165,8 @@ StartableInv ==
         waits(r) == /\ r.follows # 0
                     /\ \/ Top(stack).ob = TimeErrorOb
                        \/ \E q \in requests :
-                            q.ob = TimeErrorOb /\ r.ob \in q.late
+                            /\ q.ob = TimeErrorOb /\ r.ob \in q.late
+                            /\ q.fault = r.follows
     IN  stopCause = NoCause /\ delay = 0 =>
           \A r \in requests :
             /\ inMode(r) /\ ~r.open /\ ~waits(r)

@@ -94,7 +94,8 @@ def left_out_command(
         for one in found.worse:
             plain(console, f"{one['file']}: {one['verdict']} at line {one['line']}", style="red")
         total = found.verdicts.total()
-        plain(console, f"{found.logs:,} accepted logs, {total:,} with kinds left out: {len(found.worse):,} not accepted")
+        judged = f"{found.logs:,} accepted logs, {total:,} with kinds left out"
+        plain(console, f"{judged}: {len(found.worse):,} not accepted")
         plain(console, f"of {found.loose:,} only definite facts were followed from some line on")
         document = {
             "logs": found.logs, "subsets": subsets, "events": events, "seed": seed, "left_out": total,

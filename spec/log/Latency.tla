@@ -75,7 +75,8 @@ NextCycle ==
           /\ \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
     IN  /\ first' = IF restarts THEN startup'
                     ELSE IF begins THEN "none" ELSE first
-        /\ overruns' = IF restarts /\ startup' = "hot" THEN Earlier(overruns, 1)
+        /\ overruns' = IF startup' = "hot" /\ restarts
+                       THEN Earlier(overruns, 1)
                        ELSE IF restarts \/ begins \/ ends THEN 0
                        ELSE IF exceeded THEN Earlier(overruns + 1, 2)
                        ELSE overruns

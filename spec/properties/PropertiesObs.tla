@@ -244,7 +244,8 @@ AtOnceProp ==
              \/ mode = "STARTUP" /\ r.ob \in AsyncErrorObs
           /\ delay = 0 /\ r.class > Top(stack).class
           /\ \/ r.follows = 0
-             \/ ~\E q \in requests : q.ob = TimeErrorOb /\ r.ob \in q.late
+             \/ ~\E q \in requests : /\ q.ob = TimeErrorOb /\ r.ob \in q.late
+                                      /\ q.fault = r.follows
           => step'.event \in {"start", "missing", "dropped", "stop",
                              "switch"} ]_vars
 

@@ -82,7 +82,8 @@ LateRunWaitsProp ==
             /\ r.ob = step'.ob /\ r.class = step'.value
             /\ r.follows # 0 =>
                  /\ Top(stack).ob # TimeErrorOb
-                 /\ ~\E q \in requests : q.ob = 80 /\ r.ob \in q.late
+                 /\ ~\E q \in requests : /\ q.ob = 80 /\ r.ob \in q.late
+                                          /\ q.fault = r.follows
       ]_vars
 
 (* [T15-93] [T15-94] Set back by less than 20 s, the clock arms no point   *)

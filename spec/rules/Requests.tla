@@ -233,7 +233,9 @@ StopsUncalled(r) ==
 \* @type: $request => Bool;
 Reported(r) ==
     r.follows # 0 =>
-      /\ \A q \in requests : ~(q.ob = TimeErrorOb /\ r.ob \in q.late)
+      /\ \A q \in requests :
+           ~(/\ q.ob = TimeErrorOb /\ q.fault = r.follows
+             /\ r.ob \in q.late)
       /\ ~InTimeErrorOb
 
 (* [OBS-01] [T15-91] Then it cannot start, and what is not below OB 80     *)
