@@ -26,12 +26,20 @@ UnseenOb == \/ \E r \in requests : Start(r)
 -----------------------------------------------------------------------------
 (* Blocks that are loaded or deleted *)
 
+(* The OBs that hold back the start of this one, unless they are missing. *)
+\* @type: Int => Set(Int);
+StandingBefore(o) ==
+    { q.ob : q \in { p \in requests :
+        \E r \in requests :
+          /\ r.ob = o /\ ~p.open
+          /\ GoesFirst(p, r) \/ (p.class = r.class /\ p.rank < r.rank) } }
+
 (* The OBs on which the line depends. *)
 \* @type: $event => Set(Int);
 DependsOn(e) ==
     CASE e.event = "start"  ->
            {e.ob} \cup (IF e.ob = ProgramErrorOb THEN { r.ob : r \in requests }
-                        ELSE {})
+                        ELSE StandingBefore(e.ob))
       [] e.event \in {"QRY_TINT", "QRY_DINT", "state"} -> {e.ob}
       [] e.event \in {"ACT_TINT", "SRT_DINT"} -> {e.ob, ProgramErrorOb}
       [] e.event \in {"SET_TINT", "SET_TINTL"} /\ AnswerNeedsLoad(e) -> {e.ob}

@@ -74,7 +74,7 @@ static void elapsed(struct s7cpu *cpu, int k)
         return;
     if (s7_ob_is_running(cpu, ob))
         s7_error_overlap(cpu, ob, d->sign); /* [DINT-10] */
-    if (cpu->mode != S7CPU_STOP && !s7_queue_has(cpu, ob))
+    if (!s7_time_error_stops(cpu) && !s7_queue_has(cpu, ob))
         request(cpu, ob);
 }
 

@@ -278,6 +278,8 @@ void s7_error_synchronous(struct s7cpu *cpu, int ob);
 
 /* time_error.c: OB 80 is requested */
 void s7_time_error(struct s7cpu *cpu, const struct s7cpu_request *r);
+/* OB 80 is missing: the CPU has stopped, or will at the end of the delay; nothing follows OB 80. */
+bool s7_time_error_stops(const struct s7cpu *cpu);
 
 /* diag.c: entries of the diagnostic buffer (table 8.3) */
 /* Id of the entry of an error, 0 where the table has none. */

@@ -12,3 +12,11 @@ void s7_time_error(struct s7cpu *cpu, const struct s7cpu_request *r)
     else
         s7_queue_put(cpu, r);
 }
+
+bool s7_time_error_stops(const struct s7cpu *cpu)
+{
+    bool stops = cpu->mode == S7CPU_STOP;
+    for (int i = 0; i < cpu->queue_length; i++)
+        stops |= cpu->queue[i].stops && !s7_family(cpu)->ignores_missing;
+    return stops;
+}

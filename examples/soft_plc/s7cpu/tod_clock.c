@@ -25,7 +25,7 @@ static void skipped(struct s7cpu *cpu, int flt_id, bool reported)
     for (int k = 0; k < S7CPU_TODS; k++) {
         if (!(late & 1u << k))
             continue;
-        if (cpu->mode == S7CPU_STOP) /* without OB 80: reported once, no catch-up [OBS-22] */
+        if (s7_time_error_stops(cpu)) /* reported once, no catch-up [OBS-22] */
             cpu->tod[k].next = s7_tod_first_point(cpu, k, now);
         else
             s7_tod_catch_up(cpu, k, flt_id == FLT_SKIPPED); /* A15-16, reading a */

@@ -31,7 +31,7 @@ void s7_tod_request(struct s7cpu *cpu, int k, int64_t point)
 void s7_tod_overlap(struct s7cpu *cpu, int k, int64_t point)
 {
     s7_error_overlap(cpu, s7cpu_tod_ob(k), cpu->tod[k].period);
-    if (cpu->mode != S7CPU_STOP)
+    if (!s7_time_error_stops(cpu))
         s7_tod_request(cpu, k, point);
 }
 
