@@ -114,6 +114,10 @@ void s7_tod_zone_changed(struct s7cpu *cpu, int64_t ahead)
         struct s7cpu_tod *t = &cpu->tod[k];
         if (t->local && t->again != S7CPU_NONE)
             t->again -= ahead;
+        if (t->local && t->served != S7CPU_NONE) {
+            t->served -= ahead;
+            t->served_from -= ahead;
+        }
         if (t->local && t->next != S7CPU_NEVER && ahead > 0)
             t->next -= ahead;
     }
