@@ -77,7 +77,9 @@ UnseenEvents(e) ==
         waits  == { o \in ExternalObs :
                       /\ MayBeLoaded(o) /\ TakesEvents(o)
                       /\ o \in Meant(e.mode, e.ob)
-                      /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o) }
+                      /\ ~OpenIn(requests, o)
+                      /\ \/ ~PendingIn(requests, o)
+                         \/ o \in {TimeErrorOb, ProgramErrorOb} }
     IN  /\ e.event = "DIS_IRT" /\ waits # {}
         /\ requests' = EnterAll(requests,
                          { [ UnseenRequest(o, fault(o), class(o))
