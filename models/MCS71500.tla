@@ -142,6 +142,10 @@ LettersOfQueues ==
 QueueBounded == /\ delay = 0 /\ Waiting(4)
                 /\ Cardinality({ r \in requests : r.ob \in {41, 80} }) <= 1
                 /\ (mode = "STOP" => clock \in PowerOnMoments)
+(* In their places where OB 121, of a lower class, interrupts OB 40.       *)
+TwiceLoads == {{40, 80, 100, 121}}
+TwiceEvents == {<<40, 0>>, <<121, 0>>}
+TwiceBounded == QueueBounded /\ Len(stack) <= 4
 (* In its place where a delay runs under DIS_AIRT.                         *)
 DelayObs == {20}
 DelayLoads == {{20, 80}}
