@@ -87,12 +87,14 @@ EnterAll(q, new) == q \cup { [r EXCEPT !.rank = PlaceIn(q, r)] : r \in new }
 \* @type: (Set($request), $request) => Set($request);
 Enter(q, new) == EnterAll(q, {new})
 
-(* Places are counted from 1 without gaps. *)
+(* Places are counted from 1 without gaps. A mark of a log that leaves     *)
+(* kinds out has no class and no place (LooseLogs).                        *)
 \* @type: Set($request) => Set($request);
 Close(q) ==
-    { [ r EXCEPT !.rank = Cardinality(
-          { s.rank :
-            s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } }) ]
+    { IF r.class = 0 THEN r
+      ELSE [ r EXCEPT !.rank = Cardinality(
+             { s.rank :
+               s \in { t \in q : t.class = r.class /\ t.rank <= r.rank } }) ]
       : r \in q }
 
 (* Request r leaves its queue. The open requests before it had no effect:  *)
