@@ -172,7 +172,8 @@ def fuzz(text: str) -> list[Table]:
     """Damaged inputs by damage and outcome."""
     report: dict[str, Any] = json.loads(text)
     kinds: dict[str, dict[str, int]] = report["outcomes"]
-    outcomes = list(dict.fromkeys(outcome for counts in kinds.values() for outcome in counts))
+    found = dict.fromkeys(outcome for counts in kinds.values() for outcome in counts)
+    outcomes = [*(outcome for outcome in found if outcome != "failed"), "failed"]
     rows: list[list[Cell]] = [
         [kind, *(counts.get(outcome, 0) for outcome in outcomes)] for kind, counts in kinds.items()
     ]
