@@ -152,6 +152,14 @@ OnceEndsInv ==
       IN  tod[o].active /\ tod[o].period = Once /\ PendingIn(requests, o)
             => (starts(TRUE) <=> starts(FALSE))
 
+(* [AMB-48] [AMB-55] However far the clock is set back, a one-shot         *)
+(* interrupt that has passed without a run may stay over.                  *)
+SpentInv ==
+    LET first == CHOOSE m \in ClockTargets : \A n \in ClockTargets : ~Before(n, m)
+    IN  clock # first /\ requests = {} /\ stack = <<>> =>
+          \A o \in { p \in TodObs : Spent(p) } :
+            ENABLED (ClockSet(first) /\ tod'[o].next = Never)
+
 (* [AIRT-08] [OBS-02] [OBS-20] Each definite start event that nothing of a *)
 (* higher class and nothing before it in its class keeps from starting can *)
 (* be the next: its OB starts or is missing. [T15-91] A late run waits for *)

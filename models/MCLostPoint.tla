@@ -9,6 +9,8 @@ EXTENDS MCBase
 MCTodObs == {10}
 MCBlockable == {10}
 MCFamilies == TwoFamilies
+\* @type: Set(Str);
+JustS7300 == {"S7-300"}
 MCLoads == {{10, 80}}
 MCStep7Settings == {[o \in TodObs |-> Activated("once", 1)]}
 MCObNumbers == {10}

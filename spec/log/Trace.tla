@@ -162,10 +162,13 @@ Touches(e, o) ==
       [] OTHER                            -> e.event \notin {"diag", "done"}
 
 (* In the class of OB o another start event of this moment does more than  *)
-(* make its OB wait. Their order decides which OB runs first.              *)
+(* make its OB wait, or calls OB 80 of that class [T15-30]. Their order    *)
+(* decides which OB runs first.                                            *)
 \* @type: Int => Bool;
-OrderMatters(o) == \E p \in PointsNow \cup OverNow :
-                     ClassOf(p) = ClassOf(o) /\ ~OnlyWaits(p)
+OrderMatters(o) ==
+    \E p \in PointsNow \cup OverNow :
+      /\ ~OnlyWaits(p)
+      /\ ClassOf(o) \in {ClassOf(p), ClassOf(TimeErrorOb)}
 
 (* A start event of this moment may come before or after line e. Where the *)
 (* order makes no difference, it comes after: an OB that waits later       *)

@@ -104,6 +104,11 @@ RanOnce(o, to) ==
     IN  IF t.active \/ (t.set /\ t.served = {}) \/ mode = "STOP" THEN {}
         ELSE { i \in runs : \A j \in runs : j.from <= i.from }
 
+(* No source says whether a one-shot interrupt that has passed without a   *)
+(* run is armed again when its point is ahead: these are not.              *)
+\* @type: Set(Set(Int));
+NotArmedAgain == SUBSET { o \in DOMAIN tod : Spent(o) }
+
 (* [T15-94] The last point that the OB served, and will serve again.       *)
 \* @type: $tod => Int;
 ServedUntil(t) ==
@@ -112,9 +117,9 @@ ServedUntil(t) ==
 
 (* The setting of an OB that serves its points again: those up to overTo.  *)
 (* What a small step repeated was not served by that. One that is still    *)
-(* held stays.                                                             *)
-\* @type: (Int, $moment, $cpu, Bool) => $tod;
-Forgetful(o, to, c, runsAgain) ==
+(* held stays, and so does one that is `staying'.                          *)
+\* @type: (Int, $moment, $cpu, Bool, Set(Int)) => $tod;
+Forgetful(o, to, c, runsAgain, staying) ==
     LET t == [ tod[o] EXCEPT !.served = {}, !.merged = {}, !.earlier = {},
                              !.repeatTo = -1,
                              !.overTo = LET u == ServedUntil(tod[o])
@@ -127,20 +132,22 @@ Forgetful(o, to, c, runsAgain) ==
                               !.start = i.start, !.local = i.local,
                               !.zone = i.zone, !.period = i.period,
                               !.overTo = i.to ], to, c)
-        ELSE IF ~t.active \/ t.held \/ mode = "STOP" \/ StaysUsed(o, to) THEN t
+        ELSE IF \/ ~t.active \/ t.held \/ mode = "STOP" \/ o \in staying
+                \/ StaysUsed(o, to) THEN t
         ELSE Armed(t, to, c)
 
-(* The settings after the clock was set. If a skip is `deferred', the      *)
-(* setting of its OB stays until the release; so does one that is `held'.  *)
+(* The settings after the clock was set. If a skip is deferred, the        *)
+(* setting of its OB is `staying' until the release; so is one that is     *)
+(* `held', and one that is not armed again.                                *)
 \* @type: ($moment, $cpu, Set(Int), Set(Int), Bool) => (Int -> $tod);
-TodAfterClock(to, c, deferred, held, count) ==
+TodAfterClock(to, c, staying, held, count) ==
     [ o \in DOMAIN tod |->
         IF mode = "STOP" THEN Repeating(o, tod[o], to, count)
         ELSE IF o \in held
         THEN Repeating(o, [tod[o] EXCEPT !.held = TRUE], to, count)
-        ELSE IF o \in deferred THEN tod[o]
         ELSE IF o \in CalledBySetBack(to) /\ HasOnePoint(tod[o].period)
         THEN CalledOnce(SettingAt(o, to, count))
+        ELSE IF o \in staying THEN SettingAt(o, to, count)
         ELSE Rearmed(o, to, c, count) ]
 
 (* [AMB-56] Whether merged calls count as calls, if there are any.         *)
@@ -158,7 +165,8 @@ ClockSet(to) ==
     IN  /\ to # clock
         /\ clock' = to
         /\ \E count \in MergedCount(to), deferred \in Deferring,
-              held \in HeldAfter(to), again \in ServesAgain(to) :
+              held \in HeldAfter(to), again \in ServesAgain(to),
+              staying \in NotArmedAgain :
            \E c \in CpusThatShow(active(count), to),
               ones \in SUBSET (IF ~again THEN {}
                                ELSE { o \in TodObs : RanOnce(o, to) # {} }) :
@@ -167,9 +175,9 @@ ClockSet(to) ==
                                             ELSE SomeSkipped(to, skipped)
              /\ tod' = IF again
                        THEN [ o \in DOMAIN tod |->
-                                Forgetful(o, to, c, o \in ones) ]
-                       ELSE TodAfterClock(to, c, IF deferred THEN skipped
-                                                 ELSE {}, held, count)
+                                Forgetful(o, to, c, o \in ones, staying) ]
+                       ELSE TodAfterClock(to, c, staying \cup
+                              (IF deferred THEN skipped ELSE {}), held, count)
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 
 -----------------------------------------------------------------------------
@@ -251,14 +259,16 @@ LocalTimeSet(zone, daylight) ==
         /\ SkippedLocally(skipped, daylight)
         /\ \E count \in MergedCount(to), held \in HeldAfter(to),
               again \in ServedAgain(d, daylight),
+              staying \in NotArmedAgain,
               ones \in SUBSET LocalOnes(d, to) :
            \E c \in CpusThatShow(active(count), to) :
              /\ cpu' = InZone(c, zone, daylight)
              /\ tod' = [ o \in DOMAIN tod |->
                   Moved(IF o \in again \cup ones
-                        THEN Forgetful(o, to, c, o \in ones)
+                        THEN Forgetful(o, to, c, o \in ones, staying)
                         ELSE IF ~tod[o].local THEN tod[o]
-                        ELSE TodAfterClock(to, c, IF mode = "HOLD" THEN skipped
-                                           ELSE {}, held, count)[o], d) ]
+                        ELSE TodAfterClock(to, c, staying \cup
+                               (IF mode = "HOLD" THEN skipped ELSE {}),
+                               held, count)[o], d) ]
         /\ UNCHANGED <<loaded, modeVars, dint, irt, runVars>>
 =============================================================================

@@ -283,10 +283,18 @@ ExternalWhileRunning(new) ==
 -----------------------------------------------------------------------------
 (* Buffer overflow and asynchronous errors *)
 
+(* [AMB-49] (b) A time error without OB 80 waits for the end of a delay.   *)
+\* @type: Int => Bool;
+TimeErrorStands(class) ==
+    /\ stopCause = NoTimeErrorOb /\ ~StopIsNotDelayed
+    /\ class \in { ErrorClassIn(TimeErrorOb, f, FALSE)
+                   : f \in {StillRunning, BufferOverflow} }
+
 (* Another start event of the class waits, or an OB of the class runs.     *)
 \* @type: Int => Bool;
 ClassIsTaken(class) == \/ \E r \in requests : r.class = class
                        \/ \E i \in DOMAIN stack : stack[i].class = class
+                       \/ TimeErrorStands(class)
 
 (* [OBS-08] [AMB-18] The buffer of a class may be full if it is taken.     *)
 \* @type: $request => Bool;

@@ -35,16 +35,6 @@ SettingBecomes(o, t) ==
 (* [AMB-20] A refused call changes nothing. *)
 SettingStays == UNCHANGED <<tod, requests>>
 
-(* An active one-shot interrupt whose point has passed, and no run is      *)
-(* definite: there is no catch-up, or it is open [AMB-48] [AMB-55]. No     *)
-(* source says whether the interrupt is still active.                      *)
-\* @type: Int => Bool;
-Spent(o) ==
-    /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
-    /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
-    /\ ~PendingIn(requests, o) /\ ~tod[o].called
-    /\ LostEventEndsItsSource
-
 -----------------------------------------------------------------------------
 (* SFC 28 *)
 
@@ -265,23 +255,25 @@ ActErrors(o) ==
 (* [AMB-55].                                                               *)
 \* @type: Int => Set(Int);
 ActAnswersWhenSpent(o) ==
-    Answers(o, {}) \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
+    SettingAnswers(o, {})
+      \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
 
 (* [AMB-60] The call of an active one-shot interrupt waits or runs. *)
 \* @type: Int => Set(Int);
 ActAnswersWhenCalled(o) ==
-    CASE CalledOnceIsAhead -> Answers(o, {})
-      [] CalledOnceIsPast  -> Answers(o, {PastStart})
-      [] OTHER             -> Answers(o, {}) \cup {PastStart}
+    CASE CalledOnceIsAhead -> SettingAnswers(o, {})
+      [] CalledOnceIsPast  -> SettingAnswers(o, {PastStart})
+      [] OTHER             -> SettingAnswers(o, {}) \cup {PastStart}
 
 (* [TINT-61] *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    IF Spent(o) /\ OpenIn(requests, o)
-    THEN ActAnswersWhenSpent(o) \cup ActAnswersWhenCalled(o)
-    ELSE IF Spent(o) THEN ActAnswersWhenSpent(o)
-    ELSE IF o \in TodObs /\ CallUsesUp(o) THEN ActAnswersWhenCalled(o)
-    ELSE OpenCodes(SettingAnswers(o, ActErrors(o)))
+    OpenCodes(IF Spent(o) /\ OpenIn(requests, o)
+              THEN ActAnswersWhenSpent(o) \cup ActAnswersWhenCalled(o)
+              ELSE IF Spent(o) THEN ActAnswersWhenSpent(o)
+              ELSE IF o \in TodObs /\ CallUsesUp(o)
+              THEN ActAnswersWhenCalled(o)
+              ELSE SettingAnswers(o, ActErrors(o)))
 
 (* [AMB-10] (b) In repeated time an active one is activated anew [AMB-57]. *)
 \* @type: Int => Bool;

@@ -201,6 +201,16 @@ CallUsesUp(o) ==
     /\ tod[o].active /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
     /\ tod[o].called \/ PendingIn(requests, o)
 
+(* An active one-shot interrupt whose point has passed, and no run is      *)
+(* definite: there is no catch-up, or it is open [AMB-48] [AMB-55]. No     *)
+(* source says whether the interrupt is still active.                      *)
+\* @type: Int => Bool;
+Spent(o) ==
+    /\ o \in TodObs /\ tod[o].active /\ ~Deselected(o)
+    /\ HasOnePoint(tod[o].period) /\ tod[o].next = Never
+    /\ ~PendingIn(requests, o) /\ ~tod[o].called
+    /\ LostEventEndsItsSource
+
 -----------------------------------------------------------------------------
 (* The next point, for a CPU c with its readings of AMB-56 and AMB-57 *)
 
