@@ -165,6 +165,9 @@ AboveEvents == {<<82, 0>>}
 AboveClasses == { [o \in {10, 82} |-> c] : c \in {22, 23} }
 AboveMoments == {Moment(0, 30000)}
 AboveTargets == {Moment(1, 15000)}
+(* Another point behind the jump: OB 80 with 02 beside a catch-up.         *)
+AboveAndLater == {Moment(0, 30000), Moment(2, 0)}
+Above10 == {[o \in {10} |-> 23]}
 AboveBounded == /\ delay <= 1 /\ Waiting(3)
                 /\ Cardinality({ r \in requests : r.ob = 82 }) <= 1
                 /\ (mode = "STOP" => clock \in PowerOnMoments)

@@ -236,6 +236,16 @@ LoadedTooLate ==
     { IF r.cause \in TodObs \cup DintObs THEN r.cause ELSE 0
       : r \in { q \in requests : q.ob = ProgramErrorOb /\ q.cause # 0 } }
 
+(* OB 80 and OB 85 may have been requested for what may be due now, and    *)
+(* wait still when its interrupt is cancelled or set anew.                 *)
+DueMarks ==
+    IF Unseen("call") \/ mode = "STOP" THEN {}
+    ELSE UNION { { [Mark(error, UnknownFault) EXCEPT !.cause = o]
+                   : error \in {TimeErrorOb}
+                       \cup (IF MayBeMissing(o) THEN {ProgramErrorOb} ELSE {}) }
+                 : o \in MayBeDue \cap TodObs }
+WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
+
 (* What OB 80 reports of points that an unseen setting of the clock skips. *)
 UnseenJumps == (IF ModeKnown THEN {SkippedByClock} ELSE Skips)
                  \cup (IF Family.setsLocal THEN {SkippedByDaylight} ELSE {})
@@ -246,12 +256,14 @@ UnseenJumps == (IF ModeKnown THEN {SkippedByClock} ELSE Skips)
 MayCause(o, fault) ==
     LET told(f) == fault \in {UnknownFault} \cup f
         outside == \/ Unseen("interrupt")
-                   \/ \E r \in requests : r.ob = o /\ told({r.fault})
+                   \/ \E r \in requests : /\ r.ob = o /\ r.cause = 0
+                                          /\ told({r.fault})
         skipped == Unseen("clock") /\ told(UnseenJumps)
         others  == /\ told({StillRunning, BufferOverflow})
                    /\ \E r \in requests : r.ob \in ExternalObs
     IN  IF o = TimeErrorOb
-        THEN (IF told({StillRunning, BufferOverflow}) THEN MayBeDue ELSE {})
+        THEN (IF told({StillRunning, BufferOverflow}) THEN MayBeDue \cup WasDue
+                                                      ELSE {})
                \cup (IF \/ outside \/ others
                         \/ skipped /\ MayBeDue \cap TodObs # {}
                      THEN {0} ELSE {})
@@ -540,7 +552,7 @@ LooseElapse(e) ==
         /\ requests' = requests
              \cup { Mark(o, 0) : o \in { j \in DintObs :
                                    dint'[j].started /\ dint'[j].left = Gone } }
-             \cup SkipMarks(e.at, UnseenSkips) \cup JumpMarks
+             \cup SkipMarks(e.at, UnseenSkips) \cup JumpMarks \cup DueMarks
         /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
         /\ NothingEntered
         /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,
