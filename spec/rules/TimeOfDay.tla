@@ -258,7 +258,8 @@ ActAnswersWhenSpent(o) ==
     SettingAnswers(o, {})
       \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
 
-(* [AMB-60] The call of an active one-shot interrupt waits or runs. *)
+(* [AMB-60] The call of an active one-shot interrupt waits or runs, or its *)
+(* point has passed without one.                                           *)
 \* @type: Int => Set(Int);
 ActAnswersWhenCalled(o) ==
     CASE CalledOnceIsAhead -> SettingAnswers(o, {})
@@ -268,7 +269,8 @@ ActAnswersWhenCalled(o) ==
 (* [TINT-61] *)
 \* @type: Int => Set(Int);
 ActAnswers(o) ==
-    OpenCodes(IF Spent(o) /\ OpenIn(requests, o)
+    OpenCodes(IF /\ Spent(o)
+                 /\ OpenIn(requests, o) \/ IsPast(FirstMoment(tod[o]), clock)
               THEN ActAnswersWhenSpent(o) \cup ActAnswersWhenCalled(o)
               ELSE IF Spent(o) THEN ActAnswersWhenSpent(o)
               ELSE IF o \in TodObs /\ CallUsesUp(o)
