@@ -155,7 +155,8 @@ OnceEndsInv ==
 (* [AMB-48] [AMB-55] However far the clock is set back, a one-shot         *)
 (* interrupt that has passed without a run may stay over.                  *)
 SpentInv ==
-    LET first == CHOOSE m \in ClockTargets : \A n \in ClockTargets : ~Before(n, m)
+    LET first == CHOOSE m \in ClockTargets :
+                   \A n \in ClockTargets : ~Before(n, m)
     IN  clock # first /\ requests = {} /\ stack = <<>> =>
           \A o \in { p \in TodObs : Spent(p) } :
             ENABLED (ClockSet(first) /\ tod'[o].next = Never)

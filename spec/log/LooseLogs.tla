@@ -240,10 +240,10 @@ LoadedTooLate ==
 (* wait still when its interrupt is cancelled or set anew.                 *)
 DueMarks ==
     IF Unseen("call") \/ mode = "STOP" THEN {}
-    ELSE UNION { { [Mark(error, UnknownFault) EXCEPT !.cause = o]
-                   : error \in {TimeErrorOb}
-                       \cup (IF MayBeMissing(o) THEN {ProgramErrorOb} ELSE {}) }
-                 : o \in MayBeDue \cap TodObs }
+    ELSE { [Mark(c[1], UnknownFault) EXCEPT !.cause = c[2]]
+           : c \in { d \in {TimeErrorOb, ProgramErrorOb}
+                              \X (MayBeDue \cap TodObs) :
+                      d[1] = TimeErrorOb \/ MayBeMissing(d[2]) } }
 WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
 
 (* What OB 80 reports of points that an unseen setting of the clock skips. *)
