@@ -239,11 +239,13 @@ LoadedTooLate ==
 (* OB 80 and OB 85 may have been requested for what may be due now, and    *)
 (* wait still when its interrupt is cancelled or set anew.                 *)
 DueMarks ==
-    IF Unseen("call") \/ mode = "STOP" THEN {}
-    ELSE { [Mark(c[1], UnknownFault) EXCEPT !.cause = c[2]]
-           : c \in { d \in {TimeErrorOb, ProgramErrorOb}
-                              \X (MayBeDue \cap TodObs) :
-                      d[1] = TimeErrorOb \/ MayBeMissing(d[2]) } }
+    LET obs == MayBeDue \cap TodObs
+        \* @type: (Int, Int) => $request;
+        due(error, o) == [Mark(error, UnknownFault) EXCEPT !.cause = o]
+    IN  IF Unseen("call") \/ mode = "STOP" THEN {}
+        ELSE { due(TimeErrorOb, o) : o \in obs }
+               \cup { due(ProgramErrorOb, o)
+                      : o \in { p \in obs : MayBeMissing(p) } }
 WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
 
 (* What OB 80 reports of points that an unseen setting of the clock skips. *)
