@@ -159,7 +159,8 @@ LooseStatuses(o) ==
 (* The settings that follow from the answer. *)
 \* @type: ($event, Int) => (Int -> $tod);
 TodAfterAnswer(e, ret) ==
-    CASE \/ e.event = "CAN_TINT" /\ ret = OK
+    CASE e.ob \notin TodObs -> tod
+      [] \/ e.event = "CAN_TINT" /\ ret = OK
          \/ e.event \in {"CAN_TINT", "ACT_TINT"} /\ ret = NotSet ->
            [tod EXCEPT ![e.ob] = NoSetting]
       [] e.event = "ACT_TINT" /\ ret = OK ->

@@ -138,6 +138,7 @@ def test_empty(text: bytes) -> None:
         (b'{"x_a": NaN}', None, "NaN} at byte 9 (invalid character)"),
         (b'{"x_a": -Infinity}', None, "Infinity} at byte 10"),
         (b'{"x_a": 1e999}', None, "number out of range"),
+        (b'{"x_a": 1e' + b"9" * 30 + b"}", None, "number out of range"),
         (b'{"x_a": ' + b"9" * 5000 + b"}", None, "integer value out of range"),
         (b'{"x_a": "\xff"}', None, "the byte 16#FF"),
         (b'{"x_\xff": 1}', None, "the byte 16#FF"),

@@ -1,5 +1,7 @@
 package s7.log;
 
+import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -12,6 +14,10 @@ final class Json {
 
   /** Digits of the longest integer. */
   private static final int MOST_DIGITS = 4_300;
+
+  /** From half a step above the largest double on. */
+  private static final BigDecimal INFINITE = new BigDecimal(
+      BigInteger.ONE.shiftLeft(54).subtract(BigInteger.ONE).shiftLeft(970));
 
   private static final int EXCERPT = 30;
   private static final int SURELY_LONG = 18;
@@ -203,10 +209,19 @@ final class Json {
       return negative ? -number : number;
     }
     String text = plain(from, at);
-    if (isInteger ? count > MOST_DIGITS : Double.isInfinite(Double.parseDouble(text))) {
+    if (isInteger ? count > MOST_DIGITS : isInfinite(text)) {
       throw new Unusable(OBJECT, isInteger ? "integer value out of range" : "number out of range");
     }
     return new JsonNumber(text, isInteger);
+  }
+
+  /** Whether no number of 64 bits is as large. Not by Double.parseDouble: TeaVM's loses an exponent of 20 digits. */
+  private static boolean isInfinite(String number) {
+    try {
+      return new BigDecimal(number).abs().compareTo(INFINITE) >= 0;
+    } catch (NumberFormatException tooManyDigits) {
+      return number.indexOf('-', 1) < 0;
+    }
   }
 
   /** At least one digit; their number means something if they are few. */
