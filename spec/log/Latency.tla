@@ -82,7 +82,7 @@ NextCycle ==
                        ELSE overruns
 
 NextArrivals ==
-    arrivals' = IF requests' = {} THEN [r \in {} |-> up]
+    arrivals' = IF requests' = requests THEN arrivals
                 ELSE [ r \in { AsItCame(q) : q \in requests' } |->
                          IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
 

@@ -93,28 +93,41 @@ public final class Hash {
     return z ^ (z >>> 31);
   }
 
-  /** Hashes tuples that share many parts with the tuple before. */
+  /** Hashes tuples that share many parts with the tuples before. */
   static final class Parts {
-    private Value[] parts = {};
+    /** So many values of a part are known. */
+    private static final int MOST = 4;
+
+    /** The values at place i and their hashes begin at {@code MOST * i}. */
+    private Value[] known = {};
+
     private long[] hashes = {};
+    private int oldest;
 
     long of(Value value) {
       if (!(value instanceof TupleValue tuple)) {
         return Hash.of(value);
       }
-      if (parts.length != tuple.elems.length) {
-        parts = new Value[tuple.elems.length];
-        hashes = new long[parts.length];
+      if (known.length < MOST * tuple.elems.length) {
+        known = new Value[MOST * tuple.elems.length];
+        hashes = new long[known.length];
       }
       long hash = 0;
-      for (int i = 0; i < parts.length; i++) {
-        if (parts[i] != tuple.elems[i]) {
-          parts[i] = tuple.elems[i];
-          hashes[i] = Hash.of(parts[i]);
-        }
-        hash = mix(hash + hashes[i]);
+      for (int i = 0; i < tuple.elems.length; i++) {
+        hash = mix(hash + part(tuple.elems[i], MOST * i));
       }
       return hash;
+    }
+
+    private long part(Value part, int from) {
+      for (int i = from; i < from + MOST; i++) {
+        if (known[i] == part) {
+          return hashes[i];
+        }
+      }
+      oldest = oldest + 1 & MOST - 1;
+      known[from + oldest] = part;
+      return hashes[from + oldest] = Hash.of(part);
     }
   }
 }
