@@ -152,14 +152,32 @@ OnceEndsInv ==
       IN  tod[o].active /\ tod[o].period = Once /\ PendingIn(requests, o)
             => (starts(TRUE) <=> starts(FALSE))
 
-(* [AMB-48] [AMB-55] However far the clock is set back, a one-shot         *)
-(* interrupt that has passed without a run may stay over.                  *)
+(* [AMB-48] [AMB-55] [A15-12] However far the clock is set, a one-shot     *)
+(* interrupt that has passed without a run may stay over; and if its start *)
+(* is ahead then and was never reached, it may be armed again.             *)
 SpentInv ==
-    LET first == CHOOSE m \in ClockTargets :
-                   \A n \in ClockTargets : ~Before(n, m)
-    IN  clock # first /\ requests = {} /\ stack = <<>> =>
-          \A o \in { p \in TodObs : Spent(p) } :
-            ENABLED (ClockSet(first) /\ tod'[o].next = Never)
+    requests = {} /\ stack = <<>> =>
+      \A o \in { p \in TodObs : Spent(p) }, m \in ClockTargets \ {clock} :
+        LET \* @type: Int => Bool;
+            passes(next) == ENABLED (ClockSet(m) /\ tod'[o].next = next)
+        IN  /\ passes(Never)
+            /\ /\ mode # "STOP" /\ Before(m, At(tod[o].start))
+               /\ tod[o].served = {}
+               => passes(tod[o].start)
+
+(* [AMB-49] (b) A time error without OB 80 that waits for the end of a     *)
+(* delay fills its class: the next error of the class may overflow.        *)
+\* @type: (Int, Int) => Bool;
+MayOverflowBy(o, fault) ==
+    ENABLED ( /\ Interrupt(o, fault)
+              /\ \E n \in entered' :
+                   n.of.fault = BufferOverflow /\ n.of.cause = o )
+StandingErrorProp ==
+    [][ \A n \in entered', i \in Interrupts :
+          /\ n.of.ob = TimeErrorOb /\ stopCause' = NoTimeErrorOb
+          /\ delay' > 0 /\ ~StopIsNotDelayed
+          /\ i[1] # TimeErrorOb /\ ErrorClass(i[1], i[2])' = n.of.class
+          => MayOverflowBy(i[1], i[2])' ]_vars
 
 (* [AIRT-08] [OBS-02] [OBS-20] Each definite start event that nothing of a *)
 (* higher class and nothing before it in its class keeps from starting can *)
@@ -242,6 +260,17 @@ StartKeepsProp ==
           \A r \in requests :
             ~r.open /\ r.ob # step'.ob =>
               \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
+
+(* [OBS-08] Only an error whose class is taken overflows. Under a delay a  *)
+(* time error without OB 80 takes one, too [AMB-49]: 26, or 28 [AMB-13].   *)
+TakenClassProp ==
+    [][ \A n \in entered' :
+          n.of.fault = BufferOverflow /\ n.of.cause \in AsyncErrorObs =>
+            LET class == ErrorClass(n.of.cause, 0)
+            IN  \/ \E r \in requests : r.class = class
+                \/ \E i \in DOMAIN stack : stack[i].class = class
+                \/ /\ stopCause = NoTimeErrorOb /\ delay > 0
+                   /\ class \in {26, 28} ]_vars
 
 (* [OBS-44] [AMB-53] [AMB-35] A point that the clock skips in STARTUP has  *)
 (* one run, later; or there is a STOP.                                     *)

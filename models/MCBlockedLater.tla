@@ -28,6 +28,12 @@ CountRetVals == {0, 1}
 (* OB 82 is missing, and OB 81 and OB 40 may wait before it.               *)
 WithoutOb82 == {{40, 81, 85, 100}}
 Diagnoses == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
+(* OB 80 is missing. OB 82 has the class of its errors; OB 72 has that of  *)
+(* an overflow, and OB 81 that of neither.                                 *)
+WithoutOb80 == {{72, 81, 82, 100}}
+ClassOf82 == {[o \in {82} |-> 26]}
+TimeErrors == {<<72, 0>>, <<80, 1>>, <<81, 0>>, <<82, 0>>}
+OneWaits == delay <= 1 /\ Cardinality(requests) <= 1
 TwoWait == delay <= 1 /\ Cardinality(requests) <= 2
 
 Bounded == delay <= 1 /\ Waiting(2)

@@ -132,11 +132,35 @@ MissingLines ==
 TwoAndTwo == {0, 1, 3, 4}
 AfterTwo == 3
 
+(* In their places in a model where OB 11 waits since 06:01, and at 06:02  *)
+(* it is due again, which calls OB 80, and OB 10 of the same class is due. *)
+OrderHeader ==
+    [ Of("STARTUP", { Each(11, "minute", FALSE),
+                      [Each(10, "daily", FALSE) EXCEPT !.start = Begun + 2] })
+      EXCEPT !.cpu = "S7-1500", !.priority = {<<10, 22>>},
+             !.obs = {1, 10, 11, 80, 100} ]
+OrderHeaders == {OrderHeader}
+OrderLines == { Line(event, 0, -1) : event \in {"run", "done"} }
+TheTwoPoints == AtMinute(2, 0)
+OneLine == {0}
+NoMerge == 0
+
 -----------------------------------------------------------------------------
 
 (* [OBS-25] A STOP that is due as the log begins is due from then on.      *)
 BeginsDueProp ==
     [][ Opens /\ stopCause' # NoCause => StopDuty \in DOMAIN waiting' ]_LogVars
+
+(* [T15-30] Of the points of a moment, one calls OB 80: any other one of   *)
+(* the class of OB 80 may have come before it, as their order decides      *)
+(* which OB runs first. Left out: a moment between two lines, whose points *)
+(* come by number.                                                         *)
+EitherFirstProp ==
+    [][ Hides => \A r \in requests' \ requests :
+          r.ob = TimeErrorOb /\ r.fault = StillRunning =>
+            \A o \in PointsNow \cap PointsNow' :
+              ClassOf(o) = r.class =>
+                ENABLED (Hides /\ tod'[o] # tod[o]) ]_LogVars
 
 (* Every line of this moment that was allowed is allowed after a merge, as *)
 (* is that time elapses. By definite facts alone a call may answer any     *)

@@ -191,6 +191,46 @@ UnknownObInv ==
                                      /\ step'.ob = o /\ step'.value = ret )
     IN  Settled /\ Called => /\ answers(82, OK) /\ ~answers(82, BadOb)
                             /\ answers(85, OK) /\ answers(85, BadOb)
+
+(* In their place where the point of a one-shot interrupt passed in STOP,  *)
+(* whose OB may be missing.                                                *)
+PassedOnce == {[o \in TodObs |-> Activated("once", 1)]}
+PassedLoads == {{}, {10}}
+PassedTargets == {Moment(0, 30000), Moment(0, 55000)}
+PassedPowerOn == {Moment(1, 5000)}
+PassedRetVals == {OK, BadOb, NotSet, PastStart, \h80B0}
+LettersOfPassed ==
+    { [ a \in DOMAIN l \cup {"A15-13", "A15-24", "AMB-60"} |->
+          CASE a = "A15-13" -> m[1] [] a = "A15-24" -> m[2]
+            [] a = "AMB-60" -> m[3] [] OTHER -> l[a] ]
+      : l \in LettersOf1500,
+        m \in { <<"a", "c", "c">>, <<"b", "a", "a">>, <<"c", "a", "c">> } }
+PassedBounded == /\ delay = 0
+                 /\ \A o \in TodObs : /\ tod[o].active = (mode # "STOP")
+                                      /\ tod[o].served = {}
+
+(* [T15-143] [A15-13] [A15-24] ACT_TINT of a one-shot interrupt whose      *)
+(* point passed in STOP: it is over, or still active; its OB is missing;   *)
+(* [AMB-60] or its start is past. Any code where no text of it counts.     *)
+ActPassedInv ==
+    \A o \in TodObs :
+      LET \* @type: Int => Bool;
+          answers(ret) == ENABLED ActTint(o, ret)
+          missing == o \notin loaded
+          refused == missing /\ cpu.readings["A15-13"] = "a"
+          anyCode == cpu.readings["A15-24"] # "a"
+      IN  /\ Settled /\ Called /\ requests = {} /\ ~OnStack(o)
+          /\ tod[o].active /\ tod[o].next = Never
+          => /\ answers(OK) <=> ~refused
+             /\ answers(BadOb) <=>
+                  anyCode \/ (missing /\ cpu.readings["A15-13"] # "b")
+             /\ ~refused => answers(NotSet)
+             /\ ~refused =>
+                  (answers(PastStart) <=>
+                     anyCode \/ ( /\ cpu.readings["AMB-60"] # "a"
+                                  /\ Before(At(tod[o].start), clock) ))
+             /\ answers(\h80B0) <=> anyCode
+
 (* Daily by local time, at 06:01 of the clock.                             *)
 DailyByLocal ==
     {[o \in TodObs |-> [Activated("daily", 62) EXCEPT !.local = TRUE]]}
