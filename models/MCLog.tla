@@ -139,9 +139,16 @@ OrderHeader ==
                       [Each(10, "daily", FALSE) EXCEPT !.start = Begun + 2] })
       EXCEPT !.cpu = "S7-1500", !.priority = {<<10, 22>>},
              !.obs = {1, 10, 11, 80, 100} ]
-OrderHeaders == {OrderHeader}
+(* OB 10 waits, and OB 11 has the class of OB 80.                          *)
+OtherNumbers ==
+    [ OrderHeader EXCEPT
+        !.priority = {<<11, 22>>},
+        !.step7 = { Each(10, "minute", FALSE),
+                    [Each(11, "daily", FALSE) EXCEPT !.start = Begun + 2] } ]
+OrderHeaders == {OrderHeader, OtherNumbers}
 OrderLines == { Line(event, 0, -1) : event \in {"run", "done"} }
 TheTwoPoints == AtMinute(2, 0)
+BehindThem == AtMinute(2, 5)
 OneLine == {0}
 NoMerge == 0
 
@@ -153,14 +160,13 @@ BeginsDueProp ==
 
 (* [T15-30] Of the points of a moment, one calls OB 80: any other one of   *)
 (* the class of OB 80 may have come before it, as their order decides      *)
-(* which OB runs first. Left out: a moment between two lines, whose points *)
-(* come by number.                                                         *)
+(* which OB runs first.                                                    *)
 EitherFirstProp ==
-    [][ Hides => \A r \in requests' \ requests :
+    [][ \A r \in requests' \ requests :
           r.ob = TimeErrorOb /\ r.fault = StillRunning =>
             \A o \in PointsNow \cap PointsNow' :
               ClassOf(o) = r.class =>
-                ENABLED (Hides /\ tod'[o] # tod[o]) ]_LogVars
+                ENABLED ((Elapses \/ Hides) /\ tod'[o] # tod[o]) ]_LogVars
 
 (* Every line of this moment that was allowed is allowed after a merge, as *)
 (* is that time elapses. By definite facts alone a call may answer any     *)

@@ -204,7 +204,7 @@ LettersOfPassed ==
           CASE a = "A15-13" -> m[1] [] a = "A15-24" -> m[2]
             [] a = "AMB-60" -> m[3] [] OTHER -> l[a] ]
       : l \in LettersOf1500,
-        m \in { <<"a", "c", "c">>, <<"b", "a", "a">>, <<"c", "a", "c">> } }
+        m \in { <<"a", "a", "c">>, <<"b", "a", "a">>, <<"c", "c", "c">> } }
 PassedBounded == /\ delay = 0
                  /\ \A o \in TodObs : /\ tod[o].active = (mode # "STOP")
                                       /\ tod[o].served = {}
@@ -224,11 +224,11 @@ ActPassedInv ==
           => /\ answers(OK) <=> ~refused
              /\ answers(BadOb) <=>
                   anyCode \/ (missing /\ cpu.readings["A15-13"] # "b")
-             /\ ~refused => answers(NotSet)
-             /\ ~refused =>
-                  (answers(PastStart) <=>
-                     anyCode \/ ( /\ cpu.readings["AMB-60"] # "a"
-                                  /\ Before(At(tod[o].start), clock) ))
+             /\ answers(NotSet) <=> anyCode \/ ~refused
+             /\ answers(PastStart) <=>
+                  \/ anyCode
+                  \/ /\ ~refused /\ cpu.readings["AMB-60"] # "a"
+                     /\ Before(At(tod[o].start), clock)
              /\ answers(\h80B0) <=> anyCode
 
 (* Daily by local time, at 06:01 of the clock.                             *)

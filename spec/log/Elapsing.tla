@@ -30,6 +30,20 @@ OverBefore(e) == IF CallsComeBeforeTheEnd /\ e.event # "start" THEN OverNow
 MissingNow ==
     { r \in requests : MayBeMissed(r) }
 
+(* The start event of OB o only makes it wait. *)
+\* @type: Int => Bool;
+OnlyWaits(o) == /\ o \in loaded /\ TakesEvents(o) /\ ~OnStack(o)
+                /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
+
+(* In the class of OB o another start event of this moment does more than  *)
+(* make its OB wait, or calls OB 80 of that class [T15-30]. Their order    *)
+(* decides which OB runs first.                                            *)
+\* @type: Int => Bool;
+OrderMatters(o) ==
+    \E p \in PointsNow \cup OverNow :
+      /\ ~OnlyWaits(p)
+      /\ ClassOf(o) \in {ClassOf(p), ClassOf(TimeErrorOb)}
+
 (* [AMB-44] (b) Missing OBs are noticed in the order of calls. A STOP      *)
 (* keeps no order [AMB-87].                                                *)
 \* @type: $request => Bool;
@@ -314,6 +328,13 @@ MissingMayWait(e) ==
         /\ InTime(d)
         /\ \A q \in MayStartNow : old(q) \/ ~ages(q)
 
+(* Points before line e: by number, and by any order where OB 80 is called *)
+(* in the class of one of them.                                            *)
+NextPoints ==
+    IF \E o \in PointsNow : ClassOf(o) = ClassOf(TimeErrorOb)
+                              /\ OrderMatters(o)
+    THEN PointsNow ELSE {Least(PointsNow)}
+
 (* One step towards line e.                                                *)
 \* @type: $event => Bool;
 Towards(e) ==
@@ -322,7 +343,7 @@ Towards(e) ==
        THEN NoticesPassed /\ Rewait /\ UNCHANGED up
        ELSE IF PointsNow # {} /\ clock # e.at
        THEN /\ UNCHANGED up
-            /\ \/ PointReached(Least(PointsNow)) /\ Rewait
+            /\ \/ \E o \in NextPoints : PointReached(o) /\ Rewait
                \/ DropsBeforePoint
        ELSE IF OverNow # {} /\ up # e.up
        THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up

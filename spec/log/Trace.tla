@@ -147,11 +147,6 @@ Begin(h) ==
 -----------------------------------------------------------------------------
 (* Points and delays of the moment of a line *)
 
-(* The start event of OB o only makes it wait. *)
-\* @type: Int => Bool;
-OnlyWaits(o) == /\ o \in loaded /\ TakesEvents(o) /\ ~OnStack(o)
-                /\ ~PendingIn(requests, o) /\ ~OpenIn(requests, o)
-
 (* Line e depends on whether OB o waits, or changes its queue. *)
 \* @type: ($event, Int) => Bool;
 Touches(e, o) ==
@@ -160,15 +155,6 @@ Touches(e, o) ==
       [] e.event \in CallEvents \cup {"start", "end", "load", "delete",
                                       "state"} -> e.ob = o
       [] OTHER                            -> e.event \notin {"diag", "done"}
-
-(* In the class of OB o another start event of this moment does more than  *)
-(* make its OB wait, or calls OB 80 of that class [T15-30]. Their order    *)
-(* decides which OB runs first.                                            *)
-\* @type: Int => Bool;
-OrderMatters(o) ==
-    \E p \in PointsNow \cup OverNow :
-      /\ ~OnlyWaits(p)
-      /\ ClassOf(o) \in {ClassOf(p), ClassOf(TimeErrorOb)}
 
 (* A start event of this moment may come before or after line e. Where the *)
 (* order makes no difference, it comes after: an OB that waits later       *)

@@ -287,7 +287,7 @@ ExternalWhileRunning(new) ==
 \* @type: Int => Bool;
 TimeErrorStands(class) ==
     /\ stopCause = NoTimeErrorOb /\ ~StopIsNotDelayed
-    /\ class \in { ErrorClassIn(TimeErrorOb, f, FALSE)
+    /\ class \in { ErrorClass(TimeErrorOb, f)
                    : f \in {StillRunning, BufferOverflow} }
 
 (* Another start event of the class waits, or an OB of the class runs.     *)

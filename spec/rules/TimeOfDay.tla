@@ -256,7 +256,8 @@ ActErrors(o) ==
 \* @type: Int => Set(Int);
 ActAnswersWhenSpent(o) ==
     SettingAnswers(o, {})
-      \cup {IF OnceIsUnsetByItsRun THEN NotSet ELSE PastStart}
+      \cup SettingAnswers(o, {IF OnceIsUnsetByItsRun THEN NotSet
+                                                     ELSE PastStart})
 
 (* [AMB-60] The call of an active one-shot interrupt waits or runs, or its *)
 (* point has passed without one.                                           *)
@@ -264,7 +265,8 @@ ActAnswersWhenSpent(o) ==
 ActAnswersWhenCalled(o) ==
     CASE CalledOnceIsAhead -> SettingAnswers(o, {})
       [] CalledOnceIsPast  -> SettingAnswers(o, {PastStart})
-      [] OTHER             -> SettingAnswers(o, {}) \cup {PastStart}
+      [] OTHER             -> SettingAnswers(o, {})
+                                \cup SettingAnswers(o, {PastStart})
 
 (* [TINT-61] *)
 \* @type: Int => Set(Int);
