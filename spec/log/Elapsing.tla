@@ -243,6 +243,47 @@ PassesOver(e, t, d) ==
     /\ UNCHANGED <<deviceVars, modeVars, irt, outcomeVars, runVars>>
 
 -----------------------------------------------------------------------------
+(* The moment of a line *)
+
+(* A line whose `at' is written in seconds or minutes stands for any       *)
+(* moment of that step.                                                    *)
+\* @type: $event => $moment;
+EndOfStep(e) == After(e.at, e.step - 1)
+
+\* @type: $event => Bool;
+InStep(e) ==
+    e.step > 1 /\ ~Before(clock, e.at) /\ ~Before(EndOfStep(e), clock)
+
+(* Without a counter, time elapses as the clock goes on from here.         *)
+\* @type: $event => Bool;
+Arrived(e) ==
+    /\ clock = e.at \/ InStep(e)
+    /\ up = e.up \/ (e.counter = NoMoment /\ Before(e.up, up))
+
+(* Line e with the moment at which it may come first.                      *)
+\* @type: $event => $event;
+AtFirst(e) ==
+    LET at == IF InStep(e) THEN clock ELSE e.at
+        to == Shifted(up, clock, at)
+    IN  [ e EXCEPT !.at = at,
+                   !.up = IF e.counter = NoMoment /\ Before(@, to) THEN to
+                                                                   ELSE @ ]
+
+(* The same with a later moment of its step, up to which time elapses.     *)
+\* @type: ($event, $moment) => $event;
+AtLater(e, m) == [ e EXCEPT !.at = m, !.up = Shifted(up, clock, m) ]
+
+(* Later moments that make a difference: the end of the step, and the one  *)
+(* from which a delay that is started ends where another step begins.      *)
+\* @type: $event => Set($moment);
+LaterMoments(e) ==
+    IF e.counter # NoMoment \/ ~InStep(e) THEN {}
+    ELSE LET past == (e.dtime - 1) % e.step
+             ends == IF e.event # "SRT_DINT" \/ e.dtime <= 0 THEN {}
+                     ELSE {After(e.at, e.step - 1 - past)}
+         IN  { m \in {EndOfStep(e)} \cup ends : Before(clock, m) }
+
+-----------------------------------------------------------------------------
 (* How far time can elapse in one step *)
 
 (* The next start point, on the CPU clock. *)
@@ -306,9 +347,6 @@ Advance(e) ==
         stale == IF requests = {} THEN {} ELSE Stale(Span(up, until))
     IN  IF stale # {} THEN Expire(stale) ELSE ElapseTo(e, until, to)
 
-\* @type: $event => Bool;
-Arrived(e) == clock = e.at /\ up = e.up
-
 \* @type: Set(Int) => Int;
 Least(obs) == CHOOSE o \in obs : \A p \in obs : o <= p
 
@@ -349,4 +387,8 @@ Towards(e) ==
        THEN DelayElapses(Least(OverNow)) /\ Rewait /\ UNCHANGED up
        ELSE \/ ~MissingMayWait(e) /\ FindMissing /\ UNCHANGED up
             \/ Advance(e)
+
+(* Time elapses on in the step of line e.                                  *)
+\* @type: $event => Bool;
+Lingers(e) == \E m \in LaterMoments(e) : Towards(AtLater(e, m))
 =============================================================================

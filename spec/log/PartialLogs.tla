@@ -134,8 +134,8 @@ ShowsPartly(e) ==
 
 \* @type: $event => Bool;
 Elapse(e) ==
-    IF terms.loose THEN LooseElapse(e)
-    ELSE \/ Towards(e)
+    IF terms.loose THEN LooseElapse(AtFirst(e))
+    ELSE \/ Towards(AtFirst(e))
          \/ /\ \/ Unseen("ob") /\ UnseenOb
                \/ Unseen("load") /\ UnseenLoad(NowNeeded)
             /\ Rewait
@@ -143,8 +143,11 @@ Elapse(e) ==
 
 \* @type: $event => Bool;
 Silent(e) ==
-    IF terms.loose THEN LooseUnseenLoad(e)
+    IF terms.loose
+    THEN \/ LooseUnseenLoad(e)
+         \/ \E m \in LaterMoments(e) : LooseElapse(AtLater(e, m))
     ELSE \/ HiddenBefore(e)
+         \/ Lingers(e)
          \/ /\ \/ Unseen("ob") /\ UnseenOb
                \/ Unseen("load") /\ UnseenLoad(DependsOn(e) \cup StartupsAhead)
                \/ Unseen("interrupt") /\ UnseenEvents(e)
@@ -153,8 +156,9 @@ Silent(e) ==
 
 (* Quick to evaluate: may a silent step be possible?                       *)
 \* @type: $event => Bool;
-Stirs(e) == IF terms.loose THEN AnswerNeedsLoad(e)
-                           ELSE HidesBefore(e) \/ Partial
+Stirs(e) == \/ e.step > 1
+            \/ IF terms.loose THEN AnswerNeedsLoad(e)
+                              ELSE HidesBefore(e) \/ Partial
 
 \* @type: $event => Bool;
 Observe(e) == /\ KeepsPace(e)

@@ -66,17 +66,22 @@ FitsPeriod(given, period) ==
 (* The latest moment for which line e may stand: its `at' may be written   *)
 (* in seconds or minutes.                                                  *)
 \* @type: $event => $moment;
-Latest(e) == After(clock, e.step - 1)
+Latest(e) == IF e.step = 1 THEN clock ELSE After(e.at, e.step - 1)
 
 (* The clock shows `to' at most so many ms after `time'. *)
 \* @type: ($moment, $moment, Int) => Bool;
 Within(time, to, ms) == Before(time, to) => Span(time, to) <= ms
 
+(* The same moment, as far as line e and the ones before it tell.          *)
+\* @type: ($moment, $moment, $event) => Bool;
+IsNear(a, b, e) == Within(a, b, e.step - 1) /\ Within(b, a, e.step - 1)
+
 (* [OBS-10] A time within the latency before line e, by the clock as it is *)
 (* or as it was before it was set.                                         *)
 \* @type: ($moment, $event) => Bool;
 JustBefore(time, e) ==
-    \/ ~Before(Latest(e), time) /\ Within(time, clock, terms.latency)
+    \/ /\ ~Before(Latest(e), time)
+       /\ Within(time, clock, terms.latency + e.step - 1)
     \/ \E c \in changes :
          LET ago == Span(c.up, up)
          IN  /\ ago <= terms.latency
@@ -107,6 +112,9 @@ FitsTime(r, e) ==
                  ELSE time
     IN  \/ time = NoMoment \/ r.since = NoMoment
         \/ time = r.since
+        \/ /\ ~exact \/ r.fault = SkippedInHold
+           /\ IsNear(time, r.since, e)
+           /\ ~Before(Latest(e), time) \/ Before(clock, r.since)
         \/ r.follows \in LocalSkips  \* no text says by which local time
         \/ /\ ~exact
            /\ \/ ~Before(shown, r.since) /\ ~Before(Latest(e), time)

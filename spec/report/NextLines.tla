@@ -167,7 +167,8 @@ WithAnswers(e) ==
 
 (* A line that stands for e: the same silent steps are possible before it. *)
 \* @type: $event => $event;
-Likewise(e) == IF Partial \/ PointsNow # {} \/ OverNow # {} THEN e
+Likewise(e) == IF Partial \/ e.step > 1 \/ PointsNow # {} \/ OverNow # {}
+               THEN e
                ELSE Line(IF e.event = "start" THEN e.event ELSE "")
 
 -----------------------------------------------------------------------------

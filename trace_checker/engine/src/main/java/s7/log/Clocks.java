@@ -76,7 +76,8 @@ public final class Clocks {
     }
     long at = (Long) event.value(placeOfAt);
     long passed = at - clock;
-    if (passed < 0 && jumpsLogged) {
+    int step = event.get(Events.STEP) instanceof Integer unit ? unit : 1;
+    if (passed <= -step && jumpsLogged) {
       throw new Unusable("no time before " + Days.iso(clock) + ", the clock's last reading", Days.iso(at), Events.AT);
     }
     if (placeOfUp < 0) {
@@ -94,7 +95,7 @@ public final class Clocks {
       elapsed = Math.max(elapsed, up);
       event.set(placeOfUp, Moment.of(elapsed));
     }
-    clock = to instanceof Moment set ? set.inMilliseconds() : at;
+    clock = to instanceof Moment set ? set.inMilliseconds() : passed > -step ? Math.max(clock, at) : at;
     event.set(placeOfAt, Moment.of(at));
     ended = event.get(Events.EVENT).equals(Events.DONE);
   }

@@ -14,6 +14,9 @@ final class Events {
   static final String AT = "at";
   static final String UP = "up";
 
+  /** The milliseconds for which {@code at} stands, where they are more than one. */
+  static final String STEP = "step";
+
   /** The event that ends a log. */
   static final String DONE = "done";
 
@@ -170,7 +173,7 @@ final class Events {
     Fields event = fields.read(raw);
     int unit = Spellings.step((String) raw.get(AT));
     if (unit > 1) {
-      event.add("step", unit);
+      event.add(STEP, unit);
     }
     if (List.of(SET_LOCAL, LOCAL_TIME).contains(name)) {
       checkLocal(cpu.family());
