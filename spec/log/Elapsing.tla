@@ -273,15 +273,18 @@ AtFirst(e) ==
 \* @type: ($event, $moment) => $event;
 AtLater(e, m) == [ e EXCEPT !.at = m, !.up = Shifted(up, clock, m) ]
 
-(* Later moments that make a difference: the end of the step, and the one  *)
-(* from which a delay that is started ends where another step begins.      *)
+(* Later moments that make a difference: the end of the step; the first ms *)
+(* behind a point; and where a delay is started, the moment from which it  *)
+(* ends as another step begins.                                            *)
 \* @type: $event => Set($moment);
 LaterMoments(e) ==
-    IF e.counter # NoMoment \/ ~InStep(e) THEN {}
-    ELSE LET past == (e.dtime - 1) % e.step
-             ends == IF e.event # "SRT_DINT" \/ e.dtime <= 0 THEN {}
-                     ELSE {After(e.at, e.step - 1 - past)}
-         IN  { m \in {EndOfStep(e)} \cup ends : Before(clock, m) }
+    LET last  == e.step - 1
+        point == clock.ms = 0 \/ e.event \in {"SET_TINTL", "ACT_TINT"}
+        ends  == IF e.event # "SRT_DINT" \/ e.dtime <= 0 THEN {}
+                 ELSE {last - ((e.dtime - 1) % e.step)}
+        ms    == {last} \cup (IF point THEN {1} ELSE {}) \cup ends
+    IN  IF e.counter # NoMoment \/ ~InStep(e) THEN {}
+        ELSE { m \in { After(e.at, d) : d \in ms } : Before(clock, m) }
 
 -----------------------------------------------------------------------------
 (* How far time can elapse in one step *)
