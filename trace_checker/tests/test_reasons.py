@@ -1,5 +1,6 @@
 """The requirement that a rejection cites first: the one that somebody who knows the manual would name."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -53,6 +54,11 @@ COLD_START = on("00:01.001", "start", ob=100, info={"strt_info": "B#16#85"})
 def blocked(mode: str, ob: int) -> dict[str, Any]:
     """A DIS_IRT that works."""
     return on("00:01", "DIS_IRT", mode=mode, ob=ob, ret=0)
+
+
+def error_ob(time: str, fault: str, **info: object) -> dict[str, Any]:
+    """A start of OB 80."""
+    return on(time, "start", ob=80, info={"flt_id": f"B#16#{fault}", **info})
 
 
 @pytest.mark.parametrize(
@@ -236,6 +242,106 @@ def test_wrong_fields_are_named(tmp_path: Path, judge: Callable[[Path], Report])
     report = judge(log)
     assert "diag ob=80 error_info=16#0001" in report.expected
     assert "cannot have error_info 16#0002" in report.why
+
+
+OVERFLOW_ERROR = [
+    on("00:02", "DIS_AIRT", ret=1),
+    *(on(f"00:02.00{at}", "interrupt", ob=40) for at in (3, 4)),
+    on("00:02.1", "EN_AIRT", ret=0),
+]
+DAYLIGHT = {"clock": "2027-03-28T00:59:00"} | S7_1500 | BY_LOCAL_TIME
+
+
+@pytest.mark.parametrize(
+    ("header", "lines", "said"),
+    [
+        # Of several requests the one with the fault of the line counts.
+        (S7_300, [*OVERFLOW_ERROR, error_ob("00:02.101", "07", priority=26)], "priority 26 here. OB 80 .* It has 28."),
+        (S7_300, [*OVERFLOW_ERROR, error_ob("00:02.101", "02", priority=28)], "priority 28 here. OB 80 .* It has 26."),
+        # Tags of an S7-1500.
+        (
+            S7_1500,
+            [
+                *RUN_OF_POINT[:-1],
+                on("01:59.9", "interrupt", ob=40),
+                on("01:59.901", "start", ob=40),
+                error_ob("02:00.001", "02", csg_ob=10),
+            ],
+            "csg_ob 10 here. .* It has 40.",
+        ),
+        (
+            DAYLIGHT,
+            [
+                {"at": "2027-03-28T01:00", "event": "zone", "zone": 120, "reason": "daylight"},
+                {"at": "2027-03-28T01:00:00.005", "event": "start", "ob": 10, "info": {"caught_up": False}},
+            ],
+            "caught_up false here. .* It has true.",
+        ),
+        (
+            S7_1500,
+            [*RUN_OF_POINT, SET_BACK, on("01:00", "start", ob=10, info={"second_time": False})],
+            "second_time false here. .* It has true.",
+        ),
+        (
+            S7_1500 | {"queue": {"35": {"events": 1}}},
+            [
+                on("00:01", "interrupt", ob=35),
+                on("00:01.001", "start", ob=35),
+                *(on(f"00:01.{at}", "interrupt", ob=35) for at in (1, 2)),
+                on("00:01.3", "end", ob=35),
+                on("00:01.301", "start", ob=35, info={"event_count": 2}),
+            ],
+            "event_count 2 here. .* It has 0 or 1.",
+        ),
+        # OBs that no request starts.
+        (
+            {"mode": "STOP"},
+            [
+                on("00:01", "restart", type="warm"),
+                on("00:01.003", "run"),
+                on("00:01.004", "start", ob=1, info={"strt_info": "B#16#04"}),
+            ],
+            "strt_info 16#04 here. .* It has 16#01.",
+        ),
+        (
+            {"mode": "STOP"},
+            [on("00:01", "restart", type="warm"), COLD_START],
+            "strt_info 16#85 here. .* It has 16#81 or 16#82.",
+        ),
+        # A sentence says of what it speaks, also that of a question.
+        (
+            {"cpu": "S7-400", "priority": {"10": 12}},
+            [
+                *EVERY_MINUTE,
+                on("00:59.9", "interrupt", ob=35),
+                on("00:59.901", "start", ob=35),
+                on("01:00.005", "start", ob=10),
+            ],
+            "On S7-400 and CPU 318 a class that is set holds",
+        ),
+        (
+            S7_1500 | {"zone": 60},
+            [
+                on("00:01", "SET_TINTL", ob=10, sdt="2026-11-21T09:00", local=True, period=0, activate=True, ret=0),
+            ],
+            "SET_TINTL: 0000, 8090",
+        ),
+        (
+            {"obs": [1, 121, 122]},
+            [on(f"00:01.{at}", name, ob=121) for at in (1, 2) for name in ("interrupt", "start")],
+            r"The sources leave open: .* OB 122\? \(AMB-85\) a: the other .*; b: any second .*; c: either\.$",
+        ),
+    ],
+)
+def test_said(
+    header: dict[str, Any], lines: list[dict[str, Any]], said: str, tmp_path: Path, judge: Callable[[Path], Report]
+) -> None:
+    """The last line is rejected, and the sentence names the field that is wrong, or has these words."""
+    log = tmp_path / "log.ndjson"
+    log.write_bytes(log_text(*lines, header=HEADER | header))
+    report = judge(log)
+    assert (report.verdict, report.line) == ("rejected", len(lines) + 1), report
+    assert re.search(said, report.why), report.why
 
 
 @pytest.mark.parametrize(
