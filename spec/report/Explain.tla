@@ -150,6 +150,7 @@ EventOf(o) == IF EventsOf(o) = {} THEN -1 ELSE Least(EventsOf(o))
 RightError(r, e) ==
     LET i == e.info
         right(field, fits, value) == Right(e, r.ob, field, fits, value)
+        ranIn == IF r.during > 0 THEN ClassOf(r.during) ELSE r.during
         during == InByte(IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
                          THEN r.during ELSE r.cause)
     IN  right("flt_id", FitsFault(r.fault, i.flt_id), r.fault)
@@ -166,8 +167,7 @@ RightError(r, e) ==
           \cup (IF FitsRunning(r, i) THEN {}
                 ELSE right("csg_ob", Fits(i.csg_ob, r.during), r.during)
                        \cup right("csg_priority",
-                                  Fits(i.csg_priority, ClassOf(r.during)),
-                                  ClassOf(r.during)))
+                                  Fits(i.csg_priority, ranIn), ranIn))
 
 (* Of a tag that is true or false the other value is right.                *)
 \* @type: ($request, $event) => Set($allowed);

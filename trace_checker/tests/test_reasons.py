@@ -270,6 +270,16 @@ DAYLIGHT = {"clock": "2027-03-28T00:59:00"} | S7_1500 | BY_LOCAL_TIME
             "csg_ob 10 here. .* It has 40.",
         ),
         (
+            S7_1500,
+            [
+                *EVERY_MINUTE,
+                on("00:02", "end", ob=1),
+                on("00:02.001", "clock", to="2026-11-21T08:05"),
+                error_ob("05:00.001", "05", csg_priority=3),
+            ],
+            "csg_priority 3 here. .* It has 0.",
+        ),
+        (
             DAYLIGHT,
             [
                 {"at": "2027-03-28T01:00", "event": "zone", "zone": 120, "reason": "daylight"},
