@@ -150,6 +150,7 @@ EventOf(o) == IF EventsOf(o) = {} THEN -1 ELSE Least(EventsOf(o))
 RightError(r, e) ==
     LET i == e.info
         right(field, fits, value) == Right(e, r.ob, field, fits, value)
+        ranIn == IF r.during > 0 THEN ClassOf(r.during) ELSE r.during
         during == InByte(IF r.ob = ProgramErrorOb \/ TimeErrorNamesRunningOb
                          THEN r.during ELSE r.cause)
     IN  right("flt_id", FitsFault(r.fault, i.flt_id), r.fault)
@@ -163,6 +164,23 @@ RightError(r, e) ==
                        \cup right("ev_ob", Fits(i.ev_ob, during), during)
                        \cup right("error_info", Fits(i.error_info, r.word),
                                   r.word))
+          \cup (IF FitsRunning(r, i) THEN {}
+                ELSE right("csg_ob", Fits(i.csg_ob, r.during), r.during)
+                       \cup right("csg_priority",
+                                  Fits(i.csg_priority, ranIn), ranIn))
+
+(* Of a tag that is true or false the other value is right.                *)
+\* @type: ($request, $event) => Set($allowed);
+RightTags(r, e) ==
+    LET i == e.info
+        truth(field, given, values) ==
+          Right(e, r.ob, field, given = -1 \/ given \in values, 1 - given)
+    IN  IF r.ob \in TodObs
+        THEN truth("caught_up", i.caught_up, CaughtUps(r))
+               \cup truth("second_time", i.second_time, SecondTimes(r))
+        ELSE IF r.ob \in DintObs \/ FitsDropped(r, i) THEN {}
+        ELSE { Allowed(e.event, r.ob, "event_count", n)
+               : n \in 0..terms.dropped[r.ob] }
 
 \* @type: ($request, $event) => Set($allowed);
 RightInterrupt(r, e) ==
@@ -174,6 +192,7 @@ RightInterrupt(r, e) ==
           \cup right("sign", r.ob \in DintObs => Fits(i.sign, r.word), r.word)
           \cup right("dtime", r.ob \in DintObs => FitsDtime(i.dtime, r.dtime),
                      r.dtime)
+          \cup RightTags(r, e)
 
 (* The OB of the line may start by this request, with other information.   *)
 \* @type: ($request, $event) => Set($allowed);
@@ -194,12 +213,28 @@ RightEntry(n, e) ==
                       n.of.class)
            \cup RightError(n.of, e)
 
+(* [OBS-04] [OBS-10] Of a cycle OB or a startup OB, that no request starts. *)
+\* @type: $event => Set($allowed);
+RightStart(e) ==
+    IF ~DiffersInInfoAlone(e) THEN {}
+    ELSE { Allowed(e.event, e.ob, "strt_info", v)
+           : v \in { b \in 1..255 :
+                       ENABLED IsStart([e EXCEPT !.info.strt_info = b]) } }
+           \cup { Allowed(e.event, e.ob, "priority", v)
+                  : v \in { c \in 1..28 :
+                            ENABLED IsStart([e EXCEPT !.info.priority = c]) } }
+
 (* The start or the entry that may come in place of the line, and the      *)
 (* field that is wrong, if a field is.                                     *)
 \* @type: $event => Set($allowed);
 WithRightFields(e) ==
-    CASE e.event = "start" ->
-           UNION { RightInfo(r, e) : r \in { q \in Startable : q.ob = e.ob } }
+    CASE e.event = "start" /\ e.ob \in CycleObs \cup StartupObs ->
+           RightStart(e)
+      [] e.event = "start" ->
+           LET all  == { q \in Startable : q.ob = e.ob }
+               told == { q \in all : FitsFault(q.fault, e.info.flt_id) }
+           IN  UNION { RightInfo(r, e)
+                       : r \in IF told = {} THEN all ELSE told }
       [] e.event = "diag" ->
            UNION { RightEntry(n, e) : n \in EntriesMeant(e) }
       [] OTHER -> {}

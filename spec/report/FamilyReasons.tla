@@ -102,16 +102,20 @@ OfTheInfo(e, past) ==
           [] tags = {}         -> {"OBS-10"}
           [] OTHER             -> tags
 
-(* Of a queue whose parameters are known.                                  *)
-\* @type: Str => Set(Str);
-OfTheQueue(id) ==
+(* Of a queue whose parameters are known. It has dropped events, or not.   *)
+\* @type: ($event, Str) => Set(Str);
+OfTheQueue(e, id) ==
     CASE id = "OBS-30" -> {"T15-73"}
       [] id = "OBS-08" -> {"T15-72"}
+      [] /\ e.event = "start" /\ HasQueue(e.ob) /\ ~Unseen("interrupt")
+         /\ terms.dropped[e.ob] > 0 -> {"T15-69"}
       [] OTHER         -> {"T15-68", "T15-69"}
 
 \* @type: ($event, Seq($event), Str) => Set(Str);
 Instead(e, past, id) ==
-    CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} -> OfTheJump(past)
+    CASE id \in {"CLK-02", "CLK-03", "CLK-09", "CLK-10"} ->
+           IF OfLocalTime(past) = {} THEN OfTheJump(past)
+           ELSE OfLocalTime(past)
       [] id = "CLK-12" ->
            {id} \cup (IF \E i \in DOMAIN past : past[i].event = "clock"
                       THEN OfTheJump(past) ELSE {})
@@ -126,7 +130,7 @@ Instead(e, past, id) ==
            {"T15-10", "T15-11"}
       [] id = "OBS-10" /\ e.event = "start" -> OfTheInfo(e, past)
       [] /\ id \in {"OBS-02", "OBS-07", "OBS-08", "OBS-30"}
-         /\ DOMAIN cpu.queues # {} -> OfTheQueue(id)
+         /\ DOMAIN cpu.queues # {} -> OfTheQueue(e, id)
       [] id = "OBS-40" /\ mode = "HOLD" /\ startup # "none" -> {"T15-121"}
       [] id = "OBS-45" /\ startup # "none" -> {id, "T15-121"}
       [] id = "OBS-03" /\ Kin(e.ob) = CycleOb /\ CycleObs # {CycleOb} ->
@@ -137,6 +141,8 @@ Instead(e, past, id) ==
            {id, "T15-39"}
       [] id \in {"IRT-07", "IRT-11"} /\ NumberedObs # {} -> {"T15-54"}
       [] id = "IRT-12" /\ e.event = "EN_IRT" -> {id, "T15-147"}
+      [] /\ id = "OBS-01" /\ e.event = "start"
+         /\ \A r \in requests : r.ob # e.ob -> {id}
       [] id \in {"OBS-01", "OBS-02", "OBS-04"} /\ e.event = "start" ->
            {id, OfItsClass(e.ob)}
              \cup (IF Running.ob \in SyncErrorObs THEN {"T15-63"} ELSE {})

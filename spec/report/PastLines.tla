@@ -73,7 +73,8 @@ SinceHotRestart(o, past) ==
                                 "SET_TINT", "ACT_TINT", "CAN_TINT",
                                 "DIS_AIRT", "EN_AIRT"}, o)
     IN  When(LastHot(past) > last,
-             {"OBS-52"} \cup When(o = 0 \/ OnStack(o), {"OBS-54"}))
+             IF o = 0 THEN {"OBS-54"}
+             ELSE {"OBS-52"} \cup When(OnStack(o), {"OBS-54"}))
 
 (* The direction in which the clock was last set after position i: 1       *)
 (* forward, -1 back; 0 if it was not set.                                  *)

@@ -10,7 +10,7 @@
 (* Source: the requirement IDs.                                            *)
 (* Left out: the lines that are allowed instead (Explain).                 *)
 (***************************************************************************)
-EXTENDS StartReasons, NextLines, FamilyReasons
+EXTENDS StartReasons, NextLines, FamilyReasons, OrderOfReasons
 
 -----------------------------------------------------------------------------
 (* RET_VAL *)
@@ -97,7 +97,9 @@ NumberRequirements(e) ==
 
 \* @type: ($event, Int) => Set(Str);
 IrtRequirements(e, ret) ==
-    CASE ret = OK      ->
+    CASE e.event = "EN_IRT" /\ ret \in {BadOb, BadMode}
+           /\ e.mode \in DisModes \ EnModes -> {"IRT-13", "AMB-76"}
+      [] ret = OK      ->
            OfMode(e)
              \cup When(e.event = "EN_IRT",
                        {IF Meant(e.mode, e.ob) \cap irt.blocked = {}
@@ -283,15 +285,15 @@ HeldBack(r, past) ==
     LET last  == LastStart(past, r.ob)
         delayed == LastOf(past, {"DIS_AIRT"})
     IN  ThoughNotBlocked(past, r.ob)
-          \cup When(delayed > last, {"AIRT-02", "AIRT-08"}
-                                      \cup When(r.ob \in AsyncErrorObs,
-                                                {"AIRT-09"}))
+          \cup When(delayed > last,
+                    {"AIRT-02"} \cup When(~Blocked(r.ob), {"AIRT-08"})
+                      \cup When(r.ob \in AsyncErrorObs, {"AIRT-09"}))
           \cup When(/\ delayed > last
                     /\ LastOf(past, {"EN_AIRT"}) < LastOf(past, {"end"}),
                     {"AIRT-04"})
           \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
-          \cup When(Running.ob \notin {0} \cup CycleObs \cup StartupObs,
-                    {"OBS-01"})
+          \cup When(/\ Running.ob \notin {0} \cup CycleObs \cup StartupObs
+                    /\ r.ob # TimeErrorOb, {"OBS-01"})
           \cup When(/\ past # <<>> /\ past[Len(past)].event = "end"
                     /\ ~Before(past[Len(past)].at, r.since),
                     IF ClassOf(past[Len(past)].ob) = r.class
@@ -300,18 +302,30 @@ HeldBack(r, past) ==
                                               {"OBS-11"})
                     ELSE {"OBS-03"})
 
+(* [A15-17] A point that comes again had not run, and the clock was set    *)
+(* back by less than the step of the family.                               *)
+\* @type: ($request, Seq($event)) => Bool;
+ComesAgainUnserved(r, past) ==
+    LET set == LastOf(past, {"clock"})
+    IN  /\ Family.byKind /\ set > 0
+        /\ ~Before(past[set].at, r.since)
+        /\ OfTheJump(past) = {"T15-93"}
+
 \* @type: ($request, Seq($event)) => Set(Str);
 LateTod(r, past) ==
     LET o    == r.ob
         last == LastStart(past, o)
         act  == LastWith(past, {"ACT_TINT"}, o)
         special ==
-          SinceRun(past, o, last)
-            \cup When(ClockWasSet(past, last) # 0, SinceClock(past, last))
+          (SinceRun(past, o, last)
+             \ When(~CameBeforeRun(r, past), {"TINT-13"}))
+            \cup When(ClockWasSet(past, last) # 0,
+                      IF ComesAgainUnserved(r, past) THEN {"A15-17"}
+                      ELSE SinceClock(past, last))
             \cup When(ClockWasSet(past, StartBefore(past, o)) > 0, {"CLK-08"})
             \cup When(cpu.step7[o].execution = "once" /\ last = 0, {"OBS-56"})
             \cup When(SetInStartup(past, act), {"OBS-55"})
-            \cup When(Blocked(o) \/ LastIn(IrtLines(past, o)) > last,
+            \cup When(~Blocked(o) /\ LastIn(IrtLines(past, o)) > last,
                       {"IRT-18"})
             \cup When(~TodCallsWithdrawRuns, {"TINT-50"})
             \cup When(~SecondRequestIsOpen, {"OBS-07"})
@@ -324,10 +338,12 @@ LateTod(r, past) ==
 
 \* @type: ($request, Seq($event)) => Set(Str);
 LateDint(r, past) ==
-    LET srt == LastWith(past, {"SRT_DINT"}, r.ob)
+    LET srt  == LastWith(past, {"SRT_DINT"}, r.ob)
+        last == LastStart(past, r.ob)
     IN  {"DINT-06"}
-                \cup (SinceRun(past, r.ob, LastStart(past, r.ob))
-                       \ {"DINT-19"})
+                \cup (IF LastHot(past) > srt THEN {"DINT-13"}
+                      ELSE SinceRun(past, r.ob, LastIn({last, srt}))
+                             \ {"DINT-19"})
                 \cup OfDelay(r.ob, past)
                 \cup When(dint[r.ob].started
                             \/ LastWith(past, {"CAN_DINT"}, r.ob) > 0,
@@ -401,7 +417,9 @@ StopRequirements(past) ==
                          LastWith(past, {"SRT_DINT"}, o) > 0, {"DINT-09"})
       [] stopCause = DeselectedLoaded ->
            {"OBS-25"} \cup When(\E o \in loaded : ClassOf(o) = 0, {"OBS-06"})
-      [] stopCause \in CausesOfSyncErrors -> {"OBS-27", "OBS-63"}
+      [] stopCause \in CausesOfSyncErrors ->
+           IF \E o \in SyncErrorObs \cap loaded : CauseOf(o) = stopCause
+           THEN {"AMB-85", "OBS-63"} ELSE {"OBS-27", "OBS-63"}
       [] OTHER                        -> {"OBS-23"}
 
 -----------------------------------------------------------------------------
@@ -552,55 +570,12 @@ Distance(e) ==
       [] e.event = "start" ->
            LET all == { Depth(r, e.info.flt_id) : r \in Candidates(e) }
            IN  IF mode = "STOP" THEN 11
+               ELSE IF /\ e.ob \in CycleObs \cup StartupObs
+                       /\ DiffersInInfoAlone(e) THEN 0
                ELSE IF all = {} THEN IF mode = "RUN" THEN 9 ELSE 10
                ELSE 9 - (CHOOSE d \in all : \A k \in all : k <= d)
       [] e.event = "end" -> IF OnStack(e.ob) THEN 0 ELSE 1
       [] OTHER -> 0
-
------------------------------------------------------------------------------
-(* The order in which requirements are cited *)
-
-(* Requirements of a special case: where one of these decides, it is what  *)
-(* the reader does not expect.                                             *)
-Special ==
-    { "AIRT-04", "AIRT-09", "AIRT-13", "AIRT-16", "CLK-01", "CLK-04", "CLK-10",
-      "CLK-11", "CLK-13", "CLK-14", "CLK-18", "DINT-04", "DINT-08", "DINT-10",
-      "DINT-11", "DINT-12", "DINT-13", "DINT-15", "DINT-17", "DINT-18",
-      "DINT-19", "DINT-20", "IRT-03", "IRT-06", "IRT-09", "IRT-11", "IRT-12",
-      "IRT-14", "IRT-16", "IRT-17", "IRT-18", "IRT-19", "IRT-20", "IRT-23",
-      "IRT-24", "OBS-05", "OBS-06", "OBS-22", "OBS-25", "OBS-28", "OBS-29",
-      "OBS-31", "OBS-33", "OBS-41", "OBS-42", "OBS-43", "OBS-46", "OBS-52",
-      "OBS-53", "OBS-54", "OBS-55", "OBS-56", "OBS-57", "OBS-60", "TINT-11",
-      "TINT-13", "TINT-14", "TINT-18", "TINT-19", "TINT-31", "TINT-32",
-      "TINT-33", "TINT-36", "TINT-51", "TINT-62", "TINT-63", "TINT-64",
-      "TINT-77", "TINT-79" }
-
-(* What differs between families of CPUs: as special.                      *)
-OfFamilies ==
-    { "T15-20", "T15-23", "T15-26", "T15-30", "T15-35", "T15-36", "T15-61",
-      "T15-62", "T15-63", "T15-64", "T15-65", "T15-66", "T15-90", "T15-91",
-      "T15-93", "T15-94", "T15-95", "T15-96", "T15-97", "T15-98", "T15-99",
-      "T15-103", "T15-100", "T15-110", "T15-111", "T15-112", "T15-113",
-      "T15-114", "T15-115", "T15-117", "T15-118", "T15-119", "T15-120",
-      "T15-141" }
-
-(* Requirements of every start, every call, every STOP: true, and little   *)
-(* news.                                                                   *)
-General ==
-    { "AIRT-02", "AIRT-03", "CLK-08", "CLK-12", "DINT-02", "DINT-03",
-      "DINT-05", "DINT-07", "DINT-21", "DINT-22", "IRT-13", "IRT-22", "OBS-01",
-      "OBS-02", "OBS-03", "OBS-20", "OBS-23", "OBS-30", "OBS-40", "OBS-44",
-      "TINT-01", "TINT-02", "TINT-06", "TINT-07", "TINT-08", "TINT-09",
-      "TINT-12", "TINT-17", "TINT-22", "TINT-23", "TINT-30", "TINT-35",
-      "TINT-60" }
-
-(* The least general requirement is cited first.                           *)
-\* @type: Str => Int;
-Generality(id) ==
-    CASE id \in Special \cup OfFamilies      -> 0
-      [] id \in General                      -> 2
-      [] id \in { q[1] : q \in Questions } -> 3
-      [] OTHER                               -> 1
 
 -----------------------------------------------------------------------------
 (* Why a line is possible *)
@@ -698,10 +673,13 @@ PossibleRules(e, past) ==
 
 \* @type: ($event, Seq($event)) => Set(Str);
 Deciding(e, past) ==
-    Cited(e, past,
-          DecidingRules(e, past)
-            \cup When(e.event \in CallEvents \cup {"start", "end"},
-                      SinceHotRestart(e.ob, past)))
+    LET kept == When(e.event = "start" /\ delay > 0, SinceHotRestart(0, past))
+    IN  Cited(e, past,
+              DecidingRules(e, past)
+                \cup When(e.event \in CallEvents \cup {"start", "end"},
+                          IF kept = {} THEN SinceHotRestart(e.ob, past)
+                          ELSE kept))
+
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRequirements(e, past) == Cited(e, past, LateRules(e, past))
 \* @type: ($event, Seq($event)) => Set(Str);

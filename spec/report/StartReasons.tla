@@ -7,75 +7,15 @@
 (* Source: requirements, sections 1 to 6, tables 7.2 and 7.5.              *)
 (* Left out: a start that comes too late, other lines (Reasons).           *)
 (***************************************************************************)
-EXTENDS PartialLogs, PastLines
+EXTENDS PartialLogs, BlockReasons
 
 -----------------------------------------------------------------------------
-(* SFC 39 and SFC 40: an OB is blocked, or a start event was lost *)
-
-(* Line e blocks or enables OB o.                                          *)
-\* @type: ($event, Int) => Bool;
-Means(e, o) == /\ e.event \in {"DIS_IRT", "EN_IRT"} /\ Worked(e)
-               /\ CASE Level(e.mode) = 0 -> TRUE
-                    [] Level(e.mode) = 1 -> ClassNumber(o) = e.ob
-                    [] OTHER             -> o = e.ob
-
-\* @type: (Seq($event), Int) => Set(Int);
-IrtLines(past, o) == { i \in DOMAIN past : Means(past[i], o) }
-
-\* @type: $event => Set(Str);
-OfMode(e) ==
-    IF e.event = "EN_IRT"
-    THEN {"IRT-13"} \cup When(Level(e.mode) = 1, {"IRT-14"})
-    ELSE (CASE Level(e.mode) = 0 -> {"IRT-06"}
-            [] Level(e.mode) = 1 -> {"IRT-07"}
-            [] OTHER             -> {"IRT-08"})
-           \cup When(WithoutEntries(e.mode), {"IRT-09"})
-
-(* The requirements that decide whether the OB is blocked. *)
-\* @type: (Seq($event), Int) => Set(Str);
-BlockRequirements(past, o) ==
-    LET lines == IrtLines(past, o)
-        last  == LastIn(lines)
-        dis   == { i \in lines : past[i].event = "DIS_IRT" }
-    IN  IF lines = {} THEN {"IRT-01"}
-        ELSE IF LastOf(past, {"restart"}) > last THEN {"IRT-03", "OBS-53"}
-        ELSE OfMode(past[last])
-               \cup When(Level(past[last].mode) = 1 /\ o # ClassNumber(o),
-                         {"IRT-11"})
-               \cup When(LastOf(past, {"end", "hold"}) > last,
-                         {"IRT-02", "IRT-03"})
-               \cup When(
-                      Cardinality({ Level(past[i].mode) : i \in lines }) > 1,
-                      {"IRT-20"})
-               \cup When(Cardinality(dis) > 1 /\ last \notin dis, {"IRT-16"})
-
-(* The OB starts although it is blocked. *)
-\* @type: (Seq($event), Int) => Set(Str);
-ThoughBlocked(past, o) ==
-    IF DisIrtStopsCatchUp /\ o \in TodObs THEN {"IRT-01", "CLK-04"}
-    ELSE {"IRT-01", "IRT-04"} \cup BlockRequirements(past, o)
-           \cup When(o = TimeErrorOb, {"OBS-33"})
-
-(* Start events came only while the OB was blocked; they are lost. *)
-\* @type: (Seq($event), Int) => Bool;
-LostMeanwhile(past, o) ==
-    LET last == LastIn(IrtLines(past, o))
-    IN  /\ last > 0 /\ past[last].event = "EN_IRT"
-        /\ last > LastStart(past, o)
-        /\ last > LastWith(past, {"interrupt", "SRT_DINT", "ACT_TINT"}, o)
-
-(* The OB is not blocked, and its start event has had no effect. *)
-\* @type: (Seq($event), Int) => Set(Str);
-ThoughNotBlocked(past, o) ==
-    LET lines == IrtLines(past, o)
-        last  == LastIn(lines)
-        other == LastOf(past, {"DIS_IRT"})
-    IN  IF Blocked(o) THEN {"IRT-01"}  \* it came before
-        ELSE IF last > LastStart(past, o)
-        THEN {"IRT-15"} \cup BlockRequirements(past, o)
-        ELSE IF lines = {} /\ irt.blocked # {} /\ other > 0
-        THEN OfMode(past[other]) \cup {"IRT-11"}
-        ELSE {}
+(* An OB of a higher class goes first: at the end of a delay, or of an OB. *)
+\* @type: Seq($event) => Set(Str);
+HighestClassFirst(past) ==
+    {"OBS-03"} \cup When(LastOf(past, {"EN_AIRT"})
+                           > LastOf(past, {"start", "end", "run"}),
+                         {"AIRT-08"})
 
 -----------------------------------------------------------------------------
 (* Time: a series, a delay, a clock that was set, a HOLD, a STARTUP *)
@@ -130,6 +70,12 @@ SinceRun(past, o, last) ==
           \cup When(LastOf(past, {"hold", "release"}) > last,
                     {"OBS-45"} \cup When(o \in TodObs, {"OBS-46"})
                                \cup When(o \in DintObs, {"DINT-19"}))
+
+(* The start event came before the last change to RUN.                     *)
+\* @type: ($request, Seq($event)) => Bool;
+CameBeforeRun(r, past) ==
+    LET run == LastOf(past, {"run"})
+    IN  run > 0 /\ ~Before(past[run].at, r.since)
 
 (* Since position `last' the clock was set.                                *)
 \* @type: (Seq($event), Int) => Set(Str);
@@ -297,6 +243,7 @@ NoTimeError(e, past) ==
                       /\ past[Len(past)].ob \notin loaded,
                     {"OBS-20", "OBS-24"})
           \cup When(/\ fault = SkippedByClock
+                    /\ LastOf(past, {"zone"}) <= set
                     /\ \/ set = 0 \/ LastOf(past, {"DIS_AIRT"}) > set
                     /\ \E r \in requests : r.ob \in TodObs,
                     {"CLK-18"})
@@ -320,11 +267,25 @@ NoProgramError(past) ==
           \cup When(delay > 0 /\ { r \in requests : r.ob \notin loaded } # {},
                     {"AIRT-01", "AIRT-09"})
           \cup When(\E r \in MissingNow : ~MissedInOrder(r),
-                    {"AIRT-08", "OBS-03"})
+                    HighestClassFirst(past))
           \cup When(MissingObEndsItsSource, {"OBS-28"})
           \cup When(MissingIsTimeError, {"OBS-24"})
 
 -----------------------------------------------------------------------------
+
+(* The start information of a cycle OB or a startup OB: it may be wrong,   *)
+(* and the OB might start with another one.                                *)
+\* @type: $event => Set(Str);
+OfInfoAlone(e) ==
+    When(~Fits(e.info.priority, DefaultClass(e.ob)), {"OBS-04"})
+      \cup When(\/ e.info.strt_info # -1
+                \/ /\ e.info.time # NoMoment
+                   /\ ~JustBefore(e.info.time, e),
+                {"OBS-10"})
+
+\* @type: $event => Bool;
+DiffersInInfoAlone(e) ==
+    OfInfoAlone(e) # {} /\ ENABLED IsStart([e EXCEPT !.info = NoInfo])
 
 \* @type: ($event, Seq($event)) => Set(Str);
 WithoutRequest(e, past) ==
@@ -342,22 +303,20 @@ WithoutRequest(e, past) ==
           [] o = TimeErrorOb              -> NoTimeError(e, past)
           [] o = ProgramErrorOb           -> NoProgramError(past)
           [] o \in CycleObs \cup StartupObs ->
-               (IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"})
+               OfInfoAlone(e)
+                 \cup When(~DiffersInInfoAlone(e),
+                           IF mode = "STARTUP" THEN {"OBS-42"} ELSE {"OBS-03"})
                  \cup When(mode = "STARTUP" /\ o \in OldStartupObs
                              /\ startup # "begun"
                              /\ o # StartupOb(startup), {"OBS-57"})
-                 \cup When(~Fits(e.info.priority, DefaultClass(o)), {"OBS-04"})
-                 \cup When(\/ e.info.strt_info # -1
-                           \/ /\ e.info.time # NoMoment
-                              /\ ~JustBefore(e.info.time, e),
-                           {"OBS-10"})
           [] LostMeanwhile(past, o)       -> {"IRT-04", "IRT-15"}
           [] mode = "STARTUP" /\ o \notin AsyncErrorObs -> {"OBS-42"}
+          [] LastWith(past, {"interrupt"}, o)
+               \in (LastStart(past, o) + 1)..LastOf(past, {"restart"}) ->
+               {"OBS-52", "OBS-07"}
           [] OTHER                        ->
                {"OBS-01", "OBS-07"} \cup When(o \in AsyncErrorObs, {"OBS-29"})
                  \cup SinceRun(past, o, LastStart(past, o))
-                 \cup When(LastOf(past, {"restart"})
-                             > LastWith(past, {"interrupt"}, o), {"OBS-52"})
 
 -----------------------------------------------------------------------------
 (* The class of an error that came in STARTUP, in RUN [AMB-88] *)
@@ -481,7 +440,7 @@ StartRequirements(r, e, past) ==
                     \cup When(CameInStartup(r, past), OfKeptClass)
                     \cup When(r.ob \in DOMAIN cpu.priority, {"OBS-05"})
                     \cup When(r.follows \in Skips, {"CLK-03"})
-    ELSE IF ~HighestFirst(r) THEN {"AIRT-08", "OBS-03"}
+    ELSE IF ~HighestFirst(r) THEN HighestClassFirst(past)
     ELSE InfoRequirements(r, e, past)
 
 (* How many of these conditions the request meets. *)

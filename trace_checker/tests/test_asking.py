@@ -210,7 +210,7 @@ def test_text(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "    DIS_AIRT ret=W#16#0001, at once [AIRT-06, AIRT-03]" in text
     assert "| this log" in text
     assert "| profile 1997" in text
-    assert "TINT-32 The points are SDT + k x PERIOD" in text
+    assert "TINT-32 The points of an interrupt are SDT + k x PERIOD" in text
     assert cli.main(["next", "log"]) == 0
     assert "log:3: after this line; the next line of the log is not possible" in capsys.readouterr().out
 

@@ -48,6 +48,16 @@ final class Clauses {
     return choice + ": " + text(id) + " " + (answer == null ? "" : answer) + " (" + text(id, "place") + ")";
   }
 
+  /** A question and all answers to it, such as {@code Is it late? (AMB-13) a: yes; b: no}. */
+  String question(String id) {
+    var answers = new ArrayList<String>();
+    Fields letters = clauses.get(id).object("letters");
+    for (int i = 0; i < letters.size(); i++) {
+      answers.add(letters.name(i) + ": " + letters.value(i));
+    }
+    return text(id) + " (" + id + ") " + String.join("; ", answers);
+  }
+
   /** What an event ID of four digits means; empty if no source tells. */
   String event(String digits) {
     return events.has(digits) ? events.text(digits) : "";

@@ -22,7 +22,8 @@ final class Spelled {
   /** The causes of a STOP; that of a request is an OB. */
   private static final Set<String> CAUSES = Set.of("cause", "e.cause", "stopCause");
 
-  private static final Set<String> TRUTHS = Set.of("active", "blocked", "loaded", "entries_off", "local", "activate");
+  private static final Set<String> TRUTHS =
+      Set.of("active", "blocked", "loaded", "entries_off", "local", "activate", "caught_up", "second_time");
   private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "counter");
   private static final List<String> DATE = List.of("year", "month", "day", "hour", "minute", "second", "ms");
 

@@ -110,7 +110,9 @@ final class WhyNot {
     List<Fields> fields = new ArrayList<>();
     for (Object one : refusal.expected()) {
       var allowed = (Fields) one;
-      if (allowed.text("event").equals(line.text("event")) && !Spelled.allowedValue(allowed).isEmpty()) {
+      String value = Spelled.allowedValue(allowed);
+      boolean wrong = !value.isEmpty() && !value.equals(given(line, allowed.text("field")));
+      if (wrong && allowed.text("event").equals(line.text("event"))) {
         fields.add(allowed);
       }
     }
@@ -223,7 +225,7 @@ final class WhyNot {
         }
       }
     }
-    return cited(first, name);
+    return first.endsWith("?") ? "The sources leave open: " + clauses.question(name) + "." : cited(first, name);
   }
 
   private static List<String> codes(String text) {

@@ -24,6 +24,7 @@ class WhyNotTest {
         {"id": "OBS-22", "text": "A time error without OB 80: STOP, event 4568", "source": "all",
          "confidence": "H", "place": "requirements.md#OBS-22"},
         {"id": "AMB-12", "text": "Is it lost?", "letters": {"b": "It is not."}, "place": "readings.md#AMB-12"},
+        {"id": "AMB-13", "text": "Is it late?", "letters": {"a": "yes", "b": "no"}},
         {"id": "OBS-01", "text": "See AMB-12."}],
        "events": {"4568": "STOP: OB 80 missing", "3502": "OB still in process"}}
       """;
@@ -88,6 +89,11 @@ class WhyNotTest {
             + " start here. SIGN belongs to the program (DINT-22).",
         "{'event':'EN_AIRT','ret':0} | {'event':'end'} | DINT-22 | EN_AIRT cannot be called here. SIGN belongs to the"
             + " program (DINT-22).",
+        // A field that is right is not the one that cannot be.
+        "{'event':'start','ob':80,'info':{'flt_id':'B#16#02'}} | {'event':'start','ob':80,'field':'flt_id','value':2} |"
+            + " DINT-22 | OB 80 cannot start here. SIGN belongs to the program (DINT-22).",
+        "{'event':'end','ob':10} | {'event':'stop'} | AMB-13 | OB 10 cannot end here. The sources leave open: Is it"
+            + " late? (AMB-13) a: yes; b: no.",
       })
   void sentence(String line, String expected, String rule, String said) {
     assertEquals(said, why.told(refusal(false, expected, rule), line.replace("'", "\"").getBytes()).text("why"));
