@@ -105,15 +105,18 @@ Rewait ==
                                IF c \in old THEN waiting[c] ELSE 0 ]
     /\ Report(0)
 
-(* OB 85, or the STOP, has waited as long as the missing OB. *)
+(* OB 85, or the STOP, has waited as long as the missing OB. A delay that  *)
+(* began meanwhile does not hold the STOP back [AMB-69] (c).               *)
 \* @type: $request => Bool;
 RewaitMissing(r) ==
-    LET since == IF WaitsAs(r) \in DOMAIN waiting THEN waiting[WaitsAs(r)]
-                                                  ELSE 0
-        old == WaitsGoOn
+    LET waited == WaitsAs(r) \in DOMAIN waiting
+        since  == IF waited THEN waiting[WaitsAs(r)] ELSE 0
+        stops  == waited /\ MayGoOnWaiting(r) /\ stopCause' # NoCause
+        old    == WaitsGoOn \cup (IF stops THEN {StopDuty} ELSE {})
     IN  /\ NextEvent
         /\ waiting' = [ c \in Awaited' \cup old |->
-                          LET before == IF c \in old THEN waiting[c] ELSE 0
+                          LET before == IF c \in old \cap DOMAIN waiting
+                                        THEN waiting[c] ELSE 0
                           IN  IF c % 100 >= r.class /\ since > before
                               THEN since ELSE before ]
         /\ Report(since)

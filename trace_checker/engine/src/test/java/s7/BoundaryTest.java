@@ -28,7 +28,7 @@ class BoundaryTest {
   /** Packages, and classes of others, that the core may use beside itself. */
   private static final Pattern ALLOWED =
       Pattern.compile(
-          "(java\\.util(\\.function|\\.regex|\\.stream)?|java\\.lang\\.runtime|tlc2\\.value\\.impl)\\.[^.]+"
+          "(java\\.util(\\.function|\\.regex|\\.stream)?|java\\.math|java\\.lang\\.runtime|tlc2\\.value\\.impl)\\.[^.]+"
               + "|java\\.io\\.(ByteArrayOutputStream|InputStream|IOException|EOFException)"
               + "|java\\.nio\\.(ByteBuffer|charset\\.(Charset|StandardCharsets))"
               + "|java\\.util\\.zip\\.CRC32|tlc2\\.util\\.FP64|tlc2\\.tool\\.FingerprintException|util\\.UniqueString"
