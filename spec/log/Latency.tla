@@ -111,7 +111,8 @@ Rewait ==
 RewaitMissing(r) ==
     LET waited == WaitsAs(r) \in DOMAIN waiting
         since  == IF waited THEN waiting[WaitsAs(r)] ELSE 0
-        stops  == waited /\ MayGoOnWaiting(r) /\ stopCause' # NoCause
+        stops  == /\ waited /\ ~NoticedAtOnce(r) /\ MayGoOnWaiting(r)
+                  /\ stopCause' # NoCause
         old    == WaitsGoOn \cup (IF stops THEN {StopDuty} ELSE {})
     IN  /\ NextEvent
         /\ waiting' = [ c \in Awaited' \cup old |->
