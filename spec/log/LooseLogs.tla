@@ -142,17 +142,16 @@ LooseAnswers(e) ==
           [] OTHER                -> AnswersTo(e)
 
 \* @type: Int => Set(Bool);
-LooseBlocked(o) == {Blocked(o)} \cup
-                     Either(Unseen("call"), Unseen("call") \/ ~ModeKnown)
-\* @type: Int => Set(Bool);
 LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
                                   ELSE Either(MayBeStarted(o), MayBeOver(o))
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
     StatusOf(o, IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
-             UNION { BlockedBitIf(b, d) : b \in LooseBlocked(o),
-                                          d \in {TRUE, FALSE} },
+             UNION { BlockedBitIf(b, d)
+                     : b \in {Blocked(o)} \cup
+                         Either(Unseen("call"), Unseen("call") \/ ~ModeKnown),
+                       d \in {TRUE, FALSE} },
              { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
              IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 
@@ -489,16 +488,16 @@ LooseEntry(e) ==
     /\ NothingEntered
     /\ UNCHANGED <<cpuVars, reports>>
 
+(* [OBS-60] In STOP, which may be unseen, only `loaded' is judged.         *)
 \* @type: $event => Bool;
 LooseState(e) ==
     /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
-    /\ mode # "STOP" /\ ~Unseen("call") =>
-         /\ \E b \in LooseBlocked(e.ob) : FitsTruth(e.blocked, b)
-         /\ e.entries_off = 1 => Silenced(e.ob)
-         /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
+    /\ ModeKnown /\ mode # "STOP" /\ ~Unseen("call") =>
+         /\ FitsTruth(e.blocked, Blocked(e.ob))
+         /\ FitsTruth(e.entries_off, Silenced(e.ob))
          /\ e.ob \in TodObs \cup DintObs =>
               \E a \in LooseActive(e.ob) : FitsTruth(e.active, a)
-         /\ ModeKnown => FitsLeft(e)
+         /\ FitsLeft(e)
     /\ NothingEntered
     /\ UNCHANGED cpuVars
 
