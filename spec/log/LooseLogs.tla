@@ -166,20 +166,28 @@ TodAfterAnswer(e, ret) ==
            [tod EXCEPT ![e.ob].set = TRUE, ![e.ob].active = TRUE]
       [] OTHER -> tod
 
+(* If the answer is not in the log, one stands for all that set nothing.   *)
+\* @type: $event => Set(Int);
+AnswersTried(e) ==
+    LET counts == e.event \in {"DIS_AIRT", "EN_AIRT"}
+        all    == LooseAnswers(e) \cup FailuresOf(e)
+        idle   == all \ {OK, NotSet}
+    IN  IF e.ret # -1 THEN all \cap {e.ret}
+        ELSE IF Unseen("call") \/ (counts /\ CountsUnknown) THEN {-1}
+        ELSE IF counts \/ idle = {} THEN all
+        ELSE (all \ idle) \cup {CHOOSE ret \in idle : TRUE}
+
 (* Calls whose answer depends on an earlier setting. *)
 \* @type: $event => Bool;
 IsLooseAnswer(e) ==
-    /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1}
-                  ELSE LooseAnswers(e) \cup FailuresOf(e) :
-         /\ e.ret \in {-1, ret}
+    /\ \E ret \in AnswersTried(e) :
          /\ tod'   = TodAfterAnswer(e, ret)
          /\ dint'  = IF e.event = "CAN_DINT" /\ ret = OK
                      THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
-         /\ delay' = CASE Unseen("call") -> 0
-                       [] IsGeneralError(ret) -> delay
-                       [] e.event = "DIS_AIRT" -> ret
-                       [] e.event = "EN_AIRT" -> IF ret > 32767 THEN 0 ELSE ret
-                       [] OTHER -> delay
+         /\ delay' = CASE CountsUnknown -> 0
+                       [] \/ IsGeneralError(ret)
+                          \/ e.event \notin {"DIS_AIRT", "EN_AIRT"} -> delay
+                       [] OTHER -> IF ret > 32767 THEN 0 ELSE ret
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
     /\ NothingEntered
