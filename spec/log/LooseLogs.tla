@@ -70,8 +70,10 @@ MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
 Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Interrupting)
                         THEN {} ELSE {0})
 
-(* [OBS-52] An unseen hot restart may have brought back an earlier one.    *)
-CountsUnknown == Unseen("call") \/ (~ModeKnown /\ HotRestartExists)
+(* [OBS-52] A hot restart, whose lines may be missing, brings back what    *)
+(* was before: another count, and the OBs that ran.                        *)
+HotUnseen     == ~ModeKnown /\ HotRestartExists
+CountsUnknown == Unseen("call") \/ HotUnseen
 
 (* [OBS-25] STARTUP may be over.                                           *)
 MayRun == \/ Unseen("load") \/ stopCause = NoCause
@@ -310,12 +312,10 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
 (* OBs start and end *)
 
 (* Cycle and startup OBs stand first in the stack: their order is unseen.  *)
-(* [OBS-52] Behind the startup OB of an unseen hot restart the interrupted *)
-(* OBs go on.                                                              *)
+(* [OBS-52] Behind that of a hot restart the interrupted OBs go on.        *)
 \* @type: Int => Seq($frame);
-StackAround(o) ==
-    IF ~ModeKnown /\ HotRestartExists /\ o = StartupOb("hot") THEN stack
-    ELSE <<stack[1]>>
+StackAround(o) == IF HotUnseen /\ o = StartupOb("hot") THEN stack
+                                                       ELSE <<stack[1]>>
 
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
@@ -379,7 +379,8 @@ LooseRestart(e) ==
        ELSE /\ Resets(e.type) /\ resume' = NothingKept
             /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
-    /\ stack' = <<Frame(StartupOb(e.type), StartupClass)>>
+    /\ stack' = IF HotUnseen /\ e.type = "hot" THEN stack
+                ELSE <<Frame(StartupOb(e.type), StartupClass)>>
     /\ NothingEntered
     /\ UNCHANGED cpu
 
@@ -388,7 +389,8 @@ LooseRun(e) ==
     /\ ModeKnown => mode = "STARTUP"
     /\ MayRun
     /\ mode' = "RUN" /\ startup' = "none"
-    /\ stack' = IF resume.stack = <<>> THEN <<Frame(CycleOb, 1)>>
+    /\ stack' = IF HotUnseen THEN stack
+                ELSE IF resume.stack = <<>> THEN <<Frame(CycleOb, 1)>>
                 ELSE resume.stack
     /\ delay' = IF resume.stack = <<>> THEN delay ELSE resume.delay
     /\ resume' = NothingKept
@@ -399,8 +401,7 @@ LooseRun(e) ==
 (* back that waits.                                                        *)
 LooseStop ==
     IF ModeKnown /\ mode # "STOP" THEN Stop
-    ELSE IF ~ModeKnown /\ HotRestartExists
-    THEN UNCHANGED cpuVars /\ NothingEntered
+    ELSE IF HotUnseen THEN UNCHANGED cpuVars /\ NothingEntered
     ELSE /\ Clears
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
@@ -446,8 +447,7 @@ SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
 SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
 
 (* Settings of the clock; a hot restart finds points that passed in STOP.  *)
-UnseenSkips == SkipsInHold \cup (IF ~ModeKnown /\ HotRestartExists
-                                THEN {SkippedByClock} ELSE {})
+UnseenSkips == SkipsInHold \cup (IF HotUnseen THEN {SkippedByClock} ELSE {})
 
 (* An unseen setting of the clock may have skipped any point.              *)
 JumpMarks == IF Unseen("clock") /\ mode # "STOP" /\ MayBeDue \cap TodObs # {}
