@@ -192,8 +192,7 @@ IsLooseAnswer(e) ==
                        [] OTHER -> IF ret > 32767 THEN 0 ELSE ret
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, irt, outcomeVars, stack>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, irt, stack>>
 
 \* @type: $event => Bool;
 LooseSet(e) ==
@@ -333,8 +332,7 @@ LooseStart(e) ==
     /\ IF e.ob \in CycleObs \cup StartupObs THEN LooseFirstStarts(e)
        ELSE \/ LooseInterruptStarts(e)
             \/ (Unseen("interrupt") \/ Marked(e.ob)) /\ ErrorObStartsUnseen(e)
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars>>
 
 \* @type: $event => Bool;
 LooseEnd(e) ==
@@ -348,8 +346,7 @@ LooseEnd(e) ==
                /\ mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
           /\ stack' = StackAround(e.ob)
     /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars>>
 
 -----------------------------------------------------------------------------
 (* Modes *)
@@ -362,11 +359,11 @@ LooseResumes ==
         /\ requests' = { r \in old : Outlives(r) }
              \cup (IF MayBeDue \cap TodObs = {} THEN {}
                    ELSE {Mark(TimeErrorOb, SkippedByClock)})
-        /\ dint' = IF ~HotRestartKeepsSettings THEN NoJobs
-                   ELSE IF ModeKnown THEN resume.dint ELSE dint
-        /\ irt' = IF HotRestartKeepsSettings THEN irt ELSE NoneBlocked
-        /\ tod' \in IF HotRestartKeepsSettings THEN {tod}
-                    ELSE SettingsByStep7
+        /\ IF HotRestartKeepsSettings
+           THEN /\ dint' = IF ModeKnown THEN resume.dint ELSE dint
+                /\ UNCHANGED <<irt, tod>>
+           ELSE /\ dint' = NoJobs /\ irt' = NoneBlocked
+                /\ tod' \in SettingsByStep7
         /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
         /\ stopCause' = RestartStop
         /\ delay' = 0
@@ -381,8 +378,7 @@ LooseRestart(e) ==
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
     /\ stack' = IF HotUnseen /\ e.type = "hot" THEN stack
                 ELSE <<Frame(StartupOb(e.type), StartupClass)>>
-    /\ NothingEntered
-    /\ UNCHANGED cpu
+    /\ NothingEntered /\ UNCHANGED cpu
 
 \* @type: $event => Bool;
 LooseRun(e) ==
@@ -394,8 +390,7 @@ LooseRun(e) ==
                 ELSE resume.stack
     /\ delay' = IF resume.stack = <<>> THEN delay ELSE resume.delay
     /\ resume' = NothingKept
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, clock, settingVars>>
 
 (* Where changes of the mode may be unseen, a hot restart may bring all    *)
 (* back that waits.                                                        *)
@@ -405,8 +400,6 @@ LooseStop ==
     ELSE /\ Clears
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
-
-LooseHold == IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
 
 LooseRelease ==
     /\ ModeKnown => mode = "HOLD"
@@ -453,6 +446,9 @@ UnseenSkips == SkipsInHold \cup (IF HotUnseen THEN {SkippedByClock} ELSE {})
 JumpMarks == IF Unseen("clock") /\ mode # "STOP" /\ MayBeDue \cap TodObs # {}
              THEN { Mark(TimeErrorOb, f) : f \in UnseenJumps } ELSE {}
 
+MayBeLocal == \/ Unseen("call") \/ LocalObs # {}
+              \/ \E o \in TodObs : cpu.step7[o].local
+
 \* @type: $event => Bool;
 LooseClock(e) ==
     /\ clock' = e.to
@@ -461,13 +457,18 @@ LooseClock(e) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, settingVars, stopCause, runVars>>
 
-(* OB 80 may report what daylight saving skips.                            *)
+(* OB 80 may report what daylight saving skips, and behind HOLD what a     *)
+(* zone skips of the interrupts by local time [T15-119].                   *)
 \* @type: $event => Bool;
 LooseZone(e) ==
     /\ cpu' = InZone(cpu, e.zone, e.reason = "daylight")
     /\ tod' = [o \in DOMAIN tod |-> Moved(tod[o], e.zone - cpu.zone)]
-    /\ requests' = IF mode = "STOP" THEN requests
-                   ELSE requests \cup {Mark(TimeErrorOb, SkippedByDaylight)}
+    /\ requests' = requests
+         \cup (IF mode = "STOP" THEN {}
+               ELSE {Mark(TimeErrorOb, SkippedByDaylight)})
+         \cup (IF ~MayBeLocal THEN {}
+               ELSE SkipMarks([clock EXCEPT !.min = @ + e.zone - cpu.zone],
+                              SkipsInHold))
     /\ NothingEntered
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
 
@@ -493,8 +494,7 @@ LooseEntry(e) ==
     /\ e.id = NoTimeErrorOb =>
          MayBeMissing(TimeErrorOb) \/ CycleMayBeExceeded
     /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
-    /\ NothingEntered
-    /\ UNCHANGED <<cpuVars, reports>>
+    /\ NothingEntered /\ UNCHANGED <<cpuVars, reports>>
 
 (* [OBS-60] In STOP, which may be unseen, only `loaded' is judged.         *)
 \* @type: $event => Bool;
@@ -506,8 +506,7 @@ LooseState(e) ==
          /\ e.ob \in TodObs \cup DintObs =>
               \E a \in LooseActive(e.ob) : FitsTruth(e.active, a)
          /\ FitsLeft(e)
-    /\ NothingEntered
-    /\ UNCHANGED cpuVars
+    /\ UNCHANGED cpuVars /\ NothingEntered
 
 -----------------------------------------------------------------------------
 (* Lines *)
@@ -524,7 +523,8 @@ LooseShows(e) ==
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> LooseRestart(e)
          [] e.event = "run"        -> LooseRun(e)
-         [] e.event = "hold"       -> LooseHold
+         [] e.event = "hold"       ->
+              IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
          [] e.event = "release"    -> LooseRelease
          [] e.event = "stop"       -> LooseStop
          [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
