@@ -213,8 +213,7 @@ AnswerNeedsLoad(e) ==
 \* @type: $event => Bool;
 LooseUnseenLoad(e) ==
     /\ AnswerNeedsLoad(e)
-    /\ loaded' = IF e.ob \in loaded THEN loaded \ {e.ob}
-                                    ELSE loaded \cup {e.ob}
+    /\ loaded' = (loaded \ {e.ob}) \cup ({e.ob} \ loaded)
     /\ NothingEntered
     /\ UNCHANGED <<cpu, modeVars, clock, settingVars, outcomeVars, runVars,
                    up, waiting, reports, lineVars, eventVars>>
@@ -258,7 +257,8 @@ DueMarks ==
 WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
 
 (* What OB 80 reports of points that an unseen setting of the clock skips. *)
-UnseenJumps == (IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+SkipsInHold == IF ModeKnown /\ mode # "STOP" THEN {} ELSE {SkippedInHold}
+UnseenJumps == {SkippedByClock} \cup SkipsInHold
                  \cup (IF Family.setsLocal THEN {SkippedByDaylight} ELSE {})
 
 (* The OBs that may have caused OB 80 or OB 85. 0 stands for all causes    *)
@@ -321,8 +321,7 @@ LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
     /\ e.ob \in CycleObs => MayRun
     /\ StackKnown => Len(stack) = 1
-    /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1
-                                ELSE StartupClass)
+    /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1 ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
     /\ stack' = StackAround(e.ob)
     /\ delay' = 0
@@ -369,11 +368,22 @@ LooseResumes ==
         /\ delay' = 0
         /\ UNCHANGED <<loaded, clock>>
 
+(* [T15-120] What OB 80 may report of the points of STEP 7 that passed in   *)
+(* a STOP, which may have begun unseen.                                    *)
+Misses == mode # "STOP" \/ Family.missesInStop
+MissedInStopMarks ==
+    { r \in requests :
+        /\ r = Mark(TimeErrorOb, SkippedInHold)
+        /\ Family.missesInStop /\ ~StopPointsAreNothing
+        /\ \E o \in TodObs : /\ cpu.step7[o].active
+                             /\ cpu.step7[o].execution # "once" }
+
 \* @type: $event => Bool;
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
     /\ IF e.type = "hot" THEN LooseResumes
        ELSE /\ Resets(e.type) /\ resume' = NothingKept
+            /\ requests' = RestartRequests \cup MissedInStopMarks
             /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
     /\ stack' = IF HotUnseen /\ e.type = "hot" THEN stack
@@ -392,12 +402,11 @@ LooseRun(e) ==
     /\ resume' = NothingKept
     /\ Nothing /\ UNCHANGED <<deviceVars, clock, settingVars>>
 
-(* Where changes of the mode may be unseen, a hot restart may bring all    *)
-(* back that waits.                                                        *)
+(* An unseen hot restart may bring all back that waits.                    *)
 LooseStop ==
     IF ModeKnown /\ mode # "STOP" THEN Stop
     ELSE IF HotUnseen THEN UNCHANGED cpuVars /\ NothingEntered
-    ELSE /\ Clears
+    ELSE /\ Clears /\ requests' = MissedInStopMarks
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
 
@@ -432,18 +441,16 @@ PassesPoint(t) ==
                                       ms |-> s.offset ])
 
 (* The marks of OB 80 where the CPU may skip points up to moment t with    *)
-(* these faults: by a setting of the clock, or in an unseen HOLD.          *)
+(* these faults: by a setting of the clock, in an unseen HOLD, or in STOP.  *)
 \* @type: ($moment, Set(Int)) => Set($request);
-SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
+SkipMarks(t, faults) == IF faults # {} /\ Misses /\ PassesPoint(t)
                         THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
-
-SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
 
 (* Settings of the clock; a hot restart finds points that passed in STOP.  *)
 UnseenSkips == SkipsInHold \cup (IF HotUnseen THEN {SkippedByClock} ELSE {})
 
 (* An unseen setting of the clock may have skipped any point.              *)
-JumpMarks == IF Unseen("clock") /\ mode # "STOP" /\ MayBeDue \cap TodObs # {}
+JumpMarks == IF Unseen("clock") /\ Misses /\ MayBeDue \cap TodObs # {}
              THEN { Mark(TimeErrorOb, f) : f \in UnseenJumps } ELSE {}
 
 MayBeLocal == \/ Unseen("call") \/ LocalObs # {}
@@ -481,18 +488,14 @@ LooseEvent(e) ==
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                    runVars>>
 
-(* [OBS-26] The cycle time may have been exceeded twice: the entry of that *)
-(* STOP is 4568, too, though OB 80 is loaded.                              *)
-CycleMayBeExceeded ==
-    \/ Unseen("interrupt")
-    \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
-
-(* An unseen event may have caused this entry.                             *)
+(* An unseen event may have caused this entry. [OBS-26] That of a STOP by  *)
+(* two excesses of the cycle time is 4568, too, though OB 80 is loaded.    *)
 \* @type: $event => Bool;
 LooseEntry(e) ==
     /\ e.id - ErrorEntry \in ObNotLoaded => MissingMayBeRequested
     /\ e.id = NoTimeErrorOb =>
-         MayBeMissing(TimeErrorOb) \/ CycleMayBeExceeded
+         \/ MayBeMissing(TimeErrorOb) \/ Unseen("interrupt")
+         \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
     /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
     /\ NothingEntered /\ UNCHANGED <<cpuVars, reports>>
 
@@ -537,11 +540,6 @@ LooseShows(e) ==
 -----------------------------------------------------------------------------
 (* Time *)
 
-(* Without `up' in a line nobody knows how much time has elapsed if the    *)
-(* clock may have been set.                                                *)
-\* @type: $event => Bool;
-ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
-
 (* A delay ends at the earliest when so many ms have elapsed. An unseen    *)
 (* HOLD may have made it longer.                                           *)
 \* @type: (Int, Bool) => (Int -> $job);
@@ -551,10 +549,12 @@ LooseJobs(d, known) ==
         ELSE [ dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d
                                                              ELSE Gone ] ]
 
+(* Without `up' in a line nobody knows how much time has elapsed if the    *)
+(* clock may have been set.                                                *)
 \* @type: $event => Bool;
 LooseElapse(e) ==
     LET d     == Span(up, e.up)
-        known == ElapsedKnown(e)
+        known == ~Unseen("clock") \/ e.counter # NoMoment
     IN  /\ known => EntriesLate(d) = {}
         /\ clock' = e.at
         /\ up' = e.up
