@@ -229,7 +229,8 @@ OnlyFacts(records) ==
     /\ UNCHANGED <<deviceVars, mode, startup, clock, up, pace>>
 
 (* For a log that leaves kinds out and has too many explanations.          *)
-Loosen == /\ Partial /\ ~terms.loose
+Loosen == /\ Partial
+          /\ ~terms.loose
           /\ OnlyFacts(terms.records \ {"call", "interrupt"})
 
 (* For any log with too many explanations, also where only facts count     *)

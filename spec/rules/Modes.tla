@@ -135,8 +135,10 @@ Resets(type) ==
 
 (* [OBS-40] [OBS-50] *)
 \* @type: Str => Bool;
-ResetsAll(type) == /\ Resets(type) /\ requests' = RestartRequests
-                   /\ Reconfigure(NothingKept)
+ResetsAll(type) ==
+    /\ Resets(type)
+    /\ requests'  = RestartRequests
+    /\ Reconfigure(NothingKept)
 
 (* [OBS-42] STARTUP is over when its startup OBs have been processed. After *)
 (* a hot restart the OBs that STOP has interrupted go on, with their delay *)
