@@ -70,8 +70,10 @@ MayBeOver(o) == \/ Unseen("call") \/ ~dint[o].started
 Counts == {delay} \cup (IF StackKnown /\ (terms.cycle \/ Interrupting)
                         THEN {} ELSE {0})
 
-(* [OBS-52] An unseen hot restart may have brought back an earlier one.    *)
-CountsUnknown == Unseen("call") \/ (~ModeKnown /\ HotRestartExists)
+(* [OBS-52] A hot restart, whose lines may be missing, brings back what    *)
+(* was before: another count, and the OBs that ran.                        *)
+HotUnseen     == ~ModeKnown /\ HotRestartExists
+CountsUnknown == Unseen("call") \/ HotUnseen
 
 (* [OBS-25] STARTUP may be over.                                           *)
 MayRun == \/ Unseen("load") \/ stopCause = NoCause
@@ -142,17 +144,16 @@ LooseAnswers(e) ==
           [] OTHER                -> AnswersTo(e)
 
 \* @type: Int => Set(Bool);
-LooseBlocked(o) == {Blocked(o)} \cup
-                     Either(Unseen("call"), Unseen("call") \/ ~ModeKnown)
-\* @type: Int => Set(Bool);
 LooseActive(o) == IF o \in TodObs THEN Either(MayBeActive(o), MayBeInactive(o))
                                   ELSE Either(MayBeStarted(o), MayBeOver(o))
 
 \* @type: Int => Set(Int);
 LooseStatuses(o) ==
     StatusOf(o, IF ModeKnown THEN StartupBit(o) ELSE {0, 1},
-             UNION { BlockedBitIf(b, d) : b \in LooseBlocked(o),
-                                          d \in {TRUE, FALSE} },
+             UNION { BlockedBitIf(b, d)
+                     : b \in {Blocked(o)} \cup
+                         Either(Unseen("call"), Unseen("call") \/ ~ModeKnown),
+                       d \in {TRUE, FALSE} },
              { IF a THEN 4 ELSE 0 : a \in LooseActive(o) },
              IF Unseen("load") THEN {0, 16} ELSE LoadedBit(o))
 
@@ -167,24 +168,31 @@ TodAfterAnswer(e, ret) ==
            [tod EXCEPT ![e.ob].set = TRUE, ![e.ob].active = TRUE]
       [] OTHER -> tod
 
+(* If the answer is not in the log, one stands for all that set nothing.   *)
+\* @type: $event => Set(Int);
+AnswersTried(e) ==
+    LET counts == e.event \in {"DIS_AIRT", "EN_AIRT"}
+        all    == LooseAnswers(e) \cup FailuresOf(e)
+        idle   == all \ {OK, NotSet}
+    IN  IF e.ret # -1 THEN all \cap {e.ret}
+        ELSE IF Unseen("call") \/ (counts /\ CountsUnknown) THEN {-1}
+        ELSE IF counts \/ idle = {} THEN all
+        ELSE (all \ idle) \cup {CHOOSE ret \in idle : TRUE}
+
 (* Calls whose answer depends on an earlier setting. *)
 \* @type: $event => Bool;
 IsLooseAnswer(e) ==
-    /\ \E ret \in IF Unseen("call") /\ e.ret = -1 THEN {-1}
-                  ELSE LooseAnswers(e) \cup FailuresOf(e) :
-         /\ e.ret \in {-1, ret}
+    /\ \E ret \in AnswersTried(e) :
          /\ tod'   = TodAfterAnswer(e, ret)
          /\ dint'  = IF e.event = "CAN_DINT" /\ ret = OK
                      THEN [dint EXCEPT ![e.ob] = NoJob] ELSE dint
-         /\ delay' = CASE Unseen("call") -> 0
-                       [] IsGeneralError(ret) -> delay
-                       [] e.event = "DIS_AIRT" -> ret
-                       [] e.event = "EN_AIRT" -> IF ret > 32767 THEN 0 ELSE ret
-                       [] OTHER -> delay
+         /\ delay' = CASE CountsUnknown -> 0
+                       [] \/ IsGeneralError(ret)
+                          \/ e.event \notin {"DIS_AIRT", "EN_AIRT"} -> delay
+                       [] OTHER -> IF ret > 32767 THEN 0 ELSE ret
     /\ e.event \in {"QRY_TINT", "QRY_DINT"} /\ e.ret = OK /\ e.status # -1 =>
          e.status \in LooseStatuses(e.ob)
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, irt, outcomeVars, stack>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, irt, stack>>
 
 \* @type: $event => Bool;
 LooseSet(e) ==
@@ -205,8 +213,7 @@ AnswerNeedsLoad(e) ==
 \* @type: $event => Bool;
 LooseUnseenLoad(e) ==
     /\ AnswerNeedsLoad(e)
-    /\ loaded' = IF e.ob \in loaded THEN loaded \ {e.ob}
-                                    ELSE loaded \cup {e.ob}
+    /\ loaded' = (loaded \ {e.ob}) \cup ({e.ob} \ loaded)
     /\ NothingEntered
     /\ UNCHANGED <<cpu, modeVars, clock, settingVars, outcomeVars, runVars,
                    up, waiting, reports, lineVars, eventVars>>
@@ -250,7 +257,8 @@ DueMarks ==
 WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
 
 (* What OB 80 reports of points that an unseen setting of the clock skips. *)
-UnseenJumps == (IF ModeKnown THEN {SkippedByClock} ELSE Skips)
+SkipsInHold == IF ModeKnown /\ mode # "STOP" THEN {} ELSE {SkippedInHold}
+UnseenJumps == {SkippedByClock} \cup SkipsInHold
                  \cup (IF Family.setsLocal THEN {SkippedByDaylight} ELSE {})
 
 (* The OBs that may have caused OB 80 or OB 85. 0 stands for all causes    *)
@@ -303,20 +311,17 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
 (* OBs start and end *)
 
 (* Cycle and startup OBs stand first in the stack: their order is unseen.  *)
-(* [OBS-52] Behind the startup OB of an unseen hot restart the interrupted *)
-(* OBs go on.                                                              *)
+(* [OBS-52] Behind that of a hot restart the interrupted OBs go on.        *)
 \* @type: Int => Seq($frame);
-StackAround(o) ==
-    IF ~ModeKnown /\ HotRestartExists /\ o = StartupOb("hot") THEN stack
-    ELSE <<stack[1]>>
+StackAround(o) == IF HotUnseen /\ o = StartupOb("hot") THEN stack
+                                                       ELSE <<stack[1]>>
 
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
     /\ e.ob \in CycleObs => MayRun
     /\ StackKnown => Len(stack) = 1
-    /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1
-                                ELSE StartupClass)
+    /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1 ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
     /\ stack' = StackAround(e.ob)
     /\ delay' = 0
@@ -326,8 +331,7 @@ LooseStart(e) ==
     /\ IF e.ob \in CycleObs \cup StartupObs THEN LooseFirstStarts(e)
        ELSE \/ LooseInterruptStarts(e)
             \/ (Unseen("interrupt") \/ Marked(e.ob)) /\ ErrorObStartsUnseen(e)
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars>>
 
 \* @type: $event => Bool;
 LooseEnd(e) ==
@@ -341,8 +345,7 @@ LooseEnd(e) ==
                /\ mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
           /\ stack' = StackAround(e.ob)
     /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars>>
 
 -----------------------------------------------------------------------------
 (* Modes *)
@@ -355,50 +358,57 @@ LooseResumes ==
         /\ requests' = { r \in old : Outlives(r) }
              \cup (IF MayBeDue \cap TodObs = {} THEN {}
                    ELSE {Mark(TimeErrorOb, SkippedByClock)})
-        /\ dint' = IF ~HotRestartKeepsSettings THEN NoJobs
-                   ELSE IF ModeKnown THEN resume.dint ELSE dint
-        /\ irt' = IF HotRestartKeepsSettings THEN irt ELSE NoneBlocked
-        /\ tod' \in IF HotRestartKeepsSettings THEN {tod}
-                    ELSE SettingsByStep7
+        /\ IF HotRestartKeepsSettings
+           THEN /\ dint' = IF ModeKnown THEN resume.dint ELSE dint
+                /\ UNCHANGED <<irt, tod>>
+           ELSE /\ dint' = NoJobs /\ irt' = NoneBlocked
+                /\ tod' \in SettingsByStep7
         /\ resume' = [resume EXCEPT !.dint = NoJobs, !.requests = {}]
         /\ stopCause' = RestartStop
         /\ delay' = 0
         /\ UNCHANGED <<loaded, clock>>
+
+(* [T15-120] What OB 80 may report of the points of STEP 7 that passed in   *)
+(* a STOP, which may have begun unseen.                                    *)
+Misses == mode # "STOP" \/ Family.missesInStop
+MissedInStopMarks ==
+    { r \in requests :
+        /\ r = Mark(TimeErrorOb, SkippedInHold)
+        /\ Family.missesInStop /\ ~StopPointsAreNothing
+        /\ \E o \in TodObs : /\ cpu.step7[o].active
+                             /\ cpu.step7[o].execution # "once" }
 
 \* @type: $event => Bool;
 LooseRestart(e) ==
     /\ ModeKnown => mode = "STOP"
     /\ IF e.type = "hot" THEN LooseResumes
        ELSE /\ Resets(e.type) /\ resume' = NothingKept
+            /\ requests' = RestartRequests \cup MissedInStopMarks
             /\ tod' \in SettingsByStep7
     /\ mode' = IF ModeKnown THEN "STARTUP" ELSE "RUN"
-    /\ stack' = <<Frame(StartupOb(e.type), StartupClass)>>
-    /\ NothingEntered
-    /\ UNCHANGED cpu
+    /\ stack' = IF HotUnseen /\ e.type = "hot" THEN stack
+                ELSE <<Frame(StartupOb(e.type), StartupClass)>>
+    /\ NothingEntered /\ UNCHANGED cpu
 
 \* @type: $event => Bool;
 LooseRun(e) ==
     /\ ModeKnown => mode = "STARTUP"
     /\ MayRun
     /\ mode' = "RUN" /\ startup' = "none"
-    /\ stack' = IF resume.stack = <<>> THEN <<Frame(CycleOb, 1)>>
+    /\ stack' = IF HotUnseen THEN stack
+                ELSE IF resume.stack = <<>> THEN <<Frame(CycleOb, 1)>>
                 ELSE resume.stack
     /\ delay' = IF resume.stack = <<>> THEN delay ELSE resume.delay
     /\ resume' = NothingKept
-    /\ NothingEntered
-    /\ UNCHANGED <<deviceVars, clock, settingVars, outcomeVars>>
+    /\ Nothing /\ UNCHANGED <<deviceVars, clock, settingVars>>
 
-(* Where changes of the mode may be unseen, a hot restart may bring all    *)
-(* back that waits.                                                        *)
+(* An unseen hot restart may bring all back that waits.                    *)
 LooseStop ==
     IF ModeKnown /\ mode # "STOP" THEN Stop
-    ELSE IF ~ModeKnown /\ HotRestartExists
-    THEN UNCHANGED cpuVars /\ NothingEntered
-    ELSE /\ Clears
+    ELSE IF HotUnseen THEN UNCHANGED cpuVars /\ NothingEntered
+    ELSE /\ Clears /\ requests' = MissedInStopMarks
          /\ stack' = IF ModeKnown THEN stack ELSE <<Frame(CycleOb, 1)>>
          /\ UNCHANGED modeVars
-
-LooseHold == IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
 
 LooseRelease ==
     /\ ModeKnown => mode = "HOLD"
@@ -431,20 +441,20 @@ PassesPoint(t) ==
                                       ms |-> s.offset ])
 
 (* The marks of OB 80 where the CPU may skip points up to moment t with    *)
-(* these faults: by a setting of the clock, or in an unseen HOLD.          *)
+(* these faults: by a setting of the clock, in an unseen HOLD, or in STOP.  *)
 \* @type: ($moment, Set(Int)) => Set($request);
-SkipMarks(t, faults) == IF faults # {} /\ mode # "STOP" /\ PassesPoint(t)
+SkipMarks(t, faults) == IF faults # {} /\ Misses /\ PassesPoint(t)
                         THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
 
-SkipsInHold == IF ModeKnown THEN {} ELSE {SkippedInHold}
-
 (* Settings of the clock; a hot restart finds points that passed in STOP.  *)
-UnseenSkips == SkipsInHold \cup (IF ~ModeKnown /\ HotRestartExists
-                                THEN {SkippedByClock} ELSE {})
+UnseenSkips == SkipsInHold \cup (IF HotUnseen THEN {SkippedByClock} ELSE {})
 
 (* An unseen setting of the clock may have skipped any point.              *)
-JumpMarks == IF Unseen("clock") /\ mode # "STOP" /\ MayBeDue \cap TodObs # {}
+JumpMarks == IF Unseen("clock") /\ Misses /\ MayBeDue \cap TodObs # {}
              THEN { Mark(TimeErrorOb, f) : f \in UnseenJumps } ELSE {}
+
+MayBeLocal == \/ Unseen("call") \/ LocalObs # {}
+              \/ \E o \in TodObs : cpu.step7[o].local
 
 \* @type: $event => Bool;
 LooseClock(e) ==
@@ -454,13 +464,18 @@ LooseClock(e) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, settingVars, stopCause, runVars>>
 
-(* OB 80 may report what daylight saving skips.                            *)
+(* OB 80 may report what daylight saving skips, and behind HOLD what a     *)
+(* zone skips of the interrupts by local time [T15-119].                   *)
 \* @type: $event => Bool;
 LooseZone(e) ==
     /\ cpu' = InZone(cpu, e.zone, e.reason = "daylight")
     /\ tod' = [o \in DOMAIN tod |-> Moved(tod[o], e.zone - cpu.zone)]
-    /\ requests' = IF mode = "STOP" THEN requests
-                   ELSE requests \cup {Mark(TimeErrorOb, SkippedByDaylight)}
+    /\ requests' = requests
+         \cup (IF mode = "STOP" THEN {}
+               ELSE {Mark(TimeErrorOb, SkippedByDaylight)})
+         \cup (IF ~MayBeLocal THEN {}
+               ELSE SkipMarks([clock EXCEPT !.min = @ + e.zone - cpu.zone],
+                              SkipsInHold))
     /\ NothingEntered
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
 
@@ -473,34 +488,28 @@ LooseEvent(e) ==
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                    runVars>>
 
-(* [OBS-26] The cycle time may have been exceeded twice: the entry of that *)
-(* STOP is 4568, too, though OB 80 is loaded.                              *)
-CycleMayBeExceeded ==
-    \/ Unseen("interrupt")
-    \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
-
-(* An unseen event may have caused this entry.                             *)
+(* An unseen event may have caused this entry. [OBS-26] That of a STOP by  *)
+(* two excesses of the cycle time is 4568, too, though OB 80 is loaded.    *)
 \* @type: $event => Bool;
 LooseEntry(e) ==
     /\ e.id - ErrorEntry \in ObNotLoaded => MissingMayBeRequested
     /\ e.id = NoTimeErrorOb =>
-         MayBeMissing(TimeErrorOb) \/ CycleMayBeExceeded
+         \/ MayBeMissing(TimeErrorOb) \/ Unseen("interrupt")
+         \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
     /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
-    /\ NothingEntered
-    /\ UNCHANGED <<cpuVars, reports>>
+    /\ NothingEntered /\ UNCHANGED <<cpuVars, reports>>
 
+(* [OBS-60] In STOP, which may be unseen, only `loaded' is judged.         *)
 \* @type: $event => Bool;
 LooseState(e) ==
     /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
-    /\ mode # "STOP" /\ ~Unseen("call") =>
-         /\ \E b \in LooseBlocked(e.ob) : FitsTruth(e.blocked, b)
-         /\ e.entries_off = 1 => Silenced(e.ob)
-         /\ e.entries_off = 0 /\ Silenced(e.ob) => ~ModeKnown
+    /\ ModeKnown /\ mode # "STOP" /\ ~Unseen("call") =>
+         /\ FitsTruth(e.blocked, Blocked(e.ob))
+         /\ FitsTruth(e.entries_off, Silenced(e.ob))
          /\ e.ob \in TodObs \cup DintObs =>
               \E a \in LooseActive(e.ob) : FitsTruth(e.active, a)
-         /\ ModeKnown => FitsLeft(e)
-    /\ NothingEntered
-    /\ UNCHANGED cpuVars
+         /\ FitsLeft(e)
+    /\ UNCHANGED cpuVars /\ NothingEntered
 
 -----------------------------------------------------------------------------
 (* Lines *)
@@ -517,7 +526,8 @@ LooseShows(e) ==
          [] e.event = "delete"     -> LoadedAre(loaded \ {e.ob})
          [] e.event = "restart"    -> LooseRestart(e)
          [] e.event = "run"        -> LooseRun(e)
-         [] e.event = "hold"       -> LooseHold
+         [] e.event = "hold"       ->
+              IF ModeKnown THEN Hold ELSE UNCHANGED cpuVars /\ NothingEntered
          [] e.event = "release"    -> LooseRelease
          [] e.event = "stop"       -> LooseStop
          [] e.event = "diag"       -> IF CauseUnseen(e.id) THEN LooseEntry(e)
@@ -530,11 +540,6 @@ LooseShows(e) ==
 -----------------------------------------------------------------------------
 (* Time *)
 
-(* Without `up' in a line nobody knows how much time has elapsed if the    *)
-(* clock may have been set.                                                *)
-\* @type: $event => Bool;
-ElapsedKnown(e) == ~Unseen("clock") \/ e.counter # NoMoment
-
 (* A delay ends at the earliest when so many ms have elapsed. An unseen    *)
 (* HOLD may have made it longer.                                           *)
 \* @type: (Int, Bool) => (Int -> $job);
@@ -544,10 +549,12 @@ LooseJobs(d, known) ==
         ELSE [ dint[o] EXCEPT !.left = IF known /\ @ - d > 1 THEN @ - d
                                                              ELSE Gone ] ]
 
+(* Without `up' in a line nobody knows how much time has elapsed if the    *)
+(* clock may have been set.                                                *)
 \* @type: $event => Bool;
 LooseElapse(e) ==
     LET d     == Span(up, e.up)
-        known == ElapsedKnown(e)
+        known == ~Unseen("clock") \/ e.counter # NoMoment
     IN  /\ known => EntriesLate(d) = {}
         /\ clock' = e.at
         /\ up' = e.up

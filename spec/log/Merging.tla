@@ -207,7 +207,6 @@ Meet(all) ==
 (* events count as unseen, and a running OB may have ended.                *)
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
-    /\ ~terms.loose
     /\ terms' = [ terms EXCEPT !.loose = TRUE, !.records = records,
                                 !.endless = {}, !.unsure = {}, !.early = {} ]
     /\ tod' = [o \in TodObs |-> NoSetting]
@@ -230,9 +229,13 @@ OnlyFacts(records) ==
     /\ UNCHANGED <<deviceVars, mode, startup, clock, up, pace>>
 
 (* For a log that leaves kinds out and has too many explanations.          *)
-Loosen == Partial /\ OnlyFacts(terms.records \ {"call", "interrupt"})
+Loosen == /\ Partial
+          /\ ~terms.loose
+          /\ OnlyFacts(terms.records \ {"call", "interrupt"})
 
-(* For any log with too many explanations. An OB that is loaded now may    *)
-(* have been missing before, and that may still have to be reported.       *)
-LastResort == OnlyFacts(terms.records \ {"call", "interrupt", "load"})
+(* For any log with too many explanations, also where only facts count     *)
+(* already. An OB that is loaded now may have been missing before, and     *)
+(* that may still have to be reported.                                     *)
+LastResort == /\ terms.loose => "call" \in terms.records
+              /\ OnlyFacts(terms.records \ {"call", "interrupt", "load"})
 =============================================================================

@@ -129,14 +129,16 @@ Resets(type) ==
     /\ startup' = type
     /\ dint'    = NoJobs
     /\ irt'     = NoneBlocked
-    /\ requests'  = RestartRequests
     /\ stopCause' = RestartStop
     /\ delay' = 0
     /\ UNCHANGED <<loaded, clock>>
 
 (* [OBS-40] [OBS-50] *)
 \* @type: Str => Bool;
-ResetsAll(type) == Resets(type) /\ Reconfigure(NothingKept)
+ResetsAll(type) ==
+    /\ Resets(type)
+    /\ requests'  = RestartRequests
+    /\ Reconfigure(NothingKept)
 
 (* [OBS-42] STARTUP is over when its startup OBs have been processed. After *)
 (* a hot restart the OBs that STOP has interrupted go on, with their delay *)
@@ -206,7 +208,6 @@ KeptByStop ==
 (* [OBS-41] [AIRT-11] Nothing waits in STOP, and no delay runs. Settings    *)
 (* made by SFCs lose their effect at a warm or cold restart [DINT-13].     *)
 Clears ==
-    /\ requests'  = {}
     /\ delay'     = 0
     /\ stopCause' = NoCause
     /\ dint' = NoJobs
@@ -220,6 +221,7 @@ StopLeaves(kept) ==
     /\ startup'   = "none"
     /\ stack'     = <<>>
     /\ resume'    = kept
+    /\ requests'  = {}
     /\ Clears
 
 (* [OBS-41] [OBS-47] The CPU may be stopped at any time.                   *)
