@@ -3,6 +3,7 @@
 import json
 import subprocess
 from pathlib import Path
+from random import Random
 
 import pytest
 from click.testing import CliRunner
@@ -12,6 +13,8 @@ from evidence.logs import left_out_command as command
 from evidence.logs.damage import Log
 from evidence.logs.drop import EVERY_KIND, subsets, without
 from evidence.logs.growth_costs import answer_of
+from evidence.logs.random_logs import Generator
+from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.report.report import Report
 
@@ -75,3 +78,18 @@ def test_a_line_is_taken_once_where_the_engine_gives_up_behind_it() -> None:
     with Engine() as engine:
         answer = answer_of(engine, without(Log(header, events), {"ob"}))
     assert (answer.verdict, answer.loose) == ("accepted", 26)
+
+
+@pytest.mark.parametrize(("written", "logs"), [("2026-11-21T05:59:30", 60), ("2026-11-21T05:59", 20)])
+def test_a_coarse_clock(written: str, logs: int) -> None:
+    """An accepted log whose lines are cut to seconds or minutes is no rejected one."""
+    generator = Generator(1, SOFT_PLC_PROGRAM, pool.alternatives())
+    verdicts = set()
+    with Engine() as engine:
+        for number in range(logs):
+            log = generator.written(Random(f"coarse/{number}"), 15)  # noqa: S311
+            for event in log.events:
+                event["at"] = event["at"][: len(written)]
+                event.pop("up", None)
+            verdicts.add(answer_of(engine, log).verdict)
+    assert verdicts == {"accepted"}

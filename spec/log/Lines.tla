@@ -222,7 +222,7 @@ FitsActive(e) ==
 FitsLeft(e) ==
     IF e.left = -1 \/ e.ob \notin DintObs THEN TRUE
     ELSE \/ ~dint[e.ob].started \/ dint[e.ob].left < 0
-         \/ e.left \in {dint[e.ob].left, dint[e.ob].left - 1}
+         \/ dint[e.ob].left - e.left \in (1 - e.step)..e.step
 
 (* [OBS-60] [IRT-20] The state of an OB, as the CPU reports it. *)
 \* @type: $event => Bool;
