@@ -172,10 +172,11 @@ class Reduction:
 
 
 def _rounder(at: str) -> Iterator[str]:
-    """The whole minute before a time, and the whole second."""
+    """The whole minute before a time, and the whole second, both written as finely: a coarse time is no moment."""
     try:
         time = datetime.fromisoformat(at.removeprefix("DT#"))
     except ValueError:  # the form that has a hyphen between date and time
         return
     whole = time.replace(microsecond=0)
-    yield from (one.isoformat(timespec="seconds") for one in (whole.replace(second=0), whole))
+    fine = "milliseconds" if "." in at else "seconds"
+    yield from (one.isoformat(timespec=fine) for one in (whole.replace(second=0), whole))
