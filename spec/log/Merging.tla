@@ -40,9 +40,9 @@ CrowdOf(kind) ==
         THEN alike ELSE {}
 
 \* @type: Set($request) => $request;
-LastOf(crowd) == CHOOSE r \in crowd : \A s \in crowd : s.rank <= r.rank
-\* @type: Set($request) => $request;
-OneFor(crowd) == [LastOf(crowd) EXCEPT !.since = NoMoment]
+OneFor(crowd) ==
+    LET last == CHOOSE r \in crowd : \A s \in crowd : s.rank <= r.rank
+    IN  [last EXCEPT !.since = NoMoment]
 
 Crowded == Cardinality(requests) > 8
 

@@ -67,9 +67,13 @@ FrameOf(r) == [ Frame(r.ob, r.class) EXCEPT
 (* know what was told of its overload.                                     *)
 \* @type: $request => Seq($frame);
 StackBelow(r) ==
-    [ i \in DOMAIN stack |->
-        IF stack[i].ob # r.ob THEN stack[i]
-        ELSE [stack[i] EXCEPT !.told = @ \cup FrameOf(r).told] ]
+    LET same == { i \in DOMAIN stack : stack[i].ob = r.ob }
+        low  == CHOOSE i \in same : \A k \in same : i <= k
+        high == CHOOSE i \in same : \A k \in same : k <= i
+        told == FrameOf(r).told
+    IN  IF same = {} THEN stack
+        ELSE [ stack EXCEPT ![low].told  = @ \cup told,
+                            ![high].told = @ \cup told ]
 
 (* [OBS-01] [OBS-02] [OBS-03] The OB of request r starts. *)
 \* @type: $request => Bool;
