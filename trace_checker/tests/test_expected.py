@@ -52,8 +52,8 @@ def in_place_of(line: dict[str, Any], item: str) -> dict[str, Any] | None:
         fields = {field: json.loads(str(value)) for field, value in fields.items()}
     if name in ("start", "diag"):
         of_line = {field: fields.pop(field) for field in ("ob", "id") if field in fields}
-        numbers = {"priority", "dtime", "ev_ob"} & fields.keys()
-        info = fields | {field: int(fields[field]) for field in numbers}
+        words = {"time", "strt_info", "flt_id", "period", "sign", "error_info", "ev"}
+        info = {field: value if field in words else json.loads(str(value)) for field, value in fields.items()}
         entry = {"id": line["id"]} if name == "diag" and "id" not in of_line else {}
         fields = of_line | entry | ({"info": info} if info else {})
     return {key: line[key] for key in ("at", "up") if key in line} | {"event": name} | fields

@@ -27,14 +27,14 @@ HEADER: dict[str, Any] = {
 }
 SET: dict[str, Any] = {
     "event": "SET_TINT",
-    "at": "2026-11-21T05:59:10",
+    "at": "2026-11-21T05:59:10.000",
     "ob": 10,
     "sdt": "2026-11-21T06:00",
     "period": 513,
     "ret": 0,
 }
-ACT: dict[str, Any] = {"event": "ACT_TINT", "at": "2026-11-21T05:59:20", "ob": 10, "ret": 0}
-EARLY: dict[str, Any] = {"event": "start", "at": "2026-11-21T05:59:30", "ob": 10}
+ACT: dict[str, Any] = {"event": "ACT_TINT", "at": "2026-11-21T05:59:20.000", "ob": 10, "ret": 0}
+EARLY: dict[str, Any] = {"event": "start", "at": "2026-11-21T05:59:30.000", "ob": 10}
 
 Ask = Callable[..., tuple[bool, str]]
 
@@ -157,8 +157,8 @@ def test_programs(ask: Ask) -> None:
 
 def test_compare_a_log(ask: Ask) -> None:
     """Who allows a log, with the rule."""
-    back = {"event": "clock", "at": "2026-11-21T05:59:30", "to": "2026-11-21T06:00:10"}
-    late = {"event": "start", "at": "2026-11-21T06:00:10", "ob": 80}
+    back = {"event": "clock", "at": "2026-11-21T05:59:30.000", "to": "2026-11-21T06:00:10"}
+    late = {"event": "start", "at": "2026-11-21T06:00:10.000", "ob": 80}
     failed, said = ask("compare", program_or_log=text_of(HEADER, SET, ACT, back, late), cpus=["S7-300", "S7-400"])
     assert (failed, said) == (False, "cpu S7-300: allows it\ncpu S7-400: allows it")
     failed, said = ask("compare", program_or_log=text_of(HEADER, SET, ACT, EARLY), cpus=["S7-400"])
