@@ -125,7 +125,8 @@ ErrorComesProp ==
               ELSE \h3507 \in EnteredNow \/ Silenced(TimeErrorOb) ]_vars
 
 (* [OBS-08] A buffer overflows only if an OB of the class waits or runs    *)
-(* already.                                                                *)
+(* already, or [AMB-49] a time error without OB 80 waits for the end of a  *)
+(* delay.                                                                  *)
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
@@ -134,7 +135,8 @@ OverflowProp ==
             \/ /\ e.cause \in AsyncErrorObs
                /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
                   \/ \E i \in DOMAIN stack :
-                        stack[i].ob \in AsyncErrorObs ]_vars
+                        stack[i].ob \in AsyncErrorObs
+                  \/ stopCause = NoTimeErrorOb /\ delay > 0 ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars

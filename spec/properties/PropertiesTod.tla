@@ -123,7 +123,8 @@ ActProp ==
               /\ step'.value = \h80A1 =>
                    /\ o \in TodObs /\ tod[o].period = Once
                    /\ \/ Before(At(tod[o].start), clock)
-                      \/ PendingIn(requests, o) \/ tod[o].called  \* AMB-60
+                      \/ PendingIn(requests, o) \/ OpenIn(requests, o)
+                      \/ tod[o].called  \* AMB-60
               /\ step'.value = 0 =>
                    /\ o \in TodObs
                    /\ tod[o].set /\ tod'[o].active

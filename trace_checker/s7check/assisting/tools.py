@@ -48,8 +48,8 @@ STOP and restart. A formal specification answers; every answer names requirement
 such as AMB-12, which `rule` shows with their sources.
 A log has one JSON object a line: a header, then events in their order, such as
 {"format": "s7-interrupt-log/1", "cpu": "S7-300", "obs": [1, 10, 80, 85], "clock": "2026-11-21T05:59", "mode": "RUN"}
-{"event": "SET_TINT", "at": "2026-11-21T05:59:10.000", "ob": 10, "sdt": "2026-11-21T06:00", "period": "16#0201", "ret": 0}
-{"event": "ACT_TINT", "at": "2026-11-21T05:59:20.000", "ob": 10, "ret": 0}
+{"event": "SET_TINT", "at": "2026-11-21T05:59:10.0", "ob": 10, "sdt": "2026-11-21T06:00", "period": "16#0201", "ret": 0}
+{"event": "ACT_TINT", "at": "2026-11-21T05:59:20.0", "ob": 10, "ret": 0}
 {"event": "start", "at": "2026-11-21T06:00:00.001", "ob": 10}
 {"event": "end", "at": "2026-11-21T06:00:00.002", "ob": 10}
 Other events: clock (to), stop, restart (type), run, interrupt (ob), load, delete, and the calls CAN_TINT, QRY_TINT, \
