@@ -35,7 +35,7 @@ class SessionTest {
   }
 
   private static String line(String event, int ob) {
-    return "{'event':'" + event + "','ob':" + ob + ",'at':'1990-01-01T00:01'}";
+    return "{'event':'" + event + "','ob':" + ob + ",'at':'1990-01-01T00:01:00.0'}";
   }
 
   /** A text as a field of a message. */
@@ -107,7 +107,7 @@ class SessionTest {
   void answers() {
     open();
     JsonObject possible =
-        ask("possible", "'lines': [" + quoted("{'event':'DIS_AIRT','at':'1990-01-01T00:01','ret':null}") + "]").getAsJsonObject("possible");
+        ask("possible", "'lines': [" + quoted("{'event':'DIS_AIRT','at':'1990-01-01T00:01:00.0','ret':null}") + "]").getAsJsonObject("possible");
     assertEquals(1, possible.getAsJsonArray("lines").size());
     JsonObject line = possible.getAsJsonArray("lines").get(0).getAsJsonObject();
     assertEquals(Tiny.json("{'event': 'DIS_AIRT', 'ret': 'W#16#0001'}"), line.get("event"));
