@@ -14,6 +14,7 @@ import time
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from subprocess import Popen
 
@@ -168,8 +169,8 @@ class _Run:
         self._workers: list[tuple[Popen[str], list[str]]] = []
         command = server_command(harness.tools, space, model, cluster, self._port)
         self._server = harness.processes.start(command, space.directory)
-        self._reader = threading.Thread(target=self._read_server, daemon=True)
-        self._reader.start()
+        self._readers: list[threading.Thread] = []
+        self._read(self._read_server)
 
     def until_done(self, deadline: float) -> tuple[int | None, str]:
         """Start the workers when the server is ready; return the server's exit code, or None and the problem."""
@@ -186,14 +187,15 @@ class _Run:
             if alone_since is not None and now - alone_since > PATIENCE:
                 said = " ".join(line.strip() for line in self._workers[0][1][-3:])
                 return None, f"all workers ended before the server: {said}"
-        self._reader.join(timeout=5)
+        self._readers[0].join(timeout=5)
         return self._server.returncode, ""
 
     def close(self) -> None:
         """End all processes."""
         for process in (self._server, *(worker for worker, _ in self._workers)):
             kill(process)
-        self._reader.join(timeout=5)
+        for reader in self._readers:
+            reader.join(timeout=5)
         for process in (self._server, *(worker for worker, _ in self._workers)):
             self._harness.processes.end(process)
 
@@ -213,8 +215,12 @@ class _Run:
             )
             process = self._harness.processes.start(command, scratch)
             said: list[str] = []
-            threading.Thread(target=_read, args=(process, said), daemon=True).start()
+            self._read(partial(_read, process, said))
             self._workers.append((process, said))
+
+    def _read(self, read: Callable[[], None]) -> None:
+        self._readers.append(threading.Thread(target=read, daemon=True))
+        self._readers[-1].start()
 
     def _read_server(self) -> None:
         assert self._server.stdout is not None
