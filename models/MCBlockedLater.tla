@@ -28,8 +28,9 @@ CountRetVals == {0, 1}
 (* OB 82 is missing, and OB 81 and OB 40 may wait before it.               *)
 WithoutOb82 == {{40, 81, 85, 100}}
 Diagnoses == {<<40, 0>>, <<81, 0>>, <<82, 0>>}
-(* OB 80 is missing. OB 82 has the class of its errors; OB 72 has that of  *)
-(* an overflow, and OB 81 that of neither.                                 *)
+(* OB 80 is missing until it is loaded. OB 82 has the class of its errors; *)
+(* OB 72 has that of an overflow, and OB 81 that of neither.               *)
+OnlyOb80 == {80}
 WithoutOb80 == {{72, 81, 82, 100}}
 ClassOf82 == {[o \in {82} |-> 26]}
 TimeErrors == {<<72, 0>>, <<80, 1>>, <<81, 0>>, <<82, 0>>}

@@ -6,6 +6,8 @@
 (* (Merging). An explanation meets one without a start event of its own,   *)
 (* or with two of them in the other order.                                 *)
 (*                                                                         *)
+(* In one model the lines are written in seconds.                          *)
+(*                                                                         *)
 (* Left out: other explanations to meet; what a merge allows some lines    *)
 (* later; logs that leave kinds out.                                       *)
 (***************************************************************************)
@@ -54,9 +56,13 @@ Lines == { Line("DIS_AIRT", 0, 1), Line("EN_AIRT", 0, 0), Line("stop", 0, -1) }
                 ELSE { Line(event, o, -1)
                        : event \in {"interrupt", "start"}, o \in {40, 41} }
                        \cup { Line("end", 40, -1) }
+(* The unit of `at', in ms. *)
+Unit == 1
 \* @type: ($event, $moment) => $event;
-ToBeAt(e, m) == [ e EXCEPT !.at = m,
-                          !.up = Shifted(At(0), AtMinute(0, 30000), m) ]
+ToBeAt(e, m) ==
+    LET at == [m EXCEPT !.ms = @ - (@ % Unit)]
+    IN  [ e EXCEPT !.at = at, !.step = Unit,
+                   !.up = Shifted(At(0), AtMinute(0, 30000), at) ]
 LinesAt(m) == { ToBeAt(e, m) : e \in Lines }
 
 logVars == <<cpuVars, entered, terms, pace, up, waiting, eventVars, reports>>
@@ -77,9 +83,10 @@ Takes == /\ Between /\ ~terms.loose
          /\ line' \in LinesAt(clock) \cup LinesAt(Later)
          /\ UNCHANGED logVars
 Elapses == /\ line # NoEvent /\ ~Arrived(line)
-           /\ Towards(line) /\ UNCHANGED <<line, lines>>
+           /\ Towards(AtFirst(line)) /\ UNCHANGED <<line, lines>>
 Hides == /\ line # NoEvent /\ Arrived(line)
-         /\ HiddenBefore(line) /\ UNCHANGED <<line, lines>>
+         /\ HiddenBefore(line) \/ Lingers(line)
+         /\ UNCHANGED <<line, lines>>
 Explains == /\ line # NoEvent /\ Arrived(line)
             /\ Shows(line) /\ NextPace(line)
             /\ line' = NoEvent /\ lines' = lines + 1
@@ -150,13 +157,45 @@ OrderLines == { Line(event, 0, -1) : event \in {"run", "done"} }
 TheTwoPoints == AtMinute(2, 0)
 BehindThem == AtMinute(2, 5)
 OneLine == {0}
+TwoLines == 0..2
 NoMerge == 0
+
+(* In their places in a model of lines in seconds: the point of OB 10 and  *)
+(* the end of a delay come in the second of the later lines. OB 10 shows   *)
+(* when its point came, and OB 20 may start 10 ms later.                   *)
+InSeconds == 1000
+ThePoint == AtMinute(1, 0)
+SecondsHeaders == { [ Of("RUN", {Each(10, "minute", FALSE)}) EXCEPT
+                        !.obs = {1, 10, 20, 80, 85, 100} ] }
+SecondsLines ==
+    { [Line("SRT_DINT", 20, 0) EXCEPT !.dtime = 30500, !.sign = 0],
+      Line("DIS_AIRT", 0, 1), Line("EN_AIRT", 0, 0), Line("done", 0, -1),
+      [Line("start", 10, -1) EXCEPT !.info.time = ThePoint] }
+      \cup { Line(event, o, -1) : event \in {"start", "end"}, o \in {10, 20} }
+
+(* In their places in a model where OB 82 is missing, or OB 10.            *)
+StopHeaders == { [Interrupted EXCEPT !.obs = {1, 80, 85, 100}],
+                 [Of("RUN", {Each(10, "minute", FALSE)}) EXCEPT
+                     !.obs = {1, 80, 100}] }
+StopLines == { Line("DIS_AIRT", 0, 1), Line("EN_AIRT", 0, 0),
+               Line("interrupt", 82, -1), Line("stop", 0, -1) }
+SomeMsLater == AtMinute(1, 5)
 
 -----------------------------------------------------------------------------
 
 (* [OBS-25] A STOP that is due as the log begins is due from then on.      *)
 BeginsDueProp ==
     [][ Opens /\ stopCause' # NoCause => StopDuty \in DOMAIN waiting' ]_LogVars
+
+(* [AMB-69] (c) The STOP for an OB that is missing is due since this OB    *)
+(* was: a delay that began meanwhile does not hold it back [AMB-49].       *)
+DueSinceProp ==
+    [][ line # NoEvent /\ line' = line
+        /\ stopCause = NoCause /\ stopCause' # NoCause =>
+          \A r \in requests \ requests' :
+            WaitsAs(r) \in DOMAIN waiting /\ MayGoOnWaiting(r) =>
+              /\ StopDuty \in DOMAIN waiting'
+              /\ waiting'[StopDuty] >= waiting[WaitsAs(r)] ]_LogVars
 
 (* [T15-30] Of the points of a moment, one calls OB 80: any other one of   *)
 (* the class of OB 80 may have come before it, as their order decides      *)
@@ -167,6 +206,23 @@ EitherFirstProp ==
             \A o \in PointsNow \cap PointsNow' :
               ClassOf(o) = r.class =>
                 ENABLED ((Elapses \/ Hides) /\ tod'[o] # tod[o]) ]_LogVars
+
+(* A line stands for moments of its step alone: while it is explained, the *)
+(* clock is in its step or before it.                                      *)
+InStepInv == line # NoEvent /\ ~Before(clock, line.at)
+                => Span(line.at, clock) < line.step
+
+(* It stands for any of them: what a line of this very moment explains,    *)
+(* explains it. Where nothing has to come, time elapses to the last one.   *)
+AnyMomentInv ==
+    line # NoEvent /\ ~Before(clock, line.at) =>
+      /\ LET exact == [ line EXCEPT !.at = clock, !.step = 1,
+                                    !.up = Shifted(@, line.at, clock) ]
+         IN  Arrived(exact) /\ ENABLED Observe(exact) => ENABLED Observe(line)
+      /\ LET last == line.step - 1 - Span(line.at, clock)
+         IN  /\ last > 0 /\ requests = {} /\ stopCause = NoCause
+             /\ Jobs = {} /\ PointsNow = {}
+             => ENABLED (Hides /\ clock' = After(clock, last))
 
 (* Every line of this moment that was allowed is allowed after a merge, as *)
 (* is that time elapses. By definite facts alone a call may answer any     *)

@@ -20,6 +20,7 @@ MCPowerOnMoments == {Moment(0, 30000)}
 MCClockTargets == {Moment(0, 30000)}
 MCRestartTypes == {"warm"}
 MCRetVals == {OK}
+MayBePast == {OK, NotSet, PastStart}
 \* @type: Bool;
 Holding == TRUE
 

@@ -247,12 +247,10 @@ PassesOver(e, t, d) ==
 
 (* A line whose `at' is written in seconds or minutes stands for any       *)
 (* moment of that step.                                                    *)
-\* @type: $event => $moment;
-EndOfStep(e) == After(e.at, e.step - 1)
-
 \* @type: $event => Bool;
-InStep(e) ==
-    e.step > 1 /\ ~Before(clock, e.at) /\ ~Before(EndOfStep(e), clock)
+IsOver(e) == Before(EndOfStep(e), clock)
+\* @type: $event => Bool;
+InStep(e) == e.step > 1 /\ ~Before(clock, e.at) /\ ~IsOver(e)
 
 (* Without a counter, time elapses as the clock goes on from here.         *)
 \* @type: $event => Bool;
@@ -274,7 +272,8 @@ AtFirst(e) ==
 AtLater(e, m) == [ e EXCEPT !.at = m, !.up = Shifted(up, clock, m) ]
 
 (* Later moments that make a difference: the end of the step; the first ms *)
-(* behind a point; and where a delay is started, the moment from which it  *)
+(* behind a point, also where a call may arm one that has seconds          *)
+(* [AMB-14] (c); and where a delay is started, the moment from which it    *)
 (* ends as another step begins.                                            *)
 \* @type: $event => Set($moment);
 LaterMoments(e) ==

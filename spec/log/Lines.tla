@@ -111,7 +111,7 @@ IsCycleStart(e) ==
 (* set.                                                                    *)
 \* @type: $event => Bool;
 FitsFailed(e) == /\ Fits(e.info.priority, ClassOfErrorOb(e.ob))
-                 /\ changes # {} \/ ~Before(Latest(e), e.info.time)
+                 /\ changes # {} \/ ~Before(EndOfStep(e), e.info.time)
 
 \* @type: $event => Bool;
 IsStart(e) ==

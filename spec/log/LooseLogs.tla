@@ -90,8 +90,8 @@ MayBeRequested(o) ==
 
 (* The OBs of time-of-day and time-delay interrupts that may be due.       *)
 MayBeDue == { o \in TodObs \cup DintObs : MayBeRequested(o) }
-MissingMayBeRequested == \E o \in MayBeDue \cup (ExternalObs \ AsyncErrorObs) :
-      MayBeRequested(o) /\ MayBeMissing(o)
+As85 == { o \in MayBeDue \cup ExternalObsAs85 : MayBeRequested(o) }
+MissingMayBeRequested == \E o \in As85 : MayBeMissing(o)
 
 -----------------------------------------------------------------------------
 (* Calls *)
@@ -233,7 +233,7 @@ LooseCall(e) ==
 \* @type: Int => Bool;
 LooseLoad(o) ==
     /\ loaded'   = loaded \cup {o}
-    /\ requests' = IF o \notin loaded \cup AsyncErrorObs /\ MayBeRequested(o)
+    /\ requests' = IF o \in As85 \ loaded
                    THEN requests \cup { [ Mark(ProgramErrorOb, UnknownFault)
                                          EXCEPT !.cause = o ] }
                    ELSE requests

@@ -66,7 +66,7 @@ FitsPeriod(given, period) ==
 (* The latest moment for which line e may stand: its `at' may be written   *)
 (* in seconds or minutes.                                                  *)
 \* @type: $event => $moment;
-Latest(e) == IF e.step = 1 THEN clock ELSE After(e.at, e.step - 1)
+EndOfStep(e) == After(e.at, e.step - 1)
 
 (* The clock shows `to' at most so many ms after `time'. *)
 \* @type: ($moment, $moment, Int) => Bool;
@@ -80,7 +80,7 @@ IsNear(a, b, e) == Within(a, b, e.step - 1) /\ Within(b, a, e.step - 1)
 (* or as it was before it was set.                                         *)
 \* @type: ($moment, $event) => Bool;
 JustBefore(time, e) ==
-    \/ /\ ~Before(Latest(e), time)
+    \/ /\ ~Before(EndOfStep(e), time)
        /\ Within(time, clock, terms.latency + e.step - 1)
     \/ \E c \in changes :
          LET ago == Span(c.up, up)
@@ -114,10 +114,10 @@ FitsTime(r, e) ==
         \/ time = r.since
         \/ /\ ~exact \/ r.fault = SkippedInHold
            /\ IsNear(time, r.since, e)
-           /\ ~Before(Latest(e), time) \/ Before(clock, r.since)
+           /\ ~Before(EndOfStep(e), time) \/ Before(clock, r.since)
         \/ r.follows \in LocalSkips  \* no text says by which local time
         \/ /\ ~exact
-           /\ \/ ~Before(shown, r.since) /\ ~Before(Latest(e), time)
+           /\ \/ ~Before(shown, r.since) /\ ~Before(EndOfStep(e), time)
               \/ /\ changes # {} \/ Before(clock, r.since)
                  /\ JustBefore(time, e)
 

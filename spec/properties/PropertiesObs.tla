@@ -124,19 +124,18 @@ ErrorComesProp ==
            \/ IF step'.ob = TimeErrorOb THEN stopCause' # NoCause
               ELSE \h3507 \in EnteredNow \/ Silenced(TimeErrorOb) ]_vars
 
-(* [OBS-08] A buffer overflows only if an OB of the class waits or runs    *)
-(* already, or [AMB-49] a time error without OB 80 waits for the end of a  *)
-(* delay.                                                                  *)
+(* [OBS-08] [OBS-43] A buffer overflows only if an OB of the class of the  *)
+(* start event waits or runs already, or [AMB-49] a time error without OB  *)
+(* 80 waits for the end of a delay.                                        *)
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
-            \/ \E r \in requests : r.class = ClassOf(e.cause)
-            \/ \E i \in DOMAIN stack : stack[i].class = ClassOf(e.cause)
-            \/ /\ e.cause \in AsyncErrorObs
-               /\ \/ \E r \in requests : r.ob \in AsyncErrorObs
-                  \/ \E i \in DOMAIN stack :
-                        stack[i].ob \in AsyncErrorObs
-                  \/ stopCause = NoTimeErrorOb /\ delay > 0 ]_vars
+            LET class == IF e.cause \in AsyncErrorObs
+                         THEN ErrorClass(e.cause, 0) ELSE ClassOf(e.cause)
+            IN  \/ \E r \in requests : r.class = class
+                \/ \E i \in DOMAIN stack : stack[i].class = class
+                \/ /\ class \in {26, 28}
+                   /\ stopCause = NoTimeErrorOb /\ delay > 0 ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars

@@ -272,7 +272,8 @@ Expected(e) ==
 (* The events that had to come before this line. *)
 \* @type: $event => Set($allowed);
 TooLate(e) ==
-    { StartOf(r) : r \in { q \in Late(e) : q.ob \in loaded } }
+    IF IsOver(e) THEN {Allowed("clock", 0, "", 0)}
+    ELSE { StartOf(r) : r \in { q \in Late(e) : q.ob \in loaded } }
       \cup { Allowed("start", ProgramErrorOb, "", 0)
              : r \in { q \in Late(e) : /\ q.ob \notin loaded
                                       /\ q.ob \notin AsyncErrorObs } }

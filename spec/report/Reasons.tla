@@ -445,9 +445,14 @@ EntryRequirements(entry, past) ==
 
 -----------------------------------------------------------------------------
 
+(* A line in seconds that stands for a moment behind this one tells least. *)
+\* @type: $event => Int;
+LateDistance(e) == IF IsOver(e) THEN 1 ELSE 0
+
 \* @type: ($event, Seq($event)) => Set(Str);
 LateRules(e, past) ==
-    UNION { LateRequirement(r, past) \cup SinceHotRestart(r.ob, past)
+    IF IsOver(e) THEN {"CLK-01"}
+    ELSE UNION { LateRequirement(r, past) \cup SinceHotRestart(r.ob, past)
             : r \in Late(e) }
       \cup UNION { EntryRequirements(r.entry, past) : r \in ReportsLate(e) }
       \cup When(StopDuty \in DOMAIN waiting, StopRequirements(past))

@@ -209,6 +209,9 @@ ErrorObsNotMissed ==
 ErrorObsAs85 ==
     IF ErrorObsAreNotReported THEN {} ELSE {70, 72, 84, 87}
 ErrorObsThatStop == {82, 83, 84, 86} \ ErrorObsAs85
+(* [OBS-20] The OBs of start events from outside for which OB 85 comes.    *)
+ExternalObsAs85 == (ExternalObs \ (AsyncErrorObs \cup {70, 72}))
+                     \cup ErrorObsAs85
 
 (* [AIRT-01] [AIRT-09] No delay is on. A delay holds back every OB that    *)
 (* could interrupt the running OB.                                         *)

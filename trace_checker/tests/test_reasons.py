@@ -210,6 +210,16 @@ def error_ob(time: str, fault: str, **info: object) -> dict[str, Any]:
             [on(f"00:01.{at}", name, ob=121) for at in (1, 2) for name in ("interrupt", "start")],
             "AMB-85",
         ),
+        # An OB that started in some ms of a second ended before the first one that it can be.
+        (
+            {},
+            [
+                on("00:01.500", "SRT_DINT", ob=20, dtime=1000, sign=7, ret=0),
+                on("00:02", "start", ob=20),
+                on("00:02.400", "end", ob=20),
+            ],
+            "CLK-01",
+        ),
         # Start information.
         ({"mode": "STOP"}, [on("00:01", "restart", type="warm"), COLD_START], "OBS-10"),
         (

@@ -54,6 +54,7 @@ Meet(all) == FALSE /\ UNCHANGED <<count, time>>
 
 Expected(e) == {[event |-> "read", value |-> count]}
 Deciding(e, past) == {"TINY-01"} \cup {"TINY-" \o p.event : p \in {past[i] : i \in DOMAIN past}}
+LateDistance(e) == 0
 Distance(e) == IF count < e.value THEN e.value - count ELSE count - e.value
 TooLate(e) == {[event |-> "set", value |-> 0]}
 LateRequirements(e, past) == {"TINY-02"}

@@ -61,6 +61,7 @@ public final class Contract {
     DISTINCT("Distinct", 0),
     DISTINCT_AFTER_LINE("DistinctAfterLine", 0),
     DISTANCE("Distance", 1),
+    LATE_DISTANCE("LateDistance", 1),
     SITUATION("Situation", 0),
     EXPECTED("Expected", 1),
     DECIDING("Deciding", 2),
@@ -122,16 +123,19 @@ public final class Contract {
   /** The two ways in which a line can have no explanation. */
   enum Failing {
     /** An event had to come before the line. */
-    TOO_LATE(Operator.ELAPSE, Operator.TOO_LATE, Operator.LATE_REQUIREMENTS),
+    TOO_LATE(
+        Operator.ELAPSE, Operator.LATE_DISTANCE, Operator.TOO_LATE, Operator.LATE_REQUIREMENTS),
     /** The line itself is not possible. */
-    UNEXPLAINED(Operator.OBSERVE, Operator.EXPECTED, Operator.DECIDING);
+    UNEXPLAINED(Operator.OBSERVE, Operator.DISTANCE, Operator.EXPECTED, Operator.DECIDING);
 
     private final Operator action;
+    private final Operator distance;
     private final Operator expected;
     private final Operator deciding;
 
-    Failing(Operator action, Operator expected, Operator deciding) {
+    Failing(Operator action, Operator distance, Operator expected, Operator deciding) {
       this.action = action;
+      this.distance = distance;
       this.expected = expected;
       this.deciding = deciding;
     }
@@ -343,8 +347,8 @@ public final class Contract {
   }
 
   /** How far a state is from one in which the event would be possible. */
-  int distance(State state, Value event) {
-    return ((IntValue) value(Operator.DISTANCE, state, event)).val;
+  int distance(Failing failing, State state, Value event) {
+    return ((IntValue) value(failing.distance, state, event)).val;
   }
 
   /** The state as a report shows it. */

@@ -337,7 +337,8 @@ final class Explanation {
     List<State> arrived = elapse(event, stuck);
     if (arrived.isEmpty()) {
       // Where OBs start and end unseen, every state goes on, round in circles.
-      List<State> late = stuck.isEmpty() ? states : stuck;
+      List<State> late =
+          nearest(Contract.Failing.TOO_LATE, stuck.isEmpty() ? states : stuck, event);
       return refusal(Contract.Failing.TOO_LATE, late, late, event);
     }
     List<State> ready = meets() ? few(closure(few(arrived), event)) : closure(arrived, event);
@@ -349,7 +350,8 @@ final class Explanation {
       limit(after.size());
     }
     if (after.isEmpty()) {
-      return refusal(Contract.Failing.UNEXPLAINED, ready, nearest(ready, event), event);
+      List<State> near = nearest(Contract.Failing.UNEXPLAINED, ready, event);
+      return refusal(Contract.Failing.UNEXPLAINED, ready, near, event);
     }
     return explained(after, event);
   }
@@ -556,11 +558,11 @@ final class Explanation {
   }
 
   /** The states that come nearest to the event, by the specification's own measure. */
-  private List<State> nearest(List<State> from, Value event) {
+  private List<State> nearest(Contract.Failing failing, List<State> from, Value event) {
     List<State> nearest = new ArrayList<>();
     int least = Integer.MAX_VALUE;
     for (State state : from) {
-      int distance = spec.distance(state, event);
+      int distance = spec.distance(failing, state, event);
       if (distance < least) {
         least = distance;
         nearest.clear();
