@@ -59,7 +59,7 @@ def test_the_map_has_each_module_once() -> None:
     assert edges == {(a, b) for b in shown for a in spec[b].imports & shown}
 
 
-LONG = {"Reasons": 700, "StartReasons": 490, "Readings": 590, "LooseLogs": 570}
+LONG = {"Reasons": 700, "StartReasons": 490, "Readings": 590, "LooseLogs": 590}
 """Lines of the modules that have one case for each kind of line, or of start; and a name for each answer."""
 
 

@@ -58,7 +58,8 @@ EXTENDS Cpu
 (* @typeAlias: tag = { of: $request, nth: Int };                           *)
 (* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
 (*   arrivals: $request -> $moment, reports: Set($report) };               *)
-(* @typeAlias: report = { entry: $entry, age: Int, times: Int };           *)
+(* @typeAlias: report = { entry: $entry, age: Int, times: Int,             *)
+(*                        since: $moment };                                *)
 (***************************************************************************)
 
 \* @type: $moment;
@@ -148,8 +149,8 @@ VARIABLES
     \* @type: $pace;
     pace,
     (* The entries of the diagnostic buffer that the log has not shown     *)
-    (* yet, each with its number; if the log has such lines, also with the *)
-    (* ms since its cause.                                                 *)
+    (* yet, each with its number and the first moment that it may show; if *)
+    (* the log has such lines, also with the ms since its cause.           *)
     \* @type: Set($report);
     reports
 

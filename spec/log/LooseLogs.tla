@@ -23,6 +23,7 @@ EXTENDS Lines
 
 ModeKnown  == ~Unseen("mode")
 StackKnown == ModeKnown /\ ~Unseen("ob")
+IrtKnown   == ModeKnown /\ ~Unseen("call")
 Interrupting == \E i \in 2..Len(stack) : stack[i].ob \notin SyncErrorObs
 
 \* @type: Int => Bool;
@@ -84,7 +85,9 @@ MayRun == \/ Unseen("load") \/ stopCause = NoCause
 MayBeRequested(o) ==
     /\ ~Deselected(o)
     /\ CASE o \in TodObs      -> MayBeActive(o) \/ Marked(o)
-         [] o \in DintObs     -> Unseen("call") \/ Marked(o)
+         [] o \in DintObs     -> \/ Unseen("call")
+                                 \/ Marked(o)
+                                 \/ dint[o].started /\ dint[o].left = 1
          [] o \in ExternalObs -> Unseen("interrupt") \/ Marked(o)
          [] OTHER             -> FALSE
 
@@ -161,6 +164,8 @@ LooseStatuses(o) ==
 \* @type: ($event, Int) => (Int -> $tod);
 TodAfterAnswer(e, ret) ==
     CASE e.ob \notin TodObs -> tod
+      [] e.event = "CAN_TINT" /\ ret = NotSet /\ CanTintNeedsActive ->
+           [tod EXCEPT ![e.ob].active = FALSE]  \* [AMB-09] it may be set
       [] \/ e.event = "CAN_TINT" /\ ret = OK
          \/ e.event \in {"CAN_TINT", "ACT_TINT"} /\ ret = NotSet ->
            [tod EXCEPT ![e.ob] = NoSetting]
@@ -245,13 +250,16 @@ LoadedTooLate ==
       : r \in { q \in requests : q.ob = ProgramErrorOb /\ q.cause # 0 } }
 
 (* OB 80 and OB 85 may have been requested for what may be due now, and    *)
-(* wait still when its interrupt is cancelled or set anew.                 *)
+(* wait still when its interrupt is cancelled or set anew; so may its OB   *)
+(* [AMB-11] (a) [AMB-71] (b).                                              *)
 DueMarks ==
     LET obs == MayBeDue \cap TodObs
         \* @type: (Int, Int) => $request;
         due(error, o) == [Mark(error, UnknownFault) EXCEPT !.cause = o]
+        stays == ~TodCallsWithdrawRuns \/ OnceUsedUpAtItsPoint
     IN  IF Unseen("call") \/ mode = "STOP" THEN {}
         ELSE { due(TimeErrorOb, o) : o \in obs }
+               \cup { Mark(o, 0) : o \in { p \in obs : stays } }
                \cup { due(ProgramErrorOb, o)
                       : o \in { p \in obs : MayBeMissing(p) } }
 WasDue == { r.cause : r \in { q \in requests : q.ob = TimeErrorOb } } \ {0}
@@ -316,6 +324,10 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
 StackAround(o) == IF HotUnseen /\ o = StartupOb("hot") THEN stack
                                                        ELSE <<stack[1]>>
 
+(* A count above 0 lasts [AMB-25] (b).                                     *)
+\* @type: Int => Int;
+CountAfter(o) == IF CountOutlives(o) THEN delay ELSE 0
+
 \* @type: $event => Bool;
 LooseFirstStarts(e) ==
     /\ ModeKnown => mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
@@ -324,7 +336,7 @@ LooseFirstStarts(e) ==
     /\ Fits(e.info.priority, IF e.ob \in CycleObs THEN 1 ELSE StartupClass)
     /\ e.ob # CycleOb => MayBeLoaded(e.ob)
     /\ stack' = StackAround(e.ob)
-    /\ delay' = 0
+    /\ delay' = CountAfter(e.ob)
 
 \* @type: $event => Bool;
 LooseStart(e) ==
@@ -344,7 +356,7 @@ LooseEnd(e) ==
                /\ Len(stack) = 1
                /\ mode = IF e.ob \in CycleObs THEN "RUN" ELSE "STARTUP"
           /\ stack' = StackAround(e.ob)
-    /\ delay' = IF e.ob \in SyncErrorObs THEN delay ELSE 0
+    /\ delay' = CountAfter(e.ob)
     /\ Nothing /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars>>
 
 -----------------------------------------------------------------------------
@@ -424,10 +436,11 @@ LooseRelease ==
 -----------------------------------------------------------------------------
 (* The clock, start events, entries, the state of an OB *)
 
-(* [TINT-11] Between now and t lies a whole minute: a possible point.      *)
+(* [TINT-11] [AMB-37] Between now and t lies a whole minute: a possible    *)
+(* point.                                                                  *)
 \* @type: $moment => Bool;
 PassesMinute(t) ==
-    Before(IF SecondsAreKept THEN clock
+    IsPast(IF SecondsAreKept THEN clock
            ELSE At(IF clock.ms = 0 THEN clock.min ELSE clock.min + 1), t)
 
 (* Between now and t an interrupt that may be active may have a point.     *)
@@ -482,28 +495,35 @@ LooseZone(e) ==
 \* @type: $event => Bool;
 LooseEvent(e) ==
     /\ e.ob \in SyncErrorObs => Watching
-    /\ requests' = IF mode = "STOP" THEN requests ELSE
-         requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
+    /\ requests' =
+         IF mode = "STOP" \/ (IrtKnown /\ Blocked(e.ob)) THEN requests
+         ELSE requests \cup {Mark(e.ob, IF e.flt_id = -1 THEN 0 ELSE e.flt_id)}
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, stopCause,
                    runVars>>
+
+(* [AMB-33] OB 85 may be missing, or be blocked and stop the CPU.          *)
+MayStopByOb85 == MayBeMissing(ProgramErrorOb) \/ BlockedOb85StopsTheCpu
 
 (* An unseen event may have caused this entry. [OBS-26] That of a STOP by  *)
 (* two excesses of the cycle time is 4568, too, though OB 80 is loaded.    *)
 \* @type: $event => Bool;
 LooseEntry(e) ==
-    /\ e.id - ErrorEntry \in ObNotLoaded => MissingMayBeRequested
+    /\ e.id - ErrorEntry \in ObNotLoaded =>
+         \/ MissingMayBeRequested
+         \/ Mark(ProgramErrorOb, e.id - ErrorEntry) \in requests
     /\ e.id = NoTimeErrorOb =>
          \/ MayBeMissing(TimeErrorOb) \/ Unseen("interrupt")
          \/ Mark(TimeErrorOb, CycleTimeExceeded) \in requests
-    /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
+         \/ mode = "STOP"
+    /\ e.id = NoProgramErrorOb => MayStopByOb85
     /\ NothingEntered /\ UNCHANGED <<cpuVars, reports>>
 
 (* [OBS-60] In STOP, which may be unseen, only `loaded' is judged.         *)
 \* @type: $event => Bool;
 LooseState(e) ==
     /\ Unseen("load") \/ FitsTruth(e.loaded, e.ob \in loaded)
-    /\ ModeKnown /\ mode # "STOP" /\ ~Unseen("call") =>
+    /\ IrtKnown /\ mode # "STOP" =>
          /\ FitsTruth(e.blocked, Blocked(e.ob))
          /\ FitsTruth(e.entries_off, Silenced(e.ob))
          /\ e.ob \in TodObs \cup DintObs =>

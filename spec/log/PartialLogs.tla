@@ -114,7 +114,7 @@ StartsUnseen(e) ==
 (* also where OB 80 is loaded [OBS-26].                                    *)
 \* @type: $event => Bool;
 EntersUnseen(e) ==
-    /\ e.id = NoProgramErrorOb => MayBeMissing(ProgramErrorOb)
+    /\ e.id = NoProgramErrorOb => MayStopByOb85
     /\ NothingEntered
     /\ UNCHANGED <<cpuVars, waiting, eventVars, reports>>
 

@@ -302,11 +302,12 @@ FitsEntry(entry, e) ==
           /\ FitsError(entry.of, e.info)
 
 (* An unseen event may have caused this entry. Only DIS_IRT causes the     *)
-(* entry of disabled entries. Unseen starts and ends of OBs, and unseen    *)
-(* loading, are steps with entries of their own (PartialLogs).             *)
+(* entry of disabled entries, if no lost event does [AMB-41]. Unseen       *)
+(* starts and ends of OBs, and unseen loading, are steps with entries of   *)
+(* their own (PartialLogs).                                                *)
 \* @type: Int => Bool;
 CauseUnseen(id) ==
-    LET kinds == IF id = EntriesDisabled THEN {"call"}
+    LET kinds == IF id = EntriesDisabled /\ ~LostEventIsEntered THEN {"call"}
                  ELSE Kinds \ {"ob", "load"}
     IN  ~(kinds \subseteq terms.records)
 
@@ -359,8 +360,28 @@ WaitsWithStop(r) ==
 \* @type: $report => $report;
 AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
 
-Unreported == IF DiagRecorded /\ mode # "STOP" /\ mode' = "STOP"
-              THEN { AfterStop(r) : r \in reports } ELSE reports
+(* Behind a clock that is set back the moments of entries that may come at *)
+(* any time later tell nothing.                                            *)
+Unreported ==
+    CASE DiagRecorded /\ mode # "STOP" /\ mode' = "STOP" ->
+           { AfterStop(r) : r \in reports }
+      [] ~DiagRecorded /\ reports # {} /\ Before(clock', clock) ->
+           { [r EXCEPT !.since = NoMoment] : r \in reports }
+      [] OTHER -> reports
+
+(* The moment that an entry of this step shows; its cause was `age' ms     *)
+(* ago. Of entries that may come at any time later the second is kept.     *)
+\* @type: ($entry, Int) => $moment;
+MomentOf(n, age) ==
+    LET of == IF n.of.ob = 0 THEN clock' ELSE n.of.since
+    IN  IF of = NoMoment \/ (age = 0 /\ DiagRecorded) THEN of
+        ELSE IF DiagRecorded THEN After(of, -age)
+        ELSE LET m == After(of, -age)
+             IN  [m EXCEPT !.ms = @ - (@ % 1000)]
+
+\* @type: Set($moment) => $moment;
+Earliest(moments) ==
+    CHOOSE m \in moments : \A n \in moments : ~Before(n, m)
 
 (* The entries of this step have to be shown; their cause was `age' ms     *)
 (* ago. Entries that an unseen event may have caused are not kept.         *)
@@ -374,10 +395,14 @@ Report(age) ==
         same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1
                     ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
+        since(n) == Earliest({ r.since : r \in same(n) }
+                               \cup { MomentOf(m, age)
+                                      : m \in { k \in shown :
+                                                  AsReported(k) = n } })
     IN  reports' = IF new = {} THEN Unreported
                    ELSE (Unreported \ UNION { same(n) : n \in new })
-                          \cup { [entry |-> n, age |-> a, times |-> times(n)]
-                                 : n \in new }
+                          \cup { [ entry |-> n, age |-> a, times |-> times(n),
+                                   since |-> since(n) ] : n \in new }
 
 (* The entries that would be too late in d ms. *)
 \* @type: Int => Set($report);
@@ -403,11 +428,25 @@ ReportsAfter(d) ==
 
 -----------------------------------------------------------------------------
 
+(* [OBS-10] An entry shows the moment of its cause or a later one; of a    *)
+(* skip, by the new time [CLK-06].                                         *)
+\* @type: ($report, $event) => Bool;
+FitsMoment(r, e) ==
+    LET time  == e.info.time
+        early == MayBeEarlier([r.entry.of EXCEPT !.since = r.since])
+        shown == IF early THEN After(time, 1) ELSE time
+    IN  \/ time = NoMoment \/ r.since = NoMoment \/ Unseen("clock")
+        \/ IsNear(time, r.since, e)
+        \/ ~Before(shown, r.since) /\ ~Before(EndOfStep(e), time)
+        \/ /\ r.entry.of.fault \notin Skips
+           /\ changes # {} \/ Before(clock, r.since)
+           /\ JustBefore(time, e)
+
 (* A line shows the oldest entry that no line has shown yet. An entry that *)
 (* need not come may be passed over.                                       *)
 \* @type: $event => Bool;
 IsEntry(e) ==
-    LET fits == { r \in reports : FitsEntry(r.entry, e) }
+    LET fits == { r \in reports : FitsEntry(r.entry, e) /\ FitsMoment(r, e) }
     IN  /\ UNCHANGED cpuVars
         /\ NothingEntered
         /\ IF e.id \notin JudgedEntries THEN UNCHANGED reports

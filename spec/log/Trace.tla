@@ -80,14 +80,19 @@ CpuOf(h) ==
       hour     |-> NoHour ]
 
 (* If the log begins in RUN, a one-shot interrupt that STEP 7 set to a     *)
-(* past moment has already run. A point that equals the clock may have     *)
+(* past moment has already run, and the earlier points of others may have  *)
+(* been served or not [CLK-09]. A point that equals the clock may have     *)
 (* been reached or not.                                                    *)
 \* @type: ($header, $tod, Int) => $tod;
 TodAtBegin(h, t, called) ==
-    LET n == PointFrom(t, h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1))
+    LET m == h.clock.min + (IF h.clock.ms = 0 THEN called ELSE 1)
+        n == PointFrom(t, m)
     IN  IF ~t.active THEN t
         ELSE IF h.mode = "RUN" /\ HasOnePoint(t.period) /\ n = Never
         THEN UsedUp(t)
+        ELSE IF h.mode = "RUN" /\ Remembers /\ t.start < m
+        THEN [ t EXCEPT !.next = n,
+                        !.merged = {[from |-> t.start, to |-> m - 1]} ]
         ELSE [t EXCEPT !.next = n]
 
 (* Nothing tells when an OB has to start if calls, changes of the mode or  *)

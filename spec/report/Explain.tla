@@ -137,10 +137,10 @@ Possible ==
 Right(e, o, field, fits, value) ==
     IF fits THEN {} ELSE {Allowed(e.event, o, field, value)}
 
-\* @type: ($request, $event) => Set($allowed);
-RightTime(r, e) ==
-    IF FitsTime(r, e) THEN {}
-    ELSE {[Allowed(e.event, r.ob, "time", -1) EXCEPT !.time = r.since]}
+\* @type: ($event, Int, Bool, $moment) => Set($allowed);
+RightTime(e, o, fits, moment) ==
+    IF fits THEN {}
+    ELSE {[Allowed(e.event, o, "time", -1) EXCEPT !.time = moment]}
 
 (* Of the event of an OB, one value that may stand for it.                 *)
 \* @type: Int => Int;
@@ -200,18 +200,19 @@ RightInfo(r, e) ==
     (IF r.ob \in {TimeErrorOb, ProgramErrorOb} THEN RightError(r, e)
                                               ELSE RightInterrupt(r, e))
       \cup Right(e, r.ob, "priority", Fits(e.info.priority, r.class), r.class)
-      \cup RightTime(r, e)
+      \cup RightTime(e, r.ob, FitsTime(r, e), r.since)
 
 (* The entry of the line may come, with other fields.                      *)
-\* @type: ($entry, $event) => Set($allowed);
-RightEntry(n, e) ==
-    IF n.of.ob = 0 THEN {}
-    ELSE Right(e, 0, "ob", e.ob \in {0, 255, n.of.ob}, n.of.ob)
-           \cup Right(e, n.of.ob, "priority", /\ Fits(e.priority, n.of.class)
-                                             /\ Fits(e.info.priority,
-                                                     n.of.class),
-                      n.of.class)
-           \cup RightError(n.of, e)
+\* @type: ($report, $event) => Set($allowed);
+RightEntry(r, e) ==
+    LET of == r.entry.of
+    IN  IF of.ob = 0 THEN {}
+        ELSE Right(e, 0, "ob", e.ob \in {0, 255, of.ob}, of.ob)
+               \cup Right(e, of.ob, "priority",
+                          /\ Fits(e.priority, of.class)
+                          /\ Fits(e.info.priority, of.class), of.class)
+               \cup RightError(of, e)
+               \cup RightTime(e, of.ob, FitsMoment(r, e), r.since)
 
 (* [OBS-04] [OBS-10] Of a cycle OB or a startup OB, that no request starts. *)
 \* @type: $event => Set($allowed);
@@ -236,7 +237,7 @@ WithRightFields(e) ==
            IN  UNION { RightInfo(r, e)
                        : r \in IF told = {} THEN all ELSE told }
       [] e.event = "diag" ->
-           UNION { RightEntry(n, e) : n \in EntriesMeant(e) }
+           UNION { RightEntry(r, e) : r \in EntriesMeant(e) }
       [] OTHER -> {}
 
 (* The right value of each wrong field. *)

@@ -461,12 +461,14 @@ LateRules(e, past) ==
                   \cup When(irt.blocked # {}, {"IRT-05"}))
 
 (* The entries that the line may show, were its fields right.              *)
-\* @type: $event => Set($entry);
+\* @type: $event => Set($report);
 EntriesMeant(e) ==
-    { r.entry : r \in { q \in reports :
-                          FitsEntry(q.entry, [e EXCEPT !.info = NoInfo,
-                                                       !.ob = 0,
-                                                       !.priority = -1]) } }
+    { r \in reports : FitsEntry(r.entry, [e EXCEPT !.info = NoInfo, !.ob = 0,
+                                                   !.priority = -1]) }
+
+\* @type: ($report, $event) => Set(Str);
+EntryInfo(r, e) == ErrorInfo(r.entry.of, e.info)
+                     \cup When(~FitsMoment(r, e), {"OBS-10"})
 
 (* The entries that the log has to show, and does not show by this line.   *)
 \* @type: Seq($event) => Set(Str);
@@ -491,8 +493,8 @@ OfEntry(e, past) ==
                  \cup When(stopCause # NoCause, StopRequirements(past))
                  \cup OfEntriesDue(past)
           [] meant # {}             ->
-               UNION { ErrorInfo(n.of, e.info) : n \in meant }
-                 \cup When(\A n \in meant : ErrorInfo(n.of, e.info) = {},
+               UNION { EntryInfo(r, e) : r \in meant }
+                 \cup When(\A r \in meant : EntryInfo(r, e) = {},
                            IF fault \in ObNotLoaded THEN {"OBS-20"}
                            ELSE {"OBS-30"})
           [] OTHER                  ->
