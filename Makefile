@@ -197,7 +197,7 @@ CHUNK_SIZE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_size)
 CHUNK_IS_FREE := TEAVM_FIELD(teavm_local_2, cls_otr_FreeChunk, fld_classReference) == 0
 
 # The evaluator relies on what TeaVM leaves to these flags: values of other types, and integers that wrap.
-NATIVE_FLAGS := -O2 -w -fno-strict-aliasing -fwrapv -static -s
+NATIVE_FLAGS := -O3 -w -fno-strict-aliasing -fwrapv -static -s
 $(NATIVE): $(ENGINE) $(wildcard trace_checker/engine/src/main/c/*)
 	@echo "building the engine as an executable"
 	rm -rf $(dir $(NATIVE))c

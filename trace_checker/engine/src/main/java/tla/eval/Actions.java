@@ -179,7 +179,7 @@ final class Actions {
     return f -> {
       Value value = expr.eval(f);
       if (next[variable] == null) {
-        next[variable] = value;
+        next[variable] = machine.next(variable, value);
         then.run(f);
         next[variable] = null;
       } else if (machine.equal(next[variable], value)) {

@@ -35,10 +35,38 @@ final class Builtins {
     if (a instanceof RecordValue x && b instanceof RecordValue y) {
       return equal(x, y);
     }
+    if (a instanceof FcnRcdValue x && b instanceof FcnRcdValue y && x.domain != null && x.domain == y.domain) {
+      return equal(x.values, y.values);
+    }
+    if (a instanceof SetEnumValue x && b instanceof SetEnumValue y) {
+      return equal(elements(x), elements(y));
+    }
     return a.equals(b);
   }
 
-  /** As TLC has it, whose own comparison guards each value against exceptions, which costs more than it compares. */
+  // As TLC has it, whose own comparison guards each value against exceptions, which costs more than it compares.
+
+  private static boolean equal(Value[] a, Value... b) {
+    for (int i = 0; i < a.length; i++) {
+      if (!equal(a[i], b[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean equal(ValueVec a, ValueVec b) {
+    if (a.size() != b.size()) {
+      return false;
+    }
+    for (int i = 0; i < a.size(); i++) {
+      if (!equal(a.elementAt(i), b.elementAt(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private static boolean equal(RecordValue a, RecordValue b) {
     a.normalize();
     b.normalize();

@@ -78,6 +78,15 @@ final class Machine {
     return recording == null ? Builtins.equal(a, b) : recording.equal(a, b);
   }
 
+  /**
+   * A next value of a variable: the object of the current one if they are equal, so that what was kept for it holds. All
+   * values of a variable are of one type, so they can be compared.
+   */
+  Value next(int variable, Value value) {
+    Value before = now[variable];
+    return value == before || before == null || recording != null || !Builtins.equal(before, value) ? value : before;
+  }
+
   void begin() {
     found = new ArrayList<>(1);
   }

@@ -32,6 +32,7 @@ final class Memory {
   private final boolean[] areTimes;
   private final Value[] inputs;
   private final int[] registers = new int[1 << 12];
+  private final Trial trial = new Trial();
   private final Numbered<Remembered<Kept<Part>>> values = new Numbered<>();
   private final Numbered<Remembered<Kept<Next[]>>> successors = new Numbered<>();
   private long hits;
@@ -106,6 +107,9 @@ final class Memory {
 
   /** The value of a state function. */
   Value value(Operator operator, State state, Value of) {
+    if (!trial.isOn()) {
+      return operator.value(state, of);
+    }
     Remembered<Kept<Part>> remembered = remembered(values, key(operator, state, of));
     Part known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
@@ -120,6 +124,9 @@ final class Memory {
 
   /** The successors of a state under an action. */
   List<State> successors(Operator operator, State state, Value of) {
+    if (!trial.isOn()) {
+      return operator.successors(state, of);
+    }
     Remembered<Kept<Next[]>> remembered = remembered(successors, key(operator, state, of));
     Next[] known = outcome(remembered);
     if (known == null && remembered.worthRecording()) {
@@ -140,8 +147,9 @@ final class Memory {
     return hits;
   }
 
-  private static <T> Remembered<T> remembered(Numbered<Remembered<T>> all, long key) {
+  private <T> Remembered<T> remembered(Numbered<Remembered<T>> all, long key) {
     Remembered<T> remembered = all.get(key);
+    trial.found(remembered != null);
     if (remembered == null) {
       remembered = new Remembered<>();
       all.put(key, remembered);
