@@ -59,8 +59,8 @@ def test_the_map_has_each_module_once() -> None:
     assert edges == {(a, b) for b in shown for a in spec[b].imports & shown}
 
 
-LONG = {"Reasons": 700, "StartReasons": 490, "Readings": 590, "LooseLogs": 590}
-"""Lines of the modules that have one case for each kind of line, or of start; and a name for each answer."""
+LONG = {"Reasons": 700, "StartReasons": 490, "Readings": 590, "LooseLogs": 590, "ReportedData": 460}
+"""Lines of the modules that have one case for each kind of line, of start or of field; and a name for each answer."""
 
 
 def test_modules_are_short() -> None:

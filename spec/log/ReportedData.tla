@@ -374,10 +374,8 @@ Unreported ==
 \* @type: ($entry, Int) => $moment;
 MomentOf(n, age) ==
     LET of == IF n.of.ob = 0 THEN clock' ELSE n.of.since
-    IN  IF of = NoMoment \/ (age = 0 /\ DiagRecorded) THEN of
-        ELSE IF DiagRecorded THEN After(of, -age)
-        ELSE LET m == After(of, -age)
-             IN  [m EXCEPT !.ms = @ - (@ % 1000)]
+        m  == IF of = NoMoment THEN of ELSE After(of, -age)
+    IN  IF DiagRecorded THEN m ELSE [m EXCEPT !.ms = @ - (@ % 1000)]
 
 \* @type: Set($moment) => $moment;
 Earliest(moments) ==
