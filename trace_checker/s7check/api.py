@@ -41,14 +41,15 @@ def check(
     profile: str | None = None,
     letters: Mapping[str, str] | None = None,
     other_readings: bool = False,
+    decided: bool = False,
     name: str = _NAME,
 ) -> Report:
     """The verdict about a log.
 
     ``log`` is the path of a file (``.gz`` is unpacked), or the lines: the header, then the events. ``profile``
     (``"2006"``) and ``letters`` (``{"AMB-08": "b"}``) take the place of the header's own choices. With
-    ``other_readings`` the log is judged by every other reading too, one changed at a time. The report calls
-    lines that have no file by ``name``. The engine, a Java process, serves later calls as well, until Python ends.
+    ``other_readings`` the log is judged by every other reading too, one changed at a time; with ``decided`` the report
+    of an accepted log has the requirements that decided something. It calls lines that have no file by ``name``. The engine, a Java process, serves later calls as well, until Python ends.
 
     A log that is unusable and an engine that fails are verdicts of the report. Raises ValueError for a profile, an
     ambiguity or a letter that there is not, TypeError for a line that JSON cannot say.
@@ -57,10 +58,10 @@ def check(
     with pool.engine() as engine:
         if isinstance(log, str | os.PathLike):
             file = os.fspath(log)
-            report = check_log(file, engine, lambda _, __: None, chosen)
+            report = check_log(file, engine, lambda _, __: None, chosen, decided)
         else:
             file = "-"
-            report = _check_lines(log, engine, chosen, name)
+            report = _check_lines(log, engine, chosen, name, decided)
         if other_readings and report.verdict in ("accepted", "rejected"):
             with suppress(TooLongError, EngineError):  # the verdict stands without it
                 report = with_readings(report, engine, Replay(file, report.lines, chosen))
@@ -132,8 +133,8 @@ class Checker:
             return True
 
 
-def _check_lines(lines: Iterable[Line], engine: Engine, chosen: Chosen, name: str) -> Report:
-    judging = Judging(name, engine, chosen)
+def _check_lines(lines: Iterable[Line], engine: Engine, chosen: Chosen, name: str, decided: bool) -> Report:
+    judging = Judging(name, engine, chosen, decided=decided)
     try:
         judging.take_all(map(_ended, lines), lambda _: None)
     except UnusableLogError as error:

@@ -103,6 +103,11 @@ Over several logs the exit code is the highest of theirs.
     is_flag=True,
     help="Also the rejections behind the first one of a log; each says how the judging went on.",
 )
+@click.option(
+    "--decided",
+    is_flag=True,
+    help="Say of each accepted log how many requirements decided something; a sixth more of the time.",
+)
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(
     output: str,
@@ -112,6 +117,7 @@ def trace_command(
     profile: Chosen | None,
     letters: dict[str, str],
     keep_going: bool,
+    decided: bool,
     logs: tuple[str, ...],
 ) -> int:
     """Judge the logs and report."""
@@ -133,7 +139,14 @@ def trace_command(
 
     with Workers(pool.take) as workers, ProgressBar(len(names)) as progress:
         work = _Work(
-            workers, progress, readings, budget, _chosen(profile or NOTHING, letters), output == "html", keep_going
+            workers,
+            progress,
+            readings,
+            budget,
+            _chosen(profile or NOTHING, letters),
+            output == "html",
+            keep_going,
+            decided,
         )
         for report in work.reports(names):
             if output in _WHOLE:
@@ -171,12 +184,14 @@ class _Work:
         chosen: Chosen,
         drawn: bool,
         keep_going: bool,
+        decided: bool,
     ) -> None:
         self._workers = workers
         self._progress = progress
         self._readings = readings
         self._chosen = chosen
         self._keep_going = keep_going
+        self._decided = decided
         self._tried = 0
         self._left = _BUDGET if budget is None and readings == "auto" else budget
         self._to_draw = _DRAWN if drawn else 0
@@ -204,7 +219,8 @@ class _Work:
         return self._workers.submit(report, found).result()
 
     def _judged(self, name: str, engine: Engine) -> Report:
-        report = check_log(name, engine, self._progress.of(click.format_filename(name)), self._chosen)
+        progress = self._progress.of(click.format_filename(name))
+        report = check_log(name, engine, progress, self._chosen, self._decided)
         if self._readings == "all" and self._left is None:
             return _again(report, lambda r: with_readings(r, engine, Replay(name, report.lines, self._chosen)))
         return report

@@ -189,11 +189,13 @@ def test_exit_codes(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "field" in capsys.readouterr().err
 
 
-def test_every_accepted_report_says_how_much(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_accepted_report_says_how_much_if_asked(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The text says it in a line, JSON by IDs."""
     assert main(["trace", str(log)]) == 0
+    assert "decided" not in capsys.readouterr().out
+    assert main(["trace", "--decided", str(log)]) == 0
     assert " requirements decided something\n" in capsys.readouterr().out
-    assert main(["trace", "--format", "json", str(log)]) == 0
+    assert main(["trace", "--decided", "--format", "json", str(log)]) == 0
     report = json.loads(capsys.readouterr().out)
     assert "AIRT-07" in report["decided"]
     assert len(report["decided"]) < report["decidable"]

@@ -183,9 +183,12 @@ def judged(
     chosen: Chosen = NOTHING,
     taken: Callable[[bytes], None] = lambda _: None,
 ) -> Report:
-    """The verdict about a log, a file or its lines; ``taken`` gets each part of it. Raises EngineError."""
+    """The verdict about a log, a file or its lines, with its outcomes; ``taken`` gets each part of it.
+
+    Raises EngineError.
+    """
     name = os.fspath(log) if isinstance(log, str | os.PathLike) else "-"
-    judging = Judging("log", engine, chosen, folder_of(name))
+    judging = Judging("log", engine, chosen, folder_of(name), decided=True)
     try:
         if isinstance(log, str | os.PathLike):
             with open_log(name) as source:

@@ -90,9 +90,14 @@ class Engine:
         self._idle = self._at_work = None
 
     def begin(
-        self, chosen: Mapping[str, Any] | None = None, follow: int = 0, until: float | None = None, folder: Path = HERE
+        self,
+        chosen: Mapping[str, Any] | None = None,
+        follow: int = 0,
+        until: float | None = None,
+        folder: Path = HERE,
+        outcomes: bool = False,
     ) -> None:
-        """Begins a log in ``folder``; the answer will have the last ``follow`` steps.
+        """Begins a log in ``folder``; the answer will have the last ``follow`` steps, and its ``outcomes`` if asked.
 
         ``chosen`` takes the place of the header's own ``cpu``, ``profile`` and letters of ``readings``. The log must be
         decided at the time ``until`` of ``time.monotonic``: else ``send`` and ``finish`` raise EngineTooSlowError.
@@ -110,6 +115,8 @@ class Engine:
             self._beginning["chosen"] = chosen
         if follow:
             self._beginning["follow"] = follow
+        if outcomes:
+            self._beginning["outcomes"] = True
 
     def alternatives(self) -> Alternatives:
         """The choices that a header has; not while a log is at work."""

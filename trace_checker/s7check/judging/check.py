@@ -34,13 +34,16 @@ Progress = Callable[[Source, int], None]
 """Called now and then with the log being read and the number of lines read from it."""
 
 
-def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NOTHING) -> Report:
+def check_log(
+    name: str, engine: Engine, progress: Progress, chosen: Chosen = NOTHING, decided: bool = False
+) -> Report:
     """The verdict about the log ``name`` (``-`` for standard input); never raises for a log.
 
-    ``chosen`` takes the place of the header's own choices.
+    ``chosen`` takes the place of the header's own choices. With ``decided`` the report has the requirements that
+    decided something, which costs a sixth of the time.
     """
     begun = time.monotonic()
-    judging = Judging(click.format_filename(name), engine, chosen, folder_of(name))
+    judging = Judging(click.format_filename(name), engine, chosen, folder_of(name), decided)
     try:
         with open_log(name) as source:
             judging.take_all(source.chunks(engine.wait), lambda _: progress(source, judging.lines))
@@ -54,11 +57,14 @@ def check_log(name: str, engine: Engine, progress: Progress, chosen: Chosen = NO
 class Judging:
     """The judging of one log in ``folder`` by ``engine``, piece after piece; ``report`` ends it."""
 
-    def __init__(self, log: str, engine: Engine, chosen: Chosen = NOTHING, folder: Path = HERE) -> None:
+    def __init__(
+        self, log: str, engine: Engine, chosen: Chosen = NOTHING, folder: Path = HERE, decided: bool = False
+    ) -> None:
         self._log = log
         self._engine = engine
         self._chosen = chosen
         self._folder = folder
+        self._decided = decided
         self._recent = _RecentLines()
         self._begun = False
         self._unusable: UnusableLogError | None = None
@@ -91,7 +97,7 @@ class Judging:
     def _begin(self) -> None:
         if not self._begun:
             self._begun = True
-            self._engine.begin(self._chosen.message(), folder=self._folder)
+            self._engine.begin(self._chosen.message(), folder=self._folder, outcomes=self._decided)
 
     def refuse(self, error: UnusableLogError) -> None:
         """The log goes no further: its source is unusable."""
@@ -130,7 +136,7 @@ class Judging:
             return Report(self._log, "no verdict", answer.message, events=events, certain_from=answer.loose)
         assert answer is not None
         report = Report(self._log, "accepted", answer.message, events=events, certain_from=answer.loose)
-        return self._with_decided(report, answer)
+        return self._with_decided(report, answer) if self._decided else report
 
     def _rejection(self, answer: Answer) -> Report:
         last = answer.line or 0

@@ -112,6 +112,6 @@ def _found(engine: Engine) -> Decisions:
 
 
 def _outcomes(lines: list[dict[str, Any]], engine: Engine) -> list[int]:
-    engine.begin()
+    engine.begin(outcomes=True)
     engine.send(b"\n".join(map(msgspec.json.encode, lines)))
     return engine.finish().outcomes

@@ -47,7 +47,7 @@ class LogJudge:
         """The result of a log, without its ``digest``, the verdict, and the log with its end."""
         with pool.engine() as engine:
             log = whole(engine, program, ran)
-        report = check(log.lines, profile=self.profile, letters=self.letters, name=program.name)
+        report = check(log.lines, profile=self.profile, letters=self.letters, decided=True, name=program.name)
         result = result_of(report, program.name, program.requirements, seconds)
         if report.verdict == "rejected":
             under = tuple(one.change for one in self._accepted(report, log) if not self._departure(program, log, one))

@@ -80,7 +80,7 @@ export class Engine {
 
   /** The answer about a log, bytes in UTF-8. */
   async judge(bytes, begin = {}) {
-    const head = `${JSON.stringify({ message: "begin", ...begin })}\n{"message":"bytes","count":${bytes.length}}\n`;
+    const head = `${JSON.stringify({ message: "begin", outcomes: true, ...begin })}\n{"message":"bytes","count":${bytes.length}}\n`;
     const [answer] = await this.#messages(head, bytes, '{"message":"finish"}\n');
     return answer;
   }

@@ -31,7 +31,8 @@ public final class Main {
       throw new IllegalArgumentException("usage: s7-trace-engine FILE-OF-THE-PARSED-SPECIFICATION");
     }
     var engine =
-        new Engine(new Specification(module, Contract.TIMES, Interpreter.NONE), new Tidy(), answer -> print(answer));
+        new Engine(
+            () -> new Specification(module, Contract.TIMES, Interpreter.NONE), new Tidy(), answer -> print(answer));
     print(new Fields().put("engine", "ready").toString());
     engine.serve(new StandardInput());
   }

@@ -35,7 +35,7 @@ public final class Page {
     if (module == null) {
       throw new IllegalArgumentException("the parsed specification is damaged");
     }
-    engine = new Engine(new Specification(module, Contract.TIMES, Interpreter.NONE), new AtOnce(), ANSWERS::add);
+    engine = new Engine(() -> new Specification(module, Contract.TIMES, Interpreter.NONE), new AtOnce(), ANSWERS::add);
   }
 
   /**

@@ -49,7 +49,7 @@ public final class Main {
     Module module = kept == null ? modules.parsed() : kept;
     var engine =
         new Engine(
-            modules.specification(module, Contract.TIMES),
+            () -> modules.specification(module, Contract.TIMES),
             new Ahead("judging"),
             answer -> {
               out.println(answer);

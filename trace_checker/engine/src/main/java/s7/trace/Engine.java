@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.Function;
 
 import s7.importing.Importing;
@@ -25,7 +26,8 @@ import tlc2.value.impl.RecordValue;
  * <ul>
  *   <li>{@code {"message":"begin"}} begins a log. {@code "chosen":{"cpu":...,"profile":...,"readings":{...}}} takes the
  *       place of its header's own choices. With {@code "follow":N} the answer has the situations after the last N events.
- *       {@code "file"} is what a header needs that names a file as its profile ({@link #file}).
+ *       {@code "file"} is what a header needs that names a file as its profile ({@link #file}); with {@code
+ *       "outcomes":true} the answer has {@code outcomes}.
  *   <li>{@code {"message":"bytes","count":N}} is in front of N bytes of the log, in UTF-8 without a byte order mark.
  *   <li>{@code {"message":"verdict"}} asks whether the log is decided. If it is not, the answer is {@code
  *       {"verdict":"open"}}; if it is, its verdict has been printed.
@@ -67,11 +69,18 @@ public final class Engine {
   private static final String COUNT = "count";
 
   private final Contract spec;
+  private final Supplier<Specification> another;
   private final Consumer<String> out;
   private final Clauses clauses = new Clauses();
   private final WhyNot why = new WhyNot(clauses);
   private final Sessions sessions;
-  private final Judging judging;
+  private final Judging silent;
+
+  /** What judges logs whose outcomes are asked for; null before the first one. */
+  private Contract telling;
+
+  /** What judges the log. */
+  private Judging judging;
 
   /** Judges events, perhaps while the next lines are read. */
   private final Handover ahead;
@@ -83,19 +92,29 @@ public final class Engine {
   private boolean unusable;
 
   /**
+   * @param specification gives the parsed specification, before its first evaluation, each time
    * @param ahead gets what is to be judged
    * @param out gets each answer, a line
    */
-  public Engine(Specification spec, Handover ahead, Consumer<String> out) {
-    this(new Contract(spec), ahead, out);
+  public Engine(Supplier<Specification> specification, Handover ahead, Consumer<String> out) {
+    this(new Contract(specification.get()), specification, ahead, out);
   }
 
-  Engine(Contract spec, Handover ahead, Consumer<String> out) {
+  Engine(Contract spec, Supplier<Specification> another, Handover ahead, Consumer<String> out) {
     this.spec = spec;
+    this.another = another;
     this.ahead = ahead;
     this.out = out;
     sessions = new Sessions(spec, why);
-    judging = new Judging(spec, this::print);
+    silent = new Judging(spec, this::print);
+    judging = silent;
+  }
+
+  private Contract telling() {
+    if (telling == null) {
+      telling = new Contract(another.get(), true);
+    }
+    return telling;
   }
 
   /** Answers messages until they end. */
@@ -146,7 +165,7 @@ public final class Engine {
       case "kind", "import", "entries", "mode", "ring", "slots", "ring events", "state" ->
           print(object(message, source -> Importing.answer(kind, message, source, spec.format(), file(message))));
       case "alternatives" -> print(new Fields().put("alternatives", spec.alternatives()));
-      case "decisions" -> print(new Fields().put("decisions", spec.decisions().stream().map(Engine::json).toList()));
+      case "decisions" -> print(new Fields().put("decisions", telling().decisions().stream().map(Engine::json).toList()));
       default -> print(sessions.answer(kind, message));
     }
   }
@@ -167,6 +186,8 @@ public final class Engine {
   }
 
   private void begin(Fields message) {
+    Contract judges = message.has("outcomes") ? telling() : spec;
+    judging = judges == spec ? silent : new Judging(judges, this::print);
     judging.begin(message.has("follow") ? message.number("follow") : 0);
     unusable = false;
     reader =
@@ -180,7 +201,7 @@ public final class Engine {
 
               @Override
               public void event(int line, Fields event) {
-                RecordValue read = spec.event(event);
+                RecordValue read = judges.event(event);
                 ahead.add(() -> judging.observe(line, read));
               }
             },

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import tla.Tiny;
+import tla.spec.Specification;
 import tla.tlc.Modules;
 import util.ToolIO;
 
@@ -37,13 +38,18 @@ class EngineTest {
   @BeforeAll
   static void load() {
     ToolIO.out = new PrintStream(OutputStream.nullOutputStream());
-    spec = new Contract(new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES));
+    spec = new Contract(specification());
+  }
+
+  private static Specification specification() {
+    return new Modules(Path.of("..", "..", "spec"), Contract.MODULE).specification(Contract.TIMES);
   }
 
   private static List<JsonObject> serve(String... messages) throws IOException {
     var answers = new ArrayList<JsonObject>();
     byte[] input = String.join("", messages).replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-    new Engine(spec, Runnable::run, answer -> answers.add(json(answer))).serve(new ByteArrayInputStream(input));
+    new Engine(spec, EngineTest::specification, Runnable::run, answer -> answers.add(json(answer)))
+        .serve(new ByteArrayInputStream(input));
     return answers;
   }
 

@@ -34,7 +34,7 @@ class JudgingTest {
 
   @BeforeAll
   static void load() {
-    spec = new Contract(Tiny.load());
+    spec = new Contract(Tiny.load(), true);
   }
 
   /** The answers so far, without what they cost and what they tell of decisions. */
