@@ -76,8 +76,10 @@ public final class Engine {
   private final Sessions sessions;
   private final Judging silent;
 
-  /** What judges logs whose outcomes are asked for; null before the first one. */
+  /** For logs whose outcomes are asked for; null before the first one. */
   private Contract telling;
+
+  private Judging eloquent;
 
   /** What judges the log. */
   private Judging judging;
@@ -113,6 +115,7 @@ public final class Engine {
   private Contract telling() {
     if (telling == null) {
       telling = new Contract(another.get(), true);
+      eloquent = new Judging(telling, this::print);
     }
     return telling;
   }
@@ -187,7 +190,7 @@ public final class Engine {
 
   private void begin(Fields message) {
     Contract judges = message.has("outcomes") ? telling() : spec;
-    judging = judges == spec ? silent : new Judging(judges, this::print);
+    judging = judges == spec ? silent : eloquent;
     judging.begin(message.has("follow") ? message.number("follow") : 0);
     unusable = false;
     reader =

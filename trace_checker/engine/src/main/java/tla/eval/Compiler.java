@@ -94,7 +94,7 @@ final class Compiler {
     var slots = new Scope.Slots();
     Expr body = plain(node, Scope.empty(slots, primed));
     return new Memo(
-        its.marked ? machine.marks : null,
+        its.marked && machine.marks.isSet() ? machine.marks : null,
         its.asks ? machine.asked : null,
         primed ? machine.next : machine.now,
         its.variables.stream().toArray(),

@@ -73,7 +73,8 @@ final class Marks {
     path = first.words.clone();
   }
 
-  private boolean isSet() {
+  /** Whether outcomes are collected; another evaluator may have marked the same nodes. */
+  boolean isSet() {
     return path.length > 0;
   }
 

@@ -141,4 +141,17 @@ class EngineTest {
     assertTrue(answers.get(0).has("alternatives"));
     assertFalse(answers.get(2).getAsJsonArray("decisions").isEmpty());
   }
+
+  @Test
+  @DisplayName("outcomes are told of the log for which they are asked, and logs before and after it have their verdict")
+  void outcomes() throws IOException {
+    String asking = "{'message':'begin','outcomes':true}\n";
+    String log = bytes(HEADER + RIGHT) + FINISH;
+    var answers = serve(BEGIN, log, asking, log, BEGIN, log);
+    assertEquals(3, answers.size());
+    answers.forEach(answer -> assertEquals("accepted", answer.get("verdict").getAsString()));
+    assertTrue(answers.get(0).getAsJsonArray("outcomes").isEmpty());
+    assertFalse(answers.get(1).getAsJsonArray("outcomes").isEmpty());
+    assertTrue(answers.get(2).getAsJsonArray("outcomes").isEmpty());
+  }
 }
