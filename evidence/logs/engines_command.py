@@ -55,7 +55,7 @@ class Executable:
 
     def judge(self, log: bytes) -> Answer:
         """The answer to a log, with the situation after its last line."""
-        self.engine.begin(follow=1)
+        self.engine.begin(follow=1, outcomes=True)
         self.engine.send(log)
         return self.engine.finish()
 

@@ -739,6 +739,6 @@ def test_the_page_answers_as_the_engine_in_java(page: Page) -> None:
     with Engine(jvm_command) as java:
         for case in CASES[::EACH]:
             log = b"\n".join(case.lines)
-            java.begin(follow=1)
+            java.begin(follow=1, outcomes=True)
             java.send(log)
             assert judged_in(page, log) == java.finish(), case.id
