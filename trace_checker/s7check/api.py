@@ -49,7 +49,8 @@ def check(
     ``log`` is the path of a file (``.gz`` is unpacked), or the lines: the header, then the events. ``profile``
     (``"2006"``) and ``letters`` (``{"AMB-08": "b"}``) take the place of the header's own choices. With
     ``other_readings`` the log is judged by every other reading too, one changed at a time; with ``decided`` the report
-    of an accepted log has the requirements that decided something. It calls lines that have no file by ``name``. The engine, a Java process, serves later calls as well, until Python ends.
+    of an accepted log has the requirements that decided something. It calls lines that have no file by ``name``.
+    The engine serves later calls as well, until Python ends.
 
     A log that is unusable and an engine that fails are verdicts of the report. Raises ValueError for a profile, an
     ambiguity or a letter that there is not, TypeError for a line that JSON cannot say.
