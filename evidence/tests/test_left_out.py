@@ -45,7 +45,7 @@ def test_letters_without_a_kind(kind: str) -> None:
     worse = []
     with Engine() as engine:
         for case in every_case():
-            if case.verdict == "accepted" and "readings" in case.header:
+            if case.area in ("AMB", "T15") and case.verdict == "accepted" and "readings" in case.header:
                 header, *events = map(json.loads, case.lines)
                 answer = answer_of(engine, without(Log(header, events), {kind}))
                 worse += [(case.id, answer)] if answer.verdict != "accepted" else []
