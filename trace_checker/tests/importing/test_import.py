@@ -91,6 +91,13 @@ def test_german_text(run: Run) -> None:
     assert events[6] == {"event": "stop", "at": "2012-11-21T06:00:00.012", "cause": "W#16#4568"}
 
 
+def test_step7_text_with_a_line_of_no_entry(run: Run, tmp_path: Path) -> None:
+    """However long it is, it says nothing."""
+    text = (DATA / "german.txt").read_bytes()
+    (tmp_path / "a").write_bytes(text.replace(b"\n", b"\n" + b"x" * 70_000 + b"\n", 20))
+    assert run("--from", "step7", tmp_path / "a", *CPU)[1] == run("--from", "step7", DATA / "german.txt", *CPU)[1]
+
+
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
 def test_text_of_any_editor(run: Run, tmp_path: Path, encoding: str) -> None:
     """A text that an editor saved anew reads like the original."""

@@ -63,6 +63,9 @@ final class Step7Text {
 
   private static final String BY_YEAR = "YMD";
 
+  /** Letters of the longest line that may say something of an entry; longer ones are too deep for the executables. */
+  private static final int LONGEST = 1000;
+
   private Step7Text() {}
 
   private static Pattern pattern(String text) {
@@ -129,6 +132,9 @@ final class Step7Text {
   /** A line, and the same with a space for each kind of it: a text from a forum has no-break ones. */
   private record Line(String text, String plain) {
     static Line of(String text) {
+      if (text.length() > LONGEST) {
+        return new Line(text, "");
+      }
       var plain = new StringBuilder(text);
       for (int i = 0; i < text.length(); i++) {
         char c = text.charAt(i);
