@@ -106,7 +106,7 @@ Over several logs the exit code is the highest of theirs.
 @click.option(
     "--decided",
     is_flag=True,
-    help="Say of each accepted log how many requirements decided something; a sixth more of the time.",
+    help="Say of each accepted log how many requirements decided something; this is slower.",
 )
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", shell_complete=complete_files)
 def trace_command(

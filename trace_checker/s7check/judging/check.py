@@ -40,7 +40,7 @@ def check_log(
     """The verdict about the log ``name`` (``-`` for standard input); never raises for a log.
 
     ``chosen`` takes the place of the header's own choices. With ``decided`` the report has the requirements that
-    decided something, which costs a sixth of the time.
+    decided something, which is slower.
     """
     begun = time.monotonic()
     judging = Judging(click.format_filename(name), engine, chosen, folder_of(name), decided)

@@ -167,7 +167,7 @@ public final class Contract {
   }
 
   /**
-   * @param tells whether states tell the outcomes of decisions, which costs a sixth of the time
+   * @param tells whether states tell the outcomes of decisions, which is slower
    * @throws IllegalStateException if the specification has no NoEvent
    */
   Contract(Specification spec, boolean tells) {

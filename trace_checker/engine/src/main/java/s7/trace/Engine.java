@@ -74,12 +74,12 @@ public final class Engine {
   private final Clauses clauses = new Clauses();
   private final WhyNot why = new WhyNot(clauses);
   private final Sessions sessions;
-  private final Judging silent;
+  private final Judging withoutOutcomes;
 
   /** For logs whose outcomes are asked for; null before the first one. */
   private Contract telling;
 
-  private Judging eloquent;
+  private Judging withOutcomes;
 
   /** What judges the log. */
   private Judging judging;
@@ -108,14 +108,14 @@ public final class Engine {
     this.ahead = ahead;
     this.out = out;
     sessions = new Sessions(spec, why);
-    silent = new Judging(spec, this::print);
-    judging = silent;
+    withoutOutcomes = new Judging(spec, this::print);
+    judging = withoutOutcomes;
   }
 
   private Contract telling() {
     if (telling == null) {
       telling = new Contract(another.get(), true);
-      eloquent = new Judging(telling, this::print);
+      withOutcomes = new Judging(telling, this::print);
     }
     return telling;
   }
@@ -190,7 +190,7 @@ public final class Engine {
 
   private void begin(Fields message) {
     Contract judges = message.has("outcomes") ? telling() : spec;
-    judging = judges == spec ? silent : eloquent;
+    judging = judges == spec ? withoutOutcomes : withOutcomes;
     judging.begin(message.has("follow") ? message.number("follow") : 0);
     unusable = false;
     reader =
