@@ -226,13 +226,14 @@ AnyMomentInv ==
 
 (* Every line of this moment that was allowed is allowed after a merge, as *)
 (* is that time elapses. By definite facts alone a call may answer any     *)
-(* count of delays; TLC takes seconds to say so.                           *)
+(* count of delays; TLC takes seconds to say so. A line of a set is        *)
+(* evaluated once; below ENABLED one of LET is evaluated at each use.      *)
 MergingProp ==
     [][ Merges =>
           /\ \A e \in LinesAt(clock) :
                \/ terms'.loose /\ e.event \in CallEvents
                \/ ENABLED Observe(e) => (ENABLED Observe(e))'
-          /\ LET e == ToBeAt(Line("stop", 0, -1), Later)
-             IN  ENABLED (Elapse(e) /\ up' # up) => (ENABLED Elapse(e))'
+          /\ \A e \in {ToBeAt(Line("stop", 0, -1), Later)} :
+               ENABLED (Elapse(e) /\ up' # up) => (ENABLED Elapse(e))'
     ]_LogVars
 =============================================================================
