@@ -1,19 +1,10 @@
 """The programs that tell CPUs, editions and readings apart still do, at their line."""
 
-import re
 from collections.abc import Iterator
 
 import pytest
 
-from evidence.views.differences.pages import (
-    SOURCES,
-    differences_page,
-    experiments_page,
-    settled_table,
-    sources,
-    untold,
-    verified,
-)
+from evidence.views.differences.pages import settled_table, untold, verified
 from s7check.engine.client import Engine
 from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, Kept, read_gaps, read_kept
 from s7check.simulating.shortest import bounded
@@ -38,16 +29,6 @@ def test_there_are_differences_between_cpus_and_editions() -> None:
     """Enough of them, each a program, a pair and a reason of its own."""
     found = {(one.allowed, one.refused, one.program["name"], tuple(one.requirements)) for one in read_kept(DIFFERENCES)}
     assert len(found) == len(read_kept(DIFFERENCES)) >= 30
-
-
-def test_the_pages_name_every_program(engine: Engine) -> None:
-    """And lead to the sources for STEP 7 that there are."""
-    for file, page in ((DIFFERENCES, differences_page), (EXPERIMENTS, experiments_page)):
-        text = page(engine, read_kept(file))
-        assert all(one.program["name"] in text for one in read_kept(file))
-    made = sources(read_kept(EXPERIMENTS))
-    assert len(made) > 100
-    assert set(re.findall(rf"\({SOURCES}/(.*)\.scl\)", text)) == made.keys()
 
 
 def test_what_a_run_of_all_experiments_would_settle(engine: Engine) -> None:

@@ -15,6 +15,7 @@ from evidence.views import vectors, views_command
 from evidence.views.made import views
 from evidence.views.traceability.project import read_project
 from s7check.engine.client import Engine
+from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, read_kept
 
 
 @pytest.fixture(scope="module")
@@ -22,6 +23,11 @@ def made() -> dict[Path, str]:
     """All views."""
     with Engine() as engine:
         return views(read_project(ROOT), engine)
+
+
+def page_of(name: str) -> Path:
+    """Where a page about the rules stands."""
+    return Path("docs/rules") / f"{name}.md"
 
 
 def test_every_link_has_an_end(made: dict[Path, str]) -> None:
@@ -36,6 +42,19 @@ def test_every_link_has_an_end(made: dict[Path, str]) -> None:
             if "://" not in link and (there is None or (place and place not in anchors_of(there))):
                 dangling.append(f"{page.relative_to(ROOT)}: {link}")
     assert dangling == []
+
+
+@pytest.mark.parametrize(("name", "kept"), [("differences", DIFFERENCES), ("experiments", EXPERIMENTS)])
+def test_the_page_names_every_program(name: str, kept: Path, made: dict[Path, str]) -> None:
+    """That was found."""
+    assert not [one.program["name"] for one in read_kept(kept) if one.program["name"] not in made[page_of(name)]]
+
+
+def test_sources_for_step_7(made: dict[Path, str]) -> None:
+    """The page of experiments leads to those that there are."""
+    names = {file.stem for file in made if file.suffix == ".scl"}
+    assert len(names) > 100
+    assert set(re.findall(r"\(experiments/(.*)\.scl\)", made[page_of("experiments")])) == names
 
 
 def test_none_is_tracked(made: dict[Path, str]) -> None:

@@ -48,11 +48,15 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Report]:
         return {case.id: judged.result() for case, judged in zip(CASES, found, strict=True)}
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_verdict(case: Case, reports: dict[str, Report]) -> None:
+@pytest.mark.parametrize("area", sorted({case.area for case in CASES}))
+def test_verdicts(area: str, reports: dict[str, Report]) -> None:
     """The verdict, and the line of a log that is not accepted."""
-    report = reports[case.id]
-    assert (report.verdict, report.line) == (case.verdict, case.line), report.message
+    wrong = []
+    for case in (case for case in CASES if case.area == area):
+        report = reports[case.id]
+        if (report.verdict, report.line) != (case.verdict, case.line):
+            wrong.append((case.id, case.verdict, case.line, report.verdict, report.line, report.message))
+    assert wrong == []
 
 
 def objects(case: Case) -> list[dict[str, Any]]:

@@ -2,18 +2,19 @@
 
 from pathlib import Path
 
-import pytest
-
-from evidence.common.cases import Case
 from tests.log.reading import content
 from tests.shipped import CASES, TRACES
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_read(case: Case) -> None:
+def test_read() -> None:
     """Unusable logs fail at the line of their case, all others can be read."""
-    log = Path(TRACES / case.file)
-    if log.suffix != ".gz":
+    wrong = []
+    for case in CASES:
+        log = Path(TRACES / case.file)
+        if log.suffix == ".gz":
+            continue
         read = content(log.read_bytes())
-        assert (read.unusable and read.unusable.line) == (case.line if case.verdict == "unusable" else None)
-        assert read.events or case.verdict == "unusable"
+        line = read.unusable and read.unusable.line
+        if line != (case.line if case.verdict == "unusable" else None) or not (line or read.events):
+            wrong.append((case.id, case.line, line))
+    assert wrong == []
