@@ -48,9 +48,12 @@ FitsEvent(given, o) ==
 \* @type: Int => Int;
 InByte(o) == IF o > 254 THEN 255 ELSE o
 
+(* [T15-133] The second byte of the event; of OB 57 it is told alone.      *)
+\* @type: Int => Set(Int);
+NumbersOf(o) == IF Family.byKind /\ o = 57 THEN {\h67}
+                ELSE { ev % 256 : ev \in EventsOf(o) }
 \* @type: (Int, Int) => Bool;
-FitsNumber(given, o) ==
-    EventsOf(o) # {} => given \in {-1} \cup { ev % 256 : ev \in EventsOf(o) }
+FitsNumber(given, o) == NumbersOf(o) # {} => given \in {-1} \cup NumbersOf(o)
 
 -----------------------------------------------------------------------------
 (* Fields of the start information *)
@@ -297,7 +300,10 @@ FitsEntry(entry, e) ==
        \/ /\ e.id - ErrorEntry \in ObNotLoaded
           /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
     /\ \/ entry.of.ob = 0
-       \/ /\ e.ob \in {0, 255, entry.of.ob}
+       \/ /\ \/ e.ob \in {0, 255, entry.of.ob}
+             \* No text says which OB the entry 3507 names [T15-72].
+             \/ /\ Family.queues /\ e.ob = entry.of.cause
+                /\ entry.id = ErrorEntry + BufferOverflow
           /\ Fits(e.priority, entry.of.class)
           /\ FitsError(entry.of, e.info)
 

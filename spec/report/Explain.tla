@@ -186,7 +186,8 @@ RightTags(r, e) ==
 RightInterrupt(r, e) ==
     LET i == e.info
         right(field, fits, value) == Right(e, r.ob, field, fits, value)
-    IN  right("strt_info", FitsNumber(i.strt_info, r.ob), EventOf(r.ob) % 256)
+    IN  right("strt_info", FitsNumber(i.strt_info, r.ob),
+              Least(NumbersOf(r.ob)))
           \cup right("period", r.ob \in TodObs => FitsPeriod(i.period, r.word),
                      r.word)
           \cup right("sign", r.ob \in DintObs => Fits(i.sign, r.word), r.word)

@@ -94,7 +94,8 @@ OfTheInfo(e, past) ==
             \cup (IF i.csg_ob = -1 /\ i.csg_priority = -1 THEN {}
                   ELSE {"T15-132"})
             \cup (IF i.strt_info # -1
-                     /\ (e.ob \in NumberedObs \/ Kin(e.ob) \in 40..47)
+                     /\ (e.ob \in NumberedObs \cup {57}
+                           \/ Kin(e.ob) \in 40..47)
                   THEN {"T15-133"} ELSE {})
             \cup (IF e.ob = CycleOb /\ i.strt_info # -1 THEN {"T15-134"}
                   ELSE {})
@@ -105,7 +106,8 @@ OfTheInfo(e, past) ==
 (* Of a queue whose parameters are known. It has dropped events, or not.   *)
 \* @type: ($event, Str) => Set(Str);
 OfTheQueue(e, id) ==
-    CASE id = "OBS-30" -> {"T15-73"}
+    CASE e.event = "diag" /\ e.id = ErrorEntry + BufferOverflow -> {"T15-72"}
+      [] id = "OBS-30" -> {"T15-73"}
       [] id = "OBS-08" -> {"T15-72"}
       [] /\ e.event = "start" /\ HasQueue(e.ob) /\ ~Unseen("interrupt")
          /\ terms.dropped[e.ob] > 0 -> {"T15-69"}

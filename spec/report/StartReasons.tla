@@ -359,7 +359,8 @@ InterruptInfo(r, e, past) ==
                     /\ ~FitsNumber(i.strt_info, r.ob),
                     {"OBS-10"} \cup When(r.ob \in TodObs, {"TINT-23"})
                       \cup When(r.ob \in DintObs, {"DINT-03"})
-                      \cup When(r.ob \in ExternalObs, {"OBS-04"}))
+                      \cup When(r.ob \in ExternalObs /\ EventsOf(r.ob) # {},
+                                {"OBS-04"}))
           \cup When(r.ob \in TodObs /\ ~FitsPeriod(i.period, r.word),
                     {"TINT-25", "TINT-33"})
           \cup When(r.ob \in DintObs /\ ~Fits(i.sign, r.word),
