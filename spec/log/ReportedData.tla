@@ -293,17 +293,21 @@ DemandedEntries == { ErrorEntry + f : f \in (1..11) \cup (\hA1..\hA3) }
 (* Entries that need a cause: these, 454A, 4562 and 4563.                  *)
 JudgedEntries == DemandedEntries \cup CausesOfRules
 
-(* OB number 0 or 16#FF stands for no OB. *)
+(* OB number 0 or 16#FF stands for no OB. No text says which OB the entry  *)
+(* of an event names that a queue has dropped [T15-72].                    *)
+\* @type: ($entry, Int) => Bool;
+FitsOb(entry, o) ==
+    \/ o \in {0, 255, entry.of.ob}
+    \/ /\ Family.queues /\ entry.id = ErrorEntry + BufferOverflow
+       /\ o = entry.of.cause
+
 \* @type: ($entry, $event) => Bool;
 FitsEntry(entry, e) ==
     /\ \/ e.id = entry.id
        \/ /\ e.id - ErrorEntry \in ObNotLoaded
           /\ FitsFault(entry.id - ErrorEntry, e.id - ErrorEntry)
     /\ \/ entry.of.ob = 0
-       \/ /\ \/ e.ob \in {0, 255, entry.of.ob}
-             \* No text says which OB the entry 3507 names [T15-72].
-             \/ /\ Family.queues /\ e.ob = entry.of.cause
-                /\ entry.id = ErrorEntry + BufferOverflow
+       \/ /\ FitsOb(entry, e.ob)
           /\ Fits(e.priority, entry.of.class)
           /\ FitsError(entry.of, e.info)
 
@@ -376,7 +380,8 @@ Unreported ==
       [] OTHER -> reports
 
 (* The moment that an entry of this step shows; its cause was `age' ms     *)
-(* ago. Of entries that may come at any time later the second is kept.     *)
+(* ago. Of entries that may come at any time later it is kept to the full  *)
+(* second.                                                                 *)
 \* @type: ($entry, Int) => $moment;
 MomentOf(n, age) ==
     LET of == IF n.of.ob = 0 THEN clock' ELSE n.of.since

@@ -207,8 +207,8 @@ RightInfo(r, e) ==
 \* @type: ($report, $event) => Set($allowed);
 RightEntry(r, e) ==
     LET of == r.entry.of
-    IN  IF of.ob = 0 THEN {}
-        ELSE Right(e, 0, "ob", e.ob \in {0, 255, of.ob}, of.ob)
+    IN  IF of.ob = 0 THEN RightTime(e, 0, FitsMoment(r, e), r.since)
+        ELSE Right(e, 0, "ob", FitsOb(r.entry, e.ob), of.ob)
                \cup Right(e, of.ob, "priority",
                           /\ Fits(e.priority, of.class)
                           /\ Fits(e.info.priority, of.class), of.class)
