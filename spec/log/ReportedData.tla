@@ -162,11 +162,12 @@ FitsMask(r, given) ==
        ELSE given \in {-1} \cup ((IF TodObs = OldTodObs THEN 1 ELSE 0)..255)
 
 (* [T15-132] The OB that was being processed, and its priority. An error   *)
-(* from outside may name any OB: its line does not tell which one ran. If  *)
-(* the error is unseen, `during' is -1.                                    *)
+(* from outside, but of the cycle time, may name any OB: its line does not *)
+(* tell which one ran. If the error is unseen, `during' is -1.             *)
 \* @type: ($request, $info) => Bool;
 FitsRunning(r, i) ==
-    \/ r.during = 0 /\ r.cause = 0 /\ r.late = {}
+    \/ /\ r.during = 0 /\ r.cause = 0 /\ r.late = {}
+       /\ r.fault # CycleTimeExceeded
     \/ /\ Fits(i.csg_ob, r.during)
        /\ Fits(i.csg_priority, IF r.during > 0 THEN ClassOf(r.during)
                                 ELSE r.during)

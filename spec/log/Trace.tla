@@ -172,12 +172,25 @@ ComesBefore(e, o) ==
 -----------------------------------------------------------------------------
 (* Hidden steps: a log never shows them *)
 
+(* [T15-132] Before a time error the end of OB 1 matters on an S7-1500,    *)
+(* whose OB 80 tells that no OB was running. Line e makes one, or a start  *)
+(* event of an OB that waits already; or in HOLD there may be one.         *)
+\* @type: $event => Bool;
+BoundaryIsTold(e) ==
+    /\ Family.byKind /\ ~terms.cycle /\ mode = "RUN" /\ Len(stack) = 1
+    /\ \/ e.event \in {"hold", "zone"}
+       \/ e.event = "clock" /\ SkippedBy(e.to) # {}
+       \/ /\ e.event = "interrupt"
+          /\ e.ob = TimeErrorOb \/ \E r \in requests : r.ob = e.ob
+       \/ \E o \in PointsNow \cup OverBefore(e) : ~OnlyWaits(o)
+
 (* Cycle and startup OBs start and end. The end of a cycle matters only if *)
-(* it ends a delay, or another cycle OB follows [T15-79].                  *)
-HiddenBoundary ==
+(* it ends a delay, if another cycle OB follows [T15-79], or if it is told.*)
+\* @type: $event => Bool;
+HiddenBoundary(e) ==
     \/ ~terms.cycle /\ \E o \in CycleObs : CycleStarts(o)
     \/ /\ ~terms.cycle /\ Len(stack) = 1
-       /\ delay > 0 \/ CycleObs # {CycleOb}
+       /\ delay > 0 \/ CycleObs # {CycleOb} \/ BoundaryIsTold(e)
        /\ \E o \in CycleObs : End(o)
     \/ mode = "STARTUP" /\ \E o \in StartupObs : StartupStarts(o) \/ End(o)
     \/ resume.due /\ NoticesPassed
@@ -214,7 +227,7 @@ HiddenBefore(e) ==
                   ComesBefore(e, o) /\ DelayElapses(o) /\ Rewait
              \/ ~(MissingMayWait(e) /\ LeavesMissing(e)) /\ FindMissing
              \/ DropsBeforePoint
-             \/ HiddenBoundary /\ Rewait
+             \/ HiddenBoundary(e) /\ Rewait
 
 (* Quick to evaluate: may a hidden step be possible?                       *)
 \* @type: $event => Bool;
@@ -224,6 +237,7 @@ HidesBefore(e) == \/ stack = <<>>
                   \/ mode = "STARTUP" \/ resume.due
                   \/ PointsNow # {}
                   \/ OverBefore(e) # {}
+                  \/ BoundaryIsTold(e)
 
 (* Two explanations of a log differ if these values differ.                *)
 Distinct == <<cpu.readings, loaded, mode, startup, resume, clock, tod, dint,
