@@ -513,7 +513,7 @@ OverflowIsEnteredOnce == Reading("A15-06") = "a"
 RunningEventCounts    == Reading("A15-07") = "b"
 RunningEventCountsNot == Reading("A15-07") = "a"
 (* [A15-08] After OB 80 with 05 or 06 each skipped OB is caught up; or the *)
-(* first alone; or the first of each class; else some of them.             *)
+(* first alone; or the first of each class; else the first and any others. *)
 EachSkippedObIsCaughtUp    == Reading("A15-08") = "a"
 OnlyFirstSkippedIsCaughtUp == Reading("A15-08") = "b"
 FirstOfEachClassIsCaughtUp == Reading("A15-08") = "c"

@@ -234,7 +234,7 @@ Quietly(fault, now) ==
       [] OTHER -> SmallJumps(Span(clock, now))
 
 (* [T15-91] [T15-119] [A15-08] The OBs that get a catch-up, of those       *)
-(* reported.                                                               *)
+(* reported. The first is among them by every letter: (a), (b) and (c).    *)
 \* @type: Set(Int) => Set(Set(Int));
 CaughtUpOf(obs) ==
     LET \* @type: Int => $moment;
@@ -248,7 +248,7 @@ CaughtUpOf(obs) ==
         THEN { s \in SUBSET heads :
                  \A h \in heads :
                    Cardinality({ o \in s : ClassOf(o) = ClassOf(h) }) = 1 }
-        ELSE (SUBSET obs) \ {{}}
+        ELSE { s \in SUBSET obs : s \cap earliest # {} }
 
 (* [CLK-02] [CLK-03] [CLK-06] [OBS-32] [OBS-46] One OB 80 for all that are *)
 (* late, then one catch-up each.  An OB already waiting or running may get *)
