@@ -269,7 +269,35 @@ AtFirst(e) ==
 
 (* The same with a later moment of its step, up to which time elapses.     *)
 \* @type: ($event, $moment) => $event;
-AtLater(e, m) == [ e EXCEPT !.at = m, !.up = Shifted(up, clock, m) ]
+AtLater(e, m) ==
+    [ e EXCEPT !.at = m,
+               !.up = IF e.counter # NoMoment THEN @ ELSE Shifted(up, clock, m) ]
+
+(* The moment of its step that its counter tells, as long as the clocks    *)
+(* agree.                                                                  *)
+\* @type: $event => $moment;
+ByCounter(e) ==
+    LET since == IF pace.up = NoMoment THEN At(0) ELSE pace.up
+        m     == Shifted(pace.reads, since, e.counter)
+    IN  IF e.step = 1 \/ Before(m, e.at) THEN e.at
+        ELSE IF Before(EndOfStep(e), m) THEN EndOfStep(e) ELSE m
+
+(* It decides how far the clock is set, and of the points within the step  *)
+(* [AMB-14] (c) which have come; for a call that may arm a point, whether  *)
+(* the one at the begin of the step is past.                               *)
+\* @type: $event => Set($moment);
+MomentsByCounter(e) ==
+    LET m     == ByCounter(e)
+        arms  == e.event \in {"SET_TINT", "SET_TINTL", "ACT_TINT"}
+        \* @type: $tod => Bool;
+        comes(t) == /\ t.active /\ ~t.held
+                    /\ ~Before(NextMoment(t), clock)
+                    /\ ~Before(m, NextMoment(t))
+    IN  CASE e.event = "clock"                         -> {m}
+          [] SecondsAreKept /\ arms                    -> {m}
+          [] SecondsAreKept /\ \E o \in DOMAIN tod : comes(tod[o]) -> {m}
+          [] clock.ms = 0 /\ arms /\ Before(clock, m)  -> {After(clock, 1)}
+          [] OTHER                                     -> {}
 
 (* Later moments that make a difference: the end of the step; the first ms *)
 (* behind a point, also where a call may arm one that has seconds          *)
@@ -282,8 +310,9 @@ LaterMoments(e) ==
         ends  == IF e.event # "SRT_DINT" \/ e.dtime <= 0 THEN {}
                  ELSE {last - ((e.dtime - 1) % e.step)}
         ms    == {last} \cup (IF point THEN {1} ELSE {}) \cup ends
-    IN  IF e.counter # NoMoment \/ ~InStep(e) THEN {}
-        ELSE { m \in { After(e.at, d) : d \in ms } : Before(clock, m) }
+        all   == IF e.counter # NoMoment THEN MomentsByCounter(e)
+                 ELSE { After(e.at, d) : d \in ms }
+    IN  IF ~InStep(e) THEN {} ELSE { m \in all : Before(clock, m) }
 
 -----------------------------------------------------------------------------
 (* How far time can elapse in one step *)

@@ -263,10 +263,14 @@ KeepsPace(e) ==
 \* @type: $event => Bool;
 NextPace(e) ==
     pace' = IF e.counter # NoMoment
-            THEN [clock |-> clock', up |-> e.counter, step |-> e.step]
-            ELSE IF e.event = "clock" /\ pace.up # NoMoment
-            THEN [pace EXCEPT !.clock = Shifted(@, e.at, e.to)]
-            ELSE pace
+            THEN [ clock |-> clock', up |-> e.counter, step |-> e.step,
+                   reads |-> IF e.event = "clock" THEN e.to
+                             ELSE ByCounter(e) ]
+            ELSE IF e.event # "clock" THEN pace
+            ELSE [ pace EXCEPT
+                     !.clock = IF pace.up = NoMoment THEN @
+                               ELSE Shifted(@, e.at, e.to),
+                     !.reads = Shifted(@, e.at, e.to) ]
 
 -----------------------------------------------------------------------------
 

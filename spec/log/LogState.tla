@@ -53,7 +53,8 @@ EXTENDS Cpu
 (*                       cause: Int, flt_id: Int, id: Int, priority: Int,  *)
 (*                       info: $info, active: Int, blocked: Int,           *)
 (*                       loaded: Int, entries_off: Int, left: Int };       *)
-(* @typeAlias: pace = { clock: $moment, up: $moment, step: Int };          *)
+(* @typeAlias: pace = { clock: $moment, up: $moment, step: Int,            *)
+(*                      reads: $moment };                                  *)
 (* @typeAlias: change = { from: $moment, up: $moment };                    *)
 (* @typeAlias: tag = { of: $request, nth: Int };                           *)
 (* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
@@ -145,7 +146,8 @@ VARIABLES
     \* @type: Set($change);
     changes,
     (* Both clocks at the last line that has `up'. Setting the CPU clock    *)
-    (* moves this reading, too.                                             *)
+    (* moves this reading, too. reads: what the clock read then, as elapsed *)
+    (* by `up' since the last line that tells it to the ms.                 *)
     \* @type: $pace;
     pace,
     (* The entries of the diagnostic buffer that the log has not shown     *)
@@ -159,7 +161,8 @@ lineVars == <<terms, pace>>
 (* Only events change these; they stay while time elapses.                 *)
 eventVars == <<first, overruns, arrivals, changes>>
 
-NoPace == [clock |-> NoMoment, up |-> NoMoment, step |-> 1]
+NoPace == [ clock |-> NoMoment, up |-> NoMoment, step |-> 1,
+            reads |-> [min |-> 0, ms |-> 0] ]
 
 (* A request without the fields that change while it waits.                *)
 \* @type: $request => $request;

@@ -146,7 +146,7 @@ Begin(h) ==
     /\ overruns' = 0
     /\ arrivals' = [r \in { AsItCame(q) : q \in requests' } |-> At(0)]
     /\ changes' = {}
-    /\ pace' = NoPace
+    /\ pace' = [NoPace EXCEPT !.reads = h.clock]
     /\ reports' = {}
 
 -----------------------------------------------------------------------------
