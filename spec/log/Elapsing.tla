@@ -271,7 +271,8 @@ AtFirst(e) ==
 \* @type: ($event, $moment) => $event;
 AtLater(e, m) ==
     [ e EXCEPT !.at = m,
-               !.up = IF e.counter # NoMoment THEN @ ELSE Shifted(up, clock, m) ]
+               !.up = IF e.counter # NoMoment THEN @
+                                             ELSE Shifted(up, clock, m) ]
 
 (* The moment of its step that its counter tells, as long as the clocks    *)
 (* agree.                                                                  *)
@@ -299,10 +300,20 @@ MomentsByCounter(e) ==
           [] clock.ms = 0 /\ arms /\ Before(clock, m)  -> {After(clock, 1)}
           [] OTHER                                     -> {}
 
+(* A line in its step whose moment is known follows: what this one begins  *)
+(* may last until then, or be waited for since then, for the latency.      *)
+\* @type: $event => Set($moment);
+MomentsBefore(e) ==
+    LET ends  == e.event = "SRT_DINT" /\ e.dtime > 0 /\ e.dtime < e.step
+        spans == IF ends THEN {0, e.dtime} ELSE {0}
+    IN  IF e.until = NoMoment THEN {}
+        ELSE UNION { { After(e.until, -d),
+                       After(e.until, -d - terms.latency) } : d \in spans }
+
 (* Later moments that make a difference: the end of the step; the first ms *)
 (* behind a point, also where a call may arm one that has seconds          *)
-(* [AMB-14] (c); and where a delay is started, the moment from which it    *)
-(* ends as another step begins.                                            *)
+(* [AMB-14] (c); where a delay is started, the moment from which it ends   *)
+(* as another step begins; and those before a line whose moment is known.  *)
 \* @type: $event => Set($moment);
 LaterMoments(e) ==
     LET last  == e.step - 1
@@ -311,7 +322,7 @@ LaterMoments(e) ==
                  ELSE {last - ((e.dtime - 1) % e.step)}
         ms    == {last} \cup (IF point THEN {1} ELSE {}) \cup ends
         all   == IF e.counter # NoMoment THEN MomentsByCounter(e)
-                 ELSE { After(e.at, d) : d \in ms }
+                 ELSE { After(e.at, d) : d \in ms } \cup MomentsBefore(e)
     IN  IF ~InStep(e) THEN {} ELSE { m \in all : Before(clock, m) }
 
 -----------------------------------------------------------------------------

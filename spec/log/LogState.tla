@@ -7,7 +7,9 @@
 (* NoMoment.  The trace checker's engine fills the records from the log.   *)
 (* `up' of an event is the time that has elapsed since the log began;      *)
 (* `counter' is what the line itself gives as `up'. `step' is the unit in  *)
-(* which `at' is written, in ms. 0 is false, 1 is true.                    *)
+(* which `at' is written, in ms; `until', of a line in seconds or minutes, *)
+(* the `at' of the first one behind it in its step that is written finer,  *)
+(* if it has come already. 0 is false, 1 is true.                          *)
 (*                                                                         *)
 (* Source: docs/checking/log-format.md, the fields of header and events;   *)
 (* fine points 1, 2 and 9.                                                 *)
@@ -44,7 +46,8 @@ EXTENDS Cpu
 (*                      time: $moment, caught_up: Int, second_time: Int,   *)
 (*                      event_count: Int, csg_ob: Int,                     *)
 (*                      csg_priority: Int };                               *)
-(* @typeAlias: event = { event: Str, at: $moment, step: Int, up: $moment,  *)
+(* @typeAlias: event = { event: Str, at: $moment, step: Int,               *)
+(*                       until: $moment, up: $moment,                      *)
 (*                       counter: $moment, ob: Int, sdt: $date,            *)
 (*                       period: Int, local: Int, activate: Int,           *)
 (*                       zone: Int, reason: Str,                           *)
@@ -78,8 +81,9 @@ NoInfo == [ strt_info |-> -1, flt_id |-> -1, priority |-> -1, period |-> -1,
             csg_priority |-> -1 ]
 
 \* @type: $event;
-NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1, up |-> NoMoment,
-             counter |-> NoMoment, ob |-> 0, sdt |-> NoDate, period |-> -1,
+NoEvent == [ event |-> "", at |-> NoMoment, step |-> 1,
+             until |-> NoMoment, up |-> NoMoment, counter |-> NoMoment,
+             ob |-> 0, sdt |-> NoDate, period |-> -1,
              local |-> -1, activate |-> -1, zone |-> -9999, reason |-> "",
              dtime |-> -1, sign |-> -1,
              mode |-> -1, ret |-> -1,

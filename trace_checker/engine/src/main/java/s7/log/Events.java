@@ -17,6 +17,9 @@ final class Events {
   /** The milliseconds for which {@code at} stands, where they are more than one. */
   static final String STEP = "step";
 
+  /** Of a line with a step: the {@code at} of the first finer one behind it in this step ({@link Onward}). */
+  static final String UNTIL = "until";
+
   /** The event that ends a log. */
   static final String DONE = "done";
 

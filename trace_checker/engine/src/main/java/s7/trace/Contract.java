@@ -104,7 +104,7 @@ public final class Contract {
   static final String UP = "up";
 
   /** The fields of an event that say when it comes. */
-  static final String[] OF_TIME = {AT, UP, "counter", "step"};
+  static final String[] OF_TIME = {AT, UP, "counter", "step", "until"};
 
   /** The fields of a point in time. */
   static final String MINUTES = "min";

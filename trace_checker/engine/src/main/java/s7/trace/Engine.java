@@ -12,6 +12,7 @@ import java.util.function.Function;
 import s7.importing.Importing;
 import s7.log.Fields;
 import s7.log.LogReader;
+import s7.log.Onward;
 import s7.log.ProfileFile;
 import s7.log.Unusable;
 import tla.spec.Decisions;
@@ -30,7 +31,7 @@ import tlc2.value.impl.RecordValue;
  *       "outcomes":true} the answer has {@code outcomes}.
  *   <li>{@code {"message":"bytes","count":N}} is in front of N bytes of the log, in UTF-8 without a byte order mark.
  *   <li>{@code {"message":"verdict"}} asks whether the log is decided. If it is not, the answer is {@code
- *       {"verdict":"open"}}; if it is, its verdict has been printed.
+ *       {"verdict":"open"}}; if it is, its verdict has been printed. What lines behind tell of one is not waited for.
  *   <li>{@code {"message":"finish"}} ends it; with {@code "broken":true} amid a line, which does not count.
  *   <li>{@code {"message":"texts","clauses":[{"id":...,"text":...}...],"events":{"4568":...}}} has the words of the rules
  *       and of event IDs, from which sentences are made; the answer is empty.
@@ -89,6 +90,7 @@ public final class Engine {
 
   private Input input;
   private LogReader reader;
+  private Onward onward;
 
   /** Whether a line of the log could not be read. */
   private boolean unusable;
@@ -140,6 +142,8 @@ public final class Engine {
         ahead.flush();
       }
       case "verdict" -> {
+        onward.end();
+        ahead.settle();
         if (!judging.decided()) {
           print(new Fields().put("verdict", "open"));
         }
@@ -147,8 +151,9 @@ public final class Engine {
       case "finish" -> {
         if (!message.has("broken")) {
           attempt(reader::end);
-          ahead.settle();
         }
+        onward.end();
+        ahead.settle();
         judging.finish();
       }
       case "texts" -> {
@@ -193,9 +198,8 @@ public final class Engine {
     judging = judges == spec ? withoutOutcomes : withOutcomes;
     judging.begin(message.has("follow") ? message.number("follow") : 0);
     unusable = false;
-    reader =
-        new LogReader(
-            spec.format(),
+    onward =
+        new Onward(
             new LogReader.Taker() {
               @Override
               public void header(Fields header) {
@@ -207,8 +211,8 @@ public final class Engine {
                 RecordValue read = judges.event(event);
                 ahead.add(() -> judging.observe(line, read));
               }
-            },
-            file(message));
+            });
+    reader = new LogReader(spec.format(), onward, file(message));
   }
 
   /** Reads a part of the log, unless it is decided: the rest means nothing then. */
@@ -216,6 +220,7 @@ public final class Engine {
     Unusable wrong = unusable || judging.decided() ? null : refused(part);
     if (wrong != null) {
       unusable = true;
+      onward.end();
       ahead.settle();
       judging.unusable(wrong.asJson());
     }
@@ -225,9 +230,8 @@ public final class Engine {
   private Fields read(Fields message) throws IOException {
     var answer = new Fields();
     var events = new ArrayList<Fields>();
-    var reading =
-        new LogReader(
-            spec.format(),
+    var onward =
+        new Onward(
             new LogReader.Taker() {
               @Override
               public void header(Fields given) {
@@ -242,8 +246,8 @@ public final class Engine {
               public void event(int line, Fields event) {
                 events.add(message.has("spelled") ? spelled(event) : event.put("line", line));
               }
-            },
-            file(message));
+            });
+    var reading = new LogReader(spec.format(), onward, file(message));
     Unusable[] first = {null};
     input.pass(
         message.number(COUNT),
@@ -253,6 +257,7 @@ public final class Engine {
           }
         });
     Unusable wrong = first[0] == null ? refused(reading::end) : first[0];
+    onward.end();
     answer.put("events", events);
     if (wrong != null) {
       answer.put("unusable", wrong.asJson());

@@ -24,7 +24,7 @@ final class Spelled {
 
   private static final Set<String> TRUTHS =
       Set.of("active", "blocked", "loaded", "entries_off", "local", "activate", "caught_up", "second_time");
-  private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "counter");
+  private static final Set<String> OF_THE_ENGINE = Set.of("line", "step", "until", "counter");
   private static final List<String> DATE = List.of("year", "month", "day", "hour", "minute", "second", "ms");
 
   private Spelled() {}

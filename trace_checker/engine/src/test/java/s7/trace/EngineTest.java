@@ -137,7 +137,7 @@ class EngineTest {
   @Test
   @DisplayName("questions have their answers between logs")
   void questions() throws IOException {
-    var answers = serve("{'message':'alternatives'}\n", BEGIN, bytes(HEADER + WRONG), "{'message':'decisions'}\n");
+    var answers = serve("{'message':'alternatives'}\n", BEGIN, bytes(HEADER + WRONG), VERDICT, "{'message':'decisions'}\n");
     assertTrue(answers.get(0).has("alternatives"));
     assertFalse(answers.get(2).getAsJsonArray("decisions").isEmpty());
   }
