@@ -103,7 +103,7 @@ def error_ob(time: str, fault: str, **info: object) -> dict[str, Any]:
                 *EVERY_MINUTE,
                 DELAYED,
                 on("01:10", "DIS_IRT", mode="B#16#00", ob=0, ret=0),
-                on("01:20", "EN_AIRT", ret=0),
+                on("01:20.000", "EN_AIRT", ret=0),
                 on("01:20.011", "QRY_TINT", ob=10, status="W#16#0016", ret=0),
             ],
             "IRT-01",
