@@ -368,30 +368,14 @@ WaitsWithStop(r) ==
     \/ /\ r.entry = AsReported(EntryOfCycleTime)
        /\ ExceededTwice /\ mode # "STOP"
 
-(* [T15-72] [A15-06] (b) The entry of an event that a queue drops may wait *)
-(* for the end of its OB. Until then it has no age.                        *)
-\* @type: $entry => Bool;
-MayAwaitTheEnd(n) ==
-    /\ n.id = ErrorEntry + BufferOverflow
-    /\ Family.queues /\ ~OverflowIsEnteredOnce
-    /\ n.of.cause \in TodObs \/ HasQueue(n.of.cause)
-Ageless == -1
-
-(* If the CPU stops, its OB has no end: the entry need not come.           *)
 \* @type: $report => $report;
-AfterStop(r) ==
-    CASE r.age = Ageless  -> [r EXCEPT !.entry.open = TRUE, !.age = 0]
-      [] WaitsWithStop(r) -> [r EXCEPT !.entry.open = TRUE]
-      [] OTHER            -> r
+AfterStop(r) == IF WaitsWithStop(r) THEN [r EXCEPT !.entry.open = TRUE] ELSE r
 
 (* Behind a clock that is set back the moments of entries that may come at *)
 (* any time later tell nothing.                                            *)
 Unreported ==
     CASE DiagRecorded /\ mode # "STOP" /\ mode' = "STOP" ->
            { AfterStop(r) : r \in reports }
-      [] DiagRecorded /\ Len(stack') < Len(stack) ->
-           { IF r.age = Ageless /\ r.entry.of.cause = Running.ob
-             THEN [r EXCEPT !.age = 0] ELSE r : r \in reports }
       [] ~DiagRecorded /\ reports # {} /\ Before(clock', clock) ->
            { [r EXCEPT !.since = NoMoment] : r \in reports }
       [] OTHER -> reports
@@ -417,9 +401,8 @@ Report(age) ==
                                  \cup EntriesOfOverflow :
                      m.id \in JudgedEntries /\ ~CauseUnseen(m.id) }
         new == { AsReported(n) : n \in shown }
-        a(n) == IF ~DiagRecorded THEN 0
-                ELSE IF MayAwaitTheEnd(n) THEN Ageless ELSE age
-        same(n) == { r \in Unreported : r.entry = n /\ r.age = a(n) }
+        a   == IF DiagRecorded THEN age ELSE 0
+        same(n) == { r \in Unreported : r.entry = n /\ r.age = a }
         times(n) == IF same(n) = {} THEN 1
                     ELSE OneMore((CHOOSE r \in same(n) : TRUE).times)
         since(n) == Earliest({ r.since : r \in same(n) }
@@ -428,8 +411,7 @@ Report(age) ==
                                                   AsReported(k) = n } })
     IN  reports' = IF new = {} THEN Unreported
                    ELSE (Unreported \ UNION { same(n) : n \in new })
-                          \cup { [ entry |-> n, age |-> a(n),
-                                   times |-> times(n),
+                          \cup { [ entry |-> n, age |-> a, times |-> times(n),
                                    since |-> since(n) ] : n \in new }
 
 (* The entries that would be too late in d ms. *)
@@ -438,18 +420,21 @@ EntriesLate(d) ==
     IF reports = {} \/ ~DiagRecorded THEN {}
     ELSE { r \in reports : /\ ~r.entry.open /\ ~WaitsWithStop(r)
                            /\ r.entry.id \in DemandedEntries
-                           /\ r.age # Ageless /\ r.age + d > terms.latency }
+                           /\ r.age + d > terms.latency }
+
+(* [T15-72] The entry of an overflow may come with the end of the OB.      *)
+\* @type: $report => Bool;
+MayComeLate(r) == /\ r.entry.id = ErrorEntry + BufferOverflow
+                  /\ r.entry.open /\ HasQueue(r.entry.of.cause)
 
 (* The entries grow older. An entry that need not come is forgotten after  *)
 (* the latency.                                                            *)
 \* @type: Int => Set($report);
 ReportsAfter(d) ==
-    LET \* @type: $report => Bool;
-        stands(r) == r.age = Ageless \/ WaitsWithStop(r)
-    IN  IF reports = {} \/ ~DiagRecorded THEN reports
-        ELSE { IF stands(r) THEN r ELSE [r EXCEPT !.age = @ + d]
-               : r \in { q \in reports : stands(q)
-                                          \/ q.age + d <= terms.latency } }
+    IF reports = {} \/ ~DiagRecorded THEN reports
+    ELSE { IF WaitsWithStop(r) THEN r ELSE [r EXCEPT !.age = @ + d]
+           : r \in { q \in reports : \/ q.age + d <= terms.latency
+                                    \/ WaitsWithStop(q) \/ MayComeLate(q) } }
 
 -----------------------------------------------------------------------------
 
