@@ -17,10 +17,10 @@ from s7check.kit.results import Result, outcomes
 from tests.kit.programs import PROGRAM
 
 ADAPTER = Path(__file__).with_name("adapter.py")
-AT = '"at": "2026-11-21T05:59:30"'
+AT = '"at": "2026-11-21T05:59:30.000"'
 OUTSIDE = (
-    '{"event": "interrupt", "at": "2026-11-21T05:59:30", "ob": 35}\n'
-    '{"event": "start", "at": "2026-11-21T05:59:30", "ob": 35}\n'
+    '{"event": "interrupt", "at": "2026-11-21T05:59:30.000", "ob": 35}\n'
+    '{"event": "start", "at": "2026-11-21T05:59:30.000", "ob": 35}\n'
 )
 RIGHT = f'{{"event": "DIS_AIRT", {AT}, "ret": 1}}\n'
 EVENTS = {
@@ -34,7 +34,7 @@ WEEKLY = {"ob": 10, "sdt": "2026-11-23T06:00", "period": "16#1202"}
 """The code of weekly that the edition of 1997 and the reading a of AMB-01 refuse."""
 
 for way, answer in {"taken": "16#0000", "refused": "16#8092"}.items():
-    EVENTS[way] = json.dumps({"event": "SET_TINT", "at": "2026-11-21T05:59:30", **WEEKLY, "ret": answer}) + "\n"
+    EVENTS[way] = json.dumps({"event": "SET_TINT", "at": "2026-11-21T05:59:30.000", **WEEKLY, "ret": answer}) + "\n"
 
 
 def program(way: str) -> dict[str, object]:
