@@ -141,11 +141,6 @@ MonthsAgree ==
       /\ DaysInMonth(1990, m)
            = <<31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31>>[m]
       /\ DaysInMonth(1992, m) = DaysInMonth(1990, m) + (IF m = 2 THEN 1 ELSE 0)
-      /\ DaysBeforeMonth(1990, 1) = 0
-      /\ m < 12 => DaysBeforeMonth(1990, m + 1)
-                     = DaysBeforeMonth(1990, m) + DaysInMonth(1990, m)
-      /\ DaysBeforeMonth(1992, m)
-           = DaysBeforeMonth(1990, m) + (IF m > 2 THEN 1 ELSE 0)
 
 (* A letter that is named counts, and it alone. *)
 NamedInv == \A a \in Ambiguities : \A letter \in Letters(a) :

@@ -33,51 +33,53 @@ Never == 99999999
 -----------------------------------------------------------------------------
 (* Days *)
 
+(* In 1990..2089. *)
 \* @type: Int => Bool;
-LeapYear(y) == (y % 4 = 0 /\ y % 100 # 0) \/ y % 400 = 0
+LeapYear(y) == y % 4 = 0
 
 \* @type: (Int, Int) => Int;
 DaysInMonth(y, m) ==
     IF m = 2 THEN (IF LeapYear(y) THEN 29 ELSE 28)
              ELSE IF m \in {4, 6, 9, 11} THEN 30 ELSE 31
 
-(* Leap days of the years 1 .. y. *)
-\* @type: Int => Int;
-LeapDays(y) == (y \div 4) - (y \div 100) + (y \div 400)
+(* Years are counted from a March here, so that a leap day is their last   *)
+(* day: four years have 1461 days, five months from March on have 153.     *)
+(* Day 0 of this count is March 1, 1988, 671 days before January 1, 1990.  *)
+MarchYear == 1988
+MarchDays == 671
 
 \* @type: Int => Int;
-DaysBeforeYear(y) ==
-    (y - FirstYear) * 365 + LeapDays(y - 1) - LeapDays(FirstYear - 1)
+DaysBeforeMarchOf(y) == ((y - MarchYear) * 1461) \div 4
 
-\* @type: Seq(Int);
-DaysBeforeMonthTable ==
-    <<0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334>>
-
-\* @type: (Int, Int) => Int;
-DaysBeforeMonth(y, m) ==
-    DaysBeforeMonthTable[m] + (IF m > 2 /\ LeapYear(y) THEN 1 ELSE 0)
+(* Months from March on, from 0 to 11. *)
+\* @type: Int => Int;
+DaysBeforeMonthFromMarch(k) == (k * 153 + 2) \div 5
 
 \* @type: (Int, Int, Int) => Int;
-DayNumber(y, m, d) == DaysBeforeYear(y) + DaysBeforeMonth(y, m) + d - 1
+DayNumber(y, m, d) ==
+    LET k == (m + 9) % 12
+    IN  DaysBeforeMarchOf(IF m < 3 THEN y - 1 ELSE y)
+          + DaysBeforeMonthFromMarch(k) + d - 1 - MarchDays
 
-(* The year, month and day of the month of a day number.  The first guess  *)
-(* is right or one too small: a year has at most 366 days, a month 31.     *)
+(* Of a day number: the year from March, its day in this year, the month.  *)
 \* @type: Int => Int;
-YearOf(n) ==
-    LET guess == FirstYear + (n \div 366)
-    IN  IF DaysBeforeYear(guess + 1) <= n THEN guess + 1 ELSE guess
+MarchYearOf(n) == MarchYear + ((n + MarchDays) * 4 + 3) \div 1461
 
 \* @type: Int => Int;
-MonthOf(n) ==
-    LET y     == YearOf(n)
-        rest  == n - DaysBeforeYear(y)
-        guess == (rest \div 31) + 1
-    IN  IF guess < 12 /\ DaysBeforeMonth(y, guess + 1) <= rest
-        THEN guess + 1 ELSE guess
+DayFromMarch(n) == n + MarchDays - DaysBeforeMarchOf(MarchYearOf(n))
+
+\* @type: Int => Int;
+MonthFromMarch(n) == (DayFromMarch(n) * 5 + 2) \div 153
+
+\* @type: Int => Int;
+MonthOf(n) == ((MonthFromMarch(n) + 2) % 12) + 1
+
+\* @type: Int => Int;
+YearOf(n) == MarchYearOf(n) + (MonthFromMarch(n) \div 10)
 
 \* @type: Int => Int;
 DayOf(n) ==
-    n - DaysBeforeYear(YearOf(n)) - DaysBeforeMonth(YearOf(n), MonthOf(n)) + 1
+    DayFromMarch(n) - DaysBeforeMonthFromMarch(MonthFromMarch(n)) + 1
 
 -----------------------------------------------------------------------------
 (* Dates that a program passes, right or wrong [TINT-39] *)
@@ -129,43 +131,8 @@ Span(a, b) == IF b.min - a.min > 16000 THEN Aeon
 -----------------------------------------------------------------------------
 (* The series of start points *)
 
-(* Months since January 1990, and the first day of such a month. *)
-\* @type: Int => Int;
-MonthIndex(n) == (YearOf(n) - FirstYear) * 12 + MonthOf(n) - 1
-
-\* @type: Int => Int;
-YearOfIndex(i) == FirstYear + (i \div 12)
-
-\* @type: Int => Int;
-MonthOfIndex(i) == (i % 12) + 1
-
 \* @type: (Int, Int) => Int;
 Earlier(a, b) == IF a <= b THEN a ELSE b
-
-(* The point of month i for a start on day d of the month at minute t of   *)
-(* the day; Never where the month has no such day.  Day -d is day d or, in *)
-(* shorter months, the last day.                                           *)
-\* @type: (Int, Int, Int) => Int;
-PointInMonth(i, d, t) ==
-    LET y == YearOfIndex(i)
-        m == MonthOfIndex(i)
-        k == IF d > 0 THEN d ELSE Earlier(-d, DaysInMonth(y, m))
-    IN  IF y > LastYear \/ k > DaysInMonth(y, m) THEN Never
-        ELSE DayNumber(y, m, k) * MinutesADay + t
-
-(* The point of year y; Never where the year has no such day.              *)
-\* @type: (Int, Int, Int, Int) => Int;
-PointInYear(y, m, d, t) ==
-    IF y > LastYear \/ d > DaysInMonth(y, m) THEN Never
-    ELSE DayNumber(y, m, d) * MinutesADay + t
-
-(* [AMB-38] (c) Here day 29 of a common February is March 1, day -29 is    *)
-(* February 28.                                                            *)
-\* @type: (Int, Int, Int, Int) => Int;
-PointInAnyYear(y, m, d, t) ==
-    IF y > LastYear THEN Never
-    ELSE LET k == IF d < 0 THEN Earlier(-d, DaysInMonth(y, m)) ELSE d
-         IN  DayNumber(y, m, k) * MinutesADay + t
 
 \* @type: (Int, Int) => Int;
 NotBefore(p, m) == IF p >= m THEN p ELSE Never
@@ -177,53 +144,64 @@ FirstStep(start, step, m) ==
     ELSE LET p == start + ((m - start + step - 1) \div step) * step
          IN  IF p > LastMinute THEN Never ELSE p
 
-(* At most two months in a row lack a day, so three candidates are enough. *)
+OfYears  == {Yearly, YearlyOrDayBefore, YearlyOrDayAfter}
+OfMonths == {Monthly, MonthlyOrLast, EndOfMonth} \cup OfYears
+
+(* Months are counted from January 1990 on. *)
+\* @type: Int => Int;
+YearOfMonth(i) == FirstYear + (i \div 12)
+
+\* @type: Int => Int;
+DaysOfMonth(i) == DaysInMonth(YearOfMonth(i), (i % 12) + 1)
+
+(* Day d of month i, which may be the day after its last, at minute t. *)
 \* @type: (Int, Int, Int) => Int;
-FirstMonthly(d, t, m) ==
-    LET i == MonthIndex(m \div MinutesADay)
-    IN  Earlier(NotBefore(PointInMonth(i, d, t), m),
-          Earlier(PointInMonth(i + 1, d, t), PointInMonth(i + 2, d, t)))
+PointInMonth(i, d, t) ==
+    IF YearOfMonth(i) > LastYear THEN Never
+    ELSE DayNumber(YearOfMonth(i), (i % 12) + 1, d) * MinutesADay + t
 
-(* [AMB-38] February 29th: leap years only.  In 1990..2089 every fourth    *)
-(* year is a leap year: five candidates.                                   *)
+(* [TINT-18] [AMB-05] [AMB-38] The point of month i for a start on day d   *)
+(* at minute t. If month i has no day d, its last day counts, or the day   *)
+(* after it; or the point is in the next month that has the day: a leap    *)
+(* February, or the month after i, since no two in a row lack a day.       *)
 \* @type: (Int, Int, Int, Int) => Int;
-FirstYearly(mo, d, t, m) ==
-    LET y == YearOf(m \div MinutesADay)
-    IN  Earlier(NotBefore(PointInYear(y, mo, d, t), m),
-          Earlier(PointInYear(y + 1, mo, d, t),
-            Earlier(PointInYear(y + 2, mo, d, t),
-              Earlier(PointInYear(y + 3, mo, d, t),
-                      PointInYear(y + 4, mo, d, t)))))
+PointOfMonth(period, i, d, t) ==
+    LET last == DaysOfMonth(i)
+    IN  IF d <= last \/ period = YearlyOrDayAfter THEN PointInMonth(i, d, t)
+        ELSE IF period \in {EndOfMonth, MonthlyOrLast, YearlyOrDayBefore}
+        THEN PointInMonth(i, last, t)
+        ELSE PointInMonth(
+               i + (IF period = Yearly THEN 12 * (4 - (YearOfMonth(i) % 4))
+                    ELSE 1), d, t)
 
-\* @type: (Int, Int, Int, Int) => Int;
-FirstInAnyYear(mo, d, t, m) ==
-    LET y == YearOf(m \div MinutesADay)
-    IN  Earlier(NotBefore(PointInAnyYear(y, mo, d, t), m),
-                PointInAnyYear(y + 1, mo, d, t))
+(* The first point at or after minute m: in its month or year, or in the   *)
+(* next one.                                                               *)
+\* @type: (Int, Int, Int) => Int;
+FirstInMonths(start, period, m) ==
+    LET begun == start \div MinutesADay
+        today == m \div MinutesADay
+        width == IF period \in OfYears THEN 12 ELSE 1
+        here  == (YearOf(today) - FirstYear) * 12
+                   + MonthOf(IF width = 12 THEN begun ELSE today) - 1
+        \* @type: Int => Int;
+        point(i) ==
+            PointOfMonth(period, i,
+                         IF period = EndOfMonth THEN 31 ELSE DayOf(begun),
+                         start % MinutesADay)
+    IN  IF point(here) >= m THEN point(here) ELSE point(here + width)
 
 (* [TINT-32] [TINT-33] [TINT-19] The first start point at or after minute  *)
 (* m of an interrupt with this start and PERIOD; Never if there is none.   *)
 (* End of month: only the time of day of the start counts [AMB-39].        *)
 \* @type: (Int, Int, Int) => Int;
 FirstPoint(start, period, m) ==
-    LET from == IF m <= start THEN start ELSE m
-        day  == start \div MinutesADay
-        time == start % MinutesADay
-    IN  IF m > LastMinute THEN Never
-        ELSE CASE period = Once       -> NotBefore(start, m)
-               [] period = Minutely   -> FirstStep(start, 1, m)
-               [] period = Hourly     -> FirstStep(start, 60, m)
-               [] period = Daily      -> FirstStep(start, MinutesADay, m)
-               [] period \in Weekly   -> FirstStep(start, 7 * MinutesADay, m)
-               [] period = Monthly    -> FirstMonthly(DayOf(day), time, from)
-               [] period = Yearly     ->
-                    FirstYearly(MonthOf(day), DayOf(day), time, from)
-               [] period = YearlyOrDayBefore ->
-                    FirstInAnyYear(MonthOf(day), -DayOf(day), time, from)
-               [] period = YearlyOrDayAfter ->
-                    FirstInAnyYear(MonthOf(day), DayOf(day), time, from)
-               [] period = EndOfMonth -> FirstMonthly(-31, time, from)
-               [] period = MonthlyOrLast ->
-                    FirstMonthly(-DayOf(day), time, from)
-               [] OTHER               -> Never
+    IF m > LastMinute THEN Never
+    ELSE CASE period = Once        -> NotBefore(start, m)
+           [] period = Minutely    -> FirstStep(start, 1, m)
+           [] period = Hourly      -> FirstStep(start, 60, m)
+           [] period = Daily       -> FirstStep(start, MinutesADay, m)
+           [] period \in Weekly    -> FirstStep(start, 7 * MinutesADay, m)
+           [] period \in OfMonths  ->
+                FirstInMonths(start, period, IF m <= start THEN start ELSE m)
+           [] OTHER                -> Never
 =============================================================================

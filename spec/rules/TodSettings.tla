@@ -58,11 +58,12 @@ HasOnePoint(period) == \/ period = Once
 (* end-of-month interrupt may be a point as well [AMB-39].                 *)
 \* @type: ($tod, Int) => Int;
 InSeries(t, m) ==
-    IF m > t.start THEN FirstPoint(t.start, SeriesOf(t.period), m)
-    ELSE IF t.period = EndOfMonth /\ EndOfMonthRunsAtStart THEN t.start
-    ELSE IF ~HasOnePoint(t.period) /\ SeriesBeginsAPeriodLater
-    THEN FirstPoint(t.start, SeriesOf(t.period), t.start + 1)
-    ELSE FirstPoint(t.start, SeriesOf(t.period), m)
+    IF m <= t.start /\ t.period = EndOfMonth /\ EndOfMonthRunsAtStart
+    THEN t.start
+    ELSE FirstPoint(t.start, SeriesOf(t.period),
+                    IF /\ m <= t.start /\ ~HasOnePoint(t.period)
+                       /\ SeriesBeginsAPeriodLater
+                    THEN t.start + 1 ELSE m)
 
 (* [T15-20] A minute of local time, by the clock.                          *)
 \* @type: (Int, Int) => Int;
@@ -71,9 +72,9 @@ ByTheClock(local, zone) == IF local = Never THEN Never ELSE local - zone
 \* @type: ($tod, Int) => Int;
 PointFrom(t, m) ==
     LET local == m + t.zone
-    IN  ByTheClock(IF t.period = EndOfMonth /\ EndOfMonthIsOnce
-                   THEN NotBefore(InSeries(t, t.start), local)
-                   ELSE InSeries(t, local), t.zone)
+        once  == t.period = EndOfMonth /\ EndOfMonthIsOnce
+        point == InSeries(t, IF once THEN t.start ELSE local)
+    IN  ByTheClock(IF once THEN NotBefore(point, local) ELSE point, t.zone)
 
 (* The first start point of a setting with one point. *)
 \* @type: $tod => $moment;
