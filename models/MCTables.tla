@@ -135,7 +135,7 @@ NumbersInv ==
          /\ \A n \in ClassNumbers : Meant(129, n) = OfClass(n)
          /\ Meant(0, 0) = Blockable
 
-(* [TINT-39] The two tables of months agree. *)
+(* [TINT-39] The lengths of the months. *)
 MonthsAgree ==
     \A m \in 1..12 :
       /\ DaysInMonth(1990, m)

@@ -33,7 +33,7 @@ Never == 99999999
 -----------------------------------------------------------------------------
 (* Days *)
 
-(* In 1990..2089. *)
+(* Enough for 1990..2089: 2000 is a leap year, and 2100 lies beyond. *)
 \* @type: Int => Bool;
 LeapYear(y) == y % 4 = 0
 
@@ -51,7 +51,7 @@ MarchDays == 671
 \* @type: Int => Int;
 DaysBeforeMarchOf(y) == ((y - MarchYear) * 1461) \div 4
 
-(* Months from March on, from 0 to 11. *)
+(* Month 0 is March, month 11 is February. *)
 \* @type: Int => Int;
 DaysBeforeMonthFromMarch(k) == (k * 153 + 2) \div 5
 
@@ -61,7 +61,7 @@ DayNumber(y, m, d) ==
     IN  DaysBeforeMarchOf(IF m < 3 THEN y - 1 ELSE y)
           + DaysBeforeMonthFromMarch(k) + d - 1 - MarchDays
 
-(* Of a day number: the year from March, its day in this year, the month.  *)
+(* The way back from a day number: its year, its day there, its month.     *)
 \* @type: Int => Int;
 MarchYearOf(n) == MarchYear + ((n + MarchDays) * 4 + 3) \div 1461
 
@@ -154,16 +154,18 @@ YearOfMonth(i) == FirstYear + (i \div 12)
 \* @type: Int => Int;
 DaysOfMonth(i) == DaysInMonth(YearOfMonth(i), (i % 12) + 1)
 
-(* Day d of month i, which may be the day after its last, at minute t. *)
+(* Minute t of day d of month i. The day after its last is the first day   *)
+(* of the next month.                                                      *)
 \* @type: (Int, Int, Int) => Int;
 PointInMonth(i, d, t) ==
     IF YearOfMonth(i) > LastYear THEN Never
     ELSE DayNumber(YearOfMonth(i), (i % 12) + 1, d) * MinutesADay + t
 
 (* [TINT-18] [AMB-05] [AMB-38] The point of month i for a start on day d   *)
-(* at minute t. If month i has no day d, its last day counts, or the day   *)
-(* after it; or the point is in the next month that has the day: a leap    *)
-(* February, or the month after i, since no two in a row lack a day.       *)
+(* at minute t. A month without day d has its point on its last day, or on *)
+(* the day after it, or has none. Then the next month that has the day     *)
+(* gives the point: of a yearly series a February of a leap year, else the *)
+(* month after i, since no two months in a row lack a day.                 *)
 \* @type: (Int, Int, Int, Int) => Int;
 PointOfMonth(period, i, d, t) ==
     LET last == DaysOfMonth(i)
