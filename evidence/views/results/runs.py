@@ -201,7 +201,7 @@ RUNS = {
         "make fuzz",
         (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
-        totals=("accepted", "rejected", "unusable", "written", "refused", "failed"),
+        totals=("accepted", "rejected", "unusable", "written", "refused", "faults"),
         parts=("spec", "engine", "checker"),
     ),
     "bench": Run(

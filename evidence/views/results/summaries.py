@@ -173,13 +173,17 @@ def fuzz(text: str) -> list[Table]:
     report: dict[str, Any] = json.loads(text)
     kinds: dict[str, dict[str, int]] = report["outcomes"]
     found = dict.fromkeys(outcome for counts in kinds.values() for outcome in counts)
-    outcomes = [*(outcome for outcome in found if outcome != "failed"), "failed"]
+    outcomes = [outcome for outcome in found if outcome != "failed"]
     rows: list[list[Cell]] = [
-        [kind, *(counts.get(outcome, 0) for outcome in outcomes)] for kind, counts in kinds.items()
+        [
+            kind,
+            *(counts.get(outcome, 0) for outcome in outcomes),
+            sum(f": {kind}: " in fault for fault in report["faults"]),
+        ]
+        for kind, counts in kinds.items()
     ]
     rows.append(_sums(rows))
-    numbers = Table(["faults", "slowest, s"], [[len(report["faults"]), report["slowest"]]])
-    return [Table(["damage", *outcomes], rows), numbers]
+    return [Table(["damage", *outcomes, "faults"], rows), Table(["slowest, s"], [[report["slowest"]]])]
 
 
 def edges(text: str) -> list[Table]:
