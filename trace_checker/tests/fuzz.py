@@ -43,6 +43,9 @@ HEADER = ["--cpu", "S7-400", "--obs", "1,10,35,80,85,100", "--mode", "RUN"]
 EXPLAINED = 20
 """Of so many logs one is judged again for its timeline and other readings."""
 
+BUDGET = 10
+"""Seconds for a log's other readings, as by ``s7check trace --readings all --budget 10``."""
+
 PATIENCE = 120
 """Seconds for a log."""
 
@@ -207,7 +210,8 @@ def run_logs(inputs: range, seed: int, folder: Path, tally: Tally) -> None:
                 outcome = report.verdict
                 if number % EXPLAINED == 0 and outcome in ("accepted", "rejected"):
                     replay = Replay(str(file), [])
-                    report = with_readings(with_steps(report, engine, replay), engine, replay)
+                    until = time.monotonic() + BUDGET
+                    report = with_readings(with_steps(report, engine, replay), engine, replay, until)
                     assert len(report.steps) <= FOLLOWED
                 found = list(_faults_of(report))
             except Exception as error:  # whatever it is, it is what is looked for
