@@ -20,7 +20,7 @@ from evidence.models import models_report as report
 from evidence.models.entries import LANES, ManifestError
 from evidence.models.manifest import Model, load
 from evidence.models.manifest import shard as part_of
-from evidence.models.runner import Harness, run_all
+from evidence.models.runner import Event, Harness, run_all
 from evidence.tla import tlc
 
 DRIFT = 1
@@ -94,11 +94,11 @@ def models_command(
     processes = Processes()
     with session(processes, (ManifestError,), (tlc.ToolMissingError,)) as console:
         harness = Harness(load(manifest), _toolchain(jar, cluster), processes, workers)
-        models = part_of(harness.manifest.select(lane, names), *shard)
-        asked = len(models)
+        asked = part_of(harness.manifest.select(lane, names), *shard)
+        before = unchanged.kept(asked, harness.manifest, harness.tools) if changed else {}
+        models = [model for model in asked if model.name not in before]
         if changed:
-            models = unchanged.changed(models, harness.manifest, harness.tools)
-            plain(console, f"{asked - len(models)} of {asked} models are as they were when they came as pinned")
+            plain(console, f"{len(before)} of {len(asked)} models are as they were when they came as pinned")
         part = lane if shard[1] == 1 else f"{lane}, shard {shard[0]}/{shard[1]}"
         began = time.monotonic()
         answers = canaries.run_canaries(harness.tools, harness.manifest.directory.parent / "build", processes)
@@ -108,12 +108,12 @@ def models_command(
             drift.insert(0, f"{manifest}: no model is in {part}: nothing was checked")
         if update:
             results = _update(manifest, results, console)
-        if cluster is None:
-            unchanged.keep(results, harness.manifest, harness.tools)
+            for result in results:
+                _keep(result, harness)
         if logs is not None:
             report.write_logs(logs, results)
         came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)
-        done = report.Report(harness.tools, answers, None if names else part, *came)
+        done = report.Report(harness.tools, answers, None if names else part, *came, list(before.values()))
         report.show(console, done, _command(manifest, jar), verbose=verbose)
         write_json(json_path, report.as_json(done))
         sys.exit(0 if done.ok else DRIFT)
@@ -149,7 +149,13 @@ def _run(
     """Return the results, and a line for each thing that was asked for and not run."""
     if cluster is None:
         with report.Progress(console, len(models)) as progress:
-            return run_all(harness, models, jobs, progress), []
+
+            def tell(event: Event) -> None:
+                progress(event)
+                if event.result is not None:
+                    _keep(event.result, harness)  # at once: the full lane takes hours, and may be stopped
+
+            return run_all(harness, models, jobs, tell), []
     against = {model.name: reason for model in models if (reason := distributed.reason_against(model))}
     for name, reason in against.items():
         plain(console, f"not run: {name}: {reason}")
@@ -159,6 +165,11 @@ def _run(
         drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
     with report.Progress(console, len(possible)) as progress:
         return distributed.run_all(harness, possible, cluster, progress), drift
+
+
+def _keep(result: judge.Result, harness: Harness) -> None:
+    if result.ok:
+        unchanged.keep(result.model, report.entry(result), harness.manifest, harness.tools)
 
 
 def _update(manifest: Path, results: list[judge.Result], console: Console) -> list[judge.Result]:

@@ -82,7 +82,10 @@ def brief(result: Result) -> str:
 
 @dataclass(frozen=True)
 class Report:
-    """All that came of a run. `lane` is None where models were named; `drift` concerns no model."""
+    """All that came of a run. `lane` is None where models were named; `drift` concerns no model.
+
+    `before` is what came of models as pinned that were not run, since nothing changed.
+    """
 
     tools: Toolchain
     answers: Answers
@@ -90,6 +93,7 @@ class Report:
     results: list[Result]
     drift: list[str]
     seconds: float
+    before: list[dict[str, Any]]
 
     @property
     def ok(self) -> bool:
@@ -221,30 +225,34 @@ def as_json(report: Report) -> dict[str, Any]:
         "ok": report.ok,
         "lane": report.lane,
         "seconds": round(report.seconds, 1),
+        "not run again": len(report.before),
         "tlc": {"version": answers.version, "jar": tools.jar.name, "sha256": tools.sha256},
         "canaries": {a.module: {"issue": a.issue, "state": a.state, "defect": a.defect} for a in answers.answers},
         "drift": report.drift,
-        "models": [
-            {
-                "name": r.model.name,
-                "kind": r.model.kind,
-                "lane": r.model.lane,
-                "base": r.model.base or None,
-                "what": r.model.what,
-                "requirements": list(r.model.requirements),
-                "ok": r.ok,
-                "result": r.outcome.kind,
-                "violated": list(r.outcome.names),
-                "exit": r.exit,
-                "states": r.outcome.counts.states,
-                "distinct": r.outcome.counts.distinct,
-                "depth": r.outcome.counts.depth,
-                "workers": r.workers,
-                "seconds": round(r.seconds, 1),
-                "problems": [*r.problems, *r.count_problems],
-            }
-            for r in report.results
-        ],
+        "models": [*report.before, *map(entry, report.results)],
+    }
+
+
+def entry(result: Result) -> dict[str, Any]:
+    """Return what came of a model as a JSON document."""
+    model, outcome = result.model, result.outcome
+    return {
+        "name": model.name,
+        "kind": model.kind,
+        "lane": model.lane,
+        "base": model.base or None,
+        "what": model.what,
+        "requirements": list(model.requirements),
+        "ok": result.ok,
+        "result": outcome.kind,
+        "violated": list(outcome.names),
+        "exit": result.exit,
+        "states": outcome.counts.states,
+        "distinct": outcome.counts.distinct,
+        "depth": outcome.counts.depth,
+        "workers": result.workers,
+        "seconds": round(result.seconds, 1),
+        "problems": [*result.problems, *result.count_problems],
     }
 
 

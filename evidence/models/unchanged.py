@@ -12,11 +12,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from tree_sitter import Node
 
 from evidence.common.texts import digest
-from evidence.models.judge import Result
 from evidence.models.manifest import Manifest, Model
 from evidence.tla import cfg
 from evidence.tla.flatten import flatten
@@ -26,7 +26,7 @@ from evidence.tla.tlc import Toolchain
 from s7check.resources import modules
 
 PASSED = Path("build/models.json")
-"""The models of a checkout that came as pinned, with the hash of what they and their TLC were."""
+"""The models of a checkout that came as pinned: the hash of what they and their TLC were, and what came."""
 
 _STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")
 _CHECKS = ("INVARIANT", "PROPERTY", "VIEW", "SYMMETRY")
@@ -44,25 +44,29 @@ def origin(model: Model, folder: Path) -> str:
     return digest([*_needed(model, folder, _STEPS + _CHECKS), *run])
 
 
-def changed(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> list[Model]:
-    """The models that have not come as pinned since they, or what they depend on, changed."""
+def kept(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> dict[str, dict[str, Any]]:
+    """What came of the models that came as pinned; of those alone that, with all they depend on, are as they were."""
     passed = _read(_folder(manifest))
-    return [one for one in models if passed.get(one.name) != _key(one, manifest, tools)]
+    return {
+        one.name: passed[one.name]["came"]
+        for one in models
+        if one.name in passed and passed[one.name]["of"] == _key(one, manifest, tools)
+    }
 
 
-def keep(results: Iterable[Result], manifest: Manifest, tools: Toolchain) -> None:
-    """Remember which models came as pinned. Raises OSError."""
+def keep(model: Model, came: Mapping[str, Any], manifest: Manifest, tools: Toolchain) -> None:
+    """Remember what came of a model that came as pinned. Raises OSError."""
     folder = _folder(manifest)
-    passed = {one.model.name: _key(one.model, manifest, tools) for one in results if one.ok}
+    passed = _read(folder) | {model.name: {"of": _key(model, manifest, tools), "came": came}}
     (folder / PASSED).parent.mkdir(exist_ok=True)
-    (folder / PASSED).write_text(json.dumps(_read(folder) | passed, indent=1), encoding="utf-8")
+    (folder / PASSED).write_text(json.dumps(passed, indent=1), encoding="utf-8")
 
 
 def _folder(manifest: Manifest) -> Path:
     return manifest.directory.parent
 
 
-def _read(folder: Path) -> dict[str, str]:
+def _read(folder: Path) -> dict[str, dict[str, Any]]:
     return json.loads((folder / PASSED).read_bytes()) if (folder / PASSED).exists() else {}
 
 

@@ -235,7 +235,8 @@ def model_report(folder: Path, lane: str) -> str:
     """A report of models, as the command writes it."""
     file = folder / "report.json"
     model = {"name": "a", "kind": "model", "lane": "ci", "ok": True, "states": 3, "distinct": 2, "depth": 1}
-    file.write_text(json.dumps({"lane": lane, "seconds": 7, "models": [model | {"seconds": 6.5}]}), encoding="utf-8")
+    report = {"lane": lane, "seconds": 7, "not run again": 0, "models": [model | {"seconds": 6.5}]}
+    file.write_text(json.dumps(report), encoding="utf-8")
     return str(file)
 
 
@@ -340,8 +341,9 @@ def test_totals() -> None:
 def test_summary_of_models() -> None:
     """Sums by kind, and each model but the negative controls."""
     common = {"lane": "ci", "ok": True, "states": 20, "distinct": 10, "depth": 3, "seconds": 1.25}
-    report = {"models": [{"name": "a", "kind": "model", **common}, {"name": "neg-a", "kind": "negative", **common}]}
-    by_kind, each = summaries.models(json.dumps(report))
+    found = [{"name": "a", "kind": "model", **common}, {"name": "neg-a", "kind": "negative", **common}]
+    by_kind, each = summaries.models(json.dumps({"not run again": 1, "models": found}))
+    assert by_kind.title == "1 of them came as pinned in earlier runs, and nothing changed since"
     assert by_kind.rows == [["model", 1, 0, 10, 1.2], ["negative", 1, 0, 10, 1.2], ["all", 2, 0, 20, 2.4]]
     assert each.rows == [["a", "ci", 20, 10, 3, 1.25]]
 

@@ -33,8 +33,10 @@ def models(text: str) -> list[Table]:
         for m in found
         if m["kind"] != "negative"
     ]
+    again = report["not run again"]
+    earlier = f"{again} of them came as pinned in earlier runs, and nothing changed since" if again else ""
     return [
-        Table(["kind", "models", "not as pinned", "distinct states", "seconds"], rows),
+        Table(["kind", "models", "not as pinned", "distinct states", "seconds"], rows, earlier),
         Table(["model", "lane", "states", "distinct", "depth", "seconds"], each, "Each model"),
     ]
 
