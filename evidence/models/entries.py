@@ -11,7 +11,7 @@
 
     == neg-once-not-cancelled tod 13 OnceProp alone
     constants Words <- JustOnce
-    TodSettings.tla: `UsedUp(t) == Unset(t)` -> `UsedUp(t) == t`
+    TodSettings.tla: `IF OnceIsUnsetByItsRun THEN Unset(t)` -> `IF OnceIsUnsetByItsRun THEN t`
 
 A heading has the name, for a model its kind and lane, then the module or the base, TLC's exit code and the property
 that fails; ``alone``: that property is all that is checked. A line that begins with a capital letter describes the

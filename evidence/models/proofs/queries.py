@@ -1,4 +1,4 @@
-"""The queries of the proofs: models/proofs.json, the actions of System, and the properties of spec/Properties*.tla.
+"""The queries of the proofs: models/proofs.json, the actions of System, and the properties of spec/properties.
 
 The induction has for each action of System a query: from any state in which the invariant holds, the invariant holds
 after the action, and the step is as every property of steps says. The actions and the properties are read from spec/,
@@ -61,7 +61,7 @@ class NotProved(msgspec.Struct, forbid_unknown_fields=True):
 
     @property
     def control(self) -> str:
-        """The control of models/controls.txt in which TLC comes to it, such as "letter-49b-EndProp"."""
+        """The control of models/controls.txt in which TLC comes to it, such as "letter-66b-CpuProp"."""
         return f"letter-{_short(self.letter)}-{self.formula}"
 
 
@@ -399,7 +399,7 @@ def named_actions(modules: dict[str, Module]) -> tuple[str, ...]:
 
 def properties(modules: dict[str, Module]) -> tuple[dict[str, tuple[str, ...]], dict[str, tuple[str, ...]]]:
     """The properties of steps and of states, by the module of the properties."""
-    others = ("PropertiesS71500",)  # TLC alone checks that family: the proofs' CPU is one of S7-300/400
+    others = ("PropertiesS71500",)  # TLC alone checks these; a query about an S7-1500 names its formulas
     stating = [name for name in modules if name.startswith("Properties") and name not in others]
     texts = {name: modules[name].text.decode() for name in stating}
     steps = {name: tuple(BOXED.findall(text)) for name, text in texts.items()}

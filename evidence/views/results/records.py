@@ -121,7 +121,7 @@ def _git(*arguments: str) -> str:
 
 
 def tools() -> list[str]:
-    """Java and Python. Raises `s7check.java.JavaMissingError`."""
+    """Java and Python. Raises `s7check.engine.java.JavaMissingError`."""
     said = subprocess.run([find_java(), "-version"], capture_output=True, text=True, check=True).stderr
     version = re.search(r'"([^"]+)"', said)
     return [f"Java {version[1] if version else said}", f"Python {platform.python_version()}"]
