@@ -3,7 +3,7 @@
 (* A world in which TLC looks for the shortest behaviour with an edge      *)
 (* case: the invariant Untold says that the case does not come.            *)
 (*                                                                         *)
-(* gallery/cases.json has the cases. Each gives the constants below: the   *)
+(* gallery/cases.txt has the cases. Each gives the constants below: the    *)
 (* interventions of program and world (MayHappen), their number (Budget),  *)
 (* and two predicates: Middle must hold in some state, and Goal in a later *)
 (* state. Time and the steps of the CPU itself are free.                   *)

@@ -1,7 +1,7 @@
 """Judges logs on a Dask cluster: `judge_logs.py [--scheduler tcp://HOST:8786] LOG... > report.json`.
 
 A log is a unit of work without shared state, so any engine for such units will do. Each worker process keeps its
-engine for its next logs. The workers need s7check and Java, and see the logs under the same names. Without a scheduler
+engine for its next logs. The workers need s7check, and see the logs under the same names. Without a scheduler
 there is a cluster of two workers on this machine.
 """
 

@@ -54,6 +54,16 @@ def test_the_action_passes_its_inputs() -> None:
     assert SCRIPT.relative_to(ROOT).as_posix() in (ROOT / "Containerfile").read_text(encoding="utf-8")
 
 
+def test_the_workflows_make_what_there_is() -> None:
+    """Each target that a workflow names, also in a matrix, is in the Makefile."""
+    targets = set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    for workflow in (ROOT / ".github" / "workflows").glob("*.yml"):
+        text = workflow.read_text(encoding="utf-8")
+        named = {word for run in re.findall(r"\bmake ([a-z -]+)", text) for word in run.split() if word[0] != "-"}
+        named |= {word for row in re.findall(r"target: \[(.*)\]", text) for word in re.split(r",\s*", row)}
+        assert named <= targets, workflow.name
+
+
 @pytest.mark.skipif(not shutil.which("cmake"), reason="cmake is not there")
 def test_ctest(tmp_path: Path) -> None:
     """The example builds and passes; with a wrong delay it fails at the log."""

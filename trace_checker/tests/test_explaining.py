@@ -89,3 +89,10 @@ def test_entries_and_causes_in_words(real_engine: Engine) -> None:
     assert stop.sentences[0] == "the CPU stops for 16#4568 (STOP: OB 80 missing)"
     assert entry.sentences == ["the diagnostic buffer has the entry 16#4568 (STOP: OB 80 missing)"]
     assert wrong.sentences[1].startswith("The entry 16#4562 (STOP: OB 121 missing) cannot come here. ")
+
+
+def test_the_ob_of_a_time_error(real_engine: Engine) -> None:
+    """A point that the clock skipped: the call of OB 80 names its OB once."""
+    header = RUN | {"step7": {"tod": {"10": {"execution": "minute", "start": "2026-11-21T06:00", "active": True}}}}
+    (last,) = told(real_engine, header, event("clock", to="2026-11-21T08:05:30.000"))
+    assert "OB 80 with fault 16#05 is called because of OB 10" in last.sentences

@@ -10,7 +10,7 @@ from s7check.asking.next_answer import NextAnswer
 
 
 def to_json(answer: NextAnswer) -> str:
-    """One object on one line; the fields as in docs/checking/next.md."""
+    """One object on one line; the fields as in docs/checking/asking.md."""
     times = [iso_of(time.at) for time in answer.possible.times]
     return msgspec.json.encode(
         {

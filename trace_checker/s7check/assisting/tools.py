@@ -66,8 +66,8 @@ Part = Annotated[int, Field(ge=1, description="Which part of a long answer.")]
 Runnable = Annotated[
     str, Field(description="A program, a JSON object; or the path of a file with one, or a name of the kit.")
 ]
-Cpus = Annotated[list[str], Field(description="Other CPUs: S7-300, S7-400, CPU 318.")]
-Profiles = Annotated[list[str], Field(description="Other editions of the manual: 1997, 2006, 2010.")]
+Cpus = Annotated[list[str], Field(description="Other CPUs: S7-300, S7-400, CPU 318, S7-1500.")]
+Profiles = Annotated[list[str], Field(description="Other editions, such as 1997, or translations, such as 2006ru.")]
 Readings = Annotated[list[dict[str, str]], Field(description='Other readings, such as {"AMB-12": "a"}.')]
 
 

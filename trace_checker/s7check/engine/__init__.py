@@ -1,1 +1,1 @@
-"""The engine, a Java process that evaluates the specification: finding it, asking it, its answers."""
+"""The engine, a process that evaluates the specification: finding it, asking it, its answers."""

@@ -149,10 +149,9 @@ def _requested(request: Pending) -> str:
     text = f"OB {request.ob} waits to start"
     if request.fault > 0:
         text = f"OB {request.ob} with fault 16#{request.fault:02X} is called"
-    if request.cause:
-        text += f" because of OB {request.cause}"
-    if request.late:
-        text += f" because of OB {', '.join(map(str, request.late))}"
+    causes = request.late or ([request.cause] if request.cause else [])
+    if causes:
+        text += f" because of OB {', '.join(map(str, causes))}"
     if request.missing:
         text += "; it is missing"
     if request.open:
