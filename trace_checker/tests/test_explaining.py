@@ -92,7 +92,11 @@ def test_entries_and_causes_in_words(real_engine: Engine) -> None:
 
 
 def test_the_ob_of_a_time_error(real_engine: Engine) -> None:
-    """A point that the clock skipped: the call of OB 80 names its OB once."""
+    """An interrupt that is due while its OB runs: the call of OB 80 names that OB once."""
     header = RUN | {"step7": {"tod": {"10": {"execution": "minute", "start": "2026-11-21T06:00", "active": True}}}}
-    (last,) = told(real_engine, header, event("clock", to="2026-11-21T08:05:30.000"))
-    assert "OB 80 with fault 16#05 is called because of OB 10" in last.sentences
+    lines = [
+        event("start", ob=10) | {"at": "2026-11-21T06:00:00.000"},
+        event("start", ob=80, info={"flt_id": "B#16#02", "ev_ob": 10}) | {"at": "2026-11-21T06:01:00.001"},
+    ]
+    *_, last = told(real_engine, header, *lines)
+    assert "OB 80 with fault 16#02 is called because of OB 10" in last.sentences
