@@ -25,7 +25,7 @@ from evidence.tla.syntax import Module, code, references
 from evidence.tla.tlc import Toolchain
 from s7check.resources import modules
 
-PASSED = Path("build/models.json")
+PASSED = Path("build/as-pinned.json")
 """The models of a checkout that came as pinned: the hash of what they and their TLC were, and what came."""
 
 _STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")

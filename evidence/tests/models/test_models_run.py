@@ -98,7 +98,7 @@ def test_runs_leave_nothing_behind(
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
 
     def files() -> list[Path]:
-        return sorted(p for p in project.root.rglob("*") if p.name not in {"results.json", "models.json"})
+        return sorted(p for p in project.root.rglob("*") if p.name not in {"results.json", "as-pinned.json"})
 
     before = files()
     project.run("neg-overshoot", "neg-returns")
