@@ -10,7 +10,7 @@ from evidence.common.checkout import ROOT, SOFT_PLC
 from evidence.common.texts import digest
 from evidence.kit.files import REACHED, Json, as_line, read_lines, write_lines
 from evidence.kit.programs import programs
-from evidence.tla.modules import read_modules
+from evidence.tla.modules import judging, read_modules
 from s7check.log.errors import ranges
 
 _SOFT_PLC = ("faults", "plc", "random", "s7cpu", "scenario")
@@ -53,12 +53,12 @@ def problems(folder: Path = ROOT) -> list[str]:
 
 
 def origin(folder: Path = ROOT) -> str:
-    """The hash of the specification without comments and layout, of the soft PLC, and of the programs.
+    """The hash of the modules that judge logs, without comments and layout, of the soft PLC, and of the programs.
 
     What a program is about, and the requirements that it names, change nothing of what it reaches; the questions that
     it names do.
     """
-    modules = read_modules(folder / "spec")
+    modules = judging(read_modules(folder / "spec"))
     sources = sorted(file for part in _SOFT_PLC for file in (SOFT_PLC / part).glob("*.[ch]"))
     return digest(
         [

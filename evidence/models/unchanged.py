@@ -91,9 +91,20 @@ def _needed(model: Model, folder: Path, keywords: Iterable[str]) -> list[str]:
     roots = [name for keyword in keywords for name in config.names(keyword)]
     roots += [one.value for one in config.assignments if one.operator == "<-"]
     roots += [name for one in model.mutations for name in re.findall(r"\w+", one.by)]
-    needed = reached([*roots, *(name for unit in text.unnamed for name in references(unit))], text.uses)
+    needed = reached([*roots, *(name for unit in text.unnamed for name in _read_unit(unit)[1])], text.uses)
     units = (*text.unnamed, *(text.definitions[name] for name in needed))
-    return sorted([*filter(None, map(code, units)), *text.instances])
+    return sorted([*(read for unit in units if (read := _read_unit(unit)[0])), *text.instances])
+
+
+_UNITS: dict[bytes, tuple[str, frozenset[str]]] = {}
+
+
+def _read_unit(unit: Node) -> tuple[str, frozenset[str]]:
+    """Its code and the names that it uses, read once: a definition of spec/ stands in the text of every model."""
+    text = unit.text or b""
+    if text not in _UNITS:
+        _UNITS[text] = code(unit), references(unit)
+    return _UNITS[text]
 
 
 def _written(folder: Path) -> tuple[int, ...]:
@@ -111,7 +122,7 @@ def _text(name: str, folder: Path, written: tuple[int, ...]) -> _Text:
     return _Text(
         module.definitions,
         tuple(unit for unit in module.units if unit.id not in named),
-        {defined: references(unit) for defined, unit in module.definitions.items()},
+        {defined: _read_unit(unit)[1] for defined, unit in module.definitions.items()},
         tuple(every[one].code for one in sorted(closure(name, every) - extended)),
     )
 

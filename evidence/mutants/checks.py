@@ -21,7 +21,7 @@ from evidence.mutants.against_logs import Judged
 from evidence.mutants.findings import Finding, How
 from evidence.tla.cfg import replacements
 from evidence.tla.marks import evaluated
-from evidence.tla.modules import closure
+from evidence.tla.modules import JUDGING, closure
 from evidence.tla.syntax import Module
 
 PARSE_ERROR = 150
@@ -144,8 +144,7 @@ class LogsCheck:
     name: str = "logs"
 
     parameters = frozenset[str]()
-    root = "Explain"
-    """The module that the engine evaluates."""
+    root = JUDGING
 
     @cached_property
     def modules(self) -> frozenset[str]:

@@ -12,6 +12,10 @@ WORDING = ("*Reasons", "PastLines", "Explain", "NextLines")
 """Modules of spec/ that only word a rejection or the possible next lines: no verdict depends on them."""
 
 
+JUDGING = "Explain"
+"""The module of spec/ that the trace checker's engine evaluates."""
+
+
 def read_modules(directory: Path) -> dict[str, Module]:
     """The modules of a directory by name."""
     return {path.stem: Module(path.stem, path.read_bytes()) for path in modules(directory)}
@@ -27,6 +31,11 @@ def closure(root: str, modules: Mapping[str, Module]) -> frozenset[str]:
     if root not in modules:
         raise SyntaxTreeError(f"{root}.tla: no such module")
     return reached([root], {name: module.imports for name, module in modules.items()})
+
+
+def judging(spec: Mapping[str, Module]) -> dict[str, Module]:
+    """The modules of spec/ that the trace checker's engine reads; those of properties are not among them."""
+    return {name: spec[name] for name in sorted(closure(JUDGING, spec))}
 
 
 def reached(names: Iterable[str], uses: Mapping[str, Iterable[str]]) -> frozenset[str]:

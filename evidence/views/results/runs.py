@@ -96,7 +96,7 @@ RUNS = {
         summaries.logs,
         codes=(0, 1, 2),
         totals=("logs", "accepted", "rejected", "unusable"),
-        parts=("spec", "cases", "engine", "checker"),
+        parts=("judging", "cases", "engine", "checker"),
         first=(sys.executable, "-m", "evidence", "views", "cases"),
     ),
     "agreement": _s7spec(
@@ -105,7 +105,7 @@ RUNS = {
         "logs agree --logs 10000",
         summaries.agreement,
         totals=("logs", "lines", "differ"),
-        parts=("spec", "engine"),
+        parts=("judging", "engine"),
     ),
     "left-out": _s7spec(
         "Kinds left out",
@@ -115,7 +115,7 @@ RUNS = {
         tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
         totals=("accepted logs", "with kinds left out", "not accepted"),
-        parts=("spec", "engine"),
+        parts=("judging", "engine"),
     ),
     "left-out-sample": _s7spec(
         "Kinds left out, more logs",
@@ -125,7 +125,7 @@ RUNS = {
         tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
         totals=("accepted logs", "with kinds left out", "not accepted"),
-        parts=("spec", "engine"),
+        parts=("judging", "engine"),
     ),
     "growth": _s7spec(
         "Logs that leave much open",
@@ -135,7 +135,7 @@ RUNS = {
         summaries.growth,
         tlc=False,
         totals=("lines", "steps"),
-        parts=("spec", "engine"),
+        parts=("judging", "engine"),
     ),
     "mutation": _s7spec(
         "Mutation",
@@ -173,7 +173,7 @@ RUNS = {
         tlc=False,
         told={"kit": "reached"},
         totals=("programs", "logs", "guard outcomes reached", "that can be observed"),
-        parts=("spec", "kit", "soft PLC"),
+        parts=("judging", "kit", "soft PLC"),
     ),
     "kit-faults": _s7spec(
         "Kit, faults",
@@ -182,7 +182,7 @@ RUNS = {
         summaries.kit_faults,
         tlc=False,
         totals=("number", "found"),
-        parts=("kit", "soft PLC", "spec"),
+        parts=("kit", "soft PLC", "judging"),
     ),
     "kit-mutants": _s7spec(
         "Kit, mutants",
@@ -202,7 +202,7 @@ RUNS = {
         (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
         totals=("accepted", "rejected", "unusable", "written", "refused", "faults"),
-        parts=("spec", "engine", "checker"),
+        parts=("judging", "engine", "checker"),
     ),
     "bench": Run(
         "Speed",
@@ -211,7 +211,7 @@ RUNS = {
         (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
         totals=("events", "seconds"),
-        parts=("spec", "engine", "checker"),
+        parts=("judging", "engine", "checker"),
     ),
     "compare": Run(
         "Beside an earlier revision",
@@ -220,7 +220,7 @@ RUNS = {
         "bench/compare.py",
         (sys.executable, "bench/compare.py", "--json", _REPORT),
         summaries.bench,
-        parts=("spec", "engine", "checker"),
+        parts=("judging", "engine", "checker"),
     ),
     "edges": _s7spec(
         "The explorer's steps and TLC's edges",
@@ -237,7 +237,7 @@ RUNS = {
         summaries.engines,
         tlc=False,
         totals=("logs", "different"),
-        parts=("spec", "cases", "engine"),
+        parts=("judging", "cases", "engine"),
     ),
     "proofs": _s7spec(
         "Proofs",

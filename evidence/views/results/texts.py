@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from evidence.common.checkout import ROOT
 from evidence.common.texts import digest
 from evidence.kit.files import read_text
-from evidence.tla.modules import read_modules
+from evidence.tla.modules import judging, read_modules
 
 _FILES = {
     "models": ("models/*.cfg", "models/*.txt"),
@@ -19,9 +20,11 @@ _FILES = {
     "kit": ("kit/*.ndjson*", "evidence/kit/*.py"),
     "soft PLC": ("examples/soft_plc/**/*.[ch]",),
 }
-"""The files of each part; of TLA+ modules, which "spec" and "models" have too, comments and layout do not count."""
+"""The files of each part. Three parts have TLA+ modules, without comments and layout: ``spec`` and ``models``
+those of their folder, ``judging`` those of spec/ that the engine reads."""
 
-_MODULES = ("spec", "models")
+_TIMES = re.compile(r", seconds [\d.]+\.\.\d+")
+"""How long a model may take, which is of a machine."""
 
 
 def origin(parts: Iterable[str]) -> str:
@@ -33,9 +36,11 @@ def origin(parts: Iterable[str]) -> str:
 def _part(part: str) -> tuple[str, ...]:
     found = [file for pattern in _FILES.get(part, ()) for file in sorted(ROOT.glob(pattern))]
     sources = [file for file in found if "build" not in file.relative_to(ROOT).parts]  # a run makes files there
-    return (*_modules(part), *map(read_text, sources))
+    return (*_modules(part), *(_TIMES.sub("", read_text(file)) for file in sources))
 
 
 def _modules(part: str) -> Iterator[str]:
-    if part in _MODULES:
+    if part in ("spec", "models"):
         yield from (module.code for _, module in sorted(read_modules(ROOT / part).items()))
+    if part == "judging":
+        yield from (module.code for module in judging(read_modules(ROOT / "spec")).values())
