@@ -103,6 +103,17 @@ ZoneLoads == {{10, 80}}
 LettersOfZones ==
     { [ a \in DOMAIN l \cup {"A15-10"} |-> IF a = "A15-10" THEN m ELSE l[a] ]
       : l \in LettersOf1500, m \in {"a", "b"} }
+(* In their place where the clock skips two interrupts at once, of which   *)
+(* either has the first point.                                             *)
+TwoPoints ==
+    { [ p \in TodObs |-> IF p = o THEN Activated("minute", 0)
+                         ELSE Activated("once", 2) ] : o \in TodObs }
+OneOrTwoClasses == { [o \in {40} |-> 23], [o \in {11} |-> 3] }
+BeforeBoth == {Moment(0, 30000)}
+BehindBoth == {Moment(2, 15000)}
+LettersOfCatchUps ==
+    { [ a \in DOMAIN l \cup {"A15-08"} |-> IF a = "A15-08" THEN m ELSE l[a] ]
+      : l \in LettersOf1500, m \in ABCD }
 (* In their place where points pass in STOP. *)
 StopMoments == {Moment(0, 30000), Moment(1, 0), Moment(1, 5000)}
 StopTargets == {Moment(0, 30000), Moment(0, 55000)}

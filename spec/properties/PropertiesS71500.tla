@@ -68,11 +68,31 @@ SmallJumpProp ==
             ~OnStack(o) /\ ~PendingIn(requests, o) =>
               \E r \in requests' : r.ob = o /\ ~r.open ]_vars
 
-(* [T15-91] [T15-119] After OB 80 with 05 or 06 at least one comes.        *)
-SomeCatchUpProp ==
-    [][ \/ ~(Reports(SkippedByClock) \/ Reports(SkippedInHold))
-        \/ \E o \in TodObs : OnStack(o) \/ \E r \in requests' : r.ob = o
-      ]_vars
+(* [T15-91] [T15-119] [A15-08] OB 80 with 05 or 06 is followed by the run  *)
+(* for the first point of those that it reports; by letters for no other,  *)
+(* for the first of each class, for each. A blocked one has none, and one  *)
+(* whose OB waits or runs may have none [AMB-52]; a run that waits for the *)
+(* same point already is not told from a new one.                          *)
+CaughtUpProp ==
+    [][ \A e \in Fresh : e.ob = TimeErrorOb /\ e.fault \in {5, 6} =>
+          LET runs == { r.ob : r \in { q \in requests' :
+                            /\ q.ob \in e.late /\ q.follows = e.fault
+                            /\ q.since = At(tod[q.ob].next) } }
+              free == { o \in e.late : ~Blocked(o) }
+              busy == { o \in free : \/ OnStack(o)
+                                    \/ \E r \in requests : r.ob = o }
+              kin(o) == { p \in free : ClassOf(p) = ClassOf(o) }
+              first(o, obs) == \A p \in obs : tod[o].next <= tod[p].next
+              letter == ReadingOf(cpu, "A15-08")
+          IN  \E merged \in SUBSET busy :
+                LET obs == free \ merged
+                IN  /\ runs \subseteq obs
+                    /\ obs # {} => \E o \in runs : first(o, obs)
+                    /\ letter = "a" => runs = obs
+                    /\ letter = "b" => Cardinality(runs) <= 1
+                    /\ letter = "c" =>
+                         /\ \A o \in obs : Cardinality(runs \cap kin(o)) = 1
+                         /\ \A o \in runs : first(o, kin(o) \ merged) ]_vars
 
 (* [T15-91] A run that follows an OB 80 comes after it, whatever the class *)
 (* of its OB: it does not interrupt OB 80.                                 *)
