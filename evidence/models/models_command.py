@@ -100,16 +100,16 @@ def models_command(
         if changed:
             plain(console, f"{len(before)} of {len(asked)} models are as they were when they came as pinned")
         part = lane if shard[1] == 1 else f"{lane}, shard {shard[0]}/{shard[1]}"
-        began = time.monotonic()
+        began, text = time.monotonic(), unchanged.written(harness.manifest)
         answers = canaries.run_canaries(harness.tools, harness.manifest.directory.parent / "build", processes)
         report.show_canaries(console, harness.tools, answers)
-        results, drift = _run(harness, models, cluster, jobs, names, console)
+        results, drift = _run(harness, models, cluster, jobs, names, console, text)
         if not asked:
             drift.insert(0, f"{manifest}: no model is in {part}: nothing was checked")
         if update:
             results = _update(manifest, results, console)
             for result in results:
-                _keep(result, harness)
+                _keep(result, harness, text)
         if logs is not None:
             report.write_logs(logs, results)
         came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)
@@ -145,6 +145,7 @@ def _run(
     jobs: int,
     names: tuple[str, ...],
     console: Console,
+    text: tuple[int, ...],
 ) -> tuple[list[judge.Result], list[str]]:
     """Return the results, and a line for each thing that was asked for and not run."""
     if cluster is None:
@@ -153,7 +154,7 @@ def _run(
             def tell(event: Event) -> None:
                 progress(event)
                 if event.result is not None:
-                    _keep(event.result, harness)  # at once: the full lane takes hours, and may be stopped
+                    _keep(event.result, harness, text)  # at once: the full lane takes hours, and may be stopped
 
             return run_all(harness, models, jobs, tell), []
     against = {model.name: reason for model in models if (reason := distributed.reason_against(model))}
@@ -167,8 +168,9 @@ def _run(
         return distributed.run_all(harness, possible, cluster, progress), drift
 
 
-def _keep(result: judge.Result, harness: Harness) -> None:
-    if result.ok:
+def _keep(result: judge.Result, harness: Harness, text: tuple[int, ...]) -> None:
+    """Remember a model that came as pinned, unless a module has changed while TLC ran."""
+    if result.ok and unchanged.written(harness.manifest) == text:
         unchanged.keep(result.model, report.entry(result), harness.manifest, harness.tools)
 
 

@@ -59,7 +59,14 @@ def keep(model: Model, came: Mapping[str, Any], manifest: Manifest, tools: Toolc
     folder = _folder(manifest)
     passed = _read(folder) | {model.name: {"of": _key(model, manifest, tools), "came": came}}
     (folder / PASSED).parent.mkdir(exist_ok=True)
-    (folder / PASSED).write_text(json.dumps(passed, indent=1), encoding="utf-8")
+    written = (folder / PASSED).with_suffix(".new")
+    written.write_text(json.dumps(passed, indent=1), encoding="utf-8")
+    written.replace(folder / PASSED)  # a run that is killed leaves a whole file
+
+
+def written(manifest: Manifest) -> tuple[int, ...]:
+    """When each module was written: where it is the same after a run, the run was of this text."""
+    return _written(_folder(manifest))
 
 
 def _folder(manifest: Manifest) -> Path:

@@ -17,7 +17,7 @@ import pytest
 from click.testing import CliRunner
 
 from evidence.common.cases import read_cases
-from evidence.models import canaries
+from evidence.models import canaries, unchanged
 from evidence.models.models_command import models_command
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
@@ -76,6 +76,14 @@ def test_all_as_pinned(project: Project) -> None:
     assert "9 of 9 models are as they were when they came as pinned" in output
     assert again["not run again"] == 9
     assert again["models"] == results["models"]
+
+
+def test_a_module_that_changes_meanwhile(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    """TLC may have read the text of before: the result is not remembered."""
+    times = iter(range(100))
+    monkeypatch.setattr(unchanged, "written", lambda _: (next(times),))
+    assert project.run("counter")[0] == 0
+    assert not (project.root / unchanged.PASSED).exists()
 
 
 def test_a_shard_runs_its_part(project: Project) -> None:
