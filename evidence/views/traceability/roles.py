@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from evidence.tla.modules import reached
+from evidence.tla.modules import JUDGING, reached
 from evidence.views.traceability.modules import Definition, Module
 
 SYSTEM = "System"
 EXPLANATION = "PartialLogs"
-REPORT = "Explain"
+REPORT = JUDGING
 READINGS = "Readings"
 """The module with a name for each answer to a question that the sources leave open."""
 
