@@ -68,11 +68,11 @@ SmallJumpProp ==
             ~OnStack(o) /\ ~PendingIn(requests, o) =>
               \E r \in requests' : r.ob = o /\ ~r.open ]_vars
 
-(* [T15-91] [T15-119] [A15-08] OB 80 with 05 or 06 is followed by the run  *)
-(* for the first point of those that it reports; by letters for no other,  *)
-(* for the first of each class, for each. A blocked one has none, and one  *)
-(* whose OB waits or runs may have none [AMB-52]; a run that waits for the *)
-(* same point already is not told from a new one.                          *)
+(* [T15-91] [T15-119] OB 80 with 05 or 06 reports skipped interrupts. The  *)
+(* first of them is caught up. [A15-08] By (a) all others are, by (b) none,*)
+(* by (c) the first of each class, else any. A blocked one is not, and one *)
+(* whose OB waits or runs need not be [AMB-52]. A run that waits for the   *)
+(* same point already counts.                                              *)
 CaughtUpProp ==
     [][ \A e \in Fresh : e.ob = TimeErrorOb /\ e.fault \in {5, 6} =>
           LET runs == { r.ob : r \in { q \in requests' :
