@@ -20,4 +20,15 @@ MCRestartTypes == {"warm"}
 Bounded == /\ delay <= 1
            /\ Waiting(1)
            /\ mode = "STOP" => clock \in PowerOnMoments
+
+(* In their place where OB 40 and OB 33 are missing, and OB 35 between     *)
+(* them is loaded. Each has one start event at a time.                     *)
+BetweenLoads == {{35, 80, 85}}
+BetweenEvents == {<<40, 0>>, <<35, 0>>, <<33, 0>>}
+BetweenMoments == {Moment(0, 30000)}
+BetweenStep7 == {[o \in TodObs |-> NotConfigured]}
+BetweenRetVals == {0, 1}
+BetweenBounded == /\ delay <= 1 /\ Len(stack) <= 2
+                  /\ Cardinality(requests) <= 4
+                  /\ \A r, s \in requests : r.ob = s.ob => r = s
 =============================================================================

@@ -22,6 +22,12 @@ MCClockTargets == IF mode = "RUN" THEN {Moment(1, 30000), Moment(3, 0)}
 MCRestartTypes == {"warm"}
 MCRetVals == {OK, NotSet}
 
+(* In their places where calls and STOP take a run away.                   *)
+EachMinute == {[o \in TodObs |-> Activated("minute", 0)]}
+JustMinutely == {Minutely}
+OverOnePoint == IF mode = "RUN" THEN {Moment(1, 30000)} ELSE {}
+WithOb80 == delay = 0 /\ Cardinality(requests) <= 2
+
 (* Also after a STOP; the clock is set at most twice. *)
 Anywhere == delay = 0 /\ Waiting(1)
 

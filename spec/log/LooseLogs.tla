@@ -59,6 +59,7 @@ MayBeActive(o) == \/ Unseen("call") \/ tod[o].active
 \* @type: Int => Bool;
 MayBeInactive(o) ==
     \/ Unseen("call") \/ ~tod[o].active \/ HasOnePoint(tod[o].period)
+    \/ MayBeMissing(o) /\ MissingObEndsItsSource
     \/ ~ModeKnown \/ PointFrom(tod[o], clock.min + 1) = Never
 
 \* @type: Int => Bool;
@@ -455,9 +456,14 @@ PassesPoint(t) ==
 
 (* The marks of OB 80 where the CPU may skip points up to moment t with    *)
 (* these faults: by a setting of the clock, in an unseen HOLD, or in STOP.  *)
+(* [AMB-83] In the millisecond of the release a point may count.           *)
 \* @type: ($moment, Set(Int)) => Set($request);
-SkipMarks(t, faults) == IF faults # {} /\ Misses /\ PassesPoint(t)
-                        THEN { Mark(TimeErrorOb, f) : f \in faults } ELSE {}
+SkipMarks(t, faults) ==
+    LET \* @type: Int => Bool;
+        passes(f) == PassesPoint(IF f = SkippedInHold
+                                 THEN [t EXCEPT !.ms = @ + 1] ELSE t)
+    IN  IF ~Misses THEN {}
+        ELSE { Mark(TimeErrorOb, f) : f \in { g \in faults : passes(g) } }
 
 (* Settings of the clock; a hot restart finds points that passed in STOP.  *)
 UnseenSkips == SkipsInHold \cup (IF HotUnseen THEN {SkippedByClock} ELSE {})

@@ -209,11 +209,22 @@ MemoryStaysProp ==
           \/ NewSettingForgets(cpu) \/ SetBackWithdrawsRuns
           \/ /\ tod[o].earlier \subseteq tod'[o].earlier
              /\ \A i \in tod[o].served :
+                  \/ \E r \in requests \cup resume.requests :  \* UncalledProp
+                       r.ob = o /\ i.from <= r.since.min /\ r.since.min <= i.to
                   \/ \E j \in tod'[o].served : j.from <= i.from /\ i.to <= j.to
                   \/ \E j \in tod'[o].earlier :
                        /\ j.from <= i.from /\ i.to <= j.to
                        /\ j.start = tod[o].start
                        /\ j.period = tod[o].period ]_vars
+
+(* [AMB-57] A run that a call or STOP took away did not serve its point.   *)
+UncalledProp ==
+    [][ \A r \in requests \cup resume.requests :
+          LET q == requests' \cup resume'.requests
+          IN  /\ r.ob \in TodObs /\ ~Started(r.ob)
+              /\ { s \in q : Content(s) = Content(r) } = {}
+              => ~\E i \in tod'[r.ob].earlier \ tod[r.ob].earlier :
+                    i.from <= r.since.min /\ r.since.min <= i.to ]_vars
 
 (* [CLK-09] [AMB-56] A CPU that remembers knows how far the clock had come *)
 (* when it was set back: over the last minute, and over its own as well,   *)

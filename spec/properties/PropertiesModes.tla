@@ -55,7 +55,14 @@ StopCauseProp ==
              /\ step'.ob \notin loaded /\ step'.ob \in {82, 83, 84, 86}
           \/ stopCause' = \h4562 /\ Did("interrupt") /\ step'.ob = 121
           \/ stopCause' = \h4563 /\ Did("interrupt") /\ step'.ob = 122
-          \/ stopCause' = \h454A /\ Did("restart") ]_vars
+          \/ stopCause' = \h454A /\ Did("restart")
+          \/ stopCause' = \h454A /\ Did("load") /\ mode = "STARTUP" ]_vars
+
+(* [OBS-25] A deselected OB that is loaded in STARTUP aborts it, no other. *)
+LoadedInStartupProp ==
+    [][ Did("load") /\ mode = "STARTUP" /\ stopCause = NoCause =>
+          stopCause' = \h454A
+            <=> step'.ob \notin loaded /\ Deselected(step'.ob) ]_vars
 
 (* [AMB-84] [AMB-67] OB 80, 82, 83, 85 or 86 is missing, and its error     *)
 (* comes in HOLD: it stops the CPU; or it waits, perhaps to no effect, and *)

@@ -267,6 +267,20 @@ EndProp ==
                              \E q \in requests' : /\ Content(q) = Content(r)
                                                   /\ q.open = r.open ]_vars
 
+(* [AMB-45] [AMB-44] OB 85 has reported no missing OB before which an OB   *)
+(* that is loaded has to be called.                                        *)
+TogetherProp ==
+    [][ /\ Did("end") /\ step'.ob = ProgramErrorOb
+        /\ ~MissingNoticedWhenDue
+        => \A r \in requests :
+            (\E q \in requests :
+               /\ q.ob \in loaded \ {ProgramErrorOb} /\ ~q.open
+               /\ ModeAllows(q) /\ ~AwaitsLowerOb80(q)
+               /\ \/ q.class > r.class
+                  \/ q.class = r.class /\ q.rank < r.rank)
+            => \E q \in requests' : /\ Content(q) = Content(r)
+                                    /\ q.open = r.open ]_vars
+
 -----------------------------------------------------------------------------
 (* Synchronous errors *)
 

@@ -80,11 +80,13 @@ MissedInStop(new) ==
                \cup (IF StopPointsAreNothing THEN {} ELSE {missed})
 
 (* [OBS-50] The STEP 7 parameters apply again; `kept' is what else STOP    *)
-(* leaves.                                                                 *)
+(* leaves. [AMB-57] A run that STOP has dropped did not serve its point.   *)
 \* @type: $resume => Bool;
 Reconfigure(kept) ==
     \E set \in SettingsByStep7 :
-      LET new    == [o \in TodObs |-> WithMemory(set[o], tod[o])]
+      LET \* @type: Int => $tod;
+          called(o) == NotServed(tod[o], PointsOf(resume.requests, o))
+          new    == [o \in TodObs |-> WithMemory(set[o], called(o))]
           active == { o \in TodObs : new[o].active }
       IN  \E c \in CpusThatShow({ new[o] : o \in active }, clock),
              missed \in MissedInStop(new) :
@@ -197,11 +199,13 @@ Release ==
 (* STOP and hot restart *)
 
 (* [OBS-52] [OBS-54] What STOP leaves to a hot restart. STOP in STARTUP    *)
-(* ends the startup OB for good.                                           *)
+(* ends the startup OB for good. [AMB-57] Which runs it has dropped.       *)
 KeptByStop ==
     LET before == IF mode = "STARTUP" THEN resume
                   ELSE [NothingKept EXCEPT !.stack = stack, !.delay = delay]
-    IN  IF ~HotRestartExists THEN NothingKept
+    IN  IF ~HotRestartExists
+        THEN [NothingKept EXCEPT !.requests = { r \in requests :
+                                          Remembers /\ r.ob \in TodObs }]
         ELSE [ before EXCEPT !.dint = dint, !.requests = requests,
                              !.due = FALSE ]
 

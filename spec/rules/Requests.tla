@@ -262,9 +262,11 @@ InTurn(r) ==
         /\ \/ q.rank < r.rank
            \/ q.rank = r.rank /\ q.ob < r.ob /\ PointsComeByNumber } = {}
 
-(* [AMB-44] (a) A missing OB is noticed although it could not start.       *)
+(* [AMB-44] (a) A missing OB is noticed although it could not start; not   *)
+(* OB 85 itself [AMB-87].                                                  *)
 \* @type: $request => Bool;
-NoticedAtOnce(r) == r.ob \notin loaded /\ MissingNoticedWhenDue
+NoticedAtOnce(r) == /\ r.ob \notin loaded \cup {ProgramErrorOb}
+                    /\ MissingNoticedWhenDue
 
 (* Nothing but the mode or a delay holds the OB back. *)
 \* @type: $request => Bool;

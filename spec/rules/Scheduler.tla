@@ -86,9 +86,18 @@ Start(r) ==
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, delay>>
 
-(* [AMB-45] When OB 85 ends, it may have reported all missing OBs.         *)
+(* [AMB-45] When OB 85 ends, it may have reported the missing OBs that are *)
+(* called together: no call of a loaded OB lies between; all, if they are  *)
+(* noticed when they are due [AMB-44].                                     *)
 Excused ==
-    LET missing == { r \in requests : r.ob \notin loaded \cup AsyncErrorObs }
+    LET \* @type: $request => Set($request);
+        between(r) == { q \in Definite :
+                          /\ q.ob \in loaded \ {ProgramErrorOb}
+                          /\ \/ q.class > r.class
+                             \/ q.class = r.class /\ q.rank < r.rank }
+        missing == { r \in requests :
+                       /\ r.ob \notin loaded \cup AsyncErrorObs
+                       /\ MissingNoticedWhenDue \/ between(r) = {} }
     IN  CASE OneOb85ForAll  -> Close(requests \ missing)
           [] OneOb85ForEach -> requests
           [] OTHER -> (requests \ missing)
@@ -222,11 +231,14 @@ RequestsAfterDeletion(gone) ==
     THEN Close({ r \in requests : r.ob \notin gone }) ELSE requests
 
 (* Blocks are loaded and deleted at any time.  An OB that runs goes on to  *)
-(* its end.                                                                *)
+(* its end. A deselected OB that is loaded in STARTUP aborts it [OBS-25].  *)
 \* @type: Set(Int) => Bool;
 LoadedAre(obs) ==
-    /\ loaded'   = obs
-    /\ requests' = RequestsAfterDeletion(loaded \ obs)
-    /\ NothingEntered
-    /\ UNCHANGED <<cpu, modeVars, clock, settingVars, stopCause, runVars>>
+    LET aborts == /\ mode = "STARTUP" /\ stopCause = NoCause
+                  /\ \E o \in obs \ loaded : Deselected(o)
+    IN  /\ loaded'    = obs
+        /\ requests'  = RequestsAfterDeletion(loaded \ obs)
+        /\ stopCause' = IF aborts THEN DeselectedLoaded ELSE stopCause
+        /\ entered'   = IF aborts THEN {Entry(DeselectedLoaded)} ELSE {}
+        /\ UNCHANGED <<cpu, modeVars, clock, settingVars, runVars>>
 =============================================================================

@@ -145,10 +145,9 @@ WithdrawnBy(to) == IF Before(to, clock) /\ SetBackWithdrawsRuns
 (* The setting of an OB when the clock is set, before it is armed. *)
 \* @type: (Int, $moment, Bool) => $tod;
 SettingAt(o, to, count) ==
-    LET points == { r.since.min : r \in { q \in WithdrawnBy(to) : q.ob = o } }
+    LET points == PointsOf(WithdrawnBy(to), o)
         t      == Repeating(o, tod[o], to, count)
-    IN  IF points = {} THEN t
-        ELSE NotServed(t, CHOOSE p \in points : \A q \in points : p <= q)
+    IN  IF points = {} THEN t ELSE NotServed(t, points)
 
 \* @type: ($moment, Bool) => Set($tod);
 ActiveAt(to, count) ==

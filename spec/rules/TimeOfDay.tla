@@ -17,6 +17,12 @@ ObErrors(o) == IF o \notin TodObs THEN {BadOb} ELSE {}
 Withdrawn(o) == IF TodCallsWithdrawRuns THEN Withdraw(requests, o)
                                         ELSE requests
 
+(* [AMB-57] The setting, without the points whose run a call withdraws.    *)
+\* @type: Int => $tod;
+Uncalled(o) ==
+    IF ~TodCallsWithdrawRuns THEN tod[o]
+    ELSE NotServed(tod[o], PointsOf(requests, o))
+
 (* [T15-22] [A15-19] The minute from which the points count: at the end of *)
 (* a month perhaps the time of day alone.                                  *)
 \* @type: $tod => Set(Int);
@@ -141,9 +147,9 @@ SdtIsLocal(o) ==
 \* @type: (Int, $date, Int, Int) => Bool;
 SetsOrNot(o, sdt, period, ret) ==
     /\ IF ret = OK
-       THEN SettingBecomes(o, SetAnew(tod[o], sdt, SdtIsLocal(o), period))
+       THEN SettingBecomes(o, SetAnew(Uncalled(o), sdt, SdtIsLocal(o), period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
-       THEN SettingBecomes(o, Unset(tod[o]))
+       THEN SettingBecomes(o, Unset(Uncalled(o)))
        ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
@@ -185,10 +191,10 @@ SetLocalAnswers(o, sdt, local, period) ==
 SetsLocalOrNot(o, sdt, local, period, activate, ret) ==
     /\ IF ret # OK
        THEN IF o \in TodObs /\ RefusedSetTintCancels
-            THEN SettingBecomes(o, Unset(tod[o])) /\ UNCHANGED cpu
+            THEN SettingBecomes(o, Unset(Uncalled(o))) /\ UNCHANGED cpu
             ELSE SettingStays /\ UNCHANGED cpu
-       ELSE \E start \in StartsOf(SetAnew(tod[o], sdt, local, period)) :
-              LET t == [ SetAnew(tod[o], sdt, local, period) EXCEPT
+       ELSE \E start \in StartsOf(SetAnew(Uncalled(o), sdt, local, period)) :
+              LET t == [ SetAnew(Uncalled(o), sdt, local, period) EXCEPT
                            !.start = start, !.active = activate ]
               IN  \E c \in IF activate THEN CpusThatShow({t}, clock)
                                        ELSE {cpu} :
@@ -230,7 +236,7 @@ CanAnswers(o) ==
 CanTint(o, ret) ==
     /\ Called
     /\ ret \in CanAnswers(o)
-    /\ IF ret = OK THEN SettingBecomes(o, Unset(tod[o])) ELSE SettingStays
+    /\ IF ret = OK THEN SettingBecomes(o, Unset(Uncalled(o))) ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
 

@@ -153,13 +153,25 @@ Confirms(t, p) ==
                    (IF p = run.to THEN {}
                     ELSE {[from |-> p + 1, to |-> run.to]}) ]
 
-(* [AMB-59] (b) The run for point p is withdrawn: the point was not served. *)
-\* @type: ($tod, Int) => $tod;
-NotServed(t, p) ==
-    LET hit  == { i \in t.served : i.from <= p /\ p <= i.to }
-        rest == { [i EXCEPT !.to = p - 1] : i \in hit }
-                  \cup { [i EXCEPT !.from = p + 1] : i \in hit }
-    IN  [t EXCEPT !.served = (@ \ hit) \cup { i \in rest : i.from <= i.to }]
+(* [AMB-57] [AMB-59] (b) The runs for these points are withdrawn: no point *)
+(* of them was served.                                                     *)
+\* @type: ($tod, Set(Int)) => $tod;
+NotServed(t, points) ==
+    LET ends   == { p - 1 : p \in points }
+        starts == { p + 1 : p \in points }
+        \* @type: (Int, Int) => Bool;
+        whole(a, b) == a <= b /\ ~\E p \in points : a <= p /\ p <= b
+        \* @type: { from: Int, to: Int } => Set({ from: Int, to: Int });
+        rest(i) ==
+            UNION { { [from |-> a, to |-> b]
+                      : b \in { e \in {i.to} \cup ends :
+                                  e <= i.to /\ whole(a, e) } }
+                    : a \in {i.from} \cup { s \in starts : i.from < s } }
+    IN  [t EXCEPT !.served = UNION { rest(i) : i \in t.served }]
+
+(* The points for which the OB of these requests is called. *)
+\* @type: (Set($request), Int) => Set(Int);
+PointsOf(q, o) == { r.since.min : r \in { s \in q : s.ob = o } }
 
 -----------------------------------------------------------------------------
 (* A new setting *)
