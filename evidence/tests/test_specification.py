@@ -59,7 +59,7 @@ def test_the_map_has_each_module_once() -> None:
     assert edges == {(a, b) for b in shown for a in spec[b].imports & shown}
 
 
-LONG = {"Reasons": 700, "StartReasons": 490, "Readings": 590, "LooseLogs": 600, "ReportedData": 470}
+LONG = {"Reasons": 725, "StartReasons": 500, "Readings": 590, "LooseLogs": 600, "ReportedData": 470}
 """Lines of the modules that have one case for each kind of line, of start or of field; and a name for each answer."""
 
 

@@ -1,6 +1,6 @@
 """A behaviour of System as a log, a line for each step that a log shows.
 
-A state has the variables of spec/System.tla by their names. Times are those of the states; `up` is left out: it is the
+A state has the variables of System by their names. Times are those of the states; `up` is left out: it is the
 difference of `at` without the jumps of the clock.
 """
 

@@ -308,7 +308,8 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
       /\ FitsRequest(r, e)
       /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
       /\ ModeAllows(r)
-      /\ StackKnown => Preempts(r)
+      /\ StackKnown => \/ Preempts(r)
+                       \/ mode = "STARTUP" /\ Len(stack) = 1  \* it is over
       /\ StackKnown /\ ~Unseen("call") => 0 \in Counts
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
       /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes

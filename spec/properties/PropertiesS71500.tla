@@ -408,6 +408,11 @@ StartupPointProp ==
           /\ \h3507 \in { n.id : n \in entered' }
           /\ Reports(StillRunning) /\ Reports(BufferOverflow) ]_vars
 
+(* [T15-68] OB 80 with 07 comes by another event of the same OB alone.      *)
+OwnQueueProp ==
+    [][ Did("interrupt") /\ step'.ob # TimeErrorOb /\ Reports(BufferOverflow)
+        => OnStack(step'.ob) \/ \E r \in requests : r.ob = step'.ob ]_vars
+
 (* [T15-115] *)
 WarmProp == [][ Did("restart") => startup' = "warm" ]_vars
 

@@ -133,6 +133,7 @@ Instead(e, past, id) ==
       [] id = "OBS-10" /\ e.event = "start" -> OfTheInfo(e, past)
       [] /\ id \in {"OBS-02", "OBS-07", "OBS-08", "OBS-30"}
          /\ DOMAIN cpu.queues # {} -> OfTheQueue(e, id)
+      [] id = "OBS-08" -> {"T15-68"}
       [] id = "OBS-40" /\ mode = "HOLD" /\ startup # "none" -> {"T15-121"}
       [] id = "OBS-45" /\ startup # "none" -> {id, "T15-121"}
       [] id = "OBS-03" /\ Kin(e.ob) = CycleOb /\ CycleObs # {CycleOb} ->

@@ -316,14 +316,17 @@ LateTod(r, past) ==
     LET o    == r.ob
         last == LastStart(past, o)
         act  == LastWith(past, {"ACT_TINT"}, o)
+        calls == LastWith(past, {"SET_TINT", "CAN_TINT", "ACT_TINT"}, o)
         special ==
-          (SinceRun(past, o, last)
+          (SinceRun(past, o, last, r.since)
              \ When(~CameBeforeRun(r, past), {"TINT-13"}))
             \cup When(ClockWasSet(past, last) # 0,
                       IF ComesAgainUnserved(r, past) THEN {"A15-17"}
                       ELSE SinceClock(past, last))
             \cup When(ClockWasSet(past, StartBefore(past, o)) > 0, {"CLK-08"})
-            \cup When(cpu.step7[o].execution = "once" /\ last = 0, {"OBS-56"})
+            \cup When(cpu.step7[o].execution = "once" /\ last <= LastReset(past),
+                       {"OBS-56"})
+            \cup When(LastReset(past) > calls /\ calls > 0, {"OBS-50"})
             \cup When(SetInStartup(past, act), {"OBS-55"})
             \cup When(~Blocked(o) /\ LastIn(IrtLines(past, o)) > last,
                       {"IRT-18"})
@@ -342,7 +345,7 @@ LateDint(r, past) ==
         last == LastStart(past, r.ob)
     IN  {"DINT-06"}
                 \cup (IF LastHot(past) > srt THEN {"DINT-13"}
-                      ELSE SinceRun(past, r.ob, LastIn({last, srt}))
+                      ELSE SinceRun(past, r.ob, LastIn({last, srt}), r.since)
                              \ {"DINT-19"})
                 \cup OfDelay(r.ob, past)
                 \cup When(dint[r.ob].started
@@ -372,6 +375,7 @@ LateRequirement(r, past) ==
       [] r.follows \in LocalSkips    -> OfFault(r.follows, 0)
       [] r.follows = StillRunning    ->
            OfFault(r.follows, r.ob)
+             \cup When(r.ob \in ExternalObs, {"OBS-30", "AMB-77"})
              \cup When(LastIn(IrtLines(past, TimeErrorOb)) > 0, {"OBS-33"})
       [] r.ob \in DintObs            ->
            LateDint(r, past) \cup HeldBack(r, past)
@@ -386,7 +390,7 @@ LateRequirement(r, past) ==
              \cup ThoughNotBlocked(past, r.cause)
              \cup When(MissingObEndsItsSource, {"OBS-28"})
       [] OTHER                       ->
-           SinceRun(past, r.ob, LastStart(past, r.ob))
+           SinceRun(past, r.ob, LastStart(past, r.ob), r.since)
              \cup When(r.ob \in AsyncErrorObs, {"OBS-29"})
              \cup (IF HeldBack(r, past) = {} THEN {"OBS-01", "OBS-03"}
                    ELSE HeldBack(r, past))
@@ -676,6 +680,27 @@ PossibleRules(e, past) ==
       [] OTHER                  -> {"OBS-60"}
 
 -----------------------------------------------------------------------------
+(* What a hot restart keeps                                                *)
+
+(* The line shows a setting, a job, a block, a count, a request or an OB   *)
+(* that a hot restart keeps [OBS-52] [OBS-54].                             *)
+\* @type: $event => Bool;
+DependsOnKept(e) ==
+    LET \* @type: Int => Bool;
+        wrong(bit) == \A s \in RightStatuses(e) :
+                        (e.status \div bit) % 2 # (s \div bit) % 2
+    IN  CASE e.event = "QRY_TINT" -> e.ob \in TodObs /\ (wrong(2) \/ wrong(4))
+          [] e.event = "QRY_DINT" -> /\ e.ob \in DintObs
+                                     /\ wrong(2) \/ wrong(4)
+          [] e.event \in CallEvents ->
+               \A ret \in {e.ret} \cup RightAnswers(e) :
+                 \/ ret \in {OK, NotSet, NotStarted, PastStart, NotDelayed}
+                 \/ e.event \in {"DIS_AIRT", "EN_AIRT"} /\ ret <= 32767
+          [] e.event = "start" ->  \* not where start information is wrong
+               delay > 0 \/ \A r \in Candidates(e) : Depth(r, e.info.flt_id) < 9
+          [] OTHER             -> e.event = "end"
+
+-----------------------------------------------------------------------------
 (* By the words of the family                                              *)
 
 \* @type: ($event, Seq($event)) => Set(Str);
@@ -683,7 +708,7 @@ Deciding(e, past) ==
     LET kept == When(e.event = "start" /\ delay > 0, SinceHotRestart(0, past))
     IN  Cited(e, past,
               DecidingRules(e, past)
-                \cup When(e.event \in CallEvents \cup {"start", "end"},
+                \cup When(DependsOnKept(e),
                           IF kept = {} THEN SinceHotRestart(e.ob, past)
                           ELSE kept))
 

@@ -58,16 +58,24 @@ OfDelay(o, past) ==
 -----------------------------------------------------------------------------
 (* Since a line *)
 
-(* Since position `last' the CPU has gone on to RUN, and the clock was not *)
-(* set in RUN; or HOLD has come.                                           *)
-\* @type: (Seq($event), Int, Int) => Set(Str);
-SinceRun(past, o, last) ==
-    When(/\ LastOf(past, {"run"}) > last
-         /\ LastOf(past, {"clock"}) < LastOf(past, {"run"}),
+(* The line at position i comes after position `last', and moment t at     *)
+(* most a second after it: what has waited until then has run.             *)
+\* @type: (Seq($event), Int, Int, $moment) => Bool;
+IsJustBefore(past, i, last, t) ==
+    i > last /\ (Before(t, past[i].at) \/ Span(past[i].at, t) <= 1000)
+
+(* Just before moment t, and since position `last', the CPU has gone on to *)
+(* RUN, and the clock was not set in RUN; or HOLD has come.                *)
+\* @type: (Seq($event), Int, Int, $moment) => Set(Str);
+SinceRun(past, o, last, t) ==
+    LET run  == LastOf(past, {"run"})
+        hold == LastOf(past, {"hold", "release"})
+    IN  When(/\ IsJustBefore(past, run, last, t)
+             /\ LastOf(past, {"clock"}) < run,
              {"OBS-44"} \cup When(o \in TodObs, {"TINT-13"})
                         \cup When(o \in DintObs, {"DINT-11"})
                         \cup When(o \in ExternalObs, {"OBS-42"}))
-          \cup When(LastOf(past, {"hold", "release"}) > last,
+          \cup When(IsJustBefore(past, hold, last, t),
                     {"OBS-45"} \cup When(o \in TodObs, {"OBS-46"})
                                \cup When(o \in DintObs, {"DINT-19"}))
 
@@ -153,7 +161,8 @@ NoTodRequest(o, past) ==
         ELSE LET again == RanForPoint(o, past)
                  from  == IF again THEN StartBefore(past, o)
                           ELSE LastStart(past, o)
-                 moved == SinceClock(past, from) \cup SinceRun(past, o, from)
+                 moved == SinceClock(past, from)
+                            \cup SinceRun(past, o, from, clock)
                  special ==
                    moved
                      \cup When(Blocked(TimeErrorOb), {"OBS-33"})
@@ -241,7 +250,8 @@ NoTimeError(e, past) ==
                              /\ Before(past[i].to, past[i].at), {"CLK-09"})
           \cup When(past # <<>> /\ past[Len(past)].event = "interrupt"
                       /\ past[Len(past)].ob \notin loaded,
-                    {"OBS-20", "OBS-24"})
+                    IF past[Len(past)].ob \in AsyncErrorObs THEN {"OBS-23"}
+                    ELSE {"OBS-20", "OBS-24"})
           \cup When(/\ fault = SkippedByClock
                     /\ LastOf(past, {"zone"}) <= set
                     /\ \/ set = 0 \/ LastOf(past, {"DIS_AIRT"}) > set
@@ -316,7 +326,7 @@ WithoutRequest(e, past) ==
                {"OBS-52", "OBS-07"}
           [] OTHER                        ->
                {"OBS-01", "OBS-07"} \cup When(o \in AsyncErrorObs, {"OBS-29"})
-                 \cup SinceRun(past, o, LastStart(past, o))
+                 \cup SinceRun(past, o, LastStart(past, o), clock)
 
 -----------------------------------------------------------------------------
 (* The class of an error that came in STARTUP, in RUN [AMB-88] *)

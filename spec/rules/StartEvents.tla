@@ -297,9 +297,12 @@ ClassIsTaken(class) == \/ \E r \in requests : r.class = class
                        \/ TimeErrorStands(class)
 
 (* [OBS-08] [AMB-18] The buffer of a class may be full if it is taken.     *)
+(* [T15-68] On an S7-1500 the events of each OB are counted for themselves. *)
 \* @type: $request => Bool;
 MayOverflow(new) ==
-    /\ ClassIsTaken(new.class)
+    /\ IF Family.queues
+       THEN OnStack(new.ob) \/ \E r \in requests : r.ob = new.ob
+       ELSE ClassIsTaken(new.class)
     /\ BuffersMayOverflow
 
 \* @type: $request => Bool;

@@ -41,6 +41,8 @@ S7_1500 = {"cpu": "S7-1500", "obs": [1, 10, 20, 35, 40, 80, 82, 100, 121, 122]}
 BY_LOCAL_TIME = {"zone": 60, "step7": {"tod": {"10": {
     "execution": "hourly", "start": "2026-01-01T00:30", "active": True, "local": True
 }}}}  # fmt: skip
+END_OF_MONTH = {"execution": "end_of_month", "start": "2026-12-31T06:00", "active": True}
+WARM_RESTART = [on("00:01", "restart", type="warm"), on("00:02", "run")]
 HOT = {"obs": [1, 20, 35, 40, 80, 82, 85, 100, 101]}
 HOT_RESTART = [on("00:03", "stop"), on("00:10", "restart", type="hot"), on("00:10.003", "run")]
 DELAY_KEPT = [on("00:01", "interrupt", ob=35), on("00:01.001", "start", ob=35), on("00:01.002", "DIS_AIRT", ret=1)]
@@ -203,6 +205,52 @@ def error_ob(time: str, fault: str, **info: object) -> dict[str, Any]:
                 on("01:11.003", "start", ob=10),
             ],
             "OBS-03",
+        ),
+        # Days after STARTUP its rules explain nothing; the series does, or that STEP 7's one run was long ago.
+        (
+            {"mode": "STOP", "step7": {"tod": {"10": END_OF_MONTH}}},
+            [*WARM_RESTART, {"event": "start", "at": "2026-11-30T06:00:00", "ob": 10}],
+            "TINT-19",
+        ),
+        (
+            {"mode": "STOP", "step7": {"tod": {"10": END_OF_MONTH | {"execution": "once"}}}},
+            [
+                *WARM_RESTART,
+                {"event": "start", "at": "2026-12-31T06:00:00", "ob": 10},
+                {"event": "end", "at": "2026-12-31T06:00:01", "ob": 10},
+                {"event": "stop", "at": "2026-12-31T06:10:02"},
+                {"event": "restart", "at": "2026-12-31T06:10:02", "type": "warm"},
+                {"event": "run", "at": "2026-12-31T06:10:02"},
+                {"event": "done", "at": "2026-12-31T06:10:05"},
+            ],
+            "OBS-56",
+        ),
+        # After a hot restart: bits that it does not keep, a class.
+        (
+            HOT,
+            [blocked("B#16#00", 0), *HOT_RESTART, on("00:12", "QRY_TINT", ob=10, status="W#16#1012", ret=0)],
+            "TINT-79",
+        ),
+        (
+            HOT,
+            [
+                on("00:01", "SRT_DINT", ob=20, dtime=20000, sign=0, ret=0),
+                *HOT_RESTART,
+                on("00:28", "start", ob=20, info={"priority": 4}),
+            ],
+            "DINT-01",
+        ),
+        # The run behind OB 80 has not come.
+        (
+            {"readings": {"AMB-77": "a"}},
+            [
+                *(on(f"00:01.00{at}", name, ob=35) for at, name in enumerate(("interrupt", "start", "interrupt"))),
+                error_ob("00:01.003", "02"),
+                on("00:01.004", "end", ob=80),
+                on("00:01.005", "end", ob=35),
+                on("00:02", "done"),
+            ],
+            "OBS-30",
         ),
         # OB 121 is loaded, and fails itself.
         (
