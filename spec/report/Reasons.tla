@@ -324,8 +324,8 @@ LateTod(r, past) ==
                       IF ComesAgainUnserved(r, past) THEN {"A15-17"}
                       ELSE SinceClock(past, last))
             \cup When(ClockWasSet(past, StartBefore(past, o)) > 0, {"CLK-08"})
-            \cup When(cpu.step7[o].execution = "once" /\ last <= LastReset(past),
-                       {"OBS-56"})
+            \cup When(/\ cpu.step7[o].execution = "once"
+                      /\ last <= LastReset(past), {"OBS-56"})
             \cup When(LastReset(past) > calls /\ calls > 0, {"OBS-50"})
             \cup When(SetInStartup(past, act), {"OBS-55"})
             \cup When(~Blocked(o) /\ LastIn(IrtLines(past, o)) > last,
@@ -697,7 +697,8 @@ DependsOnKept(e) ==
                  \/ ret \in {OK, NotSet, NotStarted, PastStart, NotDelayed}
                  \/ e.event \in {"DIS_AIRT", "EN_AIRT"} /\ ret <= 32767
           [] e.event = "start" ->  \* not where start information is wrong
-               delay > 0 \/ \A r \in Candidates(e) : Depth(r, e.info.flt_id) < 9
+               \/ delay > 0
+               \/ \A r \in Candidates(e) : Depth(r, e.info.flt_id) < 9
           [] OTHER             -> e.event = "end"
 
 -----------------------------------------------------------------------------
