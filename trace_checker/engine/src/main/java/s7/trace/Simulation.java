@@ -304,10 +304,17 @@ final class Simulation {
     return found;
   }
 
-  /** Whether the CPU does not take the call that is to be made now: an OB has to start before. */
+  /** Whether the CPU does not take the call or the end that is next: an OB has to start before. */
   private boolean blocked() {
-    Fields call = atWork() ? work.top().call() : null;
-    return call != null && answers(call).isEmpty();
+    if (!atWork()) {
+      return false;
+    }
+    Fields call = work.top().call();
+    return call == Work.END ? session.judge(bytes(dated(end()))) != null : call != null && answers(call).isEmpty();
+  }
+
+  private Fields end() {
+    return new Fields().put(EVENT, "end").put(OB, work.top().ob);
   }
 
   /** Equal after an OB of no length that may start any number of times, such as for many open start events. */
@@ -360,7 +367,7 @@ final class Simulation {
     while (atWork() && work.top().busy == 0) {
       Fields step = work.top().step();
       if (step == null) {
-        return List.of(new Fields().put(EVENT, "end").put(OB, work.top().ob));
+        return List.of(end());
       }
       if (step.has("call")) {
         if (answers(step).isEmpty()) {

@@ -17,6 +17,9 @@ final class Work {
   /** Of a cycle of OB 1 whose body does not wait: a cycle of no length would go on forever. */
   private static final Fields PAUSE = new Fields().put("wait", 1L);
 
+  /** In place of the next call: the OB ends. */
+  static final Fields END = new Fields().put("end", true);
+
   private static final String EVERY = "every";
 
   /** The steps of a body; equal to itself alone. */
@@ -82,7 +85,7 @@ final class Work {
       return step == null || step.has("end") ? null : step;
     }
 
-    /** The call that is to be made now, behind steps that take no time; null if there is none. */
+    /** The call that is to be made now, behind steps that take no time; or END; null if there is none. */
     Fields call() {
       for (int i = place; busy == 0 && i < body.steps.size(); i++) {
         Fields step = body.steps.get(i);
@@ -91,10 +94,10 @@ final class Work {
         }
         boolean waited = step.has("wait") && (i == place || Long.valueOf(0).equals(step.get("wait")));
         if (!waited && !"state".equals(step.get("event"))) {
-          return null;
+          return step.has("end") ? END : null;
         }
       }
-      return null;
+      return busy == 0 ? END : null;
     }
 
     /** The step is done. */
