@@ -285,7 +285,7 @@ final class Simulation {
   /** OBs that interrupt what runs, and a STOP by rule. */
   private List<Fields> ofCpu() {
     List<Ahead.Line> ended = ahead().due.stream().filter(one -> one.until <= up).toList();
-    if (up < letUntil && ended.isEmpty() && !blocked()) {
+    if (up < letUntil && ended.isEmpty() && !delays() && !blocked()) {
       return List.of();
     }
     var found = new ArrayList<Fields>();
@@ -298,8 +298,12 @@ final class Simulation {
       ended.stream().map(Ahead.Line::event).filter(one -> STOP.equals(one.text(EVENT))).forEach(found::add);
     }
     if (!found.isEmpty() && ended.isEmpty() && !blocked()) {
-      found.add(NOTHING);
-      return letAt == up || begun.contains(moment()) ? List.of() : found;
+      if (begun.contains(moment()) || letAt == up && !delays()) {
+        return List.of();
+      }
+      if (!delays()) {
+        found.add(NOTHING);
+      }
     }
     return found;
   }
@@ -311,6 +315,12 @@ final class Simulation {
     }
     Fields call = work.top().call();
     return call == Work.END ? session.judge(bytes(dated(end()))) != null : call != null && answers(call).isEmpty();
+  }
+
+  /** Whether a DIS_AIRT is next: an OB that might start would perhaps not come in time behind it [AMB-69]. */
+  private boolean delays() {
+    Fields call = atWork() ? work.top().call() : null;
+    return call != null && "DIS_AIRT".equals(call.get("call"));
   }
 
   private Fields end() {
