@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import click
@@ -103,13 +104,18 @@ def models_command(
         began, text = time.monotonic(), unchanged.written(harness.manifest)
         answers = canaries.run_canaries(harness.tools, harness.manifest.directory.parent / "build", processes)
         report.show_canaries(console, harness.tools, answers)
-        results, drift = _run(harness, models, cluster, jobs, names, console, text)
+
+        def take(result: judge.Result) -> judge.Result:
+            """Pin and remember what came, at once: the full lane takes hours, and may be stopped."""
+            if update:
+                result = _updated(manifest, result, console)
+            if result.ok and unchanged.written(harness.manifest) == text:  # no module has changed while TLC ran
+                unchanged.keep(result.model, report.entry(result), harness.manifest, harness.tools)
+            return result
+
+        results, drift = _run(harness, models, cluster, jobs, names, console, take)
         if not asked:
             drift.insert(0, f"{manifest}: no model is in {part}: nothing was checked")
-        if update:
-            results = _update(manifest, results, console)
-            for result in results:
-                _keep(result, harness, text)
         if logs is not None:
             report.write_logs(logs, results)
         came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)
@@ -145,18 +151,20 @@ def _run(
     jobs: int,
     names: tuple[str, ...],
     console: Console,
-    text: tuple[int, ...],
+    take: Callable[[judge.Result], judge.Result],
 ) -> tuple[list[judge.Result], list[str]]:
     """Return the results, and a line for each thing that was asked for and not run."""
     if cluster is None:
+        taken = {}
         with report.Progress(console, len(models)) as progress:
 
             def tell(event: Event) -> None:
                 progress(event)
                 if event.result is not None:
-                    _keep(event.result, harness, text)  # at once: the full lane takes hours, and may be stopped
+                    taken[event.model.name] = take(event.result)
 
-            return run_all(harness, models, jobs, tell), []
+            run_all(harness, models, jobs, tell)
+        return [taken[model.name] for model in models], []
     against = {model.name: reason for model in models if (reason := distributed.reason_against(model))}
     for name, reason in against.items():
         plain(console, f"not run: {name}: {reason}")
@@ -168,17 +176,11 @@ def _run(
         return distributed.run_all(harness, possible, cluster, progress), drift
 
 
-def _keep(result: judge.Result, harness: Harness, text: tuple[int, ...]) -> None:
-    """Remember a model that came as pinned, unless a module has changed while TLC ran."""
-    if result.ok and unchanged.written(harness.manifest) == text:
-        unchanged.keep(result.model, report.entry(result), harness.manifest, harness.tools)
-
-
-def _update(manifest: Path, results: list[judge.Result], console: Console) -> list[judge.Result]:
-    changes, results = judge.update(manifest, results)
-    for change in changes or ["nothing"]:
+def _updated(manifest: Path, result: judge.Result, console: Console) -> judge.Result:
+    changes, (result,) = judge.update(manifest, [result])
+    for change in changes:
         plain(console, f"updated {change}")
-    return results
+    return result
 
 
 def _command(manifest: Path, jar: Path | None) -> str:

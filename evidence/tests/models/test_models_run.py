@@ -313,6 +313,22 @@ def test_update_pins_counts_only(project: Project) -> None:
     assert project.run("counter", "neg-overshoot")[0] == 0
 
 
+def test_update_pins_each_model_as_it_comes(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run that is stopped behind its first model has pinned that one."""
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    document = project.document
+    document["models"] = [project.entry(name) for name in ("counter", "neg-overshoot")]
+    for entry in document["models"]:
+        entry["expect"]["distinct"] = 99
+    project.write(document)
+    monkeypatch.setattr(unchanged, "keep", stop)
+    assert project.run("--update")[0] == 130
+    assert sorted(m["expect"]["distinct"] == 99 for m in project.document["models"]) == [False, True]
+
+
 def test_interrupt_leaves_no_java(project: Project) -> None:
     """Ctrl-C ends the harness with 130, all its Java processes and their files."""
     document = project.document
