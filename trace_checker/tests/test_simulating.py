@@ -81,7 +81,7 @@ def test_what_the_log_leaves_open_is_not_taken(name: str, seed: int | None, real
     """A start event that may come to nothing brings its OB within the latency or not at all.
 
     A startup OB, whose end no log has to show, goes on while its body does. An OB does not end where another has
-    to be called before. What may start does so before a DIS_AIRT, behind which it might come too late.
+    to be called before. What is due starts before a DIS_AIRT, behind which it would come too late.
     """
     (one,) = (each for each in programs_of([KIT]) if each.name == name)
     lines = [json.dumps(line).encode() for line in simulated(real_engine, one, seed=seed)]

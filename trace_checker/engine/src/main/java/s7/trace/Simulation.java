@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -222,7 +223,14 @@ final class Simulation {
   /** What the CPU may do next, and what has to have come, by the time since the program began. */
   private record Ahead(List<Line> lines, List<Line> due, long last, String key) {
     /** A line that may come from one time to another. */
-    private record Line(Fields event, long from, long until) {}
+    private record Line(Fields event, long from, long until) {
+      /** It is of the same OB as what is due, and may come by then. */
+      private boolean isIn(Line due) {
+        return event.text(EVENT).equals(due.event.text(EVENT))
+            && Objects.equals(event.get(OB), due.event.get(OB))
+            && from <= due.until;
+      }
+    }
 
     static Ahead of(Fields possible) {
       List<Fields> times = Work.objects(possible.list("times"));
@@ -285,7 +293,8 @@ final class Simulation {
   /** OBs that interrupt what runs, and a STOP by rule. */
   private List<Fields> ofCpu() {
     List<Ahead.Line> ended = ahead().due.stream().filter(one -> one.until <= up).toList();
-    if (up < letUntil && ended.isEmpty() && !delays() && !blocked()) {
+    boolean lastChance = ended.isEmpty() && strands();
+    if (up < letUntil && ended.isEmpty() && !lastChance && !blocked()) {
       return List.of();
     }
     var found = new ArrayList<Fields>();
@@ -298,10 +307,10 @@ final class Simulation {
       ended.stream().map(Ahead.Line::event).filter(one -> STOP.equals(one.text(EVENT))).forEach(found::add);
     }
     if (!found.isEmpty() && ended.isEmpty() && !blocked()) {
-      if (begun.contains(moment()) || letAt == up && !delays()) {
+      if (begun.contains(moment()) || letAt == up && !lastChance) {
         return List.of();
       }
-      if (!delays()) {
+      if (!lastChance) {
         found.add(NOTHING);
       }
     }
@@ -317,10 +326,16 @@ final class Simulation {
     return call == Work.END ? session.judge(bytes(dated(end()))) != null : call != null && answers(call).isEmpty();
   }
 
-  /** Whether a DIS_AIRT is next: an OB that might start would perhaps not come in time behind it [AMB-69]. */
-  private boolean delays() {
-    Fields call = atWork() ? work.top().call() : null;
-    return call != null && "DIS_AIRT".equals(call.get("call"));
+  /** Whether behind the call that is next an OB that is due could not start in time, as behind a DIS_AIRT. */
+  private boolean strands() {
+    Fields call = atWork() && dice != null ? work.top().call() : null;
+    if (call == null || call == Work.END || answers(call).isEmpty()) {
+      return false;
+    }
+    Session behind = session.branch();
+    behind.feed(bytes(dated(answers(call).get(0))));
+    Ahead then = Ahead.of(behind.possible(question(awaited, null)));
+    return then.due.stream().anyMatch(due -> then.lines.stream().noneMatch(line -> line.isIn(due)));
   }
 
   private Fields end() {
