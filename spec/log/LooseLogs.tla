@@ -309,7 +309,7 @@ LooseInterruptStarts(e) == \E r \in LooseRequests(e) :
       /\ MayBeLoaded(e.ob) /\ ~Deselected(e.ob)
       /\ ModeAllows(r)
       /\ StackKnown => \/ Preempts(r)
-                       \/ mode = "STARTUP" /\ Len(stack) = 1  \* it is over
+                       \/ mode = "STARTUP" /\ Len(stack) = 1  \* OB 10x is over
       /\ StackKnown /\ ~Unseen("call") => 0 \in Counts
       /\ e.ob \in TodObs => e.info.period \in {-1} \cup PeriodCodes
       /\ e.ob \in DintObs => e.info.dtime \in {-1} \cup DelayTimes

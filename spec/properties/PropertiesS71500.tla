@@ -408,7 +408,7 @@ StartupPointProp ==
           /\ \h3507 \in { n.id : n \in entered' }
           /\ Reports(StillRunning) /\ Reports(BufferOverflow) ]_vars
 
-(* [T15-68] OB 80 with 07 comes by another event of the same OB alone.      *)
+(* [T15-68] OB 80 with 07 needs another event of the same OB.              *)
 OwnQueueProp ==
     [][ Did("interrupt") /\ step'.ob # TimeErrorOb /\ Reports(BufferOverflow)
         => OnStack(step'.ob) \/ \E r \in requests : r.ob = step'.ob ]_vars

@@ -58,8 +58,8 @@ OfDelay(o, past) ==
 -----------------------------------------------------------------------------
 (* Since a line *)
 
-(* The line at position i comes after position `last', and moment t at     *)
-(* most a second after it: what has waited until then has run.             *)
+(* The line at position i comes after position `last', and at most a       *)
+(* second before moment t. Later, all that waited for it has run.          *)
 \* @type: (Seq($event), Int, Int, $moment) => Bool;
 IsJustBefore(past, i, last, t) ==
     i > last /\ (Before(t, past[i].at) \/ Span(past[i].at, t) <= 1000)

@@ -199,7 +199,8 @@ Release ==
 (* STOP and hot restart *)
 
 (* [OBS-52] [OBS-54] What STOP leaves to a hot restart. STOP in STARTUP    *)
-(* ends the startup OB for good. [AMB-57] Which runs it has dropped.       *)
+(* ends the startup OB for good. [AMB-57] A CPU that remembers served      *)
+(* points notes which runs STOP has dropped: these have served none.       *)
 KeptByStop ==
     LET before == IF mode = "STARTUP" THEN resume
                   ELSE [NothingKept EXCEPT !.stack = stack, !.delay = delay]

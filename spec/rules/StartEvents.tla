@@ -297,7 +297,7 @@ ClassIsTaken(class) == \/ \E r \in requests : r.class = class
                        \/ TimeErrorStands(class)
 
 (* [OBS-08] [AMB-18] The buffer of a class may be full if it is taken.     *)
-(* [T15-68] On an S7-1500 the events of each OB are counted for themselves. *)
+(* [T15-68] On an S7-1500 each OB has a queue of its own.                  *)
 \* @type: $request => Bool;
 MayOverflow(new) ==
     /\ IF Family.queues
