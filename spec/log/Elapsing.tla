@@ -175,7 +175,7 @@ Repeats(o, e) ==
                                       /\ q.fault = r.fault /\ Endless(q)
         again  == TodRequest(o, clock, 0)
         errors == EnterAll(requests, WithObToRun(ErrorsOf(again))) \ requests
-    IN  /\ terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
+    IN  /\ DOMAIN terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
         /\ Before(clock, Settled(e))
         /\ PendingIn(requests, o) /\ ~OnStack(o) /\ TakesEvents(o)
         /\ has(again) /\ \A r \in errors : has(r) \/ MayStart(r)
@@ -283,9 +283,10 @@ ByCounter(e) ==
     IN  IF e.step = 1 \/ Before(m, e.at) THEN e.at
         ELSE IF Before(EndOfStep(e), m) THEN EndOfStep(e) ELSE m
 
-(* It decides how far the clock is set, and of the points within the step  *)
-(* [AMB-14] (c) which have come; for a call that may arm a point, whether  *)
-(* the one at the begin of the step is past.                               *)
+(* It decides how far the clock is set, which points of STEP 7 are past at *)
+(* a restart [OBS-50], and of the points within the step [AMB-14] (c)      *)
+(* which have come; for a call that may arm a point, whether the one at    *)
+(* the begin of the step is past.                                          *)
 \* @type: $event => Set($moment);
 MomentsByCounter(e) ==
     LET m     == ByCounter(e)
@@ -294,7 +295,7 @@ MomentsByCounter(e) ==
         comes(t) == /\ t.active /\ ~t.held
                     /\ ~Before(NextMoment(t), clock)
                     /\ ~Before(m, NextMoment(t))
-    IN  CASE e.event = "clock"                         -> {m}
+    IN  CASE e.event \in {"clock", "restart"}           -> {m}
           [] SecondsAreKept /\ arms                    -> {m}
           [] SecondsAreKept /\ \E o \in DOMAIN tod : comes(tod[o]) -> {m}
           [] clock.ms = 0 /\ arms /\ Before(clock, m)  -> {After(clock, 1)}

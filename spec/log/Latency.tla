@@ -53,9 +53,9 @@ WaitsGoOn ==
                                                        /\ ~StopIsDue' )
                          THEN {} ELSE {StopDuty}) )
 
-(* An open request that stands for any number (Merging).                   *)
+(* An open request that stands for several (Merging).                      *)
 \* @type: $request => Bool;
-Endless(r) == terms.endless # {} /\ AsItCame(r) \in terms.endless
+Endless(r) == AsItCame(r) \in DOMAIN terms.endless
 
 -----------------------------------------------------------------------------
 (* Data for later lines *)
@@ -74,7 +74,8 @@ NextCycle ==
           /\ ~Blocked(TimeErrorOb)
           /\ \E n \in entered' : n.id = ErrorEntry + CycleTimeExceeded
     IN  /\ first' = IF restarts THEN startup'
-                    ELSE IF begins THEN "none" ELSE first
+                    ELSE IF begins \/ (ends /\ first = "unknown") THEN "none"
+                    ELSE first
         /\ overruns' = IF startup' = "hot" /\ restarts
                        THEN Earlier(overruns, 1)
                        ELSE IF restarts \/ begins \/ ends THEN 0

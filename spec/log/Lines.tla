@@ -71,7 +71,8 @@ IsCall(e) ==
 
 (* Table 7.5: the first OB 1 after a restart has another event than the    *)
 (* following ones. After a hot restart it may also follow the cycle that   *)
-(* has gone on. If a log begins in RUN, its first OB 1 may have any.       *)
+(* has gone on. If a log begins in RUN, its first OB 1 may have any, but   *)
+(* not behind an end of OB 1.                                              *)
 (* [T15-134] An S7-1500 has two of them, one for the first OB 1.           *)
 CycleEvents == CASE first = "warm" -> {1}
                  [] first = "cold" -> {4}
@@ -83,7 +84,7 @@ CycleEvents == CASE first = "warm" -> {1}
 (* The OB starts by one of many open requests; others may remain. *)
 \* @type: $request => Bool;
 StartsAgain(r) ==
-    IF LastCall(r) THEN Start(r)
+    IF LastCall(r) \/ terms.endless[AsItCame(r)] = 1 THEN Start(r)
     ELSE /\ MayStart(r) /\ r.ob \in loaded
          /\ stack' = Append(stack, Frame(r.ob, r.class))
          /\ requests' = (requests \ {r}) \cup {[r EXCEPT !.open = TRUE]}
@@ -270,19 +271,37 @@ NextPace(e) ==
             ELSE [ pace EXCEPT
                      !.clock = IF pace.up = NoMoment THEN @
                                ELSE Shifted(@, e.at, e.to),
+                     !.step  = IF e.step > @ THEN e.step ELSE @,
                      !.reads = Shifted(@, e.at, e.to) ]
 
 -----------------------------------------------------------------------------
 
+(* The requests that stand for several (Merging), by one of which the OB   *)
+(* may have started.                                                       *)
+\* @type: $event => Set($request);
+StartedAgain(e) ==
+    IF e.event # "start" \/ DOMAIN terms.endless = {} THEN {}
+    ELSE { r \in requests :
+             /\ r.ob = e.ob /\ Endless(r) /\ FitsRequest(r, e)
+             /\ terms.endless[AsItCame(r)] > 1
+             /\ [r EXCEPT !.open = TRUE] \in requests' }
+
+(* They stand for one less, if it is certain for which.                    *)
 (* [T15-69] A queue drops a start event, or may drop it; a run shows how   *)
 (* many were dropped.                                                      *)
 \* @type: $event => Bool;
-NextDropped(e) ==
-    LET \* @type: Set($request) => Int;
+NextTerms(e) ==
+    LET again == StartedAgain(e)
+        \* @type: Set($request) => Int;
         held(q) == Cardinality({ r \in q : r.ob = e.ob /\ ~r.open })
         drops == \/ OpenIn(requests, e.ob)
                  \/ held(requests') = held(requests)
-    IN  CASE e.event = "interrupt" /\ HasQueue(e.ob) ->
+    IN  CASE Cardinality(again) = 1 ->
+               terms' = [ terms EXCEPT !.endless =
+                            [ k \in DOMAIN @ |->
+                                IF \E r \in again : k = AsItCame(r)
+                                THEN @[k] - 1 ELSE @[k] ] ]
+          [] e.event = "interrupt" /\ HasQueue(e.ob) ->
                terms' = [ terms EXCEPT !.dropped[e.ob] =
                             @ + (IF drops THEN 1 ELSE 0) ]
           [] e.event = "start" /\ e.info.event_count > 0 /\ HasQueue(e.ob) ->
@@ -319,6 +338,6 @@ Shows(e) ==
          \* The log ends: nothing is missing up to this moment.
          [] e.event = "done"       -> UNCHANGED cpuVars /\ NothingEntered
     /\ IF e.event = "diag" THEN UNCHANGED <<waiting, eventVars>> ELSE Rewait
-    /\ NextDropped(e)
+    /\ NextTerms(e)
     /\ UNCHANGED up
 =============================================================================

@@ -23,7 +23,7 @@ EXTENDS Cpu
 (***************************************************************************)
 (* @typeAlias: terms = { latency: Int, cycle: Bool,                        *)
 (*                       records: Set(Str), loose: Bool,                   *)
-(*                       endless: Set($request),                           *)
+(*                       endless: $request -> Int,                         *)
 (*                       unsure: Set(Int),                                 *)
 (*                       early: Set({ ob: Int, since: $moment }),          *)
 (*                       dropped: Int -> Int };                            *)
@@ -61,7 +61,8 @@ EXTENDS Cpu
 (* @typeAlias: change = { from: $moment, up: $moment };                    *)
 (* @typeAlias: tag = { of: $request, nth: Int };                           *)
 (* @typeAlias: waits = { requests: Set($request), waiting: Int -> Int,     *)
-(*   arrivals: $request -> $moment, reports: Set($report) };               *)
+(*   arrivals: $request -> $moment, reports: Set($report),                 *)
+(*   endless: $request -> Int };                                           *)
 (* @typeAlias: report = { entry: $entry, age: Int, times: Int,             *)
 (*                        since: $moment };                                *)
 (***************************************************************************)
@@ -121,11 +122,12 @@ VARIABLES
     (* log has every start and end of OB 1. records: the kinds of event    *)
     (* that the log has completely. loose: the log does not tell when an   *)
     (* OB has to start (LooseLogs). After Merging: endless, the open       *)
-    (* requests that stand for any number of requests; unsure, the OBs for *)
-    (* which some explanations had a request and others had none. early:   *)
-    (* the delays that were over 1 ms before their time, each with the     *)
-    (* moment. dropped: of each OB with a queue, how many start events     *)
-    (* this queue has dropped that no run has shown.                       *)
+    (* requests that stand for several, with their number, or with 0 for   *)
+    (* any number; unsure, the OBs for which some explanations had a       *)
+    (* request and others had none. early: the delays that were over 1 ms  *)
+    (* before their time, each with the moment. dropped: of each OB with a *)
+    (* queue, how many start events this queue has dropped that no run has *)
+    (* shown.                                                              *)
     \* @type: $terms;
     terms,
     (* The time elapsed since the log began, on a clock that nobody sets.   *)
@@ -136,7 +138,8 @@ VARIABLES
     \* @type: Int -> Int;
     waiting,
     (* "warm", "cold" or "hot": the first OB 1 after this restart is still  *)
-    (* to come. "none": it has come. "unknown": the log begins in RUN.      *)
+    (* to come. "none": it has come, or an OB 1 has ended. "unknown": the   *)
+    (* log begins in RUN.                                                   *)
     \* @type: Str;
     first,
     (* How often the cycle time was exceeded in this cycle, twice at most.  *)

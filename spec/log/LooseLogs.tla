@@ -582,6 +582,7 @@ LooseJobs(d, known) ==
 LooseElapse(e) ==
     LET d     == Span(up, e.up)
         known == ~Unseen("clock") \/ e.counter # NoMoment
+        until == IF e.counter = NoMoment THEN e.at ELSE ByCounter(e)
     IN  /\ known => EntriesLate(d) = {}
         /\ clock' = e.at
         /\ up' = e.up
@@ -589,7 +590,7 @@ LooseElapse(e) ==
         /\ requests' = requests
              \cup { Mark(o, 0) : o \in { j \in DintObs :
                                    dint'[j].started /\ dint'[j].left = Gone } }
-             \cup SkipMarks(e.at, UnseenSkips) \cup JumpMarks \cup DueMarks
+             \cup SkipMarks(until, UnseenSkips) \cup JumpMarks \cup DueMarks
         /\ reports' = IF known THEN ReportsAfter(d) ELSE reports
         /\ NothingEntered
         /\ UNCHANGED <<deviceVars, modeVars, tod, irt, stopCause, runVars,

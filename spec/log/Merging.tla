@@ -5,8 +5,8 @@
 (* is still allowed. The report says from which line on.                   *)
 (*                                                                         *)
 (* Crowd: many open requests of one OB that differ only in their moment    *)
-(* become one, which may start its OB any number of times, with any time   *)
-(* in its start information.                                               *)
+(* become one, which may start its OB as many times, with any time in its  *)
+(* start information.                                                      *)
 (* Meet: explanations that differ only in waiting start events from        *)
 (* outside become one. A start event is open afterwards unless it is       *)
 (* definite in all of them.                                                *)
@@ -44,16 +44,35 @@ OneFor(crowd) ==
     LET last == CHOOSE r \in crowd : \A s \in crowd : s.rank <= r.rank
     IN  [last EXCEPT !.since = NoMoment]
 
+(* For how many starts a crowd stands; 0: for any number. Of a start point *)
+(* nobody knows how many others have passed with it (Repeats).             *)
+\* @type: Set($request) => Int;
+RunsOfCrowd(crowd) ==
+    LET several == { r \in crowd : Endless(r) }
+        n(r)    == terms.endless[AsItCame(r)]
+    IN  IF \E r \in crowd : r.ob \in TodObs \cup {TimeErrorOb} THEN 0
+        ELSE IF several = {} THEN Cardinality(crowd)
+        ELSE IF Cardinality(several) > 1 \/ \E r \in several : n(r) = 0
+        THEN 0
+        ELSE Cardinality(crowd) - 1 + n(CHOOSE r \in several : TRUE)
+
 Crowded == Cardinality(requests) > 8
 
 Crowd ==
     LET crowds == { CrowdOf(k) : k \in { Kind(r) : r \in requests } } \ {{}}
         ones   == { OneFor(c) : c \in crowds }
+        kept   == DOMAIN arrivals \cap DOMAIN terms.endless
+        \* @type: $request => Int;
+        starts(k) ==
+          LET its == { c \in crowds : AsItCame(OneFor(c)) = k }
+          IN  IF its = {} THEN terms.endless[k]
+              ELSE RunsOfCrowd(CHOOSE c \in its : TRUE)
     IN  /\ Crowded /\ crowds # {}
         /\ requests' = Close((requests \ UNION crowds) \cup ones)
         /\ terms' = [ terms EXCEPT
-                         !.endless = { r \in @ : r \in DOMAIN arrivals }
-                                       \cup { AsItCame(r) : r \in ones } ]
+                         !.endless = [ k \in kept \cup { AsItCame(r) :
+                                                       r \in ones } |->
+                                         starts(k) ] ]
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
                            IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
         /\ NothingEntered
@@ -70,7 +89,8 @@ Others == { r \in requests : ~Outside(r) }
 MeetingPlace ==
     LET came == { [of |-> AsItCame(r), r |-> r] : r \in Others }
     IN << cpu.readings, loaded, mode, startup, resume, clock, tod, dint, irt,
-       stack, delay, stopCause, up, first, overruns, changes, terms, pace,
+       stack, delay, stopCause, up, first, overruns, changes,
+       [terms EXCEPT !.endless = [k \in DOMAIN @ |-> 0]], pace,
        { << [c.r EXCEPT !.rank = 0],
             Cardinality({ d \in came : d.of = c.of }) >> : c \in came },
        DOMAIN waiting \cap
@@ -79,7 +99,7 @@ MeetingPlace ==
 
 (* The values in which they may differ. *)
 Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
-          reports |-> reports]
+          reports |-> reports, endless |-> terms.endless]
 
 (* A request without its place. What was told of its overload stays.       *)
 \* @type: $request => $request;
@@ -175,6 +195,13 @@ Meet(all) ==
               came == { w.arrivals[r] : w \in know }
           IN  IF came = {} THEN up
               ELSE CHOOSE m \in came : \A n \in came : ~Before(m, n)
+        together == { AsItCame(g.of) : g \in { h \in DOMAIN places :
+                                                 ~Apart(h, places) } }
+        \* @type: $request => Int;
+        starts(k) ==
+          LET most == { w.endless[k] : w \in all }
+          IN  IF k \in together \/ 0 \in most THEN 0
+              ELSE CHOOSE m \in most : \A n \in most : n <= m
         \* Waits that have begun in all explanations go on under a delay.
         goOn == { c \in { WaitsAs(r) : r \in { q \in requests' :
                                             MayGoOnWaiting(q)' } } :
@@ -195,10 +222,8 @@ Meet(all) ==
         /\ terms' = [ terms EXCEPT
                          !.unsure = @ \cup
                            { r.ob : r \in { q \in requests' : q.open } },
-                         !.endless = @ \cup
-                           { AsItCame(g.of) :
-                             g \in { h \in DOMAIN places :
-                                             ~Apart(h, places) } } ]
+                         !.endless = [ k \in DOMAIN @ \cup together |->
+                                         starts(k) ] ]
 
 -----------------------------------------------------------------------------
 (* Definite facts alone *)
@@ -208,7 +233,8 @@ Meet(all) ==
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
     /\ terms' = [ terms EXCEPT !.loose = TRUE, !.records = records,
-                                !.endless = {}, !.unsure = {}, !.early = {} ]
+                                !.endless = [r \in {} |-> 0],
+                                !.unsure = {}, !.early = {} ]
     /\ tod' = [o \in TodObs |-> NoSetting]
     /\ dint' = NoJobs /\ irt' = NoneBlocked
     /\ requests' = {} /\ stopCause' = NoCause /\ delay' = 0

@@ -27,8 +27,8 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
-                loose |-> FALSE, endless |-> {}, unsure |-> {},
-                early |-> {}, dropped |-> [o \in {} |-> 0]]
+                loose |-> FALSE, endless |-> [r \in {} |-> 0],
+                unsure |-> {}, early |-> {}, dropped |-> [o \in {} |-> 0]]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoPace
     /\ arrivals = [r \in {} |-> At(0)]
@@ -136,8 +136,8 @@ Begin(h) ==
     /\ terms'  = [latency |-> h.latency,
                   records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
-                  loose |-> LooseBy(h), endless |-> {}, unsure |-> {},
-                  early |-> {},
+                  loose |-> LooseBy(h), endless |-> [r \in {} |-> 0],
+                  unsure |-> {}, early |-> {},
                   dropped |-> [o \in DOMAIN cpu'.queues |-> 0]]
     /\ up'     = At(0)
     /\ waiting' = [ c \in IF stopCause' = NoCause THEN {} ELSE {StopDuty}
