@@ -49,6 +49,7 @@ OneFor(crowd) ==
 \* @type: Set($request) => Int;
 RunsOfCrowd(crowd) ==
     LET several == { r \in crowd : Endless(r) }
+        \* @type: $request => Int;
         n(r)    == terms.endless[AsItCame(r)]
     IN  IF \E r \in crowd : r.ob \in TodObs \cup {TimeErrorOb} THEN 0
         ELSE IF several = {} THEN Cardinality(crowd)
