@@ -166,16 +166,16 @@ DropsBeforePoint ==
 Settled(e) == After(e.at, -terms.latency)
 
 (* [AMB-18] Another start event of a waiting OB adds nothing to its        *)
-(* endless requests; an error for which OB 80 may start at once is over    *)
-(* when the latency is.                                                    *)
+(* crowds, which stand for any number of points; an error for which OB 80  *)
+(* may start at once is over when the latency is.                          *)
 \* @type: (Int, $event) => Bool;
 Repeats(o, e) ==
     LET \* @type: $request => Bool;
         has(r) == \E q \in requests : /\ q.ob = r.ob /\ q.cause = r.cause
-                                      /\ q.fault = r.fault /\ Endless(q)
+                                      /\ q.fault = r.fault /\ IsCrowd(q)
         again  == TodRequest(o, clock, 0)
         errors == EnterAll(requests, WithObToRun(ErrorsOf(again))) \ requests
-    IN  /\ DOMAIN terms.endless # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
+    IN  /\ DOMAIN terms.crowds # {} /\ SecondRequestIsOpen /\ ~DiagRecorded
         /\ Before(clock, Settled(e))
         /\ PendingIn(requests, o) /\ ~OnStack(o) /\ TakesEvents(o)
         /\ has(again) /\ \A r \in errors : has(r) \/ MayStart(r)
@@ -195,8 +195,8 @@ MayMergeAll(o) == ~Remembers \/ MinutesBetween(tod[o]) > 0
 
 (* [IRT-04] [AMB-35] The OBs whose next points have no effect: the start   *)
 (* event is lost without an entry, deferred in STARTUP to a run that waits *)
-(* already, or added to endless requests. There may be millions of them    *)
-(* before the next line.                                                   *)
+(* already, or added to a crowd. There may be millions of them before the  *)
+(* next line.                                                              *)
 \* @type: $event => Set(Int);
 PassedOver(e) ==
     IF ~Watching THEN {}

@@ -55,7 +55,7 @@ WaitsGoOn ==
 
 (* An open request that stands for several (Merging).                      *)
 \* @type: $request => Bool;
-Endless(r) == AsItCame(r) \in DOMAIN terms.endless
+IsCrowd(r) == AsItCame(r) \in DOMAIN terms.crowds
 
 -----------------------------------------------------------------------------
 (* Data for later lines *)

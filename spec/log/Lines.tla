@@ -84,7 +84,7 @@ CycleEvents == CASE first = "warm" -> {1}
 (* The OB starts by one of many open requests; others may remain. *)
 \* @type: $request => Bool;
 StartsAgain(r) ==
-    IF LastCall(r) \/ terms.endless[AsItCame(r)] = 1 THEN Start(r)
+    IF LastCall(r) \/ terms.crowds[AsItCame(r)] = 1 THEN Start(r)
     ELSE /\ MayStart(r) /\ r.ob \in loaded
          /\ stack' = Append(stack, Frame(r.ob, r.class))
          /\ requests' = (requests \ {r}) \cup {[r EXCEPT !.open = TRUE]}
@@ -131,7 +131,7 @@ IsStart(e) ==
       [] OTHER ->
            \E r \in FirstAndLast({ q \in requests :
                                   q.ob = e.ob /\ FitsRequest(q, e) }) :
-             HighestFirst(r) /\ IF Endless(r) THEN StartsAgain(r) ELSE Start(r)
+             HighestFirst(r) /\ IF IsCrowd(r) THEN StartsAgain(r) ELSE Start(r)
 
 (* [OBS-61] An error OB starts, and its error is unseen.                   *)
 \* @type: $event => Bool;
@@ -276,17 +276,16 @@ NextPace(e) ==
 
 -----------------------------------------------------------------------------
 
-(* The requests that stand for several (Merging), by one of which the OB   *)
-(* may have started.                                                       *)
+(* The crowd by one of whose requests the OB has started.                  *)
 \* @type: $event => Set($request);
 StartedAgain(e) ==
-    IF e.event # "start" \/ DOMAIN terms.endless = {} THEN {}
+    IF e.event # "start" \/ DOMAIN terms.crowds = {} THEN {}
     ELSE { r \in requests :
-             /\ r.ob = e.ob /\ Endless(r) /\ FitsRequest(r, e)
-             /\ terms.endless[AsItCame(r)] > 1
-             /\ [r EXCEPT !.open = TRUE] \in requests' }
+             /\ r.ob = e.ob /\ IsCrowd(r) /\ FitsRequest(r, e)
+             /\ terms.crowds[AsItCame(r)] > 1
+             /\ requests' = (requests \ {r}) \cup {[r EXCEPT !.open = TRUE]} }
 
-(* They stand for one less, if it is certain for which.                    *)
+(* It stands for one request less, if only one crowd comes into question.  *)
 (* [T15-69] A queue drops a start event, or may drop it; a run shows how   *)
 (* many were dropped.                                                      *)
 \* @type: $event => Bool;
@@ -297,7 +296,7 @@ NextTerms(e) ==
         drops == \/ OpenIn(requests, e.ob)
                  \/ held(requests') = held(requests)
     IN  CASE Cardinality(again) = 1 ->
-               terms' = [ terms EXCEPT !.endless =
+               terms' = [ terms EXCEPT !.crowds =
                             [ k \in DOMAIN @ |->
                                 IF \E r \in again : k = AsItCame(r)
                                 THEN @[k] - 1 ELSE @[k] ] ]

@@ -48,9 +48,9 @@ OneFor(crowd) ==
 (* nobody knows how many others have passed with it (Repeats).             *)
 \* @type: Set($request) => Int;
 RunsOfCrowd(crowd) ==
-    LET several == { r \in crowd : Endless(r) }
+    LET several == { r \in crowd : IsCrowd(r) }
         \* @type: $request => Int;
-        n(r)    == terms.endless[AsItCame(r)]
+        n(r)    == terms.crowds[AsItCame(r)]
     IN  IF \E r \in crowd : r.ob \in TodObs \cup {TimeErrorOb} THEN 0
         ELSE IF several = {} THEN Cardinality(crowd)
         ELSE IF Cardinality(several) > 1 \/ \E r \in several : n(r) = 0
@@ -62,16 +62,16 @@ Crowded == Cardinality(requests) > 8
 Crowd ==
     LET crowds == { CrowdOf(k) : k \in { Kind(r) : r \in requests } } \ {{}}
         ones   == { OneFor(c) : c \in crowds }
-        kept   == DOMAIN arrivals \cap DOMAIN terms.endless
+        kept   == DOMAIN arrivals \cap DOMAIN terms.crowds
         \* @type: $request => Int;
         starts(k) ==
           LET its == { c \in crowds : AsItCame(OneFor(c)) = k }
-          IN  IF its = {} THEN terms.endless[k]
+          IN  IF its = {} THEN terms.crowds[k]
               ELSE RunsOfCrowd(CHOOSE c \in its : TRUE)
     IN  /\ Crowded /\ crowds # {}
         /\ requests' = Close((requests \ UNION crowds) \cup ones)
         /\ terms' = [ terms EXCEPT
-                         !.endless = [ k \in kept \cup { AsItCame(r) :
+                         !.crowds = [ k \in kept \cup { AsItCame(r) :
                                                        r \in ones } |->
                                          starts(k) ] ]
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
@@ -91,7 +91,7 @@ MeetingPlace ==
     LET came == { [of |-> AsItCame(r), r |-> r] : r \in Others }
     IN << cpu.readings, loaded, mode, startup, resume, clock, tod, dint, irt,
        stack, delay, stopCause, up, first, overruns, changes,
-       [terms EXCEPT !.endless = [k \in DOMAIN @ |-> 0]], pace,
+       [terms EXCEPT !.crowds = [k \in DOMAIN @ |-> 0]], pace,
        { << [c.r EXCEPT !.rank = 0],
             Cardinality({ d \in came : d.of = c.of }) >> : c \in came },
        DOMAIN waiting \cap
@@ -100,7 +100,7 @@ MeetingPlace ==
 
 (* The values in which they may differ. *)
 Waits == [requests |-> requests, waiting |-> waiting, arrivals |-> arrivals,
-          reports |-> reports, endless |-> terms.endless]
+          reports |-> reports, crowds |-> terms.crowds]
 
 (* A request without its place. What was told of its overload stays.       *)
 \* @type: $request => $request;
@@ -200,7 +200,7 @@ Meet(all) ==
                                                  ~Apart(h, places) } }
         \* @type: $request => Int;
         starts(k) ==
-          LET most == { w.endless[k] : w \in all }
+          LET most == { w.crowds[k] : w \in all }
           IN  IF k \in together \/ 0 \in most THEN 0
               ELSE CHOOSE m \in most : \A n \in most : n <= m
         \* Waits that have begun in all explanations go on under a delay.
@@ -223,7 +223,7 @@ Meet(all) ==
         /\ terms' = [ terms EXCEPT
                          !.unsure = @ \cup
                            { r.ob : r \in { q \in requests' : q.open } },
-                         !.endless = [ k \in DOMAIN @ \cup together |->
+                         !.crowds = [ k \in DOMAIN @ \cup together |->
                                          starts(k) ] ]
 
 -----------------------------------------------------------------------------
@@ -234,7 +234,7 @@ Meet(all) ==
 \* @type: Set(Str) => Bool;
 OnlyFacts(records) ==
     /\ terms' = [ terms EXCEPT !.loose = TRUE, !.records = records,
-                                !.endless = [r \in {} |-> 0],
+                                !.crowds = [r \in {} |-> 0],
                                 !.unsure = {}, !.early = {} ]
     /\ tod' = [o \in TodObs |-> NoSetting]
     /\ dint' = NoJobs /\ irt' = NoneBlocked

@@ -27,7 +27,7 @@ Init ==
     /\ requests = {} /\ stack = <<>> /\ delay = 0 /\ stopCause = NoCause
     /\ entered = {}
     /\ terms = [latency |-> 0, cycle |-> FALSE, records |-> {},
-                loose |-> FALSE, endless |-> [r \in {} |-> 0],
+                loose |-> FALSE, crowds |-> [r \in {} |-> 0],
                 unsure |-> {}, early |-> {}, dropped |-> [o \in {} |-> 0]]
     /\ up = At(0) /\ waiting = [c \in {} |-> 0] /\ reports = {}
     /\ first = "unknown" /\ overruns = 0 /\ changes = {} /\ pace = NoPace
@@ -136,7 +136,7 @@ Begin(h) ==
     /\ terms'  = [latency |-> h.latency,
                   records |-> h.records,
                   cycle |-> h.cycle /\ "ob" \in h.records,
-                  loose |-> LooseBy(h), endless |-> [r \in {} |-> 0],
+                  loose |-> LooseBy(h), crowds |-> [r \in {} |-> 0],
                   unsure |-> {}, early |-> {},
                   dropped |-> [o \in DOMAIN cpu'.queues |-> 0]]
     /\ up'     = At(0)
@@ -242,7 +242,7 @@ HidesBefore(e) == \/ stack = <<>>
 (* Two explanations of a log differ if these values differ.                *)
 Distinct == <<cpu.readings, loaded, mode, startup, resume, clock, tod, dint,
               irt, requests, stack, delay, stopCause, up, waiting, first,
-              overruns, arrivals, changes, reports, terms.endless,
+              overruns, arrivals, changes, reports, terms.crowds,
               terms.unsure, terms.dropped, EarlyDelays>>
 
 (* The same between two lines. If loading is not recorded, an OB is loaded *)
@@ -253,5 +253,5 @@ DistinctAfterLine ==
       IF Unseen("load") /\ ~DeletedObTakesRequests THEN {} ELSE loaded,
       mode, startup, resume, clock, tod, dint, irt, requests, stack, delay,
       stopCause, up, waiting, first, overruns, arrivals, changes, reports,
-      terms.endless, terms.unsure, terms.dropped, EarlyDelays>>
+      terms.crowds, terms.unsure, terms.dropped, EarlyDelays>>
 =============================================================================
