@@ -22,8 +22,11 @@ MCClockTargets == IF mode = "RUN" THEN {Moment(1, 30000), Moment(3, 0)}
 MCRestartTypes == {"warm"}
 MCRetVals == {OK, NotSet}
 
-(* In their places where calls and STOP take a run away.                   *)
-EachMinute == {[o \in TodObs |-> Activated("minute", 0)]}
+(* In their places where calls and STOP take a run away. OB 10 may be      *)
+(* missing, which takes none away.                                         *)
+EachMinuteOrOnce ==
+    {[o \in TodObs |-> Activated("minute", 0)]} \cup MCStep7Settings
+WithOrWithoutOb10 == {{10, 80}, {80, 85}}
 JustMinutely == {Minutely}
 OverOnePoint == IF mode = "RUN" THEN {Moment(1, 30000)} ELSE {}
 WithOb80 == delay = 0 /\ Cardinality(requests) <= 2

@@ -217,11 +217,12 @@ MemoryStaysProp ==
                        /\ j.start = tod[o].start
                        /\ j.period = tod[o].period ]_vars
 
-(* [AMB-57] A run that a call or STOP took away did not serve its point.   *)
+(* [AMB-57] A run that a call or STOP took away did not serve its point. A *)
+(* missing OB counts as called.                                            *)
 UncalledProp ==
     [][ \A r \in requests \cup resume.requests :
           LET q == requests' \cup resume'.requests
-          IN  /\ r.ob \in TodObs /\ ~Started(r.ob)
+          IN  /\ r.ob \in TodObs /\ ~Started(r.ob) /\ ~FoundMissing(r.ob)
               /\ { s \in q : Content(s) = Content(r) } = {}
               => ~\E i \in tod'[r.ob].earlier \ tod[r.ob].earlier :
                     i.from <= r.since.min /\ r.since.min <= i.to ]_vars

@@ -11,6 +11,8 @@ Did(event) == step'.event = event
 
 (* The OB of a start event has started in this step. *)
 Started(o) == Did("start") /\ step'.ob = o
+(* The CPU has found in this step that this OB is missing. *)
+FoundMissing(o) == Did("missing") /\ step'.ob = o
 Dispatched == /\ Did("start")
               /\ step'.ob \notin StartupObs \cup SyncErrorObs \cup CycleObs
 
