@@ -91,7 +91,7 @@ def standing(proofs: Proofs, answers: Answers) -> list[dict[str, Any]]:
 
 
 def show(console: Console, proofs: Proofs, answers: Answers) -> None:
-    """Print the table, and below it each answer that differs with its counterexample."""
+    """Print the table, each answer that differs with its counterexample, and what is not claimed of what was asked."""
     console.print(assumptions(proofs), markup=False, highlight=False)
     table = Table("query", "kind", "claimed", "answer", "conditions", "seconds", "MB")
     for query, result in answers:
@@ -103,6 +103,7 @@ def show(console: Console, proofs: Proofs, answers: Answers) -> None:
             where = f"; counterexample: {result.answer.trace}" if result.answer.trace else ""
             said = f"{query.name}: {result.answer.outcome}: {result.answer.detail}{where}"
             console.print(said, markup=False, highlight=False, soft_wrap=True)
-    for cell in proofs.file.not_proved:
+    asked = {name for query, _ in answers for name in (query.name, *query.actions)}
+    for cell in (one for one in proofs.file.not_proved if one.action in asked):
         formula = f"{cell.formula} by {cell.letter}" if cell.letter else cell.formula
         console.print(f"not proved: {formula} of {cell.action}: {cell.tried}", markup=False, soft_wrap=True)
