@@ -16,7 +16,7 @@ NewerAmbiguities == { "AMB-11", "AMB-27", "AMB-55", "AMB-56", "AMB-57",
                       "AMB-65", "A15-04" }
 
 (* [T15-120] Points that passed in STOP may be due. *)
-KeptOrDue == {NothingKept, [NothingKept EXCEPT !.due = TRUE]}
+MayBeDue == BOOLEAN
 
 NewerCpu ==
     \E set \in SUBSET {10, 11, 20, 21, 40}, c, d, e, f, g \in Nat,

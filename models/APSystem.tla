@@ -7,8 +7,8 @@
 (* errors (OB 121, 122) and no hot restart; the three families; the class  *)
 (* of each OB by default or, except on S7-300 and where it can be set, any *)
 (* that OBS-05 allows. The clock, the delay count, settings, jobs, fields  *)
-(* of requests and operands of calls are any integers; a fault id is a     *)
-(* byte.                                                                   *)
+(* of requests and operands of calls are any integers; the fault id of an  *)
+(* event from outside is a byte that no rule gives (FaultsOfRules).        *)
 (* Before the step at most four start events wait, and a time-of-day OB    *)
 (* remembers two runs of points of each kind: bounds, which a step may     *)
 (* leave, so that nothing is said of the steps that follow it. Up to nine  *)
@@ -110,8 +110,16 @@ Setting(execution, start, active, deselected) ==
 \* @type: Int => Bool;
 IsClass(c) == c = 0 \/ (2 <= c /\ c <= 23)
 
-(* No hot restart brings anything back. *)
-Kept == {NothingKept}
+(* [AMB-57] STOP leaves the runs that it has dropped, to a CPU that        *)
+(* remembers served points. No hot restart brings anything back. APS71500  *)
+(* has BOOLEAN in the place of NotDue.                                     *)
+NotDue == {FALSE}
+\* @type: Set($request) => Set($resume);
+LeftByStop(dropped) ==
+    { [NothingKept EXCEPT !.requests = dropped, !.due = due] : due \in NotDue }
+\* @type: Set($request) => Bool;
+AreDropped(q) ==
+    q = {} \/ (mode = "STOP" /\ Remembers /\ \A r \in q : r.ob \in TodObs)
 
 ChosenCpu ==
     \E family \in {"S7-300", "S7-400", "CPU 318"},
@@ -143,7 +151,7 @@ AnyConstants ==
     /\ AnyMoment = Gen(1)
     /\ IsMoment(AnyMoment)
     /\ AnyOb \in {40, 80, 85}
-    /\ AnyFault \in 0..255
+    /\ AnyFault \in (0..255) \ FaultsOfRules
 
 APFamilies == {AnyCpu.family}
 APPriorities == {AnyCpu.priority}
@@ -160,13 +168,15 @@ StateWith(t, u, waiting, running) ==
     /\ loaded \in SUBSET APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
-    /\ resume \in Kept
+    /\ \E q \in {Gen(waiting)} :
+         /\ requests = IF mode = "STOP" THEN {} ELSE q
+         /\ resume \in LeftByStop(IF mode = "STOP" THEN q ELSE {})
+    /\ AreDropped(resume.requests)
     /\ clock = Gen(1)
     /\ tod = [o \in TodObs |-> IF o = 10 THEN t ELSE u]
     /\ \E j, k \in {Gen(1)} :
          dint = [o \in DintObs |-> IF o = 20 THEN j ELSE k]
     /\ irt \in [blocked : SUBSET APBlockable, silent : SUBSET APBlockable]
-    /\ requests = Gen(waiting)
     /\ stack = Gen(running)
     /\ delay \in Int
     /\ stopCause \in Int
@@ -216,7 +226,8 @@ InWorld ==
     /\ loaded \subseteq APObs
     /\ mode \in {"STOP", "STARTUP", "RUN", "HOLD"}
     /\ startup \in {"none", "warm", "cold", "begun"}
-    /\ resume \in Kept
+    /\ resume \in LeftByStop(resume.requests)
+    /\ AreDropped(resume.requests)
     /\ DOMAIN tod = APTodObs
     /\ DOMAIN dint = APDintObs
     /\ irt.blocked \subseteq APBlockable

@@ -124,6 +124,22 @@ RequestDataInv ==
       /\ HasClass(r.ob, r.class)
       /\ r.ob \in AsyncErrorObs => r.follows = 0
 
+(* [OBS-43] An error of STARTUP definitely waits, and no longer than until *)
+(* RUN: its OB can start there. OB 80 may also have class 28 in RUN.       *)
+StartupErrorInv ==
+    Family.raises =>
+      \A r \in requests :
+        r.ob \in AsyncErrorObs \ {TimeErrorOb} /\ r.class = 28 =>
+          mode = "STARTUP" /\ ~r.open
+
+(* [AMB-56] The point for which an OB definitely waits, or waited when     *)
+(* STOP came, has a run of its own.                                        *)
+OwnRunInv ==
+    \A r \in requests \cup resume.requests :
+      r.ob \in TodObs /\ ~r.open =>
+        ~\E i \in tod[r.ob].merged :
+           i.from <= r.since.min /\ r.since.min <= i.to
+
 FrameDataInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
@@ -157,6 +173,8 @@ Ind == /\ IndInv
        /\ CalledInv
        /\ OnceInv
        /\ RequestDataInv
+       /\ StartupErrorInv
+       /\ OwnRunInv
        /\ OwnPlaceInv
        /\ FrameDataInv
        /\ DueInv

@@ -217,10 +217,10 @@ MemoryStaysProp ==
                        /\ j.start = tod[o].start
                        /\ j.period = tod[o].period ]_vars
 
-(* [AMB-57] A run that a call or STOP took away did not serve its point. A *)
-(* missing OB counts as called.                                            *)
+(* [AMB-57] A definite run that a call or STOP took away did not serve its *)
+(* point. A missing OB counts as called.                                   *)
 UncalledProp ==
-    [][ \A r \in requests \cup resume.requests :
+    [][ \A r \in { s \in requests \cup resume.requests : ~s.open } :
           LET q == requests' \cup resume'.requests
           IN  /\ r.ob \in TodObs /\ ~Started(r.ob) /\ ~FoundMissing(r.ob)
               /\ { s \in q : Content(s) = Content(r) } = {}

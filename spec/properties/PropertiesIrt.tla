@@ -155,9 +155,10 @@ StopEntryProp ==
     [][ stopCause = NoCause /\ stopCause' \notin {NoCause, 0}
           => stopCause' \in EnteredNow ]_vars
 
-(* [IRT-09] [OBS-30] An entry has a cause in this step. *)
+(* [IRT-09] [OBS-30] An entry has a cause in this step, also where a       *)
+(* deselected OB is loaded [OBS-25].                                       *)
 EntrySourceProp ==
     [][ entered' # {} =>
-          step'.event \in {"reached", "elapsed", "interrupt", "clock",
+          step'.event \in {"reached", "elapsed", "interrupt", "clock", "load",
                           "release", "missing", "restart", "DIS_IRT"} ]_vars
 =============================================================================

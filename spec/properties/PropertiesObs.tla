@@ -126,7 +126,8 @@ ErrorComesProp ==
 
 (* [OBS-08] [OBS-43] A buffer overflows only if an OB of the class of the  *)
 (* start event waits or runs already, or [AMB-49] a time error without OB  *)
-(* 80 waits for the end of a delay.                                        *)
+(* 80 waits for the end of a delay. In HOLD a time error may be the second *)
+(* one of OB 80, which waits in class 26 or 28 [AMB-67] [AMB-13].          *)
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
@@ -135,7 +136,9 @@ OverflowProp ==
             IN  \/ \E r \in requests : r.class = class
                 \/ \E i \in DOMAIN stack : stack[i].class = class
                 \/ /\ class \in {26, 28}
-                   /\ stopCause = NoTimeErrorOb /\ delay > 0 ]_vars
+                   /\ stopCause = NoTimeErrorOb /\ delay > 0
+                \/ /\ mode = "HOLD" /\ e.cause = TimeErrorOb
+                   /\ \E r \in requests : r.ob = TimeErrorOb ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
