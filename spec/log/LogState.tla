@@ -123,7 +123,7 @@ VARIABLES
     (* that the log has completely. loose: the log does not tell when an   *)
     (* OB has to start (LooseLogs). After Merging: crowds, the requests    *)
     (* that stand for several, each with their number, or with 0 for any   *)
-    (* number; unsure, the OBs for which some explanations had a       *)
+    (* number; unsure, the OBs for which some explanations had a           *)
     (* request and others had none. early: the delays that were over 1 ms  *)
     (* before their time, each with the moment. dropped: of each OB with a *)
     (* queue, how many start events this queue has dropped that no run has *)

@@ -72,8 +72,8 @@ Crowd ==
         /\ requests' = Close((requests \ UNION crowds) \cup ones)
         /\ terms' = [ terms EXCEPT
                          !.crowds = [ k \in kept \cup { AsItCame(r) :
-                                                       r \in ones } |->
-                                         starts(k) ] ]
+                                                      r \in ones } |->
+                                        starts(k) ] ]
         /\ arrivals' = [ r \in { AsItCame(q) : q \in requests' } |->
                            IF r \in DOMAIN arrivals THEN arrivals[r] ELSE up ]
         /\ NothingEntered
