@@ -22,6 +22,10 @@ BackTargets == {Moment(0, 30000)}
 MissingErrors == {<<80, 1>>, <<82, 0>>, <<85, \hA3>>}
 LoadsWithoutErrors == {{10, 40}}
 LoadsWithTod == {{10, 80}}
+(* A program error in STARTUP, RUN and HOLD. *)
+ProgramErrors == {<<85, 8>>}
+LoadsWithStartup == {{80, 85, 100}}
+TwoWait == delay <= 1 /\ Waiting(2)
 NothingSet == {[o \in TodObs |-> NotConfigured]}
 
 \* @type: Bool;

@@ -31,6 +31,12 @@ JustMinutely == {Minutely}
 OverOnePoint == IF mode = "RUN" THEN {Moment(1, 30000)} ELSE {}
 WithOb80 == delay = 0 /\ Cardinality(requests) <= 2
 
+(* Points pass while OB 10 waits under a delay: their calls may merge.     *)
+JustEachMinute == {[o \in TodObs |-> Activated("minute", 0)]}
+ThreeMoments == {Moment(1, 0), Moment(2, 0), Moment(3, 0)}
+CountRetVals == {0, 1}
+UnderDelay == /\ delay <= 1 /\ Cardinality({ r \in requests : r.ob = 10 }) <= 3
+
 (* Also after a STOP; the clock is set at most twice. *)
 Anywhere == delay = 0 /\ Waiting(1)
 

@@ -132,14 +132,6 @@ StartupErrorInv ==
         r.ob \in AsyncErrorObs \ {TimeErrorOb} /\ r.class = 28 =>
           mode = "STARTUP" /\ ~r.open
 
-(* [AMB-56] The point for which an OB definitely waits, or waited when     *)
-(* STOP came, has a run of its own.                                        *)
-OwnRunInv ==
-    \A r \in requests \cup resume.requests :
-      r.ob \in TodObs /\ ~r.open =>
-        ~\E i \in tod[r.ob].merged :
-           i.from <= r.since.min /\ r.since.min <= i.to
-
 FrameDataInv ==
     \A i \in DOMAIN stack :
       LET o == stack[i].ob
@@ -174,7 +166,6 @@ Ind == /\ IndInv
        /\ OnceInv
        /\ RequestDataInv
        /\ StartupErrorInv
-       /\ OwnRunInv
        /\ OwnPlaceInv
        /\ FrameDataInv
        /\ DueInv

@@ -217,15 +217,17 @@ MemoryStaysProp ==
                        /\ j.start = tod[o].start
                        /\ j.period = tod[o].period ]_vars
 
-(* [AMB-57] A definite run that a call or STOP took away did not serve its *)
-(* point. A missing OB counts as called.                                   *)
+(* [AMB-57] A run that a call or STOP took away did not serve its point,   *)
+(* unless that was perhaps merged [AMB-56]. A missing OB counts as called. *)
 UncalledProp ==
-    [][ \A r \in { s \in requests \cup resume.requests : ~s.open } :
+    [][ \A r \in requests \cup resume.requests :
           LET q == requests' \cup resume'.requests
+              has(from, to) == from <= r.since.min /\ r.since.min <= to
           IN  /\ r.ob \in TodObs /\ ~Started(r.ob) /\ ~FoundMissing(r.ob)
               /\ { s \in q : Content(s) = Content(r) } = {}
+              /\ ~\E i \in tod[r.ob].merged : has(i.from, i.to)
               => ~\E i \in tod'[r.ob].earlier \ tod[r.ob].earlier :
-                    i.from <= r.since.min /\ r.since.min <= i.to ]_vars
+                    has(i.from, i.to) ]_vars
 
 (* [CLK-09] [AMB-56] A CPU that remembers knows how far the clock had come *)
 (* when it was set back: over the last minute, and over its own as well,   *)

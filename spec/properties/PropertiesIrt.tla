@@ -155,10 +155,11 @@ StopEntryProp ==
     [][ stopCause = NoCause /\ stopCause' \notin {NoCause, 0}
           => stopCause' \in EnteredNow ]_vars
 
-(* [IRT-09] [OBS-30] An entry has a cause in this step, also where a       *)
-(* deselected OB is loaded [OBS-25].                                       *)
+(* [IRT-09] [OBS-30] An entry has a cause in this step. In STARTUP it may  *)
+(* be that a deselected OB is loaded [OBS-25].                             *)
 EntrySourceProp ==
     [][ entered' # {} =>
-          step'.event \in {"reached", "elapsed", "interrupt", "clock", "load",
-                          "release", "missing", "restart", "DIS_IRT"} ]_vars
+          \/ step'.event \in {"reached", "elapsed", "interrupt", "clock",
+                             "release", "missing", "restart", "DIS_IRT"}
+          \/ Did("load") /\ mode = "STARTUP" ]_vars
 =============================================================================
