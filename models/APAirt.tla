@@ -53,9 +53,8 @@ ClockGoesOn ==
 (* invariant of this model is one of System.                               *)
 APNext ==
     \/ \E r \in requests : Start(r) /\ Seen("start", r.ob, r.class)
-    \/ \E ret \in 0..3 : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
-    \/ \E ret \in {0, 1, 2, NotDelayed} :
-         EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+    \/ \E ret \in DisAirtAnswers(delay) : DisAirt /\ Seen("DIS_AIRT", 0, ret)
+    \/ \E ret \in EnAirtAnswers(delay) : EnAirt /\ Seen("EN_AIRT", 0, ret)
     \/ CycleStarts(CycleOb) /\ Seen("start", CycleOb, 1)
     \/ \E o \in {1, 10, 40, 80} : End(o) /\ Seen("end", o, 0)
     \/ Interrupt(40, 0) /\ Seen("interrupt", 40, 0)

@@ -223,17 +223,24 @@ AnsweredInv ==
       /\ ENABLED CallDisAirt /\ ENABLED CallEnAirt
       /\ \A o \in ObNumbers :
            /\ \A sdt \in Sdts, period \in Words :
-                \E ret \in RetVals : ENABLED SetTint(o, sdt, period, ret)
-           /\ \E ret \in RetVals : ENABLED CanTint(o, ret)
-           /\ \E ret \in RetVals : ENABLED ActTint(o, ret)
-           /\ \E ret \in RetVals : ENABLED QryTint(o, ret, -1)
+                \E ret \in RetVals \cap SetTintAnswers(o, sdt, period) :
+                  ENABLED SetTint(o, sdt, period, ret)
+           /\ \E ret \in RetVals \cap CanAnswers(o) : ENABLED CanTint(o, ret)
+           /\ \E ret \in RetVals \cap ActAnswers(o) : ENABLED ActTint(o, ret)
+           /\ \E ret \in RetVals \cap QryAnswers(o) :
+                ENABLED QryTint(o, ret, -1)
            /\ \A dtime \in Dtimes, sign \in Signs :
-                \E ret \in RetVals : ENABLED SrtDint(o, dtime, sign, ret)
-           /\ \E ret \in RetVals : ENABLED CanDint(o, ret)
-           /\ \E ret \in RetVals : ENABLED QryDint(o, ret, -1)
+                \E ret \in RetVals \cap SrtAnswers(o, dtime) :
+                  ENABLED SrtDint(o, dtime, sign, ret)
+           /\ \E ret \in RetVals \cap CanDintAnswers(o) :
+                ENABLED CanDint(o, ret)
+           /\ \E ret \in RetVals \cap QryDintAnswers(o) :
+                ENABLED QryDint(o, ret, -1)
            /\ \A m \in IrtModes :
-                /\ \E ret \in RetVals : ENABLED DisIrt(m, o, ret)
-                /\ \E ret \in RetVals : ENABLED EnIrt(m, o, ret)
+                /\ \E ret \in RetVals \cap DisIrtAnswers(m, o) :
+                     ENABLED DisIrt(m, o, ret)
+                /\ \E ret \in RetVals \cap EnIrtAnswers(m, o) :
+                     ENABLED EnIrt(m, o, ret)
 
 -----------------------------------------------------------------------------
 (* Steps.  These are no properties of spec/, all of which are to be proved. *)

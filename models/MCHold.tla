@@ -21,6 +21,9 @@ BackTargets == {Moment(0, 30000)}
 (* [AMB-84] Errors whose OBs are missing. *)
 MissingErrors == {<<80, 1>>, <<82, 0>>, <<85, \hA3>>}
 LoadsWithoutErrors == {{10, 40}}
+HardwareAndTimeErrors == {<<40, 0>>, <<80, 1>>}
+JustTheirObs == {{40, 80}}
+OneMoment == {Moment(0, 30000)}
 LoadsWithTod == {{10, 80}}
 (* A program error in STARTUP, RUN and HOLD. *)
 ProgramErrors == {<<85, 8>>}

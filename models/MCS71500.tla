@@ -226,7 +226,7 @@ PassedBounded == /\ delay = 0
 ActPassedInv ==
     \A o \in TodObs :
       LET \* @type: Int => Bool;
-          answers(ret) == ENABLED ActTint(o, ret)
+          answers(ret) == ret \in ActAnswers(o) /\ ENABLED ActTint(o, ret)
           missing == o \notin loaded
           refused == missing /\ cpu.readings["A15-13"] = "a"
           anyCode == cpu.readings["A15-24"] # "a"

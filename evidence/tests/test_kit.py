@@ -175,7 +175,7 @@ def test_what_is_reached_is_named(few: Reached) -> None:
     """Requirements and outcomes of guards, by the smallest programs first; what is missing is told."""
     assert few.requirements["AIRT-07"][0] == "AIRT-07-nothing-delayed-answers-0000"
     assert "AIRT-03" in few.by_program()["AIRT-nesting-002"]["requirements"]
-    assert "Airt/EnAirt/TRUE/Called" in {
+    assert "Lines/IsCall/TRUE/Called" in {
         name for program in few.requirements["AIRT-07"] for name in few.by_program()[program]["guards"]
     }
     found = findings(few, {}, reasons.read(REASONS, reasons.Excuse))
@@ -191,7 +191,7 @@ def test_a_reason_has_no_say_against_a_log(few: Reached) -> None:
     with_log = findings(few, {guard: "some.ndjson"}, excuse)
     without = findings(few, {}, excuse)
     assert with_log.observable == without.observable + 1
-    assert findings(few, {}, [*excuse, reasons.Excuse(id="Airt/EnAirt/TRUE/Called", reason="x")]).stale
+    assert findings(few, {}, [*excuse, reasons.Excuse(id="Lines/IsCall/TRUE/Called", reason="x")]).stale
 
 
 def test_reasons_name_conditions_that_exist() -> None:

@@ -19,7 +19,7 @@ CallEvents == {"SET_TINT", "SET_TINTL", "CAN_TINT", "ACT_TINT", "QRY_TINT",
 \* @type: $event => Set(Int);
 AnswersTo(e) ==
     CASE e.event = "SET_TINT" ->
-           SetAnswers(e.ob, e.sdt, ZoneOf(SdtIsLocal(e.ob)), e.period)
+           SetTintAnswers(e.ob, e.sdt, e.period)
       [] e.event = "SET_TINTL" ->
            SetLocalAnswers(e.ob, e.sdt, e.local = 1, e.period)
       [] e.event = "CAN_TINT" -> CanAnswers(e.ob)
@@ -52,8 +52,8 @@ Answered(e, ret) ==
       [] e.event = "QRY_DINT" -> QryDint(e.ob, ret, e.status)
       [] e.event = "DIS_IRT"  -> DisIrt(e.mode, e.ob, ret)
       [] e.event = "EN_IRT"   -> EnIrt(e.mode, e.ob, ret)
-      [] e.event = "DIS_AIRT" -> DisAirt(ret)
-      [] OTHER                -> EnAirt(ret)
+      [] e.event = "DIS_AIRT" -> DisAirt
+      [] OTHER                -> EnAirt
 
 (* [AMB-81] A general error; where the answer is not in the log, one of    *)
 (* them stands for any.                                                    *)
@@ -63,8 +63,11 @@ FailuresOf(e) == IF ~CallsMayFail THEN {}
 
 \* @type: $event => Bool;
 IsCall(e) ==
-    \E ret \in Given(e.ret, AnswersTo(e) \cup FailuresOf(e)) :
-      IF IsGeneralError(ret) THEN Fails(ret) ELSE Answered(e, ret)
+    /\ Called
+    /\ LET answers == AnswersTo(e)
+       IN  \E ret \in Given(e.ret, answers \cup FailuresOf(e)) :
+             IF IsGeneralError(ret) THEN Fails(ret)
+             ELSE ret \in answers /\ Answered(e, ret)
 
 -----------------------------------------------------------------------------
 (* Starts, and events from outside *)

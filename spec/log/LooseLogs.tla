@@ -206,8 +206,8 @@ LooseSet(e) ==
       /\ e.ret \in {-1, ret}
       /\ IF IsGeneralError(ret) THEN Fails(ret)
          ELSE IF e.event = "SET_TINT"
-         THEN SetsOrNot(e.ob, e.sdt, e.period, ret)
-         ELSE SetsLocalOrNot(e.ob, e.sdt, TRUE, e.period, e.activate = 1, ret)
+         THEN SetTint(e.ob, e.sdt, e.period, ret)
+         ELSE SetTintL(e.ob, e.sdt, TRUE, e.period, e.activate = 1, ret)
 
 (* [A15-13] What an S7-1500 answers depends on whether the OB is loaded,   *)
 (* which no line tells.                                                    *)

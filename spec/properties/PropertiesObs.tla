@@ -126,8 +126,7 @@ ErrorComesProp ==
 
 (* [OBS-08] [OBS-43] A buffer overflows only if an OB of the class of the  *)
 (* start event waits or runs already, or [AMB-49] a time error without OB  *)
-(* 80 waits for the end of a delay. In HOLD a time error may be the second *)
-(* one of OB 80, which waits in class 26 or 28 [AMB-67] [AMB-13].          *)
+(* 80 waits for the end of a delay.                                        *)
 OverflowProp ==
     [][ \A e \in Fresh :
           e.ob = TimeErrorOb /\ e.fault = 7 /\ e.cause # 0 =>
@@ -136,9 +135,7 @@ OverflowProp ==
             IN  \/ \E r \in requests : r.class = class
                 \/ \E i \in DOMAIN stack : stack[i].class = class
                 \/ /\ class \in {26, 28}
-                   /\ stopCause = NoTimeErrorOb /\ delay > 0
-                \/ /\ mode = "HOLD" /\ e.cause = TimeErrorOb
-                   /\ \E r \in requests : r.ob = TimeErrorOb ]_vars
+                   /\ stopCause = NoTimeErrorOb /\ delay > 0 ]_vars
 
 (* [OBS-01] Only a strictly higher class interrupts. *)
 PreemptProp == [][Dispatched => step'.value > Top(stack).class]_vars
@@ -182,8 +179,8 @@ FirstEventProp ==
 (* definite ones that stay keep their order. Start events with the same    *)
 (* content are not told apart.                                             *)
 \* @type: $request => Bool;
-Single(r) == \A q \in {requests, requests'} : \A s, t \in q :
-               Content(s) = Content(r) /\ Content(t) = Content(r) => s = t
+Single(r) == \A q \in {requests, requests'} :
+               Cardinality({ s \in q : Content(s) = Content(r) }) <= 1
 (* [OBS-56] q came by a restart, in the minute of r.                       *)
 \* @type: ($request, $request) => Bool;
 FromRestart(q, r) == /\ q.ob \in TodObs /\ r.ob \in TodObs

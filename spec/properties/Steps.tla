@@ -21,12 +21,14 @@ Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
 (* [OBS-10] A request stays as it was when its start event occurred; only  *)
 (* its place changes, and an open one may be confirmed. A hot restart      *)
-(* brings some back.                                                       *)
+(* brings some back; those that another one drops are over.                *)
 \* @type: $request => $request;
 Content(r) == [ r EXCEPT !.rank = 0, !.open = FALSE,
                          !.late = IF r.ob = TimeErrorOb THEN @ ELSE {} ]
-Fresh == { r \in requests' : ~\E q \in requests \cup resume.requests :
-                               Content(q) = Content(r) }
+Fresh ==
+    LET known == IF startup' = "hot" THEN requests \cup resume.requests
+                                     ELSE requests
+    IN  { r \in requests' : ~\E q \in known : Content(q) = Content(r) }
 
 (* The entries of the diagnostic buffer that are sure. *)
 EnteredNow == { n.id : n \in { e \in entered' : ~e.open } }

@@ -23,20 +23,14 @@ EnAirtAnswers(count) == {IF count = 0 THEN NotDelayed ELSE count - 1}
 CountAfterEnAirt(count) == IF count > 1 THEN count - 1 ELSE 0
 
 (* [AIRT-03] [AIRT-06] *)
-\* @type: Int => Bool;
-DisAirt(ret) ==
-    /\ Called
-    /\ ret \in DisAirtAnswers(delay)
+DisAirt ==
     /\ delay' = delay + 1
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,
                    stack>>
 
 (* [AIRT-03] [AIRT-07] *)
-\* @type: Int => Bool;
-EnAirt(ret) ==
-    /\ Called
-    /\ ret \in EnAirtAnswers(delay)
+EnAirt ==
     /\ delay' = CountAfterEnAirt(delay)
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, settingVars, outcomeVars,

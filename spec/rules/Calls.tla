@@ -2,7 +2,8 @@
 (***************************************************************************)
 (* The common part of all calls of system functions: the caller, the       *)
 (* possible answers, the STATUS of SFC 31 and SFC 34 (sections 1.5, 2,     *)
-(* 7.4).                                                                   *)
+(* 7.4). The action of a call says what an answer leads to; System and     *)
+(* Lines take it where the call is possible, with one of its answers.      *)
 (*                                                                         *)
 (* Left out: what earns a general error code [TINT-22]: faults of          *)
 (* addressing, which no call of a log can express.                         *)
@@ -58,7 +59,6 @@ IsGeneralError(ret) == /\ ret \in \h8100..\h8FFF
 \* @type: Int => Bool;
 Fails(ret) ==
     /\ CallsMayFail
-    /\ Called
     /\ IsGeneralError(ret)
     /\ NothingEntered
     /\ UNCHANGED cpuVars

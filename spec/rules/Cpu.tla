@@ -102,8 +102,14 @@ DefaultClassOf(f, o) ==
       [] o \in 81..87      -> f.errorClass
       [] OTHER             -> 27
 
+(* As a table, since each step asks for it. *)
+\* @type: Str -> (Int -> Int);
+DefaultClasses ==
+    [ n \in FamilyNames |->
+        [ o \in 1..122 |-> DefaultClassOf(FamilyOf(n), o) ] ]
+
 \* @type: Int => Int;
-DefaultClass(o) == DefaultClassOf(Family, Kin(o))
+DefaultClass(o) == DefaultClasses[cpu.family][Kin(o)]
 
 (* [OBS-05] *)
 \* @type: Int => Int;

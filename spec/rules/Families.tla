@@ -142,8 +142,10 @@ KnownFamilies ==
 \* @type: Set(Str);
 FamilyNames == { f.name : f \in KnownFamilies }
 
+\* @type: Str -> $family;
+FactsOf == [ n \in FamilyNames |-> CHOOSE f \in KnownFamilies : f.name = n ]
 \* @type: Str => $family;
-FamilyOf(name) == CHOOSE f \in KnownFamilies : f.name = name
+FamilyOf(name) == FactsOf[name]
 
 (* [OBS-05] The classes that an OB can be given, where they can be set.    *)
 (* Class 0 deselects an OB, too [OBS-06].                                  *)

@@ -65,6 +65,7 @@ DisIrtAnswers(m, o) ==
     OpenCodes(WithMode8x(m, WithUnknownOb(m, o,
                               Usual(IrtErrors(m, o, DisModes)))))
 
+(* [IRT-24] Nothing need be blocked.                                       *)
 \* @type: (Int, Int) => Set(Int);
 EnIrtAnswers(m, o) == WithUnknownOb(m, o, Usual(IrtErrors(m, o, EnModes)))
 
@@ -117,8 +118,6 @@ EntriesOfDisIrt(m) ==
 (* [IRT-01] [IRT-06] .. [IRT-09] *)
 \* @type: (Int, Int, Int) => Bool;
 DisIrt(m, o, ret) ==
-    /\ Called
-    /\ ret \in DisIrtAnswers(m, o)
     /\ IF ret = OK
        THEN \E marks \in Meanings(m, o) :
               /\ irt'      = BlockedWith(marks, WithoutEntries(m))
@@ -133,11 +132,9 @@ IrtAfterEnIrt(m, marks) ==
     IF Level(m) = 1 /\ EnIrtMode1Blocks THEN BlockedWith(marks, FALSE)
                                         ELSE BlockedWithout(marks)
 
-(* [IRT-13] [IRT-14] [IRT-24] *)
+(* [IRT-13] [IRT-14] *)
 \* @type: (Int, Int, Int) => Bool;
 EnIrt(m, o, ret) ==
-    /\ Called
-    /\ ret \in EnIrtAnswers(m, o)
     /\ irt' \in IF ret # OK THEN {irt}
                ELSE { IrtAfterEnIrt(m, marks) : marks \in Meanings(m, o) }
     /\ NothingEntered

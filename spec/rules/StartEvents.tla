@@ -357,8 +357,8 @@ OutsideRun(new) ==
     THEN AgainWhileOpen(new)
     ELSE LET again  == PendingIn(requests, new.ob) \/ OpenIn(requests, new.ob)
              errors == { e \in ErrorsOf(new) :
-                           \/ again
-                           \/ MayOverflow(new) /\ e.fault = BufferOverflow }
+                           IF e.fault = BufferOverflow THEN MayOverflow(new)
+                                                       ELSE again }
              run    == [new EXCEPT !.open =
                          again \/ (OutsideRunEventsAreOpen /\ ~KeptInStartup)]
              shown  == (IF new.fault = 0 THEN {} ELSE {new}) \cup errors

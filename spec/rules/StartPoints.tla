@@ -98,10 +98,12 @@ PointsAtClock ==
 
 (* The active interrupts with points between the old and the new time.  A  *)
 (* point that equals the new time is reached, not skipped [AMB-37].        *)
+\* @type: (Int, $moment) => Bool;
+IsSkippedBy(o, to) == /\ tod[o].active
+                      /\ ~Deselected(o)
+                      /\ IsPast(NextSkipped(tod[o]), to)
 \* @type: $moment => Set(Int);
-SkippedBy(to) == { o \in DOMAIN tod : /\ tod[o].active
-                                      /\ ~Deselected(o)
-                                      /\ IsPast(NextSkipped(tod[o]), to) }
+SkippedBy(to) == { o \in DOMAIN tod : IsSkippedBy(o, to) }
 
 -----------------------------------------------------------------------------
 (* The settings after a skip *)
@@ -169,7 +171,7 @@ Rearmed(o, to, c, count) ==
         p    == NextSkipped(t).min
         done == AfterRunFor(o, t, p, t)
     IN  IF ~t.active \/ next = t.next \/ StaysUsed(o, to) THEN t
-        ELSE IF o \notin SkippedBy(to) THEN [t EXCEPT !.next = next]
+        ELSE IF ~IsSkippedBy(o, to) THEN [t EXCEPT !.next = next]
         ELSE AfterPoint(o, [done EXCEPT !.next = next])
 
 -----------------------------------------------------------------------------

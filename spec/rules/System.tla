@@ -96,75 +96,94 @@ Respond == StartsOb \/ MissesOb \/ DropsRequest \/ StopsByRule
 
 Settled == ~Pressing
 
+(* A call is possible. Its possible answers are told first, so that TLC    *)
+(* does not try the others.                                                *)
+Calling == Settled /\ Called
+
 (* SET_TINT and SET_TINTL, in whose step `sign' is 1 if it activates.      *)
 CallSetTint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, sdt \in Sdts, period \in Words, ret \in RetVals :
-         \/ /\ SetTint(o, sdt, period, ret)
-            /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
-                           !.sdt = sdt, !.operand = period ]
-         \/ \E local \in Locals, sign \in {0, 1} :
+    /\ Calling
+    /\ \E o \in ObNumbers, sdt \in Sdts, period \in Words :
+         \/ \E ret \in RetVals \cap SetTintAnswers(o, sdt, period) :
+              /\ SetTint(o, sdt, period, ret)
+              /\ step' = [ Step("SET_TINT", o, ret) EXCEPT
+                             !.sdt = sdt, !.operand = period ]
+         \/ \E local \in Locals :
+            \E ret \in RetVals \cap SetLocalAnswers(o, sdt, local, period),
+               sign \in {0, 1} :
               /\ SetTintL(o, sdt, local, period, sign = 1, ret)
               /\ step' = [ Step("SET_TINTL", o, ret) EXCEPT
                              !.sdt = sdt, !.operand = period, !.sign = sign ]
 
 CallCanTint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers : \E ret \in RetVals \cap CanAnswers(o) :
          CanTint(o, ret) /\ Seen("CAN_TINT", o, ret)
 
 CallActTint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers : \E ret \in RetVals \cap ActAnswers(o) :
          ActTint(o, ret) /\ Seen("ACT_TINT", o, ret)
 
+(* The STATUS of a call that is refused is nobody's concern.               *)
+\* @type: Int => Set(Int);
+StatusWordsFor(ret) ==
+    IF ret = OK THEN StatusWords ELSE StatusWords \cap {-1}
+
 CallQryTint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, ret \in RetVals, status \in StatusWords :
+    /\ Calling
+    /\ \E o \in ObNumbers : \E ret \in RetVals \cap QryAnswers(o) :
+       \E status \in StatusWordsFor(ret) :
          /\ QryTint(o, ret, status)
          /\ step' = [Step("QRY_TINT", o, ret) EXCEPT !.operand = status]
 
 CallSrtDint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, dtime \in Dtimes, sign \in Signs, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers, dtime \in Dtimes :
+       \E ret \in RetVals \cap SrtAnswers(o, dtime), sign \in Signs :
          /\ SrtDint(o, dtime, sign, ret)
          /\ step' = [ Step("SRT_DINT", o, ret) EXCEPT
                         !.operand = dtime, !.sign = sign ]
 
 CallCanDint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers : \E ret \in RetVals \cap CanDintAnswers(o) :
          CanDint(o, ret) /\ Seen("CAN_DINT", o, ret)
 
 CallQryDint ==
-    /\ Settled
-    /\ \E o \in ObNumbers, ret \in RetVals, status \in StatusWords :
+    /\ Calling
+    /\ \E o \in ObNumbers : \E ret \in RetVals \cap QryDintAnswers(o) :
+       \E status \in StatusWordsFor(ret) :
          /\ QryDint(o, ret, status)
          /\ step' = [Step("QRY_DINT", o, ret) EXCEPT !.operand = status]
 
 CallDisIrt ==
-    /\ Settled
-    /\ \E o \in ObNumbers, m \in IrtModes, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers, m \in IrtModes :
+       \E ret \in RetVals \cap DisIrtAnswers(m, o) :
          /\ DisIrt(m, o, ret)
          /\ step' = [Step("DIS_IRT", o, ret) EXCEPT !.operand = m]
 
 CallEnIrt ==
-    /\ Settled
-    /\ \E o \in ObNumbers, m \in IrtModes, ret \in RetVals :
+    /\ Calling
+    /\ \E o \in ObNumbers, m \in IrtModes :
+       \E ret \in RetVals \cap EnIrtAnswers(m, o) :
          /\ EnIrt(m, o, ret)
          /\ step' = [Step("EN_IRT", o, ret) EXCEPT !.operand = m]
 
 CallDisAirt ==
-    /\ Settled
-    /\ \E ret \in RetVals : DisAirt(ret) /\ Seen("DIS_AIRT", 0, ret)
+    /\ Calling
+    /\ \E ret \in RetVals \cap DisAirtAnswers(delay) :
+         DisAirt /\ Seen("DIS_AIRT", 0, ret)
 
 CallEnAirt ==
-    /\ Settled
-    /\ \E ret \in RetVals : EnAirt(ret) /\ Seen("EN_AIRT", 0, ret)
+    /\ Calling
+    /\ \E ret \in RetVals \cap EnAirtAnswers(delay) :
+         EnAirt /\ Seen("EN_AIRT", 0, ret)
 
 (* [AMB-81] Any call; which one is nobody's concern. *)
 CallFails ==
-    /\ Settled
+    /\ Calling
     /\ \E ret \in RetVals : Fails(ret) /\ Seen("fails", 0, ret)
 
 Call == \/ CallSetTint \/ CallCanTint \/ CallActTint \/ CallQryTint

@@ -114,8 +114,7 @@ StartsJob(o, dtime, sign) ==
 (* [DINT-03] *)
 \* @type: (Int, Int, Int, Int) => Bool;
 SrtDint(o, dtime, sign, ret) ==
-    /\ Called /\ Ended(o)
-    /\ ret \in SrtAnswers(o, dtime)
+    /\ Ended(o)
     /\ IF ret = OK THEN StartsJob(o, dtime, sign)
        ELSE UNCHANGED <<cpu, dint>> /\ Nothing
     /\ UNCHANGED <<loaded, modeVars, clock, tod, irt, runVars>>
@@ -151,7 +150,7 @@ CanDintAnswers(o) ==
 (* [DINT-14] *)
 \* @type: (Int, Int) => Bool;
 CanDint(o, ret) ==
-    /\ Called /\ Ended(o)
+    /\ Ended(o)
     /\ \E c \in CpusThatShowRun(o) :
          /\ ret \in CanDintAnswersOf(o, c)
          /\ cpu'      = IF ret = BadOb THEN cpu ELSE c
@@ -175,8 +174,7 @@ QryDintAnswers(o) == OpenCodes(Answers(o, DintErrors(o)))
 (* [DINT-16] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;
 QryDint(o, ret, status) ==
-    /\ Called /\ Ended(o)
-    /\ ret \in QryDintAnswers(o)
+    /\ Ended(o)
     /\ ret = OK => status = -1 \/ status \in DintStatuses(o)
     /\ NothingEntered
     /\ UNCHANGED cpuVars

@@ -142,10 +142,14 @@ SdtIsLocal(o) ==
     /\ \/ SetTintTakesLocal
        \/ SetTintTakesItsBase /\ o \in TodObs /\ cpu.step7[o].local
 
+\* @type: (Int, $date, Int) => Set(Int);
+SetTintAnswers(o, sdt, period) ==
+    SetAnswers(o, sdt, ZoneOf(SdtIsLocal(o)), period)
+
 (* [TINT-30] [TINT-05] [TINT-38] A refused call changes nothing, or it     *)
 (* cancels the old setting [AMB-20].                                       *)
 \* @type: (Int, $date, Int, Int) => Bool;
-SetsOrNot(o, sdt, period, ret) ==
+SetTint(o, sdt, period, ret) ==
     /\ IF ret = OK
        THEN SettingBecomes(o, SetAnew(Uncalled(o), sdt, SdtIsLocal(o), period))
        ELSE IF o \in TodObs /\ RefusedSetTintCancels
@@ -153,12 +157,6 @@ SetsOrNot(o, sdt, period, ret) ==
        ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
-
-\* @type: (Int, $date, Int, Int) => Bool;
-SetTint(o, sdt, period, ret) ==
-    /\ Called
-    /\ ret \in SetAnswers(o, sdt, ZoneOf(SdtIsLocal(o)), period)
-    /\ SetsOrNot(o, sdt, period, ret)
 
 (* [A15-20] The log has told that daylight saving skipped this local time; *)
 (* or that it doubled it.                                                  *)
@@ -176,7 +174,8 @@ SetLocalAnswers(o, sdt, local, period) ==
     LET usual == SetAnswers(o, sdt, ZoneOf(local), period)
         early == SetAnswers(o, sdt, cpu.zone + cpu.hour.from - cpu.hour.to,
                             period)
-    IN  CASE ~local \/ ~ValidMinute(sdt) -> usual
+    IN  CASE ~Family.setsLocal -> {}
+          [] ~local \/ ~ValidMinute(sdt) -> usual
           [] IsSkipped(sdt) ->
                (IF SkippedTimeIsRefused THEN {} ELSE usual)
                  \cup (IF SkippedTimeIsTaken THEN {} ELSE AnyCode)
@@ -188,7 +187,7 @@ SetLocalAnswers(o, sdt, local, period) ==
 
 (* [T15-08] [T15-09] SET_TINTL activates as well, if it is told so.        *)
 \* @type: (Int, $date, Bool, Int, Bool, Int) => Bool;
-SetsLocalOrNot(o, sdt, local, period, activate, ret) ==
+SetTintL(o, sdt, local, period, activate, ret) ==
     /\ IF ret # OK
        THEN IF o \in TodObs /\ RefusedSetTintCancels
             THEN SettingBecomes(o, Unset(Uncalled(o))) /\ UNCHANGED cpu
@@ -204,12 +203,6 @@ SetsLocalOrNot(o, sdt, local, period, activate, ret) ==
                     /\ requests' = Withdrawn(o)
     /\ NothingEntered
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, stopCause, runVars>>
-
-\* @type: (Int, $date, Bool, Int, Bool, Int) => Bool;
-SetTintL(o, sdt, local, period, activate, ret) ==
-    /\ Called /\ Family.setsLocal
-    /\ ret \in SetLocalAnswers(o, sdt, local, period)
-    /\ SetsLocalOrNot(o, sdt, local, period, activate, ret)
 
 -----------------------------------------------------------------------------
 (* SFC 29 *)
@@ -234,8 +227,6 @@ CanAnswers(o) ==
 (* [TINT-50] [TINT-54] An OB that runs is not stopped [TINT-53]. *)
 \* @type: (Int, Int) => Bool;
 CanTint(o, ret) ==
-    /\ Called
-    /\ ret \in CanAnswers(o)
     /\ IF ret = OK THEN SettingBecomes(o, Unset(Uncalled(o))) ELSE SettingStays
     /\ NothingEntered
     /\ UNCHANGED <<deviceVars, modeVars, clock, dint, irt, stopCause, runVars>>
@@ -322,8 +313,6 @@ Activates(o) ==
 (* [TINT-60] *)
 \* @type: (Int, Int) => Bool;
 ActTint(o, ret) ==
-    /\ Called
-    /\ ret \in ActAnswers(o)
     /\ IF ret = OK THEN Activates(o) ELSE UNCHANGED <<cpu, tod>> /\ Nothing
     /\ UNCHANGED <<loaded, modeVars, clock, dint, irt, runVars>>
 
@@ -361,8 +350,6 @@ QryAnswers(o) == OpenCodes(Answers(o, ObErrors(o)))
 (* [TINT-70] [TINT-71] -1: the status is not given. *)
 \* @type: (Int, Int, Int) => Bool;
 QryTint(o, ret, status) ==
-    /\ Called
-    /\ ret \in QryAnswers(o)
     /\ ret = OK => status = -1 \/ status \in Statuses(o)
     /\ NothingEntered
     /\ UNCHANGED cpuVars

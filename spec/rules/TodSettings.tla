@@ -269,7 +269,8 @@ FirstUnserved(t, p, c) ==
         points == {p, second, PointFrom(t, second + 1)}
                     \cup { PointFrom(t, q + 1) : q \in ends }
         free   == { q \in points : ~WasServed(t, q, c) }
-    IN  CHOOSE q \in free : \A r \in free : q <= r
+    IN  IF ~WasServed(t, p, c) THEN p
+        ELSE CHOOSE q \in free : \A r \in free : q <= r
 
 (* The first point at or after moment m that the OB will serve. In         *)
 (* repeated time served points are not served again [CLK-09]; unserved     *)

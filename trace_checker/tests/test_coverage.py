@@ -117,9 +117,9 @@ def test_lines_of_their_own(real_engine: Engine) -> None:
 def test_guards(real_engine: Engine) -> None:
     """Both outcomes of a condition are two things to meet."""
     found = measure(lines(event("EN_AIRT", ret=0x8080)), real_engine).guards
-    conditions = {(one.definition, one.text, one.outcome) for one in found if one.module == "Airt"}
-    assert ("EnAirt", "Called", True) in conditions
-    assert ("EnAirt", "Called", False) not in conditions
+    conditions = {(one.definition, one.text, one.outcome) for one in found if one.module == "Lines"}
+    assert ("IsCall", "Called", True) in conditions
+    assert ("IsCall", "Called", False) not in conditions
 
 
 def test_union() -> None:
