@@ -194,7 +194,9 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
     (tmp_path / "models" / "models.txt").write_text(f"spec {ROOT / 'spec'}\n")
     code, _, document = run(tmp_path, "--against", "logs")
     assert code == 1
-    seen = {c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Lines/IsCall/", "Lines/Answered/"))}
+    seen = {
+        c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Lines/IsCall/", "Lines/Answered/"))
+    }
     assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
     assert seen["ret \\in answers"]["TRUE"] == ["logs"]
 
