@@ -69,10 +69,10 @@ def test_formulas_rules_and_definitions_lead_to_each_other(site: Path) -> None:
     module = (site / "spec" / "rules" / "Airt.html").read_text()
     assert '<b id="DisAirt">' in module
     assert 'href="../../book/sfc-41-dis_airt.html#AIRT-03"' in module
-    assert 'href="Calls.html#Called"' in module
+    assert 'href="Codes.html#NotDelayed"' in module
     assert 'href="Calls.html">Calls</a>' in module
     rule = (site / "book" / "sfc-41-dis_airt.html").read_text().partition('id="AIRT-03"')[2].partition("</section>")[0]
-    assert 'href="../spec/rules/Airt.html#DisAirtAnswers"' in rule
+    assert 'href="../spec/rules/Airt.html#CountAfterEnAirt"' in rule
     assert rule.count("<svg") == 4, "labels and lanes of an accepted and of a rejected log"
     for part in ("SF06ru</abbr>", "AirtCountProp", "proved by Apalache", "fails in model airt", "<del>"):
         assert part in rule

@@ -198,7 +198,7 @@ def test_logs_bear_witness(tmp_path: Path) -> None:
         c["text"]: c["seen"] for c in document["conditions"] if c["id"].startswith(("Lines/IsCall/", "Lines/Answered/"))
     }
     assert seen['e . event = "DIS_AIRT"'] == {"TRUE": ["logs"]}
-    assert seen["ret \\in answers"]["TRUE"] == ["logs"]
+    assert seen["ret \\in AnswersTo ( e )"]["TRUE"] == ["logs"]
 
 
 def test_logs_that_tlc_judges_otherwise() -> None:

@@ -64,10 +64,9 @@ FailuresOf(e) == IF ~CallsMayFail THEN {}
 \* @type: $event => Bool;
 IsCall(e) ==
     /\ Called
-    /\ LET answers == AnswersTo(e)
-       IN  \E ret \in Given(e.ret, answers \cup FailuresOf(e)) :
-             IF IsGeneralError(ret) THEN Fails(ret)
-             ELSE ret \in answers /\ Answered(e, ret)
+    /\ \E ret \in Given(e.ret, AnswersTo(e) \cup FailuresOf(e)) :
+         IF IsGeneralError(ret) THEN Fails(ret)
+         ELSE ret \in AnswersTo(e) /\ Answered(e, ret)
 
 -----------------------------------------------------------------------------
 (* Starts, and events from outside *)

@@ -102,14 +102,18 @@ DefaultClassOf(f, o) ==
       [] o \in 81..87      -> f.errorClass
       [] OTHER             -> 27
 
-(* As a table, since each step asks for it. *)
+(* As a table, since each step asks for it; a log may ask for any number.  *)
+Tabled == 1..122
 \* @type: Str -> (Int -> Int);
 DefaultClasses ==
     [ n \in FamilyNames |->
-        [ o \in 1..122 |-> DefaultClassOf(FamilyOf(n), o) ] ]
+        [ o \in Tabled |-> DefaultClassOf(FamilyOf(n), o) ] ]
 
 \* @type: Int => Int;
-DefaultClass(o) == DefaultClasses[cpu.family][Kin(o)]
+DefaultClass(o) ==
+    LET k == Kin(o)
+    IN  IF k \in Tabled THEN DefaultClasses[cpu.family][k]
+                        ELSE DefaultClassOf(Family, k)
 
 (* [OBS-05] *)
 \* @type: Int => Int;

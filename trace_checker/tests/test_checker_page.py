@@ -129,7 +129,7 @@ def test_a_rejected_log_opens_at_its_line(page: Page) -> None:
     assert "EN_AIRT" in page.locator("#edit textarea").input_value()
     page.click("text=Report as text")
     expect(page.locator("#as-text")).to_contain_text("pasted.ndjson:4: rejected")
-    expect(page.locator("#as-text")).to_contain_text("ret = 16#0000, answers = {16#8080}")
+    expect(page.locator("#as-text")).to_contain_text("ret = 16#0000, AnswersTo(e) = {16#8080}")
 
 
 def test_the_report_is_that_of_the_command(page: Page, tmp_path: Path) -> None:

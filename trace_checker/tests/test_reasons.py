@@ -415,7 +415,7 @@ def test_said(
 @pytest.mark.parametrize(
     ("lines", "action", "values"),
     [
-        ([on("00:01", "EN_AIRT", ret=0)], "IsCall(OB 0)", "ret = 16#0000, answers = {16#8080}"),
+        ([on("00:01", "EN_AIRT", ret=0)], "IsCall(OB 0)", "ret = 16#0000, AnswersTo(e) = {16#8080}"),
         ([on("00:01", "stop", cause="W#16#4562")], "IsStop(OB 0)", "stopCause = -1, cause = 16#4562"),
         ([on("00:01", "start", ob=20)], "IsStart(OB 20)", "the set is empty"),
         (
