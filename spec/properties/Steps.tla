@@ -21,7 +21,7 @@ Top(s) == IF s = <<>> THEN NoFrame ELSE s[Len(s)]
 
 (* [OBS-10] A request stays as it was when its start event occurred; only  *)
 (* its place changes, and an open one may be confirmed. A hot restart      *)
-(* brings some back; those that another one drops are over.                *)
+(* brings some back; any other restart drops them for good.                *)
 \* @type: $request => $request;
 Content(r) == [ r EXCEPT !.rank = 0, !.open = FALSE,
                          !.late = IF r.ob = TimeErrorOb THEN @ ELSE {} ]
