@@ -18,6 +18,10 @@
 (* The calendar: CalendarLemma stands for the first point of a series;     *)
 (* models/MCCalendarLemma checks it. NextPointLemma follows from it and    *)
 (* stands for the next point of a setting.                                 *)
+(*                                                                         *)
+(* The tables: Apalache builds a table anew at each use. So the formula    *)
+(* stands for it; models/MCTables checks that they agree.                  *)
+(*                                                                         *)
 (* models/proofs.json has the queries; `s7spec prove' asks them.           *)
 (***************************************************************************)
 EXTENDS Inductive, APCalendar, Apalache
@@ -55,6 +59,15 @@ APMoments == {AnyMoment}
 APInterrupts == {<<AnyOb, AnyFault>>}
 (* The readings that a CPU may show when it is at work. *)
 APAmbiguities == {"AMB-11", "AMB-56", "AMB-57"}
+
+-----------------------------------------------------------------------------
+(* The tables *)
+
+\* @type: Str => $family;
+UntabledFamily(name) == CHOOSE f \in KnownFamilies : f.name = name
+
+\* @type: Int => Int;
+UntabledClass(o) == DefaultClassOf(Family, Kin(o))
 
 -----------------------------------------------------------------------------
 (* The calendar *)

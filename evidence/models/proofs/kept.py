@@ -6,10 +6,14 @@ property changes, and only the formulas whose text is new are asked again.
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
+import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -22,19 +26,23 @@ from evidence.tla.syntax import read_text, references
 
 _ALIAS = re.compile(r"\(\*\s*@typeAlias:\s*(\w+)\s*=([^;]*);\s*\*\)")
 _USED_ALIAS = re.compile(r"\$(\w+)")
+_DIGITS = 16
+"""So many of a hash tell thousands of texts apart."""
 
 
 class Run(msgspec.Struct, frozen=True):
-    """A run of Apalache: the formulas that it was asked, each with its key, and the answer to all of them.
+    """A run of Apalache: the query, the keys of the formulas that it was asked, and the answer to all of them.
 
     `megabytes` is the most memory that it had.
     """
 
-    keys: dict[str, str]
+    query: str
     answer: Answer
     seconds: float
     megabytes: int
     version: str
+    date: str
+    keys: tuple[str, ...]
 
 
 class Result(msgspec.Struct, frozen=True):
@@ -74,39 +82,66 @@ def keys(text: str, formulas: Iterable[str], roots: Iterable[str], rest: Sequenc
         said = [formula, around, *(text for name, text in stated.items() if name in needed), *rest]
         types = reached(_USED_ALIAS.findall("\n".join(said)), within)
         said += [f"{name} = {alias}" for name, alias in aliases.items() if name in types]
-        return hashlib.sha256(json.dumps(said).encode()).hexdigest()
+        return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:_DIGITS]
 
     return {formula: key(formula) for formula in formulas}
 
 
-def read(file: Path, now: Mapping[str, str]) -> list[Run]:
-    """The runs of the file that answer these keys.
+class Answers:
+    """The kept runs, in a file with a line for each. Safe to use from several threads and processes."""
 
-    Of a run whose formulas hold, the formulas that changed are left out. Of another run it is not known which of them
-    it is about: it counts if none has changed.
-    """
-    if not file.exists():
-        return []
-    found = []
-    for run in msgspec.json.decode(file.read_bytes(), type=list[Run]):
-        same = {name: key for name, key in run.keys.items() if now.get(name) == key}
-        if same == run.keys or (same and run.answer.outcome == "holds"):
-            found.append(msgspec.structs.replace(run, keys=same))
-    return found
+    def __init__(self, file: Path) -> None:
+        """Keep them in `file`, which need not be there yet."""
+        self._file = file
+
+    def of(self, query: str, now: Iterable[str]) -> list[Run]:
+        """The runs of a query that answer these keys. Raises OSError, msgspec.MsgspecError.
+
+        Of a run whose formulas hold, those that changed are left out. Of another run it is not known which of them it
+        is about: it counts if none has changed.
+        """
+        now = set(now)
+        found = []
+        for run in (run for run in self._read() if run.query == query):
+            same = tuple(key for key in run.keys if key in now)
+            if same == run.keys or (same and run.answer.outcome == "holds"):
+                found.append(msgspec.structs.replace(run, keys=same))
+        return found
+
+    def put(self, query: str, runs: Iterable[Run]) -> None:
+        """Keep these runs of a query in place of the earlier ones, without what only this machine has.
+
+        Raises OSError, msgspec.MsgspecError.
+        """
+        told = [msgspec.structs.replace(run, answer=replace(run.answer, trace="")) for run in runs]
+        with _locked(self._file.parent):
+            others = [run for run in self._read() if run.query != query]
+            new = self._file.with_suffix(".new")
+            new.write_bytes(msgspec.json.Encoder().encode_lines(sorted([*others, *told], key=lambda run: run.query)))
+            new.replace(self._file)  # who reads meanwhile has the whole file
+
+    def _read(self) -> list[Run]:
+        lines = self._file.read_bytes() if self._file.exists() else b""
+        return msgspec.json.Decoder(Run).decode_lines(lines)
 
 
-def write(file: Path, runs: Sequence[Run]) -> None:
-    """Keep the runs. Raises OSError."""
-    file.write_bytes(msgspec.json.encode(runs))
+@contextmanager
+def _locked(folder: Path) -> Iterator[None]:
+    """No other process is in this block for the same folder."""
+    lock = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(lock)
 
 
-def together(query: str, formulas: Iterable[str], runs: Sequence[Run], *, kept: bool) -> Result:
+def together(query: str, keys_now: Mapping[str, str], runs: Sequence[Run], *, kept: bool) -> Result:
     """One result of the runs: a formula without a run is not asked, and an answer that is not "holds" is that of all.
 
-    Conditions, transitions and seconds are those of all these runs.
+    `keys_now` are the formulas, each with its key. Conditions, transitions and seconds are those of all these runs.
     """
-    answered = {name for run in runs for name in run.keys}
-    lacking = [name for name in formulas if name not in answered]
+    lacking = unanswered(keys_now, runs)
     others = [run.answer for run in runs if run.answer.outcome != "holds"]
     if others:
         answer = others[-1]
@@ -123,3 +158,9 @@ def together(query: str, formulas: Iterable[str], runs: Sequence[Run], *, kept: 
         runs[-1].version if runs else "",
         kept,
     )
+
+
+def unanswered(keys_now: Mapping[str, str], runs: Iterable[Run]) -> tuple[str, ...]:
+    """The formulas that no run answers."""
+    answered = {key for run in runs for key in run.keys}
+    return tuple(name for name, key in keys_now.items() if key not in answered)

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import click
+import msgspec
 from rich.console import Console
 
 from evidence.common.checkout import ROOT
@@ -15,7 +16,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models.proofs import report
 from evidence.models.proofs.apalache import Apalache, ApalacheMissingError, find_apalache
-from evidence.models.proofs.kept import Result
+from evidence.models.proofs.kept import Answers, Result
 from evidence.models.proofs.queries import ManifestError, Query, load
 from evidence.models.proofs.runner import Asking, Kept, ask, ok
 from evidence.tla.syntax import SyntaxTreeError
@@ -23,6 +24,8 @@ from evidence.tla.syntax import SyntaxTreeError
 DIFFERENT = 1
 BUILD = Path("build/proofs")
 SMALL = Path("build/proofs-small")
+KEPT = Path("models/proved.ndjson")
+"""The answers from the whole world; those of --small stay in their folder."""
 
 
 class _Shard(click.ParamType[tuple[int, int]]):
@@ -65,11 +68,11 @@ def prove_command(
 ) -> None:
     """Ask Apalache the queries of models/proofs.json.
 
-    NAME picks queries or actions of System (globs work). The answers are kept in build/proofs, those of --small in
-    build/proofs-small.
+    NAME picks queries or actions of System (globs work). The answers are kept in models/proved.ndjson, those of --small
+    in build/proofs-small.
     """
     processes = Processes()
-    with session(processes, (ManifestError, SyntaxTreeError, OSError), (ApalacheMissingError,)) as console:
+    with session(processes, (ManifestError, SyntaxTreeError, OSError, msgspec.MsgspecError), (ApalacheMissingError,)) as console:
         proofs = load(ROOT).in_small_world() if small else load(ROOT)
         queries = proofs.select(names)
         if shard is not None:
@@ -80,8 +83,9 @@ def prove_command(
             return
         kept: Kept = "all" if only_kept else "claimed" if resume else "nothing"
         with Apalache([] if only_kept else find_apalache(), processes) as program:
-            asking = Asking(ROOT, ROOT / (SMALL if small else BUILD), program)
-            asking.build.mkdir(parents=True, exist_ok=True)
+            build = ROOT / (SMALL if small else BUILD)
+            build.mkdir(parents=True, exist_ok=True)
+            asking = Asking(ROOT, build, Answers(build / KEPT.name if small else ROOT / KEPT), program)
             answers = _ask_all(asking, queries, kept, jobs, console, processes)
         write_json(json_path, report.as_json(proofs, answers))
         report.show(console, proofs, answers)

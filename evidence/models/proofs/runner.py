@@ -7,14 +7,14 @@ import shutil
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
 from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
-from evidence.models.proofs import kept as keeping
-from evidence.models.proofs.kept import Result, Run
+from evidence.models.proofs.kept import Answers, Result, Run, keys, together, unanswered
 from evidence.models.proofs.queries import TOGETHER, ManifestError, Query
 from evidence.models.proofs.text import (
     ANY_LETTERS,
@@ -47,10 +47,11 @@ _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Asking:
-    """Where queries are asked: the checkout, the folder for output, Apalache."""
+    """Where queries are asked: the checkout, the folder for output, the kept answers, Apalache."""
 
     root: Path
     build: Path
+    answers: Answers
     apalache: apalache.Apalache
 
 
@@ -75,23 +76,21 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     asks nothing: where a formula has none, the outcome is "not asked".
 
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
-    `evidence.common.processes.InterruptedRunError`.
+    `evidence.common.processes.InterruptedRunError`, msgspec.MsgspecError.
     """
     made = _made(asking.root, query)
     now = _keys(query, made)
-    file = asking.build / f"{query.name}.json"
-    runs = [] if kept == "nothing" else keeping.read(file, now)
+    runs = [] if kept == "nothing" else asking.answers.of(query.name, now.values())
     if kept == "claimed":
         runs = [run for run in runs if run.answer.outcome == query.expect]
-    answered = {name for run in runs for name in run.keys}
-    lacking = tuple(name for name in query.formulas if name not in answered)
+    lacking = unanswered(now, runs)
     if kept == "all" or not lacking:
-        return keeping.together(query.name, query.formulas, runs, kept=True)
+        return together(query.name, now, runs, kept=True)
     asked = replace(query, formulas=lacking)
     new = made if asked == query else _made(asking.root, asked)
-    run = _run(asking, asked, new, {name: now[name] for name in lacking})
-    keeping.write(file, [*runs, run])
-    return keeping.together(query.name, query.formulas, [*runs, run], kept=False)
+    runs.append(_run(asking, asked, new, tuple(now[name] for name in lacking)))
+    asking.answers.put(query.name, runs)
+    return together(query.name, now, runs, kept=False)
 
 
 def _made(root: Path, query: Query) -> _Made:
@@ -99,7 +98,7 @@ def _made(root: Path, query: Query) -> _Made:
     return _Made(text, config, instances(root, query, text))
 
 
-def _run(asking: Asking, query: Query, made: _Made, keys: dict[str, str]) -> Run:
+def _run(asking: Asking, query: Query, made: _Made, keys: tuple[str, ...]) -> Run:
     """Ask Apalache all formulas of the query."""
     folder = asking.build / query.name
     shutil.rmtree(folder, ignore_errors=True)
@@ -113,7 +112,9 @@ def _run(asking: Asking, query: Query, made: _Made, keys: dict[str, str]) -> Run
     asked_of = [[invariants, *_arguments(query, some), *files] for some in parts(query.divided)]
     done = asking.apalache.run(asked_of, list(names.values()), folder, query.timeout)
     (folder / "log").write_text(done.output, encoding="utf-8")
-    return Run(keys, done.answer, done.seconds, done.megabytes, apalache.version(done.output))
+    version = apalache.version(done.output)
+    today = datetime.now(UTC).date().isoformat()
+    return Run(query.name, done.answer, done.seconds, done.megabytes, version, today, keys)
 
 
 def parts(divided: Sequence[int]) -> list[str]:
@@ -155,7 +156,7 @@ def _keys(query: Query, made: _Made) -> dict[str, str]:
     roots = [query.init, query.next, query.constants, ANY_LETTERS, *replaced]
     names = _names(query)
     arguments = _arguments(query if query.expect == "holds" else replace(query, unfiltered=False))
-    found = keeping.keys(made.text, names.values(), roots, [*others, made.config, *arguments])
+    found = keys(made.text, names.values(), roots, [*others, made.config, *arguments])
     return {formula: found[name] for formula, name in names.items()}
 
 

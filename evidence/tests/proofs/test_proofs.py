@@ -24,7 +24,7 @@ from evidence.common.processes import Processes
 from evidence.models.entries import CONTROLS, Mutation
 from evidence.models.proofs import prove_command as command
 from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret
-from evidence.models.proofs.kept import Result, Run, keys, read, together, write
+from evidence.models.proofs.kept import Answers, Result, Run, keys, together
 from evidence.models.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load, named_actions
 from evidence.models.proofs.report import as_json, assumptions, standing
 from evidence.models.proofs.runner import Asking, ask, instances, ok, parts, texts
@@ -662,7 +662,7 @@ def claim(proofs: Proofs) -> Query:
 def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """It is asked again where the text differs, where it was not as claimed, and where nothing kept is to be taken."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", program(recorded("holds"), 0))
+    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), program(recorded("holds"), 0))
     assert ask(asking, query, "all").answer.outcome == "not asked"
     first = ask(asking, query, "claimed")
     assert ok(query, first)
@@ -714,26 +714,38 @@ def test_a_type_that_nothing_uses_does_not_count() -> None:
 
 def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
     """Of a run whose formulas hold those stay that did not change; a refuted run stays whole or not at all."""
-    file = tmp_path / "query.json"
-    held = Run({"P": "1", "Q": "2"}, Answer("holds", 6, taken=2), 8.0, 100, "0.62.1")
-    refuted = Run({"R": "3", "S": "4"}, Answer("violated", 1, "R"), 2.0, 300, "0.62.1")
-    assert read(file, {"P": "1"}) == []
-    write(file, [held, refuted])
-    assert read(file, {"P": "1", "Q": "2", "R": "3", "S": "4"}) == [held, refuted]
-    (left,) = read(file, {"P": "1", "Q": "new", "R": "3", "S": "new"})
-    assert left.keys == {"P": "1"}
-    some = together("query", ["P", "Q"], [left], kept=True)
+    answers = Answers(tmp_path / "kept.ndjson")
+    held = Run("q", Answer("holds", 6, taken=2), 8.0, 100, "0.62.1", "2026-11-29", ("1", "2"))
+    refuted = Run("q", Answer("violated", 1, "R"), 2.0, 300, "0.62.1", "2026-11-29", ("3", "4"))
+    assert answers.of("q", ["1"]) == []
+    answers.put("q", [held, refuted])
+    other = msgspec.structs.replace(held, query="another")
+    answers.put("another", [other])
+    assert answers.of("another", ["1", "2"]) == [other]
+    assert answers.of("q", ["1", "2", "3", "4"]) == [held, refuted]
+    (left,) = answers.of("q", ["1", "new", "3", "newer"])
+    assert left.keys == ("1",)
+    some = together("q", {"P": "1", "Q": "new"}, [left], kept=True)
     assert (some.answer.outcome, some.answer.detail) == ("not asked", "not asked: Q")
-    more = Run({"Q": "new"}, Answer("holds", 3, taken=2), 5.0, 200, "0.62.1")
-    whole = together("query", ["P", "Q"], [left, more], kept=False)
+    more = Run("q", Answer("holds", 3, taken=2), 5.0, 200, "0.62.1", "2026-11-29", ("new",))
+    whole = together("q", {"P": "1", "Q": "new"}, [left, more], kept=False)
     assert (whole.answer, whole.seconds, whole.megabytes) == (Answer("holds", 9, taken=2), 13.0, 200)
-    assert together("query", ["P", "R"], [left, refuted], kept=True).answer.outcome == "violated"
+    assert together("q", {"P": "1", "R": "3"}, [left, refuted], kept=True).answer.outcome == "violated"
+
+
+def test_a_path_of_this_machine_is_not_kept(tmp_path: Path) -> None:
+    """A counterexample is named when it is found, and is in the folder for output alone."""
+    answers = Answers(tmp_path / "kept.ndjson")
+    trace = Answer("violated", 1, "R", trace=str(tmp_path / "violation.tla"))
+    answers.put("q", [Run("q", trace, 2.0, 300, "0.62.1", "2026-11-29", ("3",))])
+    (kept,) = answers.of("q", ["3"])
+    assert not kept.answer.trace
 
 
 def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query with a formula more asks for this one."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", program(recorded("holds"), 0))
+    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), program(recorded("holds"), 0))
     assert ok(query, ask(asking, query))
     more = dataclasses.replace(query, formulas=(*query.formulas, "Invariant"))
     output = recorded("holds").replace("the invariant Steps", "the invariant Invariant")
@@ -745,7 +757,7 @@ def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Prog
 
 def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query that does not end in its time is ended."""
-    asking = Asking(ROOT, tmp_path / "build", program("", 0, "__import__('time').sleep(60)"))
+    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), program("", 0, "__import__('time').sleep(60)"))
     result = ask(asking, dataclasses.replace(claim(proofs), timeout=1))
     assert (result.answer.outcome, result.answer.detail) == ("timeout", "ended after 1 s")
 
