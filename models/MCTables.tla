@@ -143,7 +143,6 @@ TablesAgree ==
         /\ \A o \in Tabled :
               DefaultClasses[f.name][o] = DefaultClassOf(f, o)
 
-
 (* [TINT-39] The lengths of the months. *)
 MonthsAgree ==
     \A m \in 1..12 :

@@ -72,7 +72,8 @@ def prove_command(
     in build/proofs-small.
     """
     processes = Processes()
-    with session(processes, (ManifestError, SyntaxTreeError, OSError, msgspec.MsgspecError), (ApalacheMissingError,)) as console:
+    refused = (ManifestError, SyntaxTreeError, OSError, msgspec.MsgspecError)
+    with session(processes, refused, (ApalacheMissingError,)) as console:
         proofs = load(ROOT).in_small_world() if small else load(ROOT)
         queries = proofs.select(names)
         if shard is not None:
