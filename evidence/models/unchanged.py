@@ -27,6 +27,8 @@ from s7check.resources import modules
 
 PASSED = Path("build/as-pinned.json")
 """The models of a checkout that came as pinned: the hash of what they and their TLC were, and what came."""
+FULL = Path("models/full.json")
+"""The same of the models of the full lane, to be committed: these take hours, and may be run in parts."""
 
 _STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")
 _CHECKS = ("INVARIANT", "PROPERTY", "VIEW", "SYMMETRY")
@@ -46,7 +48,7 @@ def origin(model: Model, folder: Path) -> str:
 
 def kept(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> dict[str, dict[str, Any]]:
     """What came of the models that came as pinned; of those alone that, with all they depend on, are as they were."""
-    passed = _read(_folder(manifest))
+    passed = _read(_folder(manifest) / PASSED) | _read(_folder(manifest) / FULL)
     return {
         one.name: passed[one.name]["came"]
         for one in models
@@ -56,12 +58,13 @@ def kept(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> dict[
 
 def keep(model: Model, came: Mapping[str, Any], manifest: Manifest, tools: Toolchain) -> None:
     """Remember what came of a model that came as pinned. Raises OSError."""
-    folder = _folder(manifest)
-    passed = _read(folder) | {model.name: {"of": _key(model, manifest, tools), "came": came}}
-    (folder / PASSED).parent.mkdir(exist_ok=True)
-    written = (folder / PASSED).with_suffix(".new")
-    written.write_text(json.dumps(passed, indent=1), encoding="utf-8")
-    written.replace(folder / PASSED)  # a run that is killed leaves a whole file
+    file = _folder(manifest) / (FULL if model.lane == "full" else PASSED)
+    passed = _read(file) | {model.name: {"of": _key(model, manifest, tools), "came": came}}
+    lines = [f" {json.dumps(name)}: {json.dumps(one)}" for name, one in sorted(passed.items())]
+    file.parent.mkdir(exist_ok=True)
+    new = file.with_suffix(".new")
+    new.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+    new.replace(file)  # a run that is killed leaves a whole file
 
 
 def written(manifest: Manifest) -> tuple[int, ...]:
@@ -73,8 +76,8 @@ def _folder(manifest: Manifest) -> Path:
     return manifest.directory.parent
 
 
-def _read(folder: Path) -> dict[str, dict[str, Any]]:
-    return json.loads((folder / PASSED).read_bytes()) if (folder / PASSED).exists() else {}
+def _read(file: Path) -> dict[str, dict[str, Any]]:
+    return json.loads(file.read_bytes()) if file.exists() else {}
 
 
 def _key(model: Model, manifest: Manifest, tools: Toolchain) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -84,6 +85,18 @@ def test_a_module_that_changes_meanwhile(project: Project, monkeypatch: pytest.M
     monkeypatch.setattr(unchanged, "written", lambda _: (next(times),))
     assert project.run("counter")[0] == 0
     assert not (project.root / unchanged.PASSED).exists()
+
+
+def test_the_full_lane_is_remembered_in_the_tree(project: Project) -> None:
+    """What came of it stays when the folder of builds is gone."""
+    full = project.entry("counter", lane="full")
+    project.write({"models": [full, *(one for one in project.document["models"] if one["name"] != "counter")]})
+    exit_code, output, _ = project.run("counter")
+    assert exit_code == 0, output
+    shutil.rmtree(project.root / "build")
+    exit_code, output, again = project.run("counter", "--changed")
+    assert exit_code == 0, output
+    assert again["not run again"] == 1
 
 
 def test_a_shard_runs_its_part(project: Project) -> None:
