@@ -768,6 +768,7 @@ def instead(monkeypatch: pytest.MonkeyPatch, folder: Path, apalache: Apalache) -
     monkeypatch.setattr(command, "find_apalache", list)
     monkeypatch.setattr(command, "Apalache", lambda *_: apalache)
     monkeypatch.setattr(command, "BUILD", folder / "build")
+    monkeypatch.setattr(command, "KEPT", folder / "kept.ndjson")
 
 
 def test_a_process_stays(tmp_path: Path, program: Program) -> None:
