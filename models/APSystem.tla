@@ -69,6 +69,10 @@ UntabledFamily(name) == CHOOSE f \in KnownFamilies : f.name = name
 \* @type: Int => Int;
 UntabledClass(o) == DefaultClassOf(Family, Kin(o))
 
+(* Here any number is a status word, and Apalache cuts no infinite set.    *)
+\* @type: Int => Set(Int);
+AnyStatusFor(ret) == IF ret = OK THEN StatusWords ELSE {-1}
+
 -----------------------------------------------------------------------------
 (* The calendar *)
 
