@@ -69,7 +69,8 @@ UntabledFamily(name) == CHOOSE f \in KnownFamilies : f.name = name
 \* @type: Int => Int;
 UntabledClass(o) == DefaultClassOf(Family, Kin(o))
 
-(* Here any number is a status word, and Apalache cuts no infinite set.    *)
+(* Any number is a status word here, and Apalache cannot intersect that    *)
+(* set with another.                                                       *)
 \* @type: Int => Set(Int);
 AnyStatusFor(ret) == IF ret = OK THEN StatusWords ELSE {-1}
 
