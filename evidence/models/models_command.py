@@ -110,7 +110,7 @@ def models_command(
             if update:
                 result = _updated(manifest, result, console)
             if result.ok and unchanged.written(harness.manifest) == text:  # no module has changed while TLC ran
-                unchanged.keep(result.model, report.entry(result), harness.manifest, harness.tools)
+                unchanged.keep(result.model, report.came(result), harness.manifest, harness.tools)
             return result
 
         results, drift = _run(harness, models, cluster, jobs, names, console, take)
@@ -119,7 +119,8 @@ def models_command(
         if logs is not None:
             report.write_logs(logs, results)
         came = (results, [*harness.manifest.drift, *drift], time.monotonic() - began)
-        done = report.Report(harness.tools, answers, None if names else part, *came, list(before.values()))
+        earlier = [report.described(model) | before[model.name] for model in asked if model.name in before]
+        done = report.Report(harness.tools, answers, None if names else part, *came, earlier)
         report.show(console, done, _command(manifest, jar), verbose=verbose)
         write_json(json_path, report.as_json(done))
         sys.exit(0 if done.ok else DRIFT)

@@ -17,6 +17,7 @@ from evidence.common.shorthand import shorthand
 from evidence.models.canaries import Answers
 from evidence.models.entries import Mutation
 from evidence.models.judge import Result, exit_codes, expectation
+from evidence.models.manifest import Model
 from evidence.models.runner import Event
 from evidence.tla.behaviour import as_log, behaviour, of_system
 from evidence.tla.tlc import Toolchain
@@ -235,7 +236,11 @@ def as_json(report: Report) -> dict[str, Any]:
 
 def entry(result: Result) -> dict[str, Any]:
     """Return what came of a model as a JSON document."""
-    model, outcome = result.model, result.outcome
+    return described(result.model) | came(result)
+
+
+def described(model: Model) -> dict[str, Any]:
+    """Return what the manifest says of a model."""
     return {
         "name": model.name,
         "kind": model.kind,
@@ -243,6 +248,13 @@ def entry(result: Result) -> dict[str, Any]:
         "base": model.base or None,
         "what": model.what,
         "requirements": list(model.requirements),
+    }
+
+
+def came(result: Result) -> dict[str, Any]:
+    """Return what TLC found."""
+    outcome = result.outcome
+    return {
         "ok": result.ok,
         "result": outcome.kind,
         "violated": list(outcome.names),

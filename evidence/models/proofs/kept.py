@@ -87,26 +87,16 @@ def keys(text: str, formulas: Iterable[str], roots: Iterable[str], rest: Sequenc
     return {formula: key(formula) for formula in formulas}
 
 
-class Answers:
+class KeptAnswers:
     """The kept runs, in a file with a line for each. Safe to use from several threads and processes."""
 
     def __init__(self, file: Path) -> None:
         """Keep them in `file`, which need not be there yet."""
         self._file = file
 
-    def of(self, query: str, now: Iterable[str]) -> list[Run]:
-        """The runs of a query that answer these keys. Raises OSError, msgspec.MsgspecError.
-
-        Of a run whose formulas hold, those that changed are left out. Of another run it is not known which of them it
-        is about: it counts if none has changed.
-        """
-        now = set(now)
-        found = []
-        for run in (run for run in self._read() if run.query == query):
-            same = tuple(key for key in run.keys if key in now)
-            if same == run.keys or (same and run.answer.outcome == "holds"):
-                found.append(msgspec.structs.replace(run, keys=same))
-        return found
+    def of(self, query: str) -> list[Run]:
+        """The runs of a query, of whatever text. Raises OSError, msgspec.MsgspecError."""
+        return [run for run in self._read() if run.query == query]
 
     def put(self, query: str, runs: Iterable[Run]) -> None:
         """Keep these runs of a query in place of the earlier ones, without what only this machine has.
@@ -134,6 +124,21 @@ def _locked(folder: Path) -> Iterator[None]:
         yield
     finally:
         os.close(lock)
+
+
+def still(runs: Iterable[Run], now: Iterable[str]) -> list[Run]:
+    """The runs that answer these keys.
+
+    Of a run whose formulas hold, those that changed are left out. Of another run it is not known which of them it is
+    about: it counts if none has changed.
+    """
+    keys_now = set(now)
+    found = []
+    for run in runs:
+        same = tuple(key for key in run.keys if key in keys_now)
+        if same == run.keys or (same and run.answer.outcome == "holds"):
+            found.append(msgspec.structs.replace(run, keys=same))
+    return found
 
 
 def together(query: str, keys_now: Mapping[str, str], runs: Sequence[Run], *, kept: bool) -> Result:

@@ -16,7 +16,7 @@ from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models.proofs import report
 from evidence.models.proofs.apalache import Apalache, ApalacheMissingError, find_apalache
-from evidence.models.proofs.kept import Answers, Result
+from evidence.models.proofs.kept import KeptAnswers, Result
 from evidence.models.proofs.queries import ManifestError, Query, load
 from evidence.models.proofs.runner import Asking, Kept, ask, ok
 from evidence.tla.syntax import SyntaxTreeError
@@ -86,7 +86,7 @@ def prove_command(
         with Apalache([] if only_kept else find_apalache(), processes) as program:
             build = ROOT / (SMALL if small else BUILD)
             build.mkdir(parents=True, exist_ok=True)
-            asking = Asking(ROOT, build, Answers(build / KEPT.name if small else ROOT / KEPT), program)
+            asking = Asking(ROOT, build, KeptAnswers(build / KEPT.name if small else ROOT / KEPT), program)
             answers = _ask_all(asking, queries, kept, jobs, console, processes)
         write_json(json_path, report.as_json(proofs, answers))
         report.show(console, proofs, answers)

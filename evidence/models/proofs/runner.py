@@ -14,7 +14,7 @@ from typing import Literal
 
 from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
-from evidence.models.proofs.kept import Answers, Result, Run, keys, together, unanswered
+from evidence.models.proofs.kept import KeptAnswers, Result, Run, keys, still, together, unanswered
 from evidence.models.proofs.queries import TOGETHER, ManifestError, Query
 from evidence.models.proofs.text import (
     ANY_LETTERS,
@@ -51,7 +51,7 @@ class Asking:
 
     root: Path
     build: Path
-    answers: Answers
+    answers: KeptAnswers
     apalache: apalache.Apalache
 
 
@@ -78,9 +78,12 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     Raises `ManifestError`, `evidence.tla.syntax.SyntaxTreeError`, OSError,
     `evidence.common.processes.InterruptedRunError`, msgspec.MsgspecError.
     """
+    runs = [] if kept == "nothing" else asking.answers.of(query.name)
+    if kept == "all" and not runs:  # to make the text takes a second
+        return together(query.name, dict.fromkeys(query.formulas, ""), runs, kept=True)
     made = _made(asking.root, query)
     now = _keys(query, made)
-    runs = [] if kept == "nothing" else asking.answers.of(query.name, now.values())
+    runs = still(runs, now.values())
     if kept == "claimed":
         runs = [run for run in runs if run.answer.outcome == query.expect]
     lacking = unanswered(now, runs)

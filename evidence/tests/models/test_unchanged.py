@@ -1,13 +1,15 @@
 """A model is as it was while nothing changes that decides its result."""
 
+import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from evidence.common.checkout import MANIFEST, ROOT
 from evidence.models.manifest import load
-from evidence.models.unchanged import origin
+from evidence.models.unchanged import FULL, origin
 from evidence.tests.models.conftest import FIXTURES
 
 
@@ -51,3 +53,11 @@ def test_what_counts(origins: Callable[..., dict[str, str]]) -> None:
         ("models/models.txt", "distinct ", "distinct 1"),
     ):
         assert origins(file, old, new)["counter"] != before, (file, new)
+
+
+def test_the_results_of_the_tree() -> None:
+    """Each is of a model of the full lane, and as pinned."""
+    full = {model.name for model in load(ROOT / MANIFEST).models if model.lane == "full"}
+    kept = json.loads((ROOT / FULL).read_bytes())
+    assert kept
+    assert {name for name, one in kept.items() if name not in full or not one["came"]["ok"]} == set()

@@ -24,7 +24,7 @@ from evidence.common.processes import Processes
 from evidence.models.entries import CONTROLS, Mutation
 from evidence.models.proofs import prove_command as command
 from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret
-from evidence.models.proofs.kept import Answers, Result, Run, keys, together
+from evidence.models.proofs.kept import KeptAnswers, Result, Run, keys, still, together
 from evidence.models.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load, named_actions
 from evidence.models.proofs.report import as_json, assumptions, standing
 from evidence.models.proofs.runner import Asking, ask, instances, ok, parts, texts
@@ -340,9 +340,9 @@ def test_one_invariant_for_all(proofs: Proofs) -> None:
 
 
 def test_what_is_put_in_place_has_its_lemma(proofs: Proofs) -> None:
-    """Its query has the operator itself; others TLC checks, in the models calendar-lemma and tables.
+    """Its query has the operator itself. Three others TLC checks (models calendar-lemma and tables).
 
-    A set of numbers cut out of all numbers is said at once.
+    The last one, StatusWordsFor, is the same set where every number is a status word.
     """
     lemmas = {query.name: query for query in proofs.queries if query.kind == "lemma"}
     closing = {lemma.of for lemma in proofs.file.induction.lemmas} - {""}
@@ -665,7 +665,7 @@ def claim(proofs: Proofs) -> Query:
 def test_an_answer_is_kept_for_the_same_text(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """It is asked again where the text differs, where it was not as claimed, and where nothing kept is to be taken."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), program(recorded("holds"), 0))
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(recorded("holds"), 0))
     assert ask(asking, query, "all").answer.outcome == "not asked"
     first = ask(asking, query, "claimed")
     assert ok(query, first)
@@ -717,16 +717,16 @@ def test_a_type_that_nothing_uses_does_not_count() -> None:
 
 def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
     """Of a run whose formulas hold those stay that did not change; a refuted run stays whole or not at all."""
-    answers = Answers(tmp_path / "kept.ndjson")
+    answers = KeptAnswers(tmp_path / "kept.ndjson")
     held = Run("q", Answer("holds", 6, taken=2), 8.0, 100, "0.62.1", "2026-11-29", ("1", "2"))
     refuted = Run("q", Answer("violated", 1, "R"), 2.0, 300, "0.62.1", "2026-11-29", ("3", "4"))
-    assert answers.of("q", ["1"]) == []
+    assert answers.of("q") == []
     answers.put("q", [held, refuted])
     other = msgspec.structs.replace(held, query="another")
     answers.put("another", [other])
-    assert answers.of("another", ["1", "2"]) == [other]
-    assert answers.of("q", ["1", "2", "3", "4"]) == [held, refuted]
-    (left,) = answers.of("q", ["1", "new", "3", "newer"])
+    assert answers.of("another") == [other]
+    assert still(answers.of("q"), ["1", "2", "3", "4"]) == [held, refuted]
+    (left,) = still(answers.of("q"), ["1", "new", "3", "newer"])
     assert left.keys == ("1",)
     some = together("q", {"P": "1", "Q": "new"}, [left], kept=True)
     assert (some.answer.outcome, some.answer.detail) == ("not asked", "not asked: Q")
@@ -738,17 +738,25 @@ def test_answers_of_formulas_that_stay(tmp_path: Path) -> None:
 
 def test_a_path_of_this_machine_is_not_kept(tmp_path: Path) -> None:
     """A counterexample is named when it is found, and is in the folder for output alone."""
-    answers = Answers(tmp_path / "kept.ndjson")
+    answers = KeptAnswers(tmp_path / "kept.ndjson")
     trace = Answer("violated", 1, "R", trace=str(tmp_path / "violation.tla"))
     answers.put("q", [Run("q", trace, 2.0, 300, "0.62.1", "2026-11-29", ("3",))])
-    (kept,) = answers.of("q", ["3"])
+    (kept,) = answers.of("q")
     assert not kept.answer.trace
+
+
+def test_the_answers_of_the_tree(proofs: Proofs) -> None:
+    """Each is of a query that is asked, and as claimed: what is not has no place there."""
+    claimed = {query.name: query.expect for query in proofs.queries}
+    runs = msgspec.json.Decoder(Run).decode_lines((ROOT / command.KEPT).read_bytes())
+    assert runs
+    assert [(run.query, run.answer.outcome) for run in runs if run.answer.outcome != claimed.get(run.query)] == []
 
 
 def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query with a formula more asks for this one."""
     query = claim(proofs)
-    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), program(recorded("holds"), 0))
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(recorded("holds"), 0))
     assert ok(query, ask(asking, query))
     more = dataclasses.replace(query, formulas=(*query.formulas, "Invariant"))
     output = recorded("holds").replace("the invariant Steps", "the invariant Invariant")
@@ -761,7 +769,7 @@ def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Prog
 def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """A query that does not end in its time is ended."""
     sleeping = program("", 0, "__import__('time').sleep(60)")
-    asking = Asking(ROOT, tmp_path / "build", Answers(tmp_path / "kept"), sleeping)
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), sleeping)
     result = ask(asking, dataclasses.replace(claim(proofs), timeout=1))
     assert (result.answer.outcome, result.answer.detail) == ("timeout", "ended after 1 s")
 
