@@ -160,19 +160,20 @@ ServedByRun(o, p, called) ==
 (* call is merged with another one; a skipped point, if a run for it       *)
 (* waits. A merged call that leads to a run after all counts from then on. *)
 ServedProp ==
-    [][ \A o \in TodObs :
-          LET p == tod[o].next
-          IN  Remembers /\ tod'[o].set =>
-                /\ Did("reached") /\ step'.ob = o =>
-                     ServedByRun(o, p, ~Blocked(o))
-                /\ Did("start") /\ step'.ob = o =>
-                     \E r \in requests \ requests' :
-                       /\ r.ob = o
-                       /\ MayCount(tod[o], r.since.min) =>
-                            CountsAsServed(tod'[o], r.since.min)
-                /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
-                   /\ o \in SkippedNow /\ ~ServedPointsAreSkipped
-                   => ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
+    [][ LET remembering == { o \in TodObs : Remembers /\ tod'[o].set }
+        IN  /\ Did("reached") => \A o \in remembering :
+                 step'.ob = o => ServedByRun(o, tod[o].next, ~Blocked(o))
+            /\ Did("start") => \A o \in remembering :
+                 step'.ob = o =>
+                   \E r \in requests \ requests' :
+                     /\ r.ob = o
+                     /\ MayCount(tod[o], r.since.min) =>
+                          CountsAsServed(tod'[o], r.since.min)
+            /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
+               /\ ~ServedPointsAreSkipped
+               => \A o \in SkippedNow \cap remembering :
+                    LET p == tod[o].next
+                    IN  ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
 
 (* [AMB-56] When the clock is set back, either all merged calls count, or  *)
 (* those alone whose run waits then. A setting whose skip waits for the    *)
