@@ -155,25 +155,26 @@ ServedByRun(o, p, called) ==
              <=> \/ CountsAsServed(tod[o], p)
                  \/ called /\ \E r \in RunsFor(o, p) : ~r.open )
 
+(* The interrupts whose served points the CPU remembers. *)
+Remembering == { o \in TodObs : Remembers /\ tod'[o].set }
+
 (* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
 (* point that is reached counts as served, unless its OB is blocked or the *)
 (* call is merged with another one; a skipped point, if a run for it       *)
 (* waits. A merged call that leads to a run after all counts from then on. *)
 ServedProp ==
-    [][ LET remembering == { o \in TodObs : Remembers /\ tod'[o].set }
-        IN  /\ Did("reached") => \A o \in remembering :
-                 step'.ob = o => ServedByRun(o, tod[o].next, ~Blocked(o))
-            /\ Did("start") => \A o \in remembering :
-                 step'.ob = o =>
-                   \E r \in requests \ requests' :
-                     /\ r.ob = o
-                     /\ MayCount(tod[o], r.since.min) =>
-                          CountsAsServed(tod'[o], r.since.min)
-            /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
-               /\ ~ServedPointsAreSkipped
-               => \A o \in SkippedNow \cap remembering :
-                    LET p == tod[o].next
-                    IN  ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
+    [][ /\ Did("reached") => \A o \in Remembering \cap {step'.ob} :
+             ServedByRun(o, tod[o].next, ~Blocked(o))
+        /\ Did("start") => \A o \in Remembering \cap {step'.ob} :
+             \E r \in requests \ requests' :
+               /\ r.ob = o
+               /\ MayCount(tod[o], r.since.min) =>
+                    CountsAsServed(tod'[o], r.since.min)
+        /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
+           /\ ~ServedPointsAreSkipped
+           => \A o \in SkippedNow \cap Remembering :
+                LET p == tod[o].next
+                IN  ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
 
 (* [AMB-56] When the clock is set back, either all merged calls count, or  *)
 (* those alone whose run waits then. A setting whose skip waits for the    *)
