@@ -156,23 +156,23 @@ ServedByRun(o, p, called) ==
                  \/ called /\ \E r \in RunsFor(o, p) : ~r.open )
 
 (* The interrupts whose served points the CPU remembers. *)
-Remembering == { o \in TodObs : Remembers /\ tod'[o].set }
+RememberedObs == { o \in TodObs : Remembers /\ tod'[o].set }
 
 (* [CLK-08] [CLK-09] [IRT-18] [AMB-56] On a CPU that remembers them a      *)
 (* point that is reached counts as served, unless its OB is blocked or the *)
 (* call is merged with another one; a skipped point, if a run for it       *)
 (* waits. A merged call that leads to a run after all counts from then on. *)
 ServedProp ==
-    [][ /\ Did("reached") => \A o \in Remembering \cap {step'.ob} :
+    [][ /\ Did("reached") => \A o \in RememberedObs \cap {step'.ob} :
              ServedByRun(o, tod[o].next, ~Blocked(o))
-        /\ Did("start") => \A o \in Remembering \cap {step'.ob} :
+        /\ Did("start") => \A o \in RememberedObs \cap {step'.ob} :
              \E r \in requests \ requests' :
                /\ r.ob = o
                /\ MayCount(tod[o], r.since.min) =>
                     CountsAsServed(tod'[o], r.since.min)
         /\ /\ Did("release") \/ (Did("clock") /\ mode = "RUN")
            /\ ~ServedPointsAreSkipped
-           => \A o \in SkippedNow \cap Remembering :
+           => \A o \in SkippedNow \cap RememberedObs :
                 LET p == tod[o].next
                 IN  ServedByRun(o, p, RunsFor(o, p) # {}) ]_vars
 
