@@ -89,11 +89,21 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     lacking = unanswered(now, runs)
     if kept == "all" or not lacking:
         return together(query.name, now, runs, kept=True)
-    asked = replace(query, formulas=lacking)
-    new = made if asked == query else _made(asking.root, asked)
-    runs.append(_run(asking, asked, new, tuple(now[name] for name in lacking)))
-    asking.answers.put(query.name, runs)
+    for some in _runs(query, lacking):
+        asked = replace(query, formulas=some)
+        new = made if asked == query else _made(asking.root, asked)
+        runs.append(_run(asking, asked, new, tuple(now[name] for name in some)))
+        asking.answers.put(query.name, runs)
+        if runs[-1].answer.outcome != query.expect:
+            break
     return together(query.name, now, runs, kept=False)
+
+
+def _runs(query: Query, formulas: Sequence[str]) -> list[tuple[str, ...]]:
+    """The formulas of each run of Apalache: those that are asked separately, and before them all others."""
+    others = tuple(name for name in formulas if name not in query.separate)
+    separate = [(name,) for name in formulas if name in query.separate]
+    return [others, *separate] if others else separate
 
 
 def _made(root: Path, query: Query) -> _Made:
