@@ -448,6 +448,7 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"mutants": {"EndsOb": ["airt EndProp"]}}, "airt is no control"),
         ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected a glob"),
         ({"induction": {"divided": {"StartsOb": [3, 2]}}}, "induction.divided: StartsOb: .* numbers above 0 in order"),
+        ({"induction": {"separate": {"StartsOb": ["Unstated"]}}}, "induction.separate: StartsOb: .* not Unstated"),
         (
             {"claim_mutants": {"no": ["neg-lock-alone-ends-in-hold EndStep"]}},
             "a claim",
@@ -764,6 +765,15 @@ def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Prog
     result = ask(dataclasses.replace(asking, apalache=asked_for_both), more, "claimed")
     assert (result.answer.outcome, result.answer.checked) == ("holds", 72)
     assert "Steps ==" not in (asking.build / query.name / f"{query.module}.tla").read_text()
+
+
+def test_a_separate_formula_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, program: Program) -> None:
+    """What came of the others is kept, whatever comes of it."""
+    steps = claim(proofs)
+    query = dataclasses.replace(steps, formulas=(*steps.formulas, "Invariant"), separate=("Invariant",))
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(recorded("holds"), 0))
+    assert ask(asking, query).answer.detail == "no condition was made of Invariant"
+    assert [run.answer.outcome for run in asking.answers.of(query.name)] == ["holds", "nothing checked"]
 
 
 def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
