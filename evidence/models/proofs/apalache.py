@@ -27,6 +27,7 @@ _MADE = re.compile(
 )
 _CHECKING = re.compile(r"^State \d+: Checking (\d+) (?:state|action) invariants", re.MULTILINE)
 _HOLDS = re.compile(r"^State \d+: ((?:state|action) invariant \d+) holds\.", re.MULTILINE)
+_LATE = re.compile(r"^State \d+: ((?:state|action) invariant \d+) => TIMEOUT\.", re.MULTILINE)
 _TRANSITIONS = re.compile(r"Found (\d+) transitions")
 _DISABLED = re.compile(r"^Step \d+: Transition #\d+ is disabled", re.MULTILINE)
 _VIOLATED = re.compile(r"^State \d+: ((?:state|action) invariant \d+) violated\.", re.MULTILINE)
@@ -62,9 +63,13 @@ class Answer:
 
 @dataclass(frozen=True)
 class ApalacheRun:
-    """A run: its answer, wall time in seconds, the most memory it had in MB, its whole output."""
+    """A run: its answer, wall time in seconds, the most memory it had in MB, its whole output.
+
+    The answer is to all formulas but those in `late`: of these a condition took too long.
+    """
 
     answer: Answer
+    late: tuple[str, ...]
     seconds: float
     megabytes: int
     output: str
@@ -90,8 +95,8 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
     """Read the output of runs, the last of them with this exit code, that were asked to check these formulas.
 
     It counts as "holds" only where Apalache made conditions of every formula asked, could take a step, and says of
-    every condition, and of all that it announced after a transition, that they hold: a filter that lets none through, a
-    formula that got lost, and an action that can take no step end with exit code 0 too.
+    every condition, and of all that it announced after a transition, that they hold or took too long (`late`): a filter
+    that lets none through, a formula that got lost, and an action that can take no step end with exit code 0 too.
     """
     held = _HOLDS.findall(output)
     if violated := _VIOLATED.search(output):
@@ -100,19 +105,40 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
     if code != 0:
         told: list[str] = _ERROR.findall(output)[:1] or output.strip().splitlines()[-1:] or ["no message"]
         return Answer("failed", len(held), f"exit code {code}: {told[0].strip()}")
-    made = {name: int(number) for name, number in _MADE.findall(output)}
+    made = _made(output)
     if lacking := [name for name in asked if not made.get(name)]:
         return Answer("nothing checked", len(held), f"no condition was made of {', '.join(lacking)}")
     announced = sum(map(int, _CHECKING.findall(output)))
     conditions = sum(made.values())
-    if len(set(held)) != conditions or len(held) != announced:
-        said = f"{len(set(held))} of {conditions} conditions were checked, {len(held)} times of {announced} announced"
-        return Answer("nothing checked", len(held), said)
+    said = held + _LATE.findall(output)
+    if len(set(said)) != conditions or len(said) != announced:
+        detail = f"{len(set(said))} of {conditions} conditions were checked, {len(said)} times of {announced} announced"
+        return Answer("nothing checked", len(held), detail)
+    if set(late(output)) >= set(asked):
+        return Answer("timeout", len(held), f"Z3 had no answer in time about {', '.join(asked)}")
     transitions = _TRANSITIONS.search(output)
     taken = int(transitions[1]) - len(_DISABLED.findall(output)) if transitions else 0
     if taken < 1:
         return Answer("nothing checked", len(held), "no step can be taken")
     return Answer("holds", len(held), taken=taken)
+
+
+def late(output: str) -> tuple[str, ...]:
+    """The formulas of which a condition took longer than the limit, in the output of runs that asked for all of them.
+
+    Apalache counts the conditions of states and those of steps apart, each in the order of the formulas; the formulas
+    about states come first.
+    """
+    conditions = [name for name, number in _made(output).items() for _ in range(number)]
+    found = _LATE.findall(output)
+    of_states = {label for label in [*_HOLDS.findall(output), *found] if label.startswith("state")}
+    places = [int(label.split()[-1]) + (0 if label in of_states else len(of_states)) for label in found]
+    return tuple(dict.fromkeys(conditions[place] for place in sorted(places)))
+
+
+def _made(output: str) -> dict[str, int]:
+    """The formulas in the order of the command, each with the number of its conditions."""
+    return {name: int(number) for name, number in _MADE.findall(output)}
 
 
 def version(output: str) -> str:
@@ -174,7 +200,8 @@ class Apalache:
             answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
         else:
             answer = interpret(output, code, asked)
-        return ApalacheRun(answer, round(time.monotonic() - began, 1), megabytes, output)
+        behind = late(output) if answer.outcome == "holds" else ()
+        return ApalacheRun(answer, behind, round(time.monotonic() - began, 1), megabytes, output)
 
 
 class _Resident:

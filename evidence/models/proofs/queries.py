@@ -172,9 +172,6 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     divided: dict[str, list[int]] = {}
     """By globs of queries about steps, the transitions at which Apalache begins anew: each makes the question of the
     next ones larger."""
-    separate: dict[str, list[str]] = {}
-    """By globs of queries about steps, the formulas that Apalache is asked in runs of their own: beside all others Z3
-    finds no answer."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
     lemmas: list[Lemma] = []
@@ -234,7 +231,7 @@ class Query:
     With `shown` ambiguities are read by any letter, but for these; a formula is not asked of the letters that `unless`
     has for it. With letters in `alone`, such as "AMB-21 b", by these, and the others by default.
     Where it is `unfiltered`, formulas are asked of each transition, whether a state can take it or not. At the
-    transitions in `divided` Apalache begins anew, and for each formula in `separate`.
+    transitions in `divided` Apalache begins anew.
     """
 
     name: str
@@ -256,7 +253,6 @@ class Query:
     mutations: tuple[Mutation, ...] = ()
     unfiltered: bool = False
     divided: tuple[int, ...] = ()
-    separate: tuple[str, ...] = ()
     world: str = ""
     """The module whose .cfg names the constants of the world; `module` itself where it is empty."""
 
@@ -353,11 +349,6 @@ def load(root: Path) -> Proofs:
         if not matched or places != sorted(set(places)) or places[0] < 1:
             said = "expected a glob of queries about steps, and numbers above 0 in order"
             raise ManifestError(f"{path}: induction.divided: {glob}: {places}: {said}")
-    for glob, names in file.induction.separate.items():
-        separate = {name for query in proofs.queries if fnmatchcase(query.name, glob) for name in query.separate}
-        if lost := set(names) - separate:
-            said = f"expected a glob of queries about steps, and formulas of theirs, not {', '.join(sorted(lost))}"
-            raise ManifestError(f"{path}: induction.separate: {glob}: {said}")
     unreached = [cell for cell in file.not_proved if cell.unreached]
     for cell in [*proofs.contradicted, *unreached]:
         name = cell.unreached or cell.control
@@ -461,10 +452,8 @@ def _queries(
         return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
 
     def divided(query: Query) -> Query:
-        places = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))
-        apart = {name for glob, names in base.separate.items() if fnmatchcase(query.name, glob) for name in names}
-        separate = tuple(name for name in query.formulas if name in apart)
-        return replace(query, divided=tuple(next(places, ())), separate=separate)
+        found = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))
+        return replace(query, divided=tuple(next(found, ())))
 
     def in_its_world(query: Query, action: str, formula: str) -> Query:
         apart = base.apart_of(action, formula)

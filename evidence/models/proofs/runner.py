@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from itertools import pairwise
@@ -41,6 +41,10 @@ SOLVER = ("z3.smt.relevancy=0", "z3.smt.arith.solver=2")
 UNFILTERED = "--discard-disabled=false"
 """Apalache checks the formulas of a transition without asking first if a state can take it. That the action can take a
 step, its control says."""
+
+PATIENCE = 90
+"""So many seconds Z3 has for a condition among others. Where it finds no answer, the formula has a run of its own, in
+which there is no limit: what stops Z3 is the number of formulas."""
 
 _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
@@ -89,21 +93,17 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     lacking = unanswered(now, runs)
     if kept == "all" or not lacking:
         return together(query.name, now, runs, kept=True)
-    for some in _runs(query, lacking):
-        asked = replace(query, formulas=some)
+    left = [lacking]
+    while left:
+        asked = replace(query, formulas=left.pop(0))
         new = made if asked == query else _made(asking.root, asked)
-        runs.append(_run(asking, asked, new, tuple(now[name] for name in some)))
+        run, late = _run(asking, asked, new, now)
+        runs.append(run)
         asking.answers.put(query.name, runs)
-        if runs[-1].answer.outcome != query.expect:
+        if run.answer.outcome != query.expect:
             break
+        left += [(name,) for name in late]
     return together(query.name, now, runs, kept=False)
-
-
-def _runs(query: Query, formulas: Sequence[str]) -> list[tuple[str, ...]]:
-    """The formulas of each run of Apalache: those that are asked separately, and before them all others."""
-    others = tuple(name for name in formulas if name not in query.separate)
-    separate = [(name,) for name in formulas if name in query.separate]
-    return [others, *separate] if others else separate
 
 
 def _made(root: Path, query: Query) -> _Made:
@@ -111,8 +111,8 @@ def _made(root: Path, query: Query) -> _Made:
     return _Made(text, config, instances(root, query, text))
 
 
-def _run(asking: Asking, query: Query, made: _Made, keys: tuple[str, ...]) -> Run:
-    """Ask Apalache all formulas of the query."""
+def _run(asking: Asking, query: Query, made: _Made, keys_now: Mapping[str, str]) -> tuple[Run, tuple[str, ...]]:
+    """Ask Apalache all formulas of the query; the run is about those that are not late, which follow."""
     folder = asking.build / query.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -122,12 +122,15 @@ def _run(asking: Asking, query: Query, made: _Made, keys: tuple[str, ...]) -> Ru
     names = _names(query)
     files = [f"--config={folder / 'query.cfg'}", str(folder / f"{query.module}.tla")]
     invariants = f"--inv={','.join(names.values())}"
-    asked_of = [[invariants, *_arguments(query, some), *files] for some in parts(query.divided)]
+    limit = [f"--timeout-smt={PATIENCE}"] if len(names) > 1 else []
+    asked_of = [[invariants, *limit, *_arguments(query, some), *files] for some in parts(query.divided)]
     done = asking.apalache.run(asked_of, list(names.values()), folder, query.timeout)
     (folder / "log").write_text(done.output, encoding="utf-8")
     version = apalache.version(done.output)
     today = datetime.now(UTC).date().isoformat()
-    return Run(query.name, done.answer, done.seconds, done.megabytes, version, today, keys)
+    keys = tuple(keys_now[name] for name in query.formulas if names[name] not in done.late)
+    run = Run(query.name, done.answer, done.seconds, done.megabytes, version, today, keys)
+    return run, tuple(name for name in query.formulas if names[name] in done.late)
 
 
 def parts(divided: Sequence[int]) -> list[str]:

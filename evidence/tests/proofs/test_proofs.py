@@ -23,7 +23,7 @@ from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.models.entries import CONTROLS, Mutation
 from evidence.models.proofs import prove_command as command
-from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret
+from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret, late
 from evidence.models.proofs.kept import KeptAnswers, Result, Run, keys, still, together
 from evidence.models.proofs.queries import MANIFEST, ManifestError, Proofs, Query, load, named_actions
 from evidence.models.proofs.report import as_json, assumptions, standing
@@ -98,6 +98,18 @@ def test_a_condition_is_lost(change: tuple[str, str], asked: list[str]) -> None:
     """One that is not said to hold, a formula without any, a formula that Apalache does not name."""
     assert change[0] in recorded("holds")
     assert interpret(recorded("holds").replace(*change), 0, asked).outcome == "nothing checked"
+
+
+def test_a_condition_takes_too_long() -> None:
+    """The formula that it is of is named; the answer is to the others, and all conditions have to be named."""
+    text = recorded("holds")
+    more = text.replace("invariant Steps", "invariant Ind").replace("produced 5 ", "produced 2 ")
+    output = more + text.replace("produced 5 ", "produced 3 ").replace("invariant 3 holds.", "invariant 3 => TIMEOUT. As")
+    assert late(text) == ()
+    assert late(output) == ("Steps",)
+    assert interpret(output, 0, ["Ind", "Steps"]).outcome == "holds"
+    assert interpret(output.replace("TIMEOUT", "UNKNOWN"), 0, ["Ind", "Steps"]).outcome == "nothing checked"
+    assert interpret(output, 0, ["Steps"]).outcome == "timeout"
 
 
 def test_apalache_fails() -> None:
@@ -448,7 +460,6 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"mutants": {"EndsOb": ["airt EndProp"]}}, "airt is no control"),
         ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected a glob"),
         ({"induction": {"divided": {"StartsOb": [3, 2]}}}, "induction.divided: StartsOb: .* numbers above 0 in order"),
-        ({"induction": {"separate": {"StartsOb": ["Unstated"]}}}, "induction.separate: StartsOb: .* not Unstated"),
         (
             {"claim_mutants": {"no": ["neg-lock-alone-ends-in-hold EndStep"]}},
             "a claim",
@@ -767,13 +778,18 @@ def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Prog
     assert "Steps ==" not in (asking.build / query.name / f"{query.module}.tla").read_text()
 
 
-def test_a_separate_formula_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, program: Program) -> None:
+def test_a_late_formula_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, program: Program) -> None:
     """What came of the others is kept, whatever comes of it."""
     steps = claim(proofs)
-    query = dataclasses.replace(steps, formulas=(*steps.formulas, "Invariant"), separate=("Invariant",))
-    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(recorded("holds"), 0))
-    assert ask(asking, query).answer.detail == "no condition was made of Invariant"
-    assert [run.answer.outcome for run in asking.answers.of(query.name)] == ["holds", "nothing checked"]
+    query = dataclasses.replace(steps, formulas=(*steps.formulas, "Invariant"))
+    text = recorded("holds")
+    others = text.replace("produced 5 ", "produced 3 ")
+    own = text.replace("invariant Steps", "invariant Invariant").replace("produced 5 ", "produced 2 ")
+    own = own.replace("invariant 4 holds.", "invariant 4 => TIMEOUT.")
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(others + own, 0))
+    assert ask(asking, query).answer.detail == "Z3 had no answer in time about Invariant"
+    kept = asking.answers.of(query.name)
+    assert [(run.answer.outcome, len(run.keys)) for run in kept] == [("holds", 1), ("timeout", 1)]
 
 
 def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
