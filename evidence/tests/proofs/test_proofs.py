@@ -104,7 +104,7 @@ def test_a_condition_takes_too_long() -> None:
     """The formula that it is of is named; the answer is to the others, and all conditions have to be named."""
     text = recorded("holds")
     more = text.replace("invariant Steps", "invariant Ind").replace("produced 5 ", "produced 2 ")
-    output = more + text.replace("produced 5 ", "produced 3 ").replace("invariant 3 holds.", "invariant 3 => TIMEOUT. As")
+    output = more + text.replace("produced 5 ", "produced 3 ").replace("invariant 3 holds.", "invariant 3 => TIMEOUT.")
     assert late(text) == ()
     assert late(output) == ("Steps",)
     assert interpret(output, 0, ["Ind", "Steps"]).outcome == "holds"
