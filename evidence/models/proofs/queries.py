@@ -172,6 +172,8 @@ class Induction(msgspec.Struct, forbid_unknown_fields=True):
     divided: dict[str, list[int]] = {}
     """By globs of queries about steps, the transitions at which Apalache begins anew: each makes the question of the
     next ones larger."""
+    unfiltered: list[str] = []
+    """Queries of steps in which Apalache is not asked first which transitions a state can take."""
     instead: dict[str, list[str]] = {}
     """Operators of spec/, and the operators that move to the place of each; the last of them replaces it."""
     lemmas: list[Lemma] = []
@@ -349,6 +351,8 @@ def load(root: Path) -> Proofs:
         if not matched or places != sorted(set(places)) or places[0] < 1:
             said = "expected a glob of queries about steps, and numbers above 0 in order"
             raise ManifestError(f"{path}: induction.divided: {glob}: {places}: {said}")
+    if unknown := set(file.induction.unfiltered) - {query.name for query in proofs.queries if query.kind == "step"}:
+        raise ManifestError(f"{path}: induction.unfiltered: expected queries about steps, not {', '.join(unknown)}")
     unreached = [cell for cell in file.not_proved if cell.unreached]
     for cell in [*proofs.contradicted, *unreached]:
         name = cell.unreached or cell.control
@@ -449,7 +453,8 @@ def _queries(
 
     def step(name: str, kind: Kind, some: list[str], formulas: tuple[str, ...]) -> Query:
         following = some[0] if len(some) == 1 else TOGETHER
-        return replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1, formulas=formulas)
+        asked = replace(anywhere, name=name, kind=kind, next=following, actions=tuple(some), length=1)
+        return replace(asked, formulas=formulas, unfiltered=name in base.unfiltered)
 
     def divided(query: Query) -> Query:
         found = (at for glob, at in base.divided.items() if fnmatchcase(query.name, glob))

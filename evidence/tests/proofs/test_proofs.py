@@ -258,7 +258,7 @@ def test_a_sample_in_the_place_of_the_calendar(proofs: Proofs) -> None:
 def test_queries_of_each_transition(proofs: Proofs) -> None:
     """Each asks formulas of which another query, a control, says that the action can take a step."""
     unfiltered = {query.name for query in proofs.queries if query.unfiltered}
-    assert unfiltered >= {"letters-lock", "refines-lock", "conserves-EventFromOutside"}
+    assert unfiltered >= {"CpuIsRestarted", "letters-lock", "refines-lock", "conserves-EventFromOutside"}
     assert {query.name for query in proofs.queries if query.kind == "letter"} <= unfiltered
     assert not unfiltered & {"MissesOb", "conserves-first", "conserves-lock"}
     controlled = {query.actions for query in proofs.queries if query.kind == "control" and not query.unfiltered}
@@ -460,6 +460,7 @@ def test_queries_are_picked_by_name(proofs: Proofs) -> None:
         ({"mutants": {"EndsOb": ["airt EndProp"]}}, "airt is no control"),
         ({"induction": {"divided": {"Nothing": [3]}}}, "induction.divided: Nothing: .* expected a glob"),
         ({"induction": {"divided": {"StartsOb": [3, 2]}}}, "induction.divided: StartsOb: .* numbers above 0 in order"),
+        ({"induction": {"unfiltered": ["first"]}}, "induction.unfiltered: expected queries about steps, not first"),
         (
             {"claim_mutants": {"no": ["neg-lock-alone-ends-in-hold EndStep"]}},
             "a claim",
