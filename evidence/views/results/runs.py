@@ -81,8 +81,8 @@ RUNS = {
     ),
     "models-full": _s7spec(
         "Models of the full lane",
-        "The large models as well.",
-        "models --lane full",
+        "The large models as well, and all controls; in parts, each of this text ([checks](checks.md)).",
+        "models --lane full --changed",
         summaries.models,
         told={"lane": "full"},
         totals=("models", "not as pinned", "distinct states"),
