@@ -139,9 +139,20 @@ PossibleInv ==
          /\ mode \in {"STARTUP", "RUN"} /\ stack # <<>> => MayProceed("end")
          /\ (\E t \in Moments : Before(clock, t)) => ENABLED Time
 
-(* [OBS-45] HOLD may be entered in RUN, and left. *)
-HeldInv == Settled => /\ mode = "RUN" => ENABLED CpuIsHeld
-                      /\ mode = "HOLD" => ENABLED CpuIsReleased
+(* [OBS-45] HOLD may be entered in RUN, and left. [OBS-46] [AMB-83] A point *)
+(* that equals the clock then has passed, or is reached afterwards.        *)
+HeldInv ==
+    LET \* @type: (Int, Bool) => Bool;
+        left(o, waits) ==
+          ENABLED (CpuIsReleased /\ (tod'[o].next = tod[o].next <=> waits))
+    IN  Settled =>
+          /\ mode = "RUN" => ENABLED CpuIsHeld
+          /\ mode = "HOLD" =>
+               /\ ENABLED CpuIsReleased
+               /\ \A o \in TodObs :
+                    /\ tod[o].active /\ ~Deselected(o) /\ ~tod[o].held
+                    /\ At(tod[o].next) = clock
+                    => left(o, TRUE) /\ left(o, FALSE)
 
 (* [AMB-71] A one-shot interrupt may be used up when its OB starts or when *)
 (* it ends.                                                                *)
@@ -165,13 +176,25 @@ SpentInv ==
                /\ tod[o].served = {}
                => passes(tod[o].start)
 
-(* [AMB-49] (b) A time error without OB 80 that waits for the end of a     *)
-(* delay fills its class: the next error of the class may overflow.        *)
+(* The class of the error may overflow. *)
 \* @type: (Int, Int) => Bool;
 MayOverflowBy(o, fault) ==
     ENABLED ( /\ Interrupt(o, fault)
               /\ \E n \in entered' :
                    n.of.fault = BufferOverflow /\ n.of.cause = o )
+(* [OBS-08] An error may overflow its class where a start event of that    *)
+(* waits, or an OB of it runs.                                             *)
+OverflowsInv ==
+    mode = "RUN" /\ Settled =>
+      \A i \in Interrupts :
+        LET class == ErrorClass(i[1], i[2])
+        IN  /\ i[1] \in AsyncErrorObs \ {TimeErrorOb}
+            /\ class \in { r.class : r \in requests }
+                          \cup { stack[k].class : k \in DOMAIN stack }
+            => MayOverflowBy(i[1], i[2])
+
+(* [AMB-49] (b) A time error without OB 80 that waits for the end of a     *)
+(* delay fills its class: the next error of the class may overflow.        *)
 StandingErrorProp ==
     [][ \A n \in entered', i \in Interrupts :
           /\ n.of.ob = TimeErrorOb /\ stopCause' = NoTimeErrorOb
@@ -260,13 +283,18 @@ SeenProp ==
 PassedProp ==
     [][Did("reached") => ~(tod'[step'.ob].next <= clock.min)]_vars
 
-(* [OBS-07] A start event that definitely waits stays when another starts  *)
-(* or is missing, also behind one of its class.                            *)
+(* [OBS-07] A start event that waits stays when another starts or is       *)
+(* missing, unless nobody knows of it and it was before that in its class. *)
 StartKeepsProp ==
     [][ step'.event \in {"start", "missing"} =>
-          \A r \in requests :
-            ~r.open /\ r.ob # step'.ob =>
-              \E q \in requests' : Content(q) = Content(r) /\ ~q.open ]_vars
+          LET gone == { r \in requests :
+                          ~\E q \in requests' : Content(q) = Content(r) }
+              left == { r \in gone : r.ob = step'.ob }
+          IN  \A r \in requests : r.ob # step'.ob =>
+                \/ \E q \in requests' : /\ Content(q) = Content(r)
+                                        /\ q.open = r.open
+                \/ r.open /\ \E s \in left :
+                                s.class = r.class /\ r.rank < s.rank ]_vars
 
 (* [OBS-08] Only an error whose class is taken overflows. Under a delay a  *)
 (* time error without OB 80 takes one, too [AMB-49]: 26, or 28 [AMB-13].   *)
