@@ -258,7 +258,7 @@ def test_a_sample_in_the_place_of_the_calendar(proofs: Proofs) -> None:
 def test_queries_of_each_transition(proofs: Proofs) -> None:
     """Each asks formulas of which another query, a control, says that the action can take a step."""
     unfiltered = {query.name for query in proofs.queries if query.unfiltered}
-    assert unfiltered >= {"CpuIsRestarted", "letters-lock", "refines-lock", "conserves-EventFromOutside"}
+    assert unfiltered >= {"ClockIsSet", "letters-lock", "refines-lock", "conserves-EventFromOutside"}
     assert {query.name for query in proofs.queries if query.kind == "letter"} <= unfiltered
     assert not unfiltered & {"MissesOb", "conserves-first", "conserves-lock"}
     controlled = {query.actions for query in proofs.queries if query.kind == "control" and not query.unfiltered}
