@@ -182,6 +182,7 @@ MayOverflowBy(o, fault) ==
     ENABLED ( /\ Interrupt(o, fault)
               /\ \E n \in entered' :
                    n.of.fault = BufferOverflow /\ n.of.cause = o )
+
 (* [OBS-08] An error may overflow its class where a start event of that    *)
 (* waits, or an OB of it runs.                                             *)
 OverflowsInv ==
