@@ -10,6 +10,7 @@ import subprocess
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from pathlib import Path
 from typing import Literal, Self
 
@@ -126,13 +127,16 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
 def late(output: str) -> tuple[str, ...]:
     """The formulas of which a condition took longer than the limit, in the output of runs that asked for all of them.
 
-    Apalache counts the conditions of states and those of steps apart, each in the order of the formulas; the formulas
-    about states come first.
+    Apalache counts the conditions of states and those of steps apart, each in the order of the formulas. Formulas about
+    states have to come first; where the numbers say that they do not, all formulas count as late.
     """
-    conditions = [name for name, number in _made(output).items() for _ in range(number)]
+    made = _made(output)
+    conditions = [name for name, number in made.items() for _ in range(number)]
     found = _LATE.findall(output)
-    of_states = {label for label in [*_HOLDS.findall(output), *found] if label.startswith("state")}
-    places = [int(label.split()[-1]) + (0 if label in of_states else len(of_states)) for label in found]
+    states = len({label for label in [*_HOLDS.findall(output), *found] if label.startswith("state")})
+    if found and states not in accumulate(made.values(), initial=0):
+        return tuple(made)
+    places = [int(label.split()[-1]) + (0 if label.startswith("state") else states) for label in found]
     return tuple(dict.fromkeys(conditions[place] for place in sorted(places)))
 
 

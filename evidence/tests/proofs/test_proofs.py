@@ -43,8 +43,8 @@ from evidence.models.proofs.text import (
     without_comments,
 )
 from evidence.tla.actions import conjuncts
-from evidence.tla.modules import closure, read_modules
-from evidence.tla.syntax import SyntaxTreeError, meaningful, operand, token
+from evidence.tla.modules import closure, reached, read_modules
+from evidence.tla.syntax import SyntaxTreeError, meaningful, operand, references, token
 from s7check.engine.client import Engine
 from s7check.judging.check import check_log
 
@@ -110,6 +110,8 @@ def test_a_condition_takes_too_long() -> None:
     assert interpret(output, 0, ["Ind", "Steps"]).outcome == "holds"
     assert interpret(output.replace("TIMEOUT", "UNKNOWN"), 0, ["Ind", "Steps"]).outcome == "nothing checked"
     assert interpret(output, 0, ["Steps"]).outcome == "timeout"
+    states = output.replace("action invariant 0 holds.", "state invariant 0 holds.")
+    assert late(states) == ("Ind", "Steps")
 
 
 def test_apalache_fails() -> None:
@@ -265,6 +267,22 @@ def test_queries_of_each_transition(proofs: Proofs) -> None:
     for query in proofs.queries:
         if query.unfiltered:
             assert {(action,) for action in query.actions} <= controlled
+
+
+def test_formulas_about_states_come_first(proofs: Proofs) -> None:
+    """`late` counts so. Apalache takes a formula for one about a step if it has a prime, itself or in what it uses."""
+    modules = read_modules(ROOT / "spec")
+    units = {name: unit for module in modules.values() for name, unit in module.definitions.items()}
+    uses = {name: references(unit) for name, unit in units.items()}
+
+    def has_prime(name: str) -> bool:
+        return any("'" in token(units[used]) for used in reached([name], uses) if used in units)
+
+    assert all(has_prime(name) for names in proofs.steps.values() for name in names)
+    assert not any(has_prime(name) for names in proofs.states.values() for name in names)
+    for query in proofs.queries:
+        about_states = [name in proofs.file.induction.invariants for name in query.formulas]
+        assert query.kind not in ("step", "letters") or about_states == sorted(about_states, reverse=True)
 
 
 def test_a_divided_action_loses_no_transition() -> None:
