@@ -28,7 +28,7 @@ from s7check.resources import modules
 PASSED = Path("build/as-pinned.json")
 """The models of a checkout that came as pinned: the hash of what they and their TLC were, and what came."""
 FULL = Path("models/full.json")
-"""The same of the models of the full lane, to be committed: these take hours, and may be run in parts."""
+"""The same of the models of the full lane without controls, to be committed: they take long, and may be run in parts."""
 
 _STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")
 _CHECKS = ("INVARIANT", "PROPERTY", "VIEW", "SYMMETRY")
@@ -58,7 +58,7 @@ def kept(models: Iterable[Model], manifest: Manifest, tools: Toolchain) -> dict[
 
 def keep(model: Model, came: Mapping[str, Any], manifest: Manifest, tools: Toolchain) -> None:
     """Remember what came of a model that came as pinned. Raises OSError."""
-    file = _folder(manifest) / (FULL if model.lane == "full" else PASSED)
+    file = _folder(manifest) / (FULL if model.lane == "full" and model.kind != "negative" else PASSED)
     passed = _read(file) | {model.name: {"of": _key(model, manifest, tools), "came": came}}
     lines = [f" {json.dumps(name)}: {json.dumps(one)}" for name, one in sorted(passed.items())]
     file.parent.mkdir(exist_ok=True)

@@ -81,7 +81,7 @@ RUNS = {
     ),
     "models-full": _s7spec(
         "Models of the full lane",
-        "The large models as well, and all controls; in parts, each of this text ([checks](checks.md)).",
+        "The CI lane, the large models and all controls. A result of an earlier run counts while its texts stand.",
         "models --lane full --changed",
         summaries.models,
         told={"lane": "full"},
