@@ -28,7 +28,7 @@ from s7check.resources import modules
 PASSED = Path("build/as-pinned.json")
 """The models of a checkout that came as pinned: the hash of what they and their TLC were, and what came."""
 FULL = Path("models/full.json")
-"""The same of the models of the full lane without controls, to be committed: they take long, and may be run in parts."""
+"""The same of the full lane without its controls, to be committed: they take long, and may be run in parts."""
 
 _STEPS = ("SPECIFICATION", "INIT", "NEXT", "CONSTRAINT", "ACTION_CONSTRAINT")
 _CHECKS = ("INVARIANT", "PROPERTY", "VIEW", "SYMMETRY")
