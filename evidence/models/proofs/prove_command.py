@@ -17,7 +17,9 @@ from evidence.common.session import session
 from evidence.models.proofs import report
 from evidence.models.proofs.apalache import Apalache, ApalacheMissingError, find_apalache
 from evidence.models.proofs.kept import KeptAnswers, Result
-from evidence.models.proofs.queries import ManifestError, Query, load
+from evidence.models.proofs.making import Query
+from evidence.models.proofs.manifest import ManifestError
+from evidence.models.proofs.queries import load
 from evidence.models.proofs.runner import Asking, Kept, ask, ok
 from evidence.tla.syntax import SyntaxTreeError
 

@@ -8,7 +8,8 @@ from rich.console import Console
 from rich.table import Table
 
 from evidence.models.proofs.kept import Result
-from evidence.models.proofs.queries import FOLLOWS, Proofs, Query
+from evidence.models.proofs.making import FOLLOWS, Query
+from evidence.models.proofs.queries import Proofs
 from evidence.models.proofs.runner import ok
 
 Answers = list[tuple[Query, Result]]

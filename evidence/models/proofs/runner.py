@@ -15,7 +15,8 @@ from typing import Literal
 from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
 from evidence.models.proofs.kept import KeptAnswers, Result, Run, keys, still, together, unanswered
-from evidence.models.proofs.queries import TOGETHER, ManifestError, Query
+from evidence.models.proofs.making import TOGETHER, Query
+from evidence.models.proofs.manifest import ManifestError
 from evidence.models.proofs.text import (
     ANY_LETTERS,
     but_for,
