@@ -8,11 +8,11 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
-from typing import Literal, Self
+from typing import Literal, NamedTuple, Self
 
 from evidence.common.processes import InterruptedRunError, Processes
 
@@ -64,16 +64,21 @@ class Answer:
 
 @dataclass(frozen=True)
 class ApalacheRun:
-    """A run: its answer, wall time in seconds, the most memory it had in MB, its whole output.
+    """Runs one after another: their outputs, the exit code of the last one, wall time in seconds, memory in MB.
 
-    The answer is to all formulas but those in `late`: of these a condition took too long.
+    `expired` is the time after which the last one was ended, in seconds; 0 if it ended by itself.
     """
 
-    answer: Answer
-    late: tuple[str, ...]
+    outputs: tuple[str, ...]
+    code: int
+    expired: float
     seconds: float
     megabytes: int
-    output: str
+
+    @property
+    def output(self) -> str:
+        """What all of them said."""
+        return "".join(self.outputs)
 
 
 def find_apalache() -> list[str]:
@@ -90,6 +95,13 @@ def find_apalache() -> list[str]:
             f"in {HOME_VARIABLE})"
         )
     return ["java", *_JVM, "-cp", str(jar), str(Path(__file__).with_name("Runs.java"))]
+
+
+def answer(run: ApalacheRun, read: Callable[[str, int], Answer]) -> Answer:
+    """What `read` says of the output and the exit code, unless the run was ended."""
+    if run.expired:
+        return Answer("timeout", len(_HOLDS.findall(run.output)), f"ended after {run.expired:.0f} s")
+    return read(run.output, run.code)
 
 
 def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
@@ -115,8 +127,6 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
     if len(set(said)) != conditions or len(said) != announced:
         detail = f"{len(set(said))} of {conditions} conditions were checked, {len(said)} times of {announced} announced"
         return Answer("nothing checked", len(held), detail)
-    if set(late(output)) >= set(asked):
-        return Answer("timeout", len(held), f"Z3 had no answer in time about {', '.join(asked)}")
     transitions = _TRANSITIONS.search(output)
     taken = int(transitions[1]) - len(_DISABLED.findall(output)) if transitions else 0
     if taken < 1:
@@ -124,20 +134,44 @@ def interpret(output: str, code: int, asked: Sequence[str]) -> Answer:
     return Answer("holds", len(held), taken=taken)
 
 
-def late(output: str) -> tuple[str, ...]:
-    """The formulas of which a condition took longer than the limit, in the output of runs that asked for all of them.
+class Late(NamedTuple):
+    """A condition to which Z3 had no answer in time: of this formula, in this one of several runs."""
+
+    formula: str
+    condition: str
+    """As Apalache calls it where the formula is asked alone, such as "state invariant 2"."""
+    run: int
+
+
+def late(outputs: Sequence[str]) -> list[Late]:
+    """The conditions that took longer than the limit, in the outputs of runs that were asked for the same formulas.
 
     Apalache counts the conditions of states and those of steps apart, each in the order of the formulas. Formulas about
-    states have to come first; where the numbers say that they do not, all formulas count as late.
+    states have to come first.
     """
-    made = _made(output)
-    conditions = [name for name, number in made.items() for _ in range(number)]
-    found = _LATE.findall(output)
-    states = len({label for label in [*_HOLDS.findall(output), *found] if label.startswith("state")})
-    if found and states not in accumulate(made.values(), initial=0):
-        return tuple(made)
-    places = [int(label.split()[-1]) + (0 if label.startswith("state") else states) for label in found]
-    return tuple(dict.fromkeys(conditions[place] for place in sorted(places)))
+    made = _made("".join(outputs))
+    conditions = [(name, at) for name, number in made.items() for at in range(number)]
+    found = [(run, label) for run, output in enumerate(outputs) for label in dict.fromkeys(_LATE.findall(output))]
+    said = {label for output in outputs for label in [*_HOLDS.findall(output), *_LATE.findall(output)]}
+    states = sum(label.startswith("state") for label in said)
+    assert not found or states in accumulate(made.values(), initial=0), "formulas about states do not come first"
+    result = []
+    for run, label in found:
+        kind, number = label.split(" invariant ")
+        name, at = conditions[int(number) + (0 if kind == "state" else states)]
+        result.append(Late(name, f"{kind} invariant {at}", run))
+    return result
+
+
+def settled(output: str, code: int, condition: str) -> Answer:
+    """Read the output of a run, with this exit code, that was asked to check this condition alone."""
+    held = _HOLDS.findall(output)
+    if code != 0:
+        return interpret(output, code, [])
+    announced = sum(map(int, _CHECKING.findall(output)))
+    if not announced or held != [condition] * announced:
+        return Answer("nothing checked", len(held), f"{condition} holds {len(held)} times of {announced} announced")
+    return Answer("holds", len(held), taken=len(held))
 
 
 def _made(output: str) -> dict[str, int]:
@@ -171,15 +205,13 @@ class Apalache:
         for resident in self._idle:
             self._processes.end(resident.process)
 
-    def run(
-        self, arguments: Sequence[Sequence[str]], asked: Sequence[str], folder: Path, timeout: float
-    ) -> ApalacheRun:
+    def run(self, arguments: Sequence[Sequence[str]], folder: Path, timeout: float) -> ApalacheRun:
         """Run ``check`` with each of the lists of arguments, one after the other, until a run does not succeed.
 
-        The answer is that to all runs; `folder` gets what Apalache writes; `timeout` is for each run, in seconds.
+        `folder` gets what Apalache writes; `timeout` is for each run, in seconds.
         """
         began = time.monotonic()
-        output = ""
+        outputs: list[str] = []
         megabytes = code = 0
         ended = False
         for some in arguments:
@@ -195,17 +227,13 @@ class Apalache:
                 self._processes.end(resident.process)
             if self._processes.closed:
                 raise InterruptedRunError
-            output += said
+            outputs.append(said)
             megabytes = max(megabytes, most)
             ended = expired.is_set()
             if ended or code != 0:
                 break
-        if ended:
-            answer = Answer("timeout", len(_HOLDS.findall(output)), f"ended after {timeout:.0f} s")
-        else:
-            answer = interpret(output, code, asked)
-        behind = late(output) if answer.outcome == "holds" else ()
-        return ApalacheRun(answer, behind, round(time.monotonic() - began, 1), megabytes, output)
+        seconds = round(time.monotonic() - began, 1)
+        return ApalacheRun(tuple(outputs), code, timeout if ended else 0, seconds, megabytes)
 
 
 class _Resident:

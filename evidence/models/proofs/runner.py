@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Literal
+
+from msgspec import structs
 
 from evidence.models.entries import Mutation
 from evidence.models.proofs import apalache
@@ -33,8 +36,8 @@ from s7check.resources import modules
 
 Kept = Literal["nothing", "claimed", "all"]
 
-AFTER_A_STEP = "search.invariantFilter=1->.*"
-"""Formulas about states are checked after the step, not before, where they are assumed."""
+CHECKED = "search.invariantFilter="
+"""The conditions that are checked: those about states after the step, not before, where they are assumed."""
 
 SOLVER = ("z3.smt.relevancy=0", "z3.smt.arith.solver=2")
 """With Z3's own choices a refinement takes two to three times as long, an action up to half as long again."""
@@ -44,8 +47,8 @@ UNFILTERED = "--discard-disabled=false"
 step, its control says."""
 
 PATIENCE = 90
-"""So many seconds Z3 has for a condition among others. Where it finds no answer, the formula has a run of its own, in
-which there is no limit: what stops Z3 is the number of formulas."""
+"""So many seconds Z3 has for a condition among others. Where it finds no answer, the condition has a run of its own, in
+which there is no limit: what stops Z3 is what else it was asked."""
 
 _REPLACED = re.compile(r"^ +(\w+) *<- *(\w+)$", re.MULTILINE)
 
@@ -94,17 +97,22 @@ def ask(asking: Asking, query: Query, kept: Kept = "nothing") -> Result:
     lacking = unanswered(now, runs)
     if kept == "all" or not lacking:
         return together(query.name, now, runs, kept=True)
-    left = [lacking]
-    while left:
-        asked = replace(query, formulas=left.pop(0))
-        new = made if asked == query else _made(asking.root, asked)
-        run, late = _run(asking, asked, new, now)
-        runs.append(run)
-        asking.answers.put(query.name, runs)
-        if run.answer.outcome != query.expect:
-            break
-        left += [(name,) for name in late]
+    asked = replace(query, formulas=lacking)
+    first, late = _run(asking, asked, made if asked == query else _made(asking.root, asked), now)
+    runs.append(first)
+    for formula, conditions in late.items():
+        asking.answers.put(query.name, [run for run in runs if run.keys])
+        if runs[-1].answer.outcome == query.expect:
+            run = _run_apart(asking, replace(query, formulas=(formula,)), conditions, now)
+            runs.append(run if runs[-1].keys else _after(runs.pop(), run))
+    asking.answers.put(query.name, runs)
     return together(query.name, now, runs, kept=False)
+
+
+def _after(first: Run, run: Run) -> Run:
+    """A run with what an earlier one found, which has no formula whose conditions all held in time."""
+    answer = replace(run.answer, checked=first.answer.checked + run.answer.checked)
+    return structs.replace(run, answer=answer, seconds=round(first.seconds + run.seconds, 1))
 
 
 def _made(root: Path, query: Query) -> _Made:
@@ -112,26 +120,56 @@ def _made(root: Path, query: Query) -> _Made:
     return _Made(text, config, instances(root, query, text))
 
 
-def _run(asking: Asking, query: Query, made: _Made, keys_now: Mapping[str, str]) -> tuple[Run, tuple[str, ...]]:
-    """Ask Apalache all formulas of the query; the run is about those that are not late, which follow."""
+def _run(
+    asking: Asking, query: Query, made: _Made, keys_now: Mapping[str, str]
+) -> tuple[Run, dict[str, list[apalache.Late]]]:
+    """Ask Apalache all formulas of the query; the run is about those of which no condition is late."""
+    folder, files = _written(asking, query, made)
+    names = _names(query)
+    invariants = f"--inv={','.join(names.values())}"
+    limit = [f"--timeout-smt={PATIENCE}"] if query.expect == "holds" else []
+    asked_of = [[invariants, *limit, *_arguments(query, some), *files] for some in parts(query.divided)]
+    done = asking.apalache.run(asked_of, folder, query.timeout)
+    (folder / "log").write_text(done.output, encoding="utf-8")
+    answer = apalache.answer(done, partial(apalache.interpret, asked=list(names.values())))
+    found = apalache.late(done.outputs) if answer.outcome == "holds" else []
+    late = {name: [one for one in found if one.formula == names[name]] for name in query.formulas}
+    keys = tuple(keys_now[name] for name in query.formulas if not late[name])
+    return _told(query, answer, [done], keys), {name: some for name, some in late.items() if some}
+
+
+def _run_apart(asking: Asking, query: Query, late: Iterable[apalache.Late], keys_now: Mapping[str, str]) -> Run:
+    """Ask the late conditions of the one formula of the query, each by itself; the others of it hold."""
+    (formula,) = query.formulas
+    folder, files = _written(asking, query, _made(asking.root, query))
+    divided = parts(query.divided)
+    runs, answers = [], []
+    for one in late:
+        arguments = [f"--inv={one.formula}", *_arguments(query, divided[one.run], one.condition), *files]
+        done = asking.apalache.run([arguments], folder, query.timeout)
+        runs.append(done)
+        answers.append(apalache.answer(done, partial(apalache.settled, condition=one.condition)))
+        if answers[-1].outcome != "holds":
+            return _told(query, answers[-1], runs, (keys_now[formula],))
+    checked, taken = sum(some.checked for some in answers), max(some.taken for some in answers)
+    return _told(query, apalache.Answer("holds", checked, taken=taken), runs, (keys_now[formula],))
+
+
+def _told(query: Query, answer: apalache.Answer, runs: Sequence[apalache.ApalacheRun], keys: tuple[str, ...]) -> Run:
+    seconds, most = round(sum(run.seconds for run in runs), 1), max(run.megabytes for run in runs)
+    today = datetime.now(UTC).date().isoformat()
+    return Run(query.name, answer, seconds, most, apalache.version(runs[-1].output), today, keys)
+
+
+def _written(asking: Asking, query: Query, made: _Made) -> tuple[Path, list[str]]:
+    """The folder of a query, anew, and the arguments that name the files in it."""
     folder = asking.build / query.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for name, content in {query.module: made.text, **made.instances}.items():
         (folder / f"{name}.tla").write_text(content, encoding="utf-8")
     (folder / "query.cfg").write_text(made.config, encoding="utf-8")
-    names = _names(query)
-    files = [f"--config={folder / 'query.cfg'}", str(folder / f"{query.module}.tla")]
-    invariants = f"--inv={','.join(names.values())}"
-    limit = [f"--timeout-smt={PATIENCE}"] if len(names) > 1 else []
-    asked_of = [[invariants, *limit, *_arguments(query, some), *files] for some in parts(query.divided)]
-    done = asking.apalache.run(asked_of, list(names.values()), folder, query.timeout)
-    (folder / "log").write_text(done.output, encoding="utf-8")
-    version = apalache.version(done.output)
-    today = datetime.now(UTC).date().isoformat()
-    keys = tuple(keys_now[name] for name in query.formulas if names[name] not in done.late)
-    run = Run(query.name, done.answer, done.seconds, done.megabytes, version, today, keys)
-    return run, tuple(name for name in query.formulas if names[name] in done.late)
+    return folder, [f"--config={folder / 'query.cfg'}", str(folder / f"{query.module}.tla")]
 
 
 def parts(divided: Sequence[int]) -> list[str]:
@@ -146,10 +184,11 @@ def parts(divided: Sequence[int]) -> list[str]:
     return [f"search.transitionFilter=(0->.*|{some})" for some in [*before, rest]]
 
 
-def _arguments(query: Query, transitions: str = "") -> list[str]:
-    """The arguments of Apalache that are the same for each formula."""
+def _arguments(query: Query, transitions: str = "", condition: str = "") -> list[str]:
+    """The arguments of Apalache that are the same for each formula; with a `condition` this one alone is checked."""
     stepping = query.kind != "claim" and query.length
-    tuning = [*SOLVER, *([AFTER_A_STEP] if stepping else []), *([transitions] if transitions else [])]
+    checked = [f"{CHECKED}{'1' if stepping else '.*'}->{condition.replace(' invariant ', '') or '.*'}"]
+    tuning = [*SOLVER, *(checked if stepping or condition else []), *([transitions] if transitions else [])]
     return [
         *(f"--length={query.length}", "--no-deadlock=true"),
         *([f"--cinit={_initializer(query)}"] if query.constants else []),

@@ -7,6 +7,7 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from evidence.cli import main
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
 from evidence.models.proofs import prove_command as command
-from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, interpret, late
+from evidence.models.proofs.apalache import HOME_VARIABLE, Answer, Apalache, Late, answer, interpret, late, settled
 from evidence.models.proofs.kept import KeptAnswers, Result, Run, keys, still, together
 from evidence.models.proofs.making import Query
 from evidence.models.proofs.queries import Proofs
@@ -68,17 +69,32 @@ def test_a_condition_is_lost(change: tuple[str, str], asked: list[str]) -> None:
 
 
 def test_a_condition_takes_too_long() -> None:
-    """The formula that it is of is named; the answer is to the others, and all conditions have to be named."""
+    """It is named as in a run of its formula alone; the answer is to the others, and all have to be named."""
     text = recorded("holds")
     more = text.replace("invariant Steps", "invariant Ind").replace("produced 5 ", "produced 2 ")
     output = more + text.replace("produced 5 ", "produced 3 ").replace("invariant 3 holds.", "invariant 3 => TIMEOUT.")
-    assert late(text) == ()
-    assert late(output) == ("Steps",)
+    assert late([text]) == []
+    assert late([more, output.removeprefix(more)]) == [Late("Steps", "action invariant 1", 1)]
     assert interpret(output, 0, ["Ind", "Steps"]).outcome == "holds"
     assert interpret(output.replace("TIMEOUT", "UNKNOWN"), 0, ["Ind", "Steps"]).outcome == "nothing checked"
-    assert interpret(output, 0, ["Steps"]).outcome == "timeout"
     states = output.replace("action invariant 0 holds.", "state invariant 0 holds.")
-    assert late(states) == ("Ind", "Steps")
+    with pytest.raises(AssertionError, match="formulas about states do not come first"):
+        late([states])
+
+
+def test_a_condition_alone() -> None:
+    """It holds where it does so as often as Apalache announced it, and no other was asked."""
+    said = "State 0: Checking 1 action invariants\nState 0: action invariant 3 holds.\n"
+    assert settled(said * 2, 0, "action invariant 3") == Answer("holds", 2, taken=2)
+    for wrong in (
+        "",
+        said.replace("holds", "=> TIMEOUT"),
+        said + said.replace("3", "2"),
+        said.replace("Checking 1", ""),
+    ):
+        assert settled(wrong, 0, "action invariant 3").outcome == "nothing checked"
+    assert settled(recorded("violated"), 12, "action invariant 55").outcome == "violated"
+    assert settled(said, 255, "action invariant 3").outcome == "failed"
 
 
 def test_apalache_fails() -> None:
@@ -104,13 +120,14 @@ Program = Callable[..., Apalache]
 
 @pytest.fixture
 def program(tmp_path: Path) -> Iterator[Program]:
-    """A program in the place of Apalache, which begins a run with a statement, and says this."""
+    """A program in the place of Apalache, which begins a run with a statement, and says this: each the next one."""
 
-    def made(output: str, code: int, begin: str = "pass") -> Apalache:
-        (tmp_path / "output").write_text(output)
+    def made(output: str | list[str], code: int, begin: str = "pass") -> Apalache:
+        (tmp_path / "output").write_text(json.dumps([output] if isinstance(output, str) else output))
         (tmp_path / "program.py").write_text(
-            f"import sys\nfor line in sys.stdin:\n    {begin}\n"
-            f"    print(open({str(tmp_path / 'output')!r}).read())\n    print('@!@!@EXIT {code}', flush=True)\n"
+            f"import json, sys\noutputs = json.load(open({str(tmp_path / 'output')!r}))\n"
+            f"for line in sys.stdin:\n    {begin}\n"
+            f"    print(outputs.pop(0) if outputs[1:] else outputs[0])\n    print('@!@!@EXIT {code}', flush=True)\n"
         )
         return stack.enter_context(Apalache([sys.executable, str(tmp_path / "program.py")], Processes()))
 
@@ -228,18 +245,32 @@ def test_only_what_is_new_is_asked(tmp_path: Path, proofs: Proofs, program: Prog
     assert "Steps ==" not in (asking.build / query.name / f"{query.module}.tla").read_text()
 
 
-def test_a_late_formula_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, program: Program) -> None:
-    """What came of the others is kept, whatever comes of it."""
+def test_a_late_condition_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, program: Program) -> None:
+    """What came of the others is kept, whatever comes of it; its formula holds if it does."""
     steps = claim(proofs)
     query = dataclasses.replace(steps, formulas=(*steps.formulas, "Invariant"))
     text = recorded("holds")
     others = text.replace("produced 5 ", "produced 3 ")
     own = text.replace("invariant Steps", "invariant Invariant").replace("produced 5 ", "produced 2 ")
-    own = own.replace("invariant 4 holds.", "invariant 4 => TIMEOUT.")
-    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program(others + own, 0))
-    assert ask(asking, query).answer.detail == "Z3 had no answer in time about Invariant"
-    kept = asking.answers.of(query.name)
-    assert [(run.answer.outcome, len(run.keys)) for run in kept] == [("holds", 1), ("timeout", 1)]
+    first = others + own.replace("invariant 4 holds.", "invariant 4 => TIMEOUT.")
+    alone = "State 0: Checking 1 action invariants\nState 0: action invariant 1 holds.\n"
+    for second, outcome in ((alone, "holds"), (text, "nothing checked")):
+        asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / outcome), program([first, second], 0))
+        result = ask(asking, query)
+        kept = asking.answers.of(query.name)
+        assert [(run.answer.outcome, len(run.keys)) for run in kept] == [("holds", 1), (outcome, 1)]
+        assert result.answer.outcome == outcome
+
+
+def test_all_conditions_are_late(tmp_path: Path, proofs: Proofs, program: Program) -> None:
+    """The formula has one answer, with what its first run found."""
+    first = recorded("holds").replace("invariant 4 holds.", "invariant 4 => TIMEOUT.")
+    alone = "State 0: Checking 1 action invariants\nState 0: action invariant 4 holds.\n"
+    asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / "kept"), program([first, alone], 0))
+    result = ask(asking, claim(proofs))
+    assert (result.answer.outcome, result.answer.checked) == ("holds", first.count(" holds.") + 1)
+    (run,) = asking.answers.of("lock-steps")
+    assert run.answer == result.answer
 
 
 def test_too_long(tmp_path: Path, proofs: Proofs, program: Program) -> None:
@@ -263,12 +294,14 @@ def test_a_process_stays(tmp_path: Path, program: Program) -> None:
     count = tmp_path / "count"
     apalache = program(recorded("holds"), 0, f"open({str(count)!r}, 'a').write(f'{{__import__(\"os\").getpid()}} ')")
     for _ in range(2):
-        assert apalache.run([[]], ["Steps"], tmp_path, 60).answer.outcome == "holds"
+        assert apalache.run([[]], tmp_path, 60).code == 0
     first, second = count.read_text().split()
     assert first == second
     dead = Apalache([sys.executable, "-c", "print('no memory'); raise SystemExit(3)"], Processes())
     for _ in range(2):
-        assert dead.run([[]], ["Steps"], tmp_path, 60).answer == Answer("failed", 0, "exit code 3: no memory")
+        assert (
+            answer(dead.run([[]], tmp_path, 60), partial(interpret, asked=["Steps"])).detail == "exit code 3: no memory"
+        )
 
 
 @pytest.mark.parametrize(("name", "exit_code", "code"), [("holds", 0, 0), ("violated", 12, 1), ("nothing", 0, 1)])
