@@ -62,11 +62,17 @@ def mutants(text: str) -> list[Table]:
 
 
 def witnesses(text: str) -> list[Table]:
-    """Conditions by kind, and how they are met."""
+    """Conditions by kind, how they are met, and those that nothing meets and that have no reason."""
     report: dict[str, Any] = json.loads(text)
     groups: dict[str, dict[str, int]] = {**report["kinds"], "all": report["all"]}
     columns = list(report["all"])
-    return [Table(["kind", *columns], [[name, *numbers.values()] for name, numbers in groups.items()])]
+    without: list[list[Cell]] = [
+        [one["id"], " or ".join(one["missing"]), one["text"]]
+        for one in report["conditions"]
+        if one["missing"] and one["reason"] is None
+    ]
+    kinds = Table(["kind", *columns], [[name, *numbers.values()] for name, numbers in groups.items()])
+    return [kinds, Table(["condition", "never", "text"], without, "Each without a witness")]
 
 
 def agreement(text: str) -> list[Table]:
