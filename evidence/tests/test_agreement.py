@@ -28,7 +28,7 @@ from s7check.engine import pool
 from s7check.engine.answer import Alternatives
 from s7check.report.report import Report
 from s7check.resources import SPECIFICATION
-from tests.logs import event, log_text
+from tests.logs import RUN, event, log_text
 
 
 @pytest.fixture(scope="module")
@@ -170,14 +170,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
     )
     good, bad = tmp_path / "good.ndjson", tmp_path / "bad.ndjson"
     good.write_bytes(log_text())
-    header = {
-        "format": "s7-interrupt-log/1",
-        "cpu": "S7-300",
-        "obs": [1],
-        "clock": "2026-11-21T05:59:30",
-        "mode": "RUN",
-    }
-    bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=header))
+    bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=RUN))
     said = tlc_batch.judge(tools, Processes(), spec, [good, bad]).verdicts
     assert said[0] == Judged("accepted")
     assert said[1].verdict.startswith("no verdict: error")
