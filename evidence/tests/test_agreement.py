@@ -17,12 +17,12 @@ from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
 from evidence.common.processes import Processes
 from evidence.logs import agree, damage, tlc_batch
-from evidence.logs import agree_command as command
+from evidence.logs.agree import Compared
 from evidence.logs.agree_command import agree_command
 from evidence.logs.damage import Log
 from evidence.logs.random_logs import UNCHANGED, Generated, Generator, SoftPlcError
 from evidence.logs.setups import scenario
-from evidence.logs.verdicts import Compared, Judged
+from evidence.logs.tlc_batch import Judged
 from evidence.tla import tlc
 from s7check.engine import pool
 from s7check.engine.answer import Alternatives
@@ -235,7 +235,7 @@ def test_tools_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, tools: t
     """No TLC, no soft PLC, wrong arguments."""
     code, output = run("--logs", "1", "--tlc", str(tmp_path / "none.jar"))
     assert (code, "TLC's jar is not at" in output) == (3, True)
-    monkeypatch.setattr(command, "SOFT_PLC_PROGRAM", tmp_path / "none")
+    monkeypatch.setattr(agree, "SOFT_PLC_PROGRAM", tmp_path / "none")
     code, output = run("--logs", "1")
     assert (code, "the soft PLC is not at" in output) == (3, True)
     assert run("--logs", "0")[0] == 2
