@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rich.console import Console
+from rich.table import Table
 from rich.text import Text
 
 WIDTH_OF_LOG = 140
@@ -25,3 +28,13 @@ def plain(console: Console, text: str, style: str | None = None) -> None:
 def short(text: str) -> str:
     """Code that is not too long for a line."""
     return text if len(text) <= LONGEST_CODE else f"{text[: LONGEST_CODE - 4]} ..."
+
+
+def columns(texts: Iterable[str], numbers: Iterable[str]) -> Table:
+    """A table without borders, with columns of texts and, behind them, of numbers."""
+    made = Table(box=None, pad_edge=False)
+    for heading in texts:
+        made.add_column(heading, overflow="fold")
+    for heading in numbers:
+        made.add_column(heading, justify="right", no_wrap=True)
+    return made

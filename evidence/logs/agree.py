@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
 
+from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.common.processes import Processes
 from evidence.logs import tlc_batch
 from evidence.logs.random_logs import Generated, Generator
-from evidence.logs.verdicts import Compared, Judged
+from evidence.logs.tlc_batch import Judged
 from evidence.tla import tlc
 from s7check.engine.client import Engine
 from s7check.engine.command import jvm_command
@@ -34,14 +35,19 @@ FIRST = 2
 
 
 @dataclass(frozen=True)
-class Request:
-    """How many logs of which seed, by how many runs of TLC at a time; `spec` is the folder that TLC reads."""
+class Compared:
+    """A log, counted from 1, and its two verdicts. `event` is the event that the engine rejects, or empty."""
 
-    logs: int
-    seed: int
-    jobs: int
-    spec: Path
-    soft_plc: Path
+    number: int
+    log: Generated
+    event: str
+    engine: Judged
+    tlc: Judged
+
+    @property
+    def agree(self) -> bool:
+        """Whether both say the same of the same line."""
+        return self.engine == self.tlc
 
 
 @dataclass(frozen=True)
@@ -72,8 +78,12 @@ class _Drawn:
     judged: Judged
 
 
-def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: Callable[[str], None]) -> Comparison:
-    """Draw logs and have both judge them. `tell` hears how far it is.
+def compare(
+    logs: int, seed: int, jobs: int, spec: Path, tools: tlc.Toolchain, processes: Processes, tell: Callable[[str], None]
+) -> Comparison:
+    """Draw so many logs of a seed and have both judge them; TLC reads the folder `spec`, in so many runs at a time.
+
+    `tell` hears how far it is.
 
     Raises `SoftPlcError`, `EngineError`, `BatchError`, and `InterruptedRunError` if `processes` are closed.
     """
@@ -82,28 +92,28 @@ def compare(request: Request, tools: tlc.Toolchain, processes: Processes, tell: 
         # Nobody changes these copies meanwhile.
         ours, theirs = folder / "engine", folder / "tlc"
         shutil.copytree(SPECIFICATION, ours)
-        shutil.copytree(request.spec, theirs)
+        shutil.copytree(spec, theirs)
         began = time.monotonic()
         drawn: list[_Drawn] = []
         refused: Counter[str] = Counter()
         with Engine(lambda: jvm_command(ours)) as engine:
-            generator = Generator(request.seed, request.soft_plc, engine.alternatives())
-            for number in range(1, request.logs + 1):
+            generator = Generator(seed, SOFT_PLC_PROGRAM, engine.alternatives())
+            for number in range(1, logs + 1):
                 drawn.append(_decided(generator, engine, number, folder / f"{number}.ndjson", refused))
                 if number % BATCH == 0:
-                    tell(f"engine: {number} of {request.logs} logs")
+                    tell(f"engine: {number} of {logs} logs")
         engine_seconds = time.monotonic() - began
         batches = [drawn[first : first + BATCH] for first in range(0, len(drawn), BATCH)]
         judged: dict[int, Judged] = {}
         tlc_seconds = 0.0
         version = ""
-        for batch, said in _by_tlc(batches, request.jobs, tools, processes, theirs):
+        for batch, said in _by_tlc(batches, jobs, tools, processes, theirs):
             judged |= {one.number: verdict for one, verdict in zip(batch, said.verdicts, strict=True)}
             tlc_seconds += said.seconds
             version = said.version
-            tell(f"TLC: {len(judged)} of {request.logs} logs")
-        logs = [Compared(one.number, one.log, one.event, one.judged, judged[one.number]) for one in drawn]
-    return Comparison(logs, refused["unreadable"], refused["endless"], engine_seconds, tlc_seconds, version)
+            tell(f"TLC: {len(judged)} of {logs} logs")
+        compared = [Compared(one.number, one.log, one.event, one.judged, judged[one.number]) for one in drawn]
+    return Comparison(compared, refused["unreadable"], refused["endless"], engine_seconds, tlc_seconds, version)
 
 
 def _decided(generator: Generator, engine: Engine, number: int, file: Path, refused: Counter[str]) -> _Drawn:

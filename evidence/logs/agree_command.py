@@ -7,12 +7,11 @@ from pathlib import Path
 
 import click
 
-from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.common.options import json_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs import agree_report as report
-from evidence.logs.agree import Request, compare
+from evidence.logs.agree import compare
 from evidence.logs.random_logs import SoftPlcError
 from evidence.logs.tlc_batch import BatchError
 from evidence.tla import tlc
@@ -51,8 +50,7 @@ def agree_command(
     """
     processes = Processes()
     with session(processes, (OSError,), (tlc.ToolMissingError, EngineError, SoftPlcError, BatchError)) as console:
-        request = Request(logs, seed, jobs, spec, SOFT_PLC_PROGRAM)
-        found = compare(request, tlc.find_toolchain(jar), processes, click.echo)
+        found = compare(logs, seed, jobs, spec, tlc.find_toolchain(jar), processes, click.echo)
         report.keep(found, keep)
         report.show(console, found, keep)
         write_json(json_path, report.as_json(found))

@@ -8,11 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
-from evidence.common.console import plain
-from evidence.logs.agree import Comparison
-from evidence.logs.verdicts import Compared
+from evidence.common.console import columns, plain
+from evidence.logs.agree import Compared, Comparison
 
 VERDICTS = ("accepted", "rejected")
 
@@ -27,11 +25,11 @@ def show(console: Console, found: Comparison, kept: Path) -> None:
         counts: dict[str, Counter[str]] = {}
         for name, one in pairs:
             counts.setdefault(name, Counter())[one.engine.verdict] += 1
-        table = _table(heading, "logs", *VERDICTS)
+        table = columns([heading], ["logs", *VERDICTS])
         for name in sorted(counts):
             table.add_row(name, *(f"{n:,}" for n in (counts[name].total(), *(counts[name][v] for v in VERDICTS))))
         console.print(table)
-    table = _table("event rejected", "logs")
+    table = columns(["event rejected"], ["logs"])
     for event, number in Counter(one.event for one in found.logs if one.event).most_common():
         table.add_row(event, f"{number:,}")
     console.print(table)
@@ -106,10 +104,3 @@ def keep(found: Comparison, folder: Path) -> None:
 def file_of(one: Compared, folder: Path) -> Path:
     """Where a log is kept."""
     return folder / f"{one.number}.ndjson"
-
-
-def _table(*headings: str) -> Table:
-    table = Table(box=None, pad_edge=False)
-    for number, heading in enumerate(headings):
-        table.add_column(heading, justify="right" if number else "left")
-    return table

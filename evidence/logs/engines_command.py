@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import count, islice
 from pathlib import Path
 from random import Random
-from typing import Any, Self
+from typing import Any
 
 import click
 import msgspec
@@ -40,24 +40,14 @@ STRANGE = (
 )
 
 
-class Executable:
+class Executable(Engine):
     """An engine that is a process."""
-
-    def __init__(self, command: Callable[[], list[str]]) -> None:
-        self.engine = Engine(command)
-
-    def __enter__(self) -> Self:
-        self.engine.__enter__()
-        return self
-
-    def __exit__(self, *raised: Any) -> None:
-        self.engine.__exit__(*raised)
 
     def judge(self, log: bytes) -> Answer:
         """The answer to a log, with the situation after its last line."""
-        self.engine.begin(follow=1, outcomes=True)
-        self.engine.send(log)
-        return self.engine.finish()
+        self.begin(follow=1, outcomes=True)
+        self.send(log)
+        return self.finish()
 
 
 @click.command(name="engines", short_help="Do the executable, the page and Java give the same answers?")
@@ -86,7 +76,7 @@ def engines_command(
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
         other = PageEngine() if page else Executable(_under_wine if wine else native_command)
         with other as compiled, Executable(jvm_command) as java:
-            generator = Generator(seed, SOFT_PLC_PROGRAM, java.engine.alternatives())
+            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 row = rows.setdefault(kind, {"kind": kind} | dict.fromkeys(("logs", *VERDICTS, "different"), 0))
                 native, jvm = _answer(compiled, log), _answer(java, log)

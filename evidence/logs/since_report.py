@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
-from evidence.common.console import plain
+from evidence.common.console import columns, plain
 from evidence.common.reasons import Excuse
 from evidence.logs.since import Comparison, Difference
 
@@ -35,10 +34,8 @@ class Explained:
 
 def show(console: Console, explained: Explained) -> None:
     """Show the table, then notes and differences."""
-    table = Table(box=None, pad_edge=False)
-    table.add_column(f"since {explained.commit[:12]}")
-    for heading in ("same", "of these moved", "differ", "expected", "new"):
-        table.add_column(heading, justify="right")
+    counted = ("same", "of these moved", "differ", "expected", "new")
+    table = columns([f"since {explained.commit[:12]}"], counted)
     for one in explained.comparisons:
         unexpected = len(explained.unexpected(one))
         counts = (one.same, one.moved, unexpected, len(one.differences) - unexpected, one.new)

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from evidence.common.processes import Processes
-from evidence.logs.verdicts import Judged
 from evidence.models.manifest import HEAP_MB
 from evidence.tla import log_as_tla, tlc
 from evidence.tla.modules import module_folders
@@ -36,6 +35,17 @@ _SAID = re.compile(r'<<"reached", (\d+), (\d+)>>')
 
 class BatchError(RuntimeError):
     """TLC cannot read the specification or the logs; the text says why."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A verdict about a log. `line` is the physical line, counted from 1, that decides a log that is rejected."""
+
+    verdict: str
+    line: int | None = None
+
+    def __str__(self) -> str:
+        return self.verdict if self.line is None else f"{self.verdict} at line {self.line}"
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,13 @@ kept under ``build/`` by the jar's hash.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
+
+import msgspec
 
 from evidence.common.checkout import ROOT
 from evidence.common.processes import Processes
@@ -23,8 +25,6 @@ State = Literal["present", "absent", "unknown"]
 DIRECTORY = ROOT / "models" / "canaries"
 TIMEOUT = 60.0
 HEAP_MB = 256
-FORMAT = 1
-"""Version of the kept answers; another one is asked for anew."""
 
 
 @dataclass(frozen=True)
@@ -41,10 +41,6 @@ class Canary:
     workers: int
     attempts: int
     sound: Callable[[Outcome], bool]
-
-
-def _refused(outcome: Outcome) -> bool:
-    return outcome.kind == "broken"
 
 
 CANARIES = (
@@ -70,44 +66,35 @@ CANARIES = (
         "accepts a specification formula that it does not handle",
         workers=1,
         attempts=1,
-        sound=_refused,
+        sound=lambda outcome: outcome.kind == "broken",
     ),
 )
 
 
-@dataclass(frozen=True)
-class Answer:
-    """The answer of a canary. ``unknown``: it could not be asked."""
-
-    module: str
-    issue: int
-    defect: str
-    state: State
-
-
-@dataclass(frozen=True)
-class Answers:
-    """The version that a TLC reports, and the answer of each canary."""
+class Answers(msgspec.Struct, frozen=True):
+    """The version that a TLC reports, and the answer of each canary by its module. ``unknown``: it was not asked."""
 
     version: str
-    answers: tuple[Answer, ...]
+    answers: dict[str, State]
 
 
 def run_canaries(tools: tlc.Toolchain, build: Path, processes: Processes, directory: Path = DIRECTORY) -> Answers:
     """Return the answers for this TLC, from `build` if they are there. Raises only `InterruptedRunError`."""
     kept = build / f"tlc-canaries-{tools.sha256[:16]}.json"
-    known = _read(kept)
-    if known is not None:
-        return known
+    with suppress(OSError, msgspec.MsgspecError):
+        known = msgspec.json.decode(kept.read_bytes(), type=Answers)
+        if list(known.answers) == [canary.module for canary in CANARIES]:
+            return known
     version = ""
-    answers = []
+    answers: dict[str, State] = {}
     for canary in CANARIES:
-        state, said = _ask(canary, tools, processes, directory)
+        answers[canary.module], said = _ask(canary, tools, processes, directory)
         version = version or said
-        answers.append(Answer(canary.module, canary.issue, canary.defect, state))
-    result = Answers(version, tuple(answers))
-    if version and all(a.state != "unknown" for a in answers):
-        _write(kept, result)
+    result = Answers(version, answers)
+    if version and "unknown" not in answers.values():
+        with suppress(OSError):  # asked again next time
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            kept.write_bytes(msgspec.json.encode(result))
     return result
 
 
@@ -127,26 +114,3 @@ def _ask(canary: Canary, tools: tlc.Toolchain, processes: Processes, directory: 
         if not canary.sound(run.outcome):
             return "present", version
     return "absent", version
-
-
-def _read(kept: Path) -> Answers | None:
-    try:
-        raw = json.loads(kept.read_text(encoding="utf-8"))
-        states = raw["answers"]
-        if raw["format"] != FORMAT:
-            return None
-        answers = [Answer(c.module, c.issue, c.defect, states[c.module]) for c in CANARIES]
-        return Answers(raw["version"], tuple(answers))
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
-
-
-def _write(kept: Path, result: Answers) -> None:
-    text = json.dumps(
-        {"format": FORMAT, "version": result.version, "answers": {a.module: a.state for a in result.answers}}, indent=1
-    )
-    try:
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_text(text + "\n", encoding="utf-8")
-    except OSError:
-        return  # asked again next time

@@ -101,7 +101,6 @@ class Entry(msgspec.Struct, forbid_unknown_fields=True):
     deadlock: bool | UnsetType = UNSET
     brief: bool | UnsetType = UNSET
     heap: Annotated[int, Meta(ge=64)] | UnsetType = UNSET
-    args: list[str] | UnsetType = UNSET
     specification: list[str] | UnsetType = UNSET
     view: list[str] | UnsetType = UNSET
     constraint: list[str] | UnsetType = UNSET
@@ -121,7 +120,7 @@ class Listed(msgspec.Struct):
     others: dict[str, str] = {}
 
 
-_WORDS = ("requirements", "args", "specification", "view", "constraint", "plain", "invariants", "properties")
+_WORDS = ("requirements", "specification", "view", "constraint", "plain", "invariants", "properties")
 """Fields whose line has words, or `none`."""
 
 _SCALARS: dict[str, Callable[[str], Any]] = {
@@ -338,20 +337,13 @@ def _change(change: Mutation) -> list[str]:
     return [f"{change.module}:", *(f"{sign} {one}".rstrip() for sign, text in sides for one in text.splitlines())]
 
 
-def rewrite(path: Path, changed: Iterable[Entry]) -> None:
-    """Write these entries in the place of those of their names; all other lines stay. Raises OSError."""
-    by_file: dict[str, list[Entry]] = {}
-    for entry in changed:
-        by_file.setdefault(entry.place.rpartition(":")[0], []).append(entry)
-    for file, entries in by_file.items():
-        lines = Path(file).read_text(encoding="utf-8").split("\n")
-        for entry in sorted(entries, key=lambda e: -_line(e)):
-            begin = end = _line(entry) - 1
-            while end < len(lines) and lines[end] and (end == begin or not lines[end].startswith(("== ", "//"))):
-                end += 1
-            lines[begin:end] = render(entry).split("\n")
-        Path(file).write_text("\n".join(lines), encoding="utf-8")
-
-
-def _line(entry: Entry) -> int:
-    return int(entry.place.rpartition(":")[2])
+def rewrite(entry: Entry) -> None:
+    """Write the entry in the place of that of its name; all other lines stay. Raises OSError."""
+    name, _, number = entry.place.rpartition(":")
+    file = Path(name)
+    lines = file.read_text(encoding="utf-8").split("\n")
+    begin = end = int(number) - 1
+    while end < len(lines) and lines[end] and (end == begin or not lines[end].startswith(("== ", "//"))):
+        end += 1
+    lines[begin:end] = render(entry).split("\n")
+    file.write_text("\n".join(lines), encoding="utf-8")

@@ -109,32 +109,26 @@ def _counts(model: Model, counts: Counts, kind: Kind, workers: int) -> list[str]
     return problems
 
 
-def update(path: Path, results: list[Result]) -> tuple[list[str], list[Result]]:
-    """Set the counts of the results that differ in nothing else: counts and depth, never an exit code or a property.
+def update(path: Path, result: Result) -> tuple[list[str], Result]:
+    """Set the counts of a result that differs in nothing else: counts and depth, never an exit code or a property.
 
     A violation's counts are set only where some are pinned already. Return a line for each change (none: the file is
-    untouched), and the results by the new pins.
+    untouched), and the result by the new pins.
     """
-    changes = []
-    entries = {entry.name: entry for entry in read(path).entries}
-    for result in results:
-        if result.problems or not result.count_problems:
-            continue
-        expect = entries[result.model.name].expect
-        for name in COUNTS:
-            came = getattr(result.outcome.counts, name)
-            several = name == "depth" and result.model.workers > 1
-            pin = getattr(expect, name)
-            wanted = pin is not None or (result.outcome.kind == "passed" and not several)
-            if wanted and came is not None and pin != came:
-                changes.append(f"{result.model.name}: {name} {'not pinned' if pin is None else pin} -> {came}")
-                setattr(expect, name, came)
+    changes: list[str] = []
+    if result.exit is None or result.problems or not result.count_problems:
+        return changes, result
+    (entry,) = (entry for entry in read(path).entries if entry.name == result.model.name)
+    for name in COUNTS:
+        came = getattr(result.outcome.counts, name)
+        several = name == "depth" and result.model.workers > 1
+        pin = getattr(entry.expect, name)
+        wanted = pin is not None or (result.outcome.kind == "passed" and not several)
+        if wanted and came is not None and pin != came:
+            changes.append(f"{entry.name}: {name} {'not pinned' if pin is None else pin} -> {came}")
+            setattr(entry.expect, name, came)
     if not changes:
-        return [], results
-    rewrite(path, (entries[name] for name in dict.fromkeys(change.partition(":")[0] for change in changes)))
-    pinned = {model.name: model for model in load(path).models}
-    return changes, [r if r.exit is None or r.problems else _again(r, pinned[r.model.name], r.exit) for r in results]
-
-
-def _again(result: Result, model: Model, exit_code: int) -> Result:
-    return judge(model, result.outcome, exit_code, result.seconds, result.workers, result.output)
+        return changes, result
+    rewrite(entry)
+    (model,) = (model for model in load(path).models if model.name == entry.name)
+    return changes, judge(model, result.outcome, result.exit, result.seconds, result.workers, result.output)

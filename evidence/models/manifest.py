@@ -32,12 +32,6 @@ _SINGLE_WORKER = frozenset({"liveness", "negative", "witness"})
 BASE_CONFIG = "MCBase.cfg"
 """The configuration of a module whose entry names none."""
 
-_RESERVED_ARGS = frozenset(
-    {"-continue", "-simulate", "-metadir", "-workers", "-config", "-tool", "-deadlock", "-recover", "-fp", "-seed"}
-    | {"-generatespecte", "-nogeneratespecte"}
-)
-"""Arguments that the harness sets, or under which an exit code of 0 means nothing; in lower case."""
-
 
 @dataclass(frozen=True)
 class Model:
@@ -60,7 +54,6 @@ class Model:
     workers: int
     brief: bool
     heap: int
-    args: tuple[str, ...]
     seconds: tuple[float, float]
     expect: Expect
     base: str = ""
@@ -189,7 +182,6 @@ def _resolve(directory: Path, spec: Path, entry: Entry, bases: dict[str, Entry])
         workers=1 if single else value("workers", 1),
         brief=kind == "negative" if isinstance(entry.brief, UnsetType) else entry.brief,
         heap=value("heap", HEAP_MB),
-        args=tuple(value("args", [])),
         seconds=_seconds(where, entry, value("seconds")),
         expect=entry.expect,
         base=base.name if derived else "",
@@ -226,7 +218,7 @@ def _base(where: str, entry: Entry, mutations: tuple[Mutation, ...], bases: dict
         raise ManifestError(f"{where}.base: {entry.base!r} is not the name of an entry with a module of its own")
     if entry.config is not UNSET:
         raise ManifestError(f"{where}.config: an entry with a base has it from there")
-    fields = ("invariants", "properties", "args", "deadlock", "specification", "view", "constraint")
+    fields = ("invariants", "properties", "deadlock", "specification", "view", "constraint")
     own = any(getattr(entry, field) is not UNSET for field in fields)
     if not (entry.constants or entry.plain or mutations or own):
         raise ManifestError(f"{where}: changes nothing of its base {entry.base}")
@@ -242,7 +234,7 @@ def _describe(where: str, entry: Entry, mutations: tuple[Mutation, ...]) -> str:
     for keyword, names in (("INVARIANT", entry.invariants), ("PROPERTY", entry.properties)):
         changes += [] if isinstance(names, UnsetType) else [f"{keyword} {' '.join(names) or 'none'}"]
     fails = entry.expect.property or {0: "nothing", 10: "an assumption", 11: "deadlock"}.get(entry.expect.exit, "?")
-    return f"{entry.base} with {', '.join(changes) or 'other arguments'}: {fails} must fail"
+    return f"{entry.base} with {', '.join(changes) or 'another configuration'}: {fails} must fail"
 
 
 def _file(where: str, directory: Path, field: str, name: str, suffix: str) -> PurePosixPath:
@@ -296,9 +288,6 @@ def _check_mutations(where: str, directory: Path, spec: Path, mutations: tuple[M
 def _check_model(where: str, model: Model, check_deadlock: tuple[str, ...]) -> None:
     """Check the rules that concern several fields; `check_deadlock` is said by the configuration."""
     expect = model.expect
-    reserved = [arg for arg in model.args if arg.lower() in _RESERVED_ARGS]
-    if reserved:
-        raise ManifestError(f"{where}.args: {reserved[0]} is not for a manifest")
     contradiction = "FALSE" if model.deadlock else "TRUE"
     if contradiction in check_deadlock:
         raise ManifestError(

@@ -108,7 +108,9 @@ def models_command(
         def take(result: judge.Result) -> judge.Result:
             """Pin and remember what came, at once: the full lane takes hours, and may be stopped."""
             if update:
-                result = _updated(manifest, result, console)
+                changes, result = judge.update(manifest, result)
+                for change in changes:
+                    plain(console, f"updated {change}")
             if result.ok and unchanged.written(harness.manifest) == text:  # no module has changed while TLC ran
                 unchanged.keep(result.model, report.came(result), harness.manifest, harness.tools)
             return result
@@ -175,13 +177,6 @@ def _run(
         drift.append("no model that was asked for can be run in distributed mode: nothing was checked")
     with report.Progress(console, len(possible)) as progress:
         return distributed.run_all(harness, possible, cluster, progress), drift
-
-
-def _updated(manifest: Path, result: judge.Result, console: Console) -> judge.Result:
-    changes, (result,) = judge.update(manifest, [result])
-    for change in changes:
-        plain(console, f"updated {change}")
-    return result
 
 
 def _command(manifest: Path, jar: Path | None) -> str:

@@ -12,9 +12,9 @@ from rich.live import Live
 from rich.table import Table
 from rich.text import Text
 
-from evidence.common.console import plain
+from evidence.common.console import columns, plain
 from evidence.common.shorthand import shorthand
-from evidence.models.canaries import Answers
+from evidence.models.canaries import CANARIES, Answers
 from evidence.models.entries import Mutation
 from evidence.models.judge import Result, exit_codes, expectation
 from evidence.models.manifest import Model
@@ -105,8 +105,8 @@ class Report:
 def show_canaries(console: Console, tools: Toolchain, answers: Answers) -> None:
     """Show the version of TLC and its known defects."""
     plain(console, f"TLC {answers.version or '(version unknown)'}, {tools.jar.name} sha256 {tools.sha256[:16]}")
-    for answer in answers.answers:
-        plain(console, f"  known defect #{answer.issue} {answer.state}: {answer.defect}")
+    for canary in CANARIES:
+        plain(console, f"  known defect #{canary.issue} {answers.answers[canary.module]}: {canary.defect}")
 
 
 def show(console: Console, report: Report, command: str, *, verbose: bool) -> None:
@@ -164,7 +164,7 @@ def _show_trace(console: Console, trace: tuple[str, ...], *, verbose: bool) -> N
 
 
 def _models(results: list[Result]) -> Table:
-    table = _table(("model", "kind", "lane", "result"), ("distinct", "depth", "seconds"))
+    table = columns(("model", "kind", "lane", "result"), ("distinct", "depth", "seconds"))
     for result in results:
         counts = result.outcome.counts
         table.add_row(
@@ -181,7 +181,7 @@ def _models(results: list[Result]) -> Table:
 
 def _controls(results: list[Result]) -> Table:
     """The change that each negative control makes to its model, and the result that it must have."""
-    table = _table(("control", "of model", "changed", "exit", "has to fail", "result"), ("seconds",))
+    table = columns(("control", "of model", "changed", "exit", "has to fail", "result"), ("seconds",))
     for result in results:
         model = result.model
         table.add_row(
@@ -193,15 +193,6 @@ def _controls(results: list[Result]) -> Table:
             _coloured(result, f"as pinned: exit {result.exit}, {result.outcome.kind}" if result.ok else brief(result)),
             f"{result.seconds:.1f}",
         )
-    return table
-
-
-def _table(texts: tuple[str, ...], numbers: tuple[str, ...]) -> Table:
-    table = Table(box=None, pad_edge=False)
-    for heading in texts:
-        table.add_column(heading, overflow="fold")
-    for heading in numbers:
-        table.add_column(heading, justify="right", no_wrap=True)
     return table
 
 
@@ -228,15 +219,12 @@ def as_json(report: Report) -> dict[str, Any]:
         "seconds": round(report.seconds, 1),
         "not run again": len(report.before),
         "tlc": {"version": answers.version, "jar": tools.jar.name, "sha256": tools.sha256},
-        "canaries": {a.module: {"issue": a.issue, "state": a.state, "defect": a.defect} for a in answers.answers},
+        "canaries": {
+            c.module: {"issue": c.issue, "state": answers.answers[c.module], "defect": c.defect} for c in CANARIES
+        },
         "drift": report.drift,
-        "models": [*report.before, *map(entry, report.results)],
+        "models": [*report.before, *(described(r.model) | came(r) for r in report.results)],
     }
-
-
-def entry(result: Result) -> dict[str, Any]:
-    """Return what came of a model as a JSON document."""
-    return described(result.model) | came(result)
 
 
 def described(model: Model) -> dict[str, Any]:

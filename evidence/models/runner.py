@@ -176,7 +176,6 @@ def _run(harness: Harness, model: Model, listen: Callable[[Message], None], *, a
         heap=model.heap,
         timeout=model.seconds[1],
         brief=model.brief,
-        args=model.args,
     )
     with tlc.temporary_folder() as root:
         space = prepare(root, harness.manifest, model, apart=apart)

@@ -4,7 +4,6 @@ Mutants:
 
 - ``operators``: the kinds of change
 - ``listing``: all mutants of a specification
-- ``marks``: which mutants change an expression that a model evaluates
 - ``checks``: the checks that can kill a mutant: a model, the shipped logs
 - ``against_logs``: the shipped logs judged by a mutated specification, as a process of its own
 - ``against_kit``: the logs of the kit judged by mutated specifications

@@ -1,7 +1,7 @@
 """Logs judged by a mutated specification: ``python -m evidence.mutants.against_logs SPEC CASES``.
 
 CASES is what `keep` has written. A process of its own, so that an engine that no longer ends can be killed with it. It
-prints one `Judged`.
+prints the `Finding`, without its time.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 import msgspec
 
 from evidence.common.cases import Case, difference
-from evidence.mutants.findings import How
+from evidence.mutants.findings import Finding
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError, jvm_command
 from s7check.judging.check import check_log
@@ -28,13 +28,6 @@ KILLED = "the engine ended (killed by SIGKILL"
 """The message about an engine that something else has ended, for want of memory for instance."""
 
 
-class Judged(msgspec.Struct, frozen=True):
-    """The finding of the logs; `detail` names the log with another verdict than its case says."""
-
-    how: How
-    detail: str = ""
-
-
 def keep(cases: Sequence[Case], file: Path) -> Path:
     """Write the cases for `judge`. Raises OSError."""
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -42,8 +35,8 @@ def keep(cases: Sequence[Case], file: Path) -> Path:
     return file
 
 
-def judge(spec: Path, file: Path) -> Judged:
-    """Judge the logs of the cases, up to the first difference.
+def judge(spec: Path, file: Path) -> Finding:
+    """Judge the logs of the cases, up to the first difference, which `detail` names.
 
     Raises `EngineError` where the engine fails for a reason outside of the specification.
     """
@@ -56,11 +49,11 @@ def judge(spec: Path, file: Path) -> Judged:
             if (differs := difference(case, report)) is None:
                 continue
             if report.verdict != "no verdict":
-                return Judged("log", differs)
+                return Finding("log", differs)
             if KILLED in report.message:
                 raise EngineError(differs)
-            return Judged("invalid" if UNREADABLE in report.message else "error", differs)
-    return Judged("survived")
+            return Finding("invalid" if UNREADABLE in report.message else "error", differs)
+    return Finding("survived")
 
 
 def fingerprint(cases: Path) -> str:

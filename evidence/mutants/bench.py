@@ -15,8 +15,8 @@ from pathlib import Path
 from evidence.mutants.checks import LONGEST, Check
 from evidence.mutants.findings import STATED, WEAK, Finding, Findings, How
 from evidence.mutants.listing import Mutant
-from evidence.mutants.marks import Marks, mark
 from evidence.mutants.order import Experience
+from evidence.tla.marks import marked, when_evaluated
 from evidence.tla.syntax import Module
 
 PATIENCE = 6
@@ -152,23 +152,27 @@ class Bench:
         return sorted((c for c in self._checks if mutant.id in self._evaluated[c.name]), key=value, reverse=True)
 
     def _evaluated_by(self, check: Check, mutants: Sequence[Mutant]) -> set[str]:
-        """The ids of the mutants whose expressions a check evaluates, or may evaluate."""
+        """The ids of the mutants whose expressions a check evaluates, or may evaluate.
+
+        A mutant of any other expression changes nothing for the check, which then need not be run.
+        """
         for unmarked in (frozenset[str](), OF_TEMPORAL_FORMULAS):
             marking = [m for m in mutants if m.module not in unmarked]
-            marks = mark(self.modules, marking)
-            told = self._told(check, marks)
+            spans = sorted({(m.module, m.span) for m in marking})
+            number = {place: index for index, place in enumerate(spans, 1)}
+            around = {place: when_evaluated(index) for place, index in number.items()}
+            told = self._told(check, marked(self.modules, around, len(spans)))
             if told is not None:
-                silent = {m.id for m in marking if marks.numbers[m.id] not in told}
+                silent = {m.id for m in marking if number[m.module, m.span] not in told}
                 return {m.id for m in mutants} - silent
         return {m.id for m in mutants}
 
-    def _told(self, check: Check, marks: Marks) -> frozenset[int] | None:
-        """The marks that a check evaluates, kept as a finding; None if that cannot be found out."""
-        texts = sorted(marks.texts.items())
-        key = hashlib.sha256(repr((check.key(None), texts)).encode()).hexdigest()[:32]
+    def _told(self, check: Check, texts: Mapping[str, bytes]) -> frozenset[int] | None:
+        """The marks in these texts that a check evaluates, kept as a finding; None if that cannot be found out."""
+        key = hashlib.sha256(repr((check.key(None), sorted(texts.items()))).encode()).hexdigest()[:32]
         known = self.findings.known(key)
         if known is None:
-            with self._copy(marks.texts) as spec:
+            with self._copy(texts) as spec:
                 told = check.marks(spec)
             detail = "?" if told is None else " ".join(map(str, sorted(told)))
             known = Finding("survived", detail, 0.0)

@@ -17,7 +17,6 @@ from evidence.common.processes import Processes
 from evidence.models.manifest import Model
 from evidence.models.runner import Harness
 from evidence.models.runner import check as check_model
-from evidence.mutants.against_logs import Judged
 from evidence.mutants.findings import Finding, How
 from evidence.tla.cfg import replacements
 from evidence.tla.marks import evaluated
@@ -107,7 +106,7 @@ class ModelCheck:
     def key(self, changed: Module | None) -> str:
         """A hash of TLC, the model and the modules."""
         model = self.model
-        fixed = (self.harness.tools.sha256, model.module, model.config, model.deadlock, model.args, model.expect)
+        fixed = (self.harness.tools.sha256, model.module, model.config, model.deadlock, (), model.expect)
         return fingerprint(fixed, self._all, changed)
 
     def marks(self, spec: Path) -> frozenset[int] | None:
@@ -169,10 +168,10 @@ class LogsCheck:
         if expired.is_set():
             return Finding("timeout", f"killed after {timeout:.0f} s", _since(began))
         try:
-            judged = msgspec.json.decode(said, type=Judged)
+            found = msgspec.json.decode(said, type=Finding)
         except msgspec.MsgspecError as error:
             raise CheckFailedError(f"the logs could not be judged: {said.strip()[-1000:]}") from error
-        return Finding(judged.how, judged.detail, _since(began))
+        return msgspec.structs.replace(found, seconds=_since(began))
 
 
 def fingerprint(fixed: Iterable[object], modules: Iterable[Module], changed: Module | None) -> str:

@@ -27,8 +27,8 @@ class Finding(msgspec.Struct, frozen=True):
     """The result of a check; `detail` names the property, the log or the error."""
 
     how: How
-    detail: str
-    seconds: float
+    detail: str = ""
+    seconds: float = 0.0
 
     @property
     def killed(self) -> bool:

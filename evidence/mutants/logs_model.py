@@ -40,7 +40,6 @@ def model(timeout: float) -> Model:
         workers=1,
         brief=False,
         heap=_HEAP_MB,
-        args=(),
         seconds=(0.0, timeout),
         expect=Expect(exit=0),
     )

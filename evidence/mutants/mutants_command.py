@@ -6,9 +6,10 @@ import fnmatch
 import hashlib
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.console import Console
@@ -58,7 +59,7 @@ class Request:
     explained: bool
     listing: bool
     difference: bool
-    json: Path | None
+    json_path: Path | None
     names: tuple[str, ...]
 
 
@@ -86,22 +87,7 @@ class Request:
 @click.option("--diff", "difference", is_flag=True, help="Show the mutants as differences, run nothing.")
 @json_option
 @click.argument("names", nargs=-1, metavar="[ID]...")
-def mutants_command(
-    against: str,
-    lane: str,
-    manifest: Path,
-    jar: Path | None,
-    sample: int | None,
-    seed: int,
-    jobs: int,
-    thorough: bool,
-    fresh: bool,
-    explained: bool,
-    listing: bool,
-    difference: bool,
-    json_path: Path | None,
-    names: tuple[str, ...],
-) -> None:
+def mutants_command(**arguments: Any) -> None:
     """Make mutants of the specification and run the checks on each until one notices.
 
     ID picks mutants (globs work). What a check came to is kept in build/mutants, so that a run goes on where the last
@@ -112,11 +98,7 @@ def mutants_command(
     usage = (ManifestError, SyntaxTreeError, ReasonsError)
     missing = (tlc.ToolMissingError, EngineError, AdapterError, CheckFailedError, UnsoundBaselineError)
     with session(processes, usage, missing, "interrupted; the same command goes on from here") as console:
-        request = Request(
-            *(against, lane, manifest, jar, sample, seed, jobs),
-            *(thorough, fresh, explained, listing, difference, json_path, names),
-        )
-        sys.exit(run_request(request, processes, console))
+        sys.exit(run_request(Request(**arguments), processes, console))
 
 
 def run_request(request: Request, processes: Processes, console: Console) -> int:
@@ -125,7 +107,8 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     modules = read_modules(manifest.spec)
     stages = _stages(request, manifest, modules, processes)
     existing = mutants(modules, _mutated(modules))
-    everything = _concerning(existing, [check for stage in stages for check in stage])
+    checks = [check for stage in stages for check in stage]
+    everything = _concerning(existing, checks)
     chosen = _choose(everything, request)
     if request.listing:
         report.show_list(console, chosen)
@@ -134,21 +117,11 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
         for mutant in chosen:
             report.show_difference(console, mutant, modules[mutant.module])
         return 0
-    why = read(manifest.directory / "survivors.json", reasons.Reason)
-    began = time.monotonic()
     findings = Findings(manifest.directory.parent / "build" / "mutants" / "findings.ndjson", fresh=request.fresh)
     if request.against == "kit":
-
-        def judge(check: Check, left: list[Mutant]) -> list[Verdict]:
-            trial = Bench(manifest.spec, modules, findings)
-            trial.calibrate([check], left, lambda line: plain(console, line))
-            return trial.judge_all(left, request.jobs, report.Progress(console, len(left)))
-
-        found = kit.before_the_kit([check for stage in stages for check in stage], chosen, judge)
-        report.show_kit(console, found)
-        ok = found["share"] is not None and found["share"] >= kit.LEAST
-        write_json(request.json, {"kit": "mutants", "ok": ok, "seconds": time.monotonic() - began, **found})
-        return 0 if ok else UNEXPLAINED
+        return _before_the_kit(request, checks, chosen, lambda: Bench(manifest.spec, modules, findings), console)
+    why = read(manifest.directory / "survivors.json", reasons.Reason)
+    began = time.monotonic()
     stated = request.against == "properties"
     bench = Bench(manifest.spec, modules, findings, request.thorough, stated)
     verdicts: dict[str, Verdict] = {}
@@ -167,8 +140,26 @@ def run_request(request: Request, processes: Processes, console: Console) -> int
     explained = reasons.explain([verdicts[m.id] for m in chosen], why, (m.id for m in existing), stated=stated)
     report.show(console, explained)
     asked = {"against": request.against, "lane": request.lane, "sample": request.sample, "seed": request.seed}
-    write_json(request.json, asked | report.as_json(explained, time.monotonic() - began))
+    write_json(request.json_path, asked | report.as_json(explained, time.monotonic() - began))
     return 0 if explained.ok else UNEXPLAINED
+
+
+def _before_the_kit(
+    request: Request, checks: list[Check], chosen: list[Mutant], bench: Callable[[], Bench], console: Console
+) -> int:
+    """Score the kit's logs, each check on a bench of its own, and return the exit code."""
+    began = time.monotonic()
+
+    def judge(check: Check, left: list[Mutant]) -> list[Verdict]:
+        trial = bench()
+        trial.calibrate([check], left, lambda line: plain(console, line))
+        return trial.judge_all(left, request.jobs, report.Progress(console, len(left)))
+
+    found = kit.before_the_kit(checks, chosen, judge)
+    report.show_kit(console, found)
+    ok = found["share"] is not None and found["share"] >= kit.LEAST
+    write_json(request.json_path, {"kit": "mutants", "ok": ok, "seconds": time.monotonic() - began, **found})
+    return 0 if ok else UNEXPLAINED
 
 
 def _stages(request: Request, manifest: Manifest, spec: dict[str, Module], processes: Processes) -> list[list[Check]]:

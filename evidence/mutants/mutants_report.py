@@ -10,9 +10,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
-from evidence.common.console import plain, short
+from evidence.common.console import columns, plain, short
 from evidence.mutants.bench import Verdict
 from evidence.mutants.findings import KILLS
 from evidence.mutants.listing import Mutant
@@ -88,10 +87,7 @@ def show_kit(console: Console, score: dict[str, Any]) -> None:
 
 def show(console: Console, explained: Explained) -> None:
     """Show the table by module, the survivors, and the score."""
-    table = Table(box=None, pad_edge=False)
-    table.add_column("module")
-    for heading in (*_COLUMNS, "score"):
-        table.add_column(heading, justify="right")
+    table = columns(["module"], [*_COLUMNS, "score"])
     rows = {v.mutant.module: numbers(explained, v.mutant.module) for v in explained.verdicts}
     for module, row in sorted(rows.items()):
         table.add_row(module, *(str(row[c]) for c in _COLUMNS), _percent(row["score"]))

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 import click
 import msgspec
-from rich.console import Console
 
 from evidence.common import reasons
 from evidence.common.options import json_option, manifest_option, tlc_option, write_json
@@ -31,19 +29,6 @@ UNEXPLAINED = 1
 
 KINDS = ("model", "refinement", "calendar")
 """The kinds of models that look for witnesses; a liveness model takes the same steps and longer."""
-
-
-@dataclass(frozen=True)
-class Request:
-    """The command's arguments."""
-
-    against: str
-    lane: str
-    manifest: Path
-    jar: Path | None
-    jobs: int
-    json: Path | None
-    names: tuple[str, ...]
 
 
 @click.command(name="witnesses", short_help="Is any rule or property of the specification checked in vain?")
@@ -77,35 +62,22 @@ def witnesses_command(
     processes = Processes()
     usage = (ManifestError, SyntaxTreeError, reasons.ReasonsError, OSError, msgspec.MsgspecError)
     with session(processes, usage, (tlc.ToolMissingError, CollectingError)) as console:
-        request = Request(against, lane, manifest, jar, jobs, json_path, names)
-        sys.exit(run_request(request, processes, console))
-
-
-def run_request(request: Request, processes: Processes, console: Console) -> int:
-    """Do the work and return the exit code."""
-    manifest = load(request.manifest)
-    why = reasons.read(manifest.directory / "witnesses.json", reasons.Excuse)
-    harness = Harness(manifest, tlc.find_toolchain(request.jar), processes)
-    spec = read_modules(manifest.spec)
-    found = conditions(spec)
-    models = []
-    roots = []
-    if request.against != "logs":
-        models = [m for m in manifest.select(request.lane, request.names) if m.kind in KINDS]
-        roots += [m.module.stem for m in models]
-    traces = None
-    if request.against != "models":
-        traces = manifest.directory.parent / "traces"
-        roots.append(log_as_tla.ROOT)
-    known = read_modules(manifest.directory) | spec
-    scope = {name for root in roots for name in closure(root, known)}
-    began = time.monotonic()
-    with Progress(console, len(roots)) as progress:
-        seen = collect(harness, spec, found, models, traces, request.jobs, progress)
-    judged = [s for s in seen if s.condition.module in scope]
-    explained = report.explain(judged, why, (c.id for c in found))
-    report.show(console, explained)
-    ran = [m.name for m in models] + ([logs.NAME] if traces else [])
-    document = report.as_json(explained, ran, time.monotonic() - began)
-    write_json(request.json, document)
-    return 0 if explained.ok else UNEXPLAINED
+        listed = load(manifest)
+        why = reasons.read(listed.directory / "witnesses.json", reasons.Excuse)
+        harness = Harness(listed, tlc.find_toolchain(jar), processes)
+        spec = read_modules(listed.spec)
+        found = conditions(spec)
+        chosen = listed.select(lane, names) if against != "logs" else []
+        models = [model for model in chosen if model.kind in KINDS]
+        traces = listed.directory.parent / "traces" if against != "models" else None
+        roots = [model.module.stem for model in models] + ([log_as_tla.ROOT] if traces else [])
+        known = read_modules(listed.directory) | spec
+        scope = {name for root in roots for name in closure(root, known)}
+        began = time.monotonic()
+        with Progress(console, len(roots)) as progress:
+            seen = collect(harness, spec, found, models, traces, jobs, progress)
+        explained = report.explain([s for s in seen if s.condition.module in scope], why, (c.id for c in found))
+        report.show(console, explained)
+        ran = [model.name for model in models] + ([logs.NAME] if traces else [])
+        write_json(json_path, report.as_json(explained, ran, time.monotonic() - began))
+        sys.exit(0 if explained.ok else UNEXPLAINED)

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
-from evidence.common.console import plain, short
+from evidence.common.console import columns, plain, short
 from evidence.common.reasons import Excuse, assign
 from evidence.mutants.witnesses import Seen
 
@@ -41,10 +40,7 @@ def explain(seen: Sequence[Seen], reasons: Iterable[Excuse], existing: Iterable[
 
 def show(console: Console, explained: Explained) -> None:
     """Show the table, the conditions without a witness, and the stale reasons."""
-    table = Table(box=None, pad_edge=False)
-    table.add_column("module")
-    for heading in COLUMNS:
-        table.add_column(heading, justify="right")
+    table = columns(["module"], COLUMNS)
     for module in sorted({s.condition.module for s in explained.seen}):
         table.add_row(module, *map(str, numbers(explained, module).values()))
     total = numbers(explained)

@@ -17,18 +17,18 @@ from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM as SOFT_PLC
 from evidence.common.processes import Processes
 from evidence.logs import agree, damage, tlc_batch
-from evidence.logs import agree_command as command
+from evidence.logs.agree import Compared
 from evidence.logs.agree_command import agree_command
 from evidence.logs.damage import Log
 from evidence.logs.random_logs import UNCHANGED, Generated, Generator, SoftPlcError
 from evidence.logs.setups import scenario
-from evidence.logs.verdicts import Compared, Judged
+from evidence.logs.tlc_batch import Judged
 from evidence.tla import tlc
 from s7check.engine import pool
 from s7check.engine.answer import Alternatives
 from s7check.report.report import Report
 from s7check.resources import SPECIFICATION
-from tests.logs import event, log_text
+from tests.logs import RUN, event, log_text
 
 
 @pytest.fixture(scope="module")
@@ -170,14 +170,7 @@ def test_a_log_that_tlc_cannot_judge(tools: tlc.Toolchain, tmp_path: Path) -> No
     )
     good, bad = tmp_path / "good.ndjson", tmp_path / "bad.ndjson"
     good.write_bytes(log_text())
-    header = {
-        "format": "s7-interrupt-log/1",
-        "cpu": "S7-300",
-        "obs": [1],
-        "clock": "2026-11-21T05:59:30",
-        "mode": "RUN",
-    }
-    bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=header))
+    bad.write_bytes(log_text(event("DIS_AIRT", ret=1), header=RUN))
     said = tlc_batch.judge(tools, Processes(), spec, [good, bad]).verdicts
     assert said[0] == Judged("accepted")
     assert said[1].verdict.startswith("no verdict: error")
@@ -242,7 +235,7 @@ def test_tools_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, tools: t
     """No TLC, no soft PLC, wrong arguments."""
     code, output = run("--logs", "1", "--tlc", str(tmp_path / "none.jar"))
     assert (code, "TLC's jar is not at" in output) == (3, True)
-    monkeypatch.setattr(command, "SOFT_PLC_PROGRAM", tmp_path / "none")
+    monkeypatch.setattr(agree, "SOFT_PLC_PROGRAM", tmp_path / "none")
     code, output = run("--logs", "1")
     assert (code, "the soft PLC is not at" in output) == (3, True)
     assert run("--logs", "0")[0] == 2

@@ -11,7 +11,7 @@ import pytest
 from evidence.common.reasons import ReasonsError, read
 from evidence.mutants.bench import Bench, UnsoundBaselineError, Verdict
 from evidence.mutants.findings import Finding, Findings, How
-from evidence.mutants.listing import Mutant, mutants
+from evidence.mutants.listing import mutants
 from evidence.mutants.mutants_report import as_json, numbers
 from evidence.mutants.survivors import Reason, explain
 from evidence.tla.modules import read_modules
@@ -195,11 +195,6 @@ def test_a_check_that_always_fails_shows_nothing(spec: Path) -> None:
     assert judged(spec, FakeCheck("c", {})), "a failure is not kept: its reason may be gone"
 
 
-def survivor(verdicts: dict[str, Verdict], change: str) -> Mutant:
-    """Return the mutant of a change."""
-    return verdicts[change].mutant
-
-
 def test_survivors_and_reasons(spec: Path) -> None:
     """Survivors need a reason; equivalent ones do not count."""
     verdicts = judged(spec, FakeCheck("c", {"x - 1": "property", "x + 2": "count", "x + 0": "invalid"}))
@@ -207,7 +202,7 @@ def test_survivors_and_reasons(spec: Path) -> None:
     assert [v.mutant.definition for v in bare.unexplained] == ["B"] * 4
     assert not as_json(bare, 1.0)["ok"]
 
-    equal = survivor(verdicts, "x < 5 -> x <= 5").id
+    equal = verdicts["x < 5 -> x <= 5"].mutant.id
     reasons = [Reason(equal, "x is never 5", equivalent=True), Reason("M/B/*", "nobody asks")]
     full = explain(list(verdicts.values()), reasons, [v.mutant.id for v in verdicts.values()])
     assert (full.unexplained, full.stale) == ([], [])

@@ -9,6 +9,7 @@ HEADER: dict[str, Any] = {
     "obs": [1, 10, 80, 85, 100],
     "clock": "2026-11-21T05:59:30.000",
 }
+RUN = HEADER | {"mode": "RUN"}
 BEGIN = 19_401_479
 """The minute of the header's clock, counted from 1990."""
 

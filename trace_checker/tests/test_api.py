@@ -14,10 +14,9 @@ from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.engine.command import CHOICE
 from s7check.report.as_text import TextReports
-from tests.logs import HEADER, event, log_text
+from tests.logs import RUN, event, log_text
 from tests.shipped import log_of
 
-RUN = HEADER | {"mode": "RUN"}
 NOTHING_DELAYED = event("EN_AIRT", ret=0)
 REJECTED = log_of("AIRT-07-nothing-delayed-answers-0000")
 PAGE = Path(s7check.__file__).parents[2] / "docs" / "checking" / "python.md"

@@ -15,10 +15,9 @@ from s7check.asking.session import Session
 from s7check.engine.client import Engine
 from s7check.log.calls import MODES
 from s7check.log.errors import UnusableLogError
-from tests.logs import HEADER, at, event, log_text
+from tests.logs import HEADER, RUN, at, event, log_text
 from tests.shipped import CASES, TRACES
 
-RUN = HEADER | {"mode": "RUN"}
 MINUTE: dict[str, Any] = {"ob": 10, "sdt": "2026-11-21T06:00", "period": "W#16#0201", "ret": 0}
 ARMED = (event("SET_TINT", **MINUTE), event("ACT_TINT", ob=10, ret=0))
 
@@ -289,7 +288,7 @@ def test_questions_by_which_explanations_differ(
     readings: dict[str, str], lines: list[dict[str, Any]], named: list[str], real_engine: Engine
 ) -> None:
     """Each letter leaves other explanations, and together they leave all."""
-    header = HEADER | {"obs": [1, 20, 80, 85, 100], "mode": "RUN", "readings": readings}
+    header = RUN | {"obs": [1, 20, 80, 85, 100], "readings": readings}
     session = Session(real_engine, header)
     for line in lines:
         assert session.feed(line) is None

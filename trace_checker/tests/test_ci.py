@@ -10,14 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.logs import HEADER, event, log_text
+from tests.logs import RUN, event, log_text
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "instrumentation" / "ci" / "check.sh"
 TEMPLATE = ROOT / "examples" / "adapters" / "template.py"
 CTEST = ROOT / "examples" / "ctest"
 
-RUN = HEADER | {"mode": "RUN"}
 PATH = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
 
 

@@ -1,8 +1,8 @@
 """``s7check`` as its users see it, with the fake engine."""
 
-import gzip
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,8 +12,6 @@ from typing import Any
 
 import msgspec
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from s7check import __version__, cli, trace_command
 from s7check.engine import pool
@@ -186,16 +184,6 @@ def test_set(logs: Path, header: dict[str, Any], capsys: pytest.CaptureFixture[s
     }
 
 
-def test_first_line_decides(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A rejected line before an unusable one gives rejected, the other way round unusable."""
-    (logs / "a").write_bytes(REJECTED + b"oops\n")
-    (logs / "b").write_bytes(log_text(event("run"), "oops", event("EN_AIRT", ret=1)))
-    assert cli.main(["trace", "--format", "json", "a", "b"]) == 2
-    first, second = objects(capsys)
-    assert (first["verdict"], first["line"]) == ("rejected", 3)
-    assert (second["verdict"], second["line"], second["events"]) == ("unusable", 3, 1)
-
-
 def test_hostile_line(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A quoted line cannot send orders to the terminal or fill it."""
     (logs / "a").write_bytes(log_text(event("EN_AIRT", ret=1, x_a="\u202e\x9b31m" + "x" * 10_000)))
@@ -235,22 +223,13 @@ def test_unusable_without_an_engine(monkeypatch: pytest.MonkeyPatch, capsys: pyt
     ]
 
 
-@pytest.mark.parametrize("name", ["missing", ".", "broken.gz", "unreadable", "a\0b"])
+@pytest.mark.parametrize("name", ["missing", ".", "unreadable", "a\0b", "x" * 5000])
 def test_no_log(logs: Path, name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """What cannot be read is unusable, with one line that says why."""
-    (logs / "broken.gz").write_bytes(b"\x1f\x8b garbage")
+    """What cannot be opened is unusable, with one line that says why."""
     (logs / "unreadable").symlink_to("unreadable")
     assert cli.main(["trace", name]) == 2
     (line,) = capsys.readouterr().out.splitlines()
-    assert ": unusable: expected" in line
-
-
-def test_gzip(logs: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A packed log gives the same verdict as the plain one."""
-    (logs / "a.gz").write_bytes(gzip.compress(REJECTED))
-    assert cli.main(["trace", "--format", "json", "a.gz", "rejected"]) == 1
-    packed, plain = objects(capsys)
-    assert packed | {"log": ""} == plain | {"log": ""}
+    assert re.search(r"(?<!:\d): unusable: expected", line), "it has no line"
 
 
 @pytest.mark.parametrize(
@@ -425,17 +404,6 @@ def test_any_encoding_of_the_output(logs: Path, encoding: str) -> None:
     )
     assert (run.returncode, run.stderr) == (1, b"")
     assert run.stdout.startswith(b"a:2: rejected")
-
-
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.binary() | st.lists(st.sampled_from(ACCEPTED.splitlines(True) + REJECTED.splitlines(True))).map(b"".join))
-def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: bytes) -> None:
-    """Every file gets one of the verdicts on one JSON line."""
-    path = tmp_path / "any"
-    path.write_bytes(content)
-    code = cli.main(["trace", "--format", "json", str(path)])
-    (report,) = objects(capsys)
-    assert {"accepted": 0, "rejected": 1, "unusable": 2}[report["verdict"]] == code
 
 
 HEAVY = {

@@ -10,10 +10,9 @@ from s7check.coverage import Coverage, Guard, measure
 from s7check.engine.client import Engine
 from s7check.judging.decisions import decisions_of
 from s7check.log.calls import WITHOUT_NUMBER
-from tests.logs import HEADER, event, log_text
+from tests.logs import HEADER, RUN, event, log_text
 from tests.shipped import CASES, TRACES
-
-RUN = HEADER | {"mode": "RUN"}
+from tests.test_simulating import PROGRAM
 
 
 def lines(*events: dict[str, object], header: dict[str, object] = RUN) -> list[bytes]:
@@ -95,7 +94,7 @@ def test_open(real_engine: Engine) -> None:
 
 def test_lines_of_their_own(real_engine: Engine) -> None:
     """Answers, PERIODs, OBs, classes and kinds left out come from the lines."""
-    header = HEADER | {"mode": "RUN", "records": ["call", "ob", "clock", "mode", "load"]}
+    header = RUN | {"records": ["call", "ob", "clock", "mode", "load"]}
     found = measure(
         lines(
             event("SET_TINT", ob=10, sdt="2026-12-27T06:00", period=0x1001, ret=0),
@@ -144,15 +143,7 @@ def log(tmp_path: Path) -> Path:
 
 def test_command(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The numbers, the gaps with a program for each that has one, the missing answers."""
-    program = {
-        "format": "s7-interrupt-program/1",
-        "name": "IRT-x",
-        "about": "A bad MODE.",
-        "requirements": ["IRT-12", "AIRT-07"],
-        "header": {"cpu": "S7-400", "obs": [1], "clock": "2026-11-21T05:59:30", "mode": "RUN"},
-        "duration": 1,
-        "bodies": [],
-    }
+    program = PROGRAM | {"name": "IRT-x", "requirements": ["IRT-12", "AIRT-07"]}
     (tmp_path / "p.json").write_text(json.dumps(program), encoding="utf-8")
     assert main(["coverage", "--guards", "--programs", str(tmp_path / "p.json"), str(log)]) == 0
     out = capsys.readouterr().out

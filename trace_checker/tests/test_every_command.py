@@ -12,10 +12,10 @@ from s7check import cli
 from s7check.engine import pool
 from s7check.engine.client import Engine
 from s7check.judging import workers
-from s7check.kit.program import read_program
 from s7check.resources import FailedError
-from tests.logs import HEADER, event, log_text
+from tests.logs import RUN, event, log_text
 from tests.shipped import CASES, TRACES
+from tests.test_simulating import PROGRAM
 
 IMPORTED = Path(__file__).parents[2] / "examples" / "import"
 CPU = "--cpu S7-400 --obs 1,10,80,85,100"
@@ -29,7 +29,7 @@ SOURCES = [
 OWN_FIELDS = log_text(
     event("DIS_AIRT", ret=1, x_note={"{ob}": [1, {"%s": None}]}, x_text="{0} %d {"),
     event("diag", id="W#16#3501", info={"strt_info": "B#16#01"}, x_={}),
-    header=HEADER | {"mode": "RUN", "x_who": {"{}": 1}},
+    header=RUN | {"x_who": {"{}": 1}},
 )
 
 SPREAD = 311
@@ -109,18 +109,7 @@ def test_on_each(command: str, logs: list[Path], capsys: pytest.CaptureFixture[s
 @pytest.mark.parametrize("options", ["", "--seed 3", "--all", "--all --format json", "--cpu S7-300"])
 def test_simulate(options: str, tmp_path: Path) -> None:
     """A program, and what is none."""
-    program = {
-        "format": "s7-interrupt-program/1",
-        "name": "small",
-        "about": "One delay, one event.",
-        "requirements": ["AIRT-03"],
-        "header": {"cpu": "S7-400", "obs": [1, 35, 80, 85, 100], "clock": "2026-11-21T05:59:30", "mode": "RUN"},
-        "duration": 3000,
-        "outside": [{"after": 1000, "event": "interrupt", "ob": 35}],
-        "bodies": [{"ob": 1, "run": 1, "steps": [{"call": "DIS_AIRT"}, {"wait": 2000}]}],
-    }
-    read_program(json.dumps(program).encode())
-    (tmp_path / "program.json").write_text(json.dumps(program))
+    (tmp_path / "program.json").write_text(json.dumps(PROGRAM))
     assert run(["simulate", *options.split(), str(tmp_path / "program.json")]) == 0
     for text in ("", "[]", "{", '{"format": "s7-interrupt-log/1"}', "\xff"):
         (tmp_path / "none.json").write_text(text)

@@ -7,9 +7,8 @@ import pytest
 
 from s7check import cli, resources
 from s7check.migrating.table import read
-from tests.logs import HEADER, event, log_text
+from tests.logs import HEADER, RUN, event, log_text
 
-RUN = HEADER | {"mode": "RUN"}
 LOG = (
     event("SET_TINT", ob=10, sdt="2026-11-21T06:00", period="W#16#0201", ret=0),
     event("ACT_TINT", 31.001, ob=10, ret=0),

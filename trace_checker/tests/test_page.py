@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 import subprocess
 from html import unescape
 from itertools import pairwise
@@ -12,14 +11,13 @@ import pytest
 from msgspec.structs import replace
 from playwright.sync_api import sync_playwright
 
+from evidence.common.chromium import chromium
 from s7check.engine.answer import Candidate, Frame, Pending, Situation, Step
 from s7check.report.as_html import to_html
 from s7check.report.report import Report
 from tests.logs import event, log_text
 
-CHROMIUM = next(
-    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), ""
-)
+CHROMIUM = chromium() or ""
 CSS = (Path(__file__).parents[1] / "s7check" / "report" / "report.css").read_text(encoding="utf-8")
 RUN = Situation(mode="RUN", running=[Frame(1, 1)])
 LEAST_CONTRAST = 4.5
@@ -175,6 +173,9 @@ scroll.scrollLeft = 300;
 const label = scroll.firstElementChild.getBoundingClientRect();
 const sticky = Math.abs(label.left - scroll.getBoundingClientRect().left) < 3;
 const badges = all(".verdict").filter(b => b.getBoundingClientRect().height > 30).length;
+const drawn = all(".scroll > svg").every(svg => svg.getBoundingClientRect().height > 100)
+  && document.querySelector(".scroll .band").getBoundingClientRect().width > 50;
+const loaded = performance.getEntriesByType("resource").length;
 const keys = all("summary, a, input, .scroll, pre[tabindex]").filter(e => e.tabIndex < 0).length;
 const search = document.querySelector("[type=search]");
 search.value = "other";
@@ -186,15 +187,19 @@ const box = document.querySelector("[value=rejected]");
 box.checked = false;
 box.dispatchEvent(new Event("input", {bubbles: true}));
 const without = document.querySelector("output").textContent;
-const found = {apart, sticky, badges, keys, shown, said, without};
+const scripts = document.scripts.length - 1;
+const found = {apart, drawn, loaded, scripts, sticky, badges, keys, shown, said, without};
 document.body.append(Object.assign(document.createElement("pre"), {id: "found", textContent: JSON.stringify(found)}));
 </script></html>"""
 
 
 @pytest.mark.skipif(not CHROMIUM, reason="no chromium on the PATH")
 def test_the_layout_in_a_browser(tmp_path: Path) -> None:
-    """Labels stay in view, no text lies on another, badges are whole, keys reach all controls, the filter picks."""
-    reports = [long_log("a", 300), long_log("other", 9), Report("c", "accepted", "accepted", events=3)]
+    """Labels stay in view, no text lies on another, badges are whole, keys reach all controls, the filter picks.
+
+    The page loads nothing, and a name is no script.
+    """
+    reports = [long_log("<script>a</script>", 300), long_log("other", 9), Report("c", "accepted", "accepted", events=3)]
     file = tmp_path / "page.html"
     file.write_text(page(*reports).replace("</html>", SCRIPT), encoding="utf-8")
     command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'profile'}"]
@@ -204,6 +209,9 @@ def test_the_layout_in_a_browser(tmp_path: Path) -> None:
     found = json.loads(unescape(run.stdout.split('<pre id="found">')[1].split("</pre>")[0]))
     assert found == {
         "apart": [],
+        "drawn": True,
+        "loaded": 0,
+        "scripts": 1,
         "sticky": True,
         "badges": 0,
         "keys": 0,

@@ -48,16 +48,6 @@ def test_long_log_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert "1,235 events, 50%" in shown
 
 
-def test_many_logs_on_a_terminal(log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """How many of the logs are done."""
-    monkeypatch.setattr(sys, "stderr", Terminal())
-    monkeypatch.setattr(progress, "_DELAY", 0)
-    monkeypatch.setenv("TERM", "xterm")
-    shown = show(log, 12)
-    assert "0/12" in shown
-    assert "1,235 events, 50%" in shown
-
-
 def test_long_name_on_a_narrow_terminal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The name is cut; the counts are whole, on one line."""
     monkeypatch.setattr(sys, "stderr", Terminal())

@@ -2,11 +2,10 @@
 
 import pytest
 
-from tests.logs import HEADER, event, log_text
+from tests.logs import RUN, event, log_text
 
 pytest_plugins = "pytester"
 
-RUN = HEADER | {"mode": "RUN"}
 ACCEPTED = log_text(event("DIS_AIRT", ret=1), header=RUN)
 REJECTED = log_text(event("EN_AIRT", ret=0), header=RUN)
 

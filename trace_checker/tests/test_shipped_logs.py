@@ -1,4 +1,4 @@
-"""The project's example logs, and small changes to them, judged by the real engine."""
+"""The project's example logs, and answers put into others, judged by the real engine."""
 
 import json
 import re
@@ -15,9 +15,6 @@ from s7check.report.report import Report
 from tests.shipped import CASES, TRACES, log_of
 
 PROJECT = Path(cli.__file__).parents[2]
-DOCS = PROJECT / "docs" / "rules"
-
-Lines = list[str]
 
 
 @pytest.fixture(scope="module")
@@ -110,112 +107,13 @@ def test_names() -> None:
         assert first.startswith(f"{case.area}-"), case
 
 
-@pytest.mark.parametrize("verdict", ["accepted", "rejected"])
-def test_enough_logs(verdict: str) -> None:
-    """There are at least twelve of either."""
-    assert sum(case.verdict == verdict for case in CASES) >= 12
-
-
-def test_requirements_exist() -> None:
-    """The requirements and ambiguities of the cases have an entry in the documents."""
-    text = "".join(path.read_text(encoding="utf-8") for path in DOCS.glob("re*.md"))
-    known = set(re.findall(r'<a id="([A-Z]+[0-9]*-[0-9]+)">', text))
-    assert {name for case in CASES for name in case.requirements} <= known
-
-
-def with_ret(line: int, ret: str) -> Callable[[Lines], Lines]:
-    """The log with another ``ret`` in one line."""
-
-    def change(lines: Lines) -> Lines:
-        changed, count = re.subn(r'("ret": )"[^"]*"', rf'\1"{ret}"', lines[line - 1])
-        assert count == 1
-        return [*lines[: line - 1], changed, *lines[line:]]
-
-    return change
-
-
-def without_start(line: int) -> Callable[[Lines], Lines]:
-    """The log without one ``start`` line."""
-
-    def change(lines: Lines) -> Lines:
-        assert '"event": "start"' in lines[line - 1]
-        return lines[: line - 1] + lines[line:]
-
-    return change
-
-
-def with_obs_swapped(one: int, other: int, *lines_changed: int) -> Callable[[Lines], Lines]:
-    """The log with two OB numbers swapped in some of its ``start`` and ``end`` lines."""
-
-    def change(lines: Lines) -> Lines:
-        swapped = {f'"ob": {one}': f'"ob": {other}', f'"ob": {other}': f'"ob": {one}'}
-        for number in lines_changed:
-            assert '"event": "start"' in lines[number - 1] or '"event": "end"' in lines[number - 1]
-            lines[number - 1] = re.sub(r'"ob": [0-9]+', lambda found: swapped[found[0]], lines[number - 1], count=1)
-        return lines
-
-    return change
-
-
-@pytest.mark.parametrize(
-    ("log", "change", "line"),
-    [
-        # SFC 42 answers the delays that are left, one of three here.
-        ("AIRT-03-nested-delay", with_ret(9, "W#16#0002"), 9),
-        # A single start point in the past cannot be activated.
-        ("TINT-61-act-of-a-past-once", with_ret(4, "W#16#0000"), 4),
-        # This single start point is not past.
-        ("TINT-33-once-0000", with_ret(3, "W#16#80A1"), 3),
-        # OB 40 ends without having started, and after its time.
-        ("AIRT-03-nested-delay", without_start(11), 11),
-        # OB 40 has not started in time when the next line is reached, a call.
-        ("OBS-01-time-of-day-waits-for-hardware-interrupt", without_start(5), 5),
-        # OB 80 ends without having started.
-        ("TINT-14-overrun", without_start(5), 5),
-        # OB 11 was due a minute before OB 10 of the same class.
-        ("OBS-02-order-of-start-events-in-a-class", with_obs_swapped(10, 11, 9, 10, 11, 12), 9),
-        # OB 82 has no start event yet.
-        ("OBS-01-hardware-interrupt-preempts-time-of-day", with_obs_swapped(40, 82, 6, 8, 9, 10), 6),
-        # OB 10 is not due yet.
-        ("OBS-01-time-of-day-waits-for-hardware-interrupt", with_obs_swapped(10, 40, 5, 7, 8, 9), 5),
-    ],
-)
-def test_changed_log_is_rejected(
-    log: str,
-    change: Callable[[Lines], Lines],
-    line: int,
-    tmp_path: Path,
-    judge: Callable[[Path], Report],
-) -> None:
-    """One change to an accepted log is found at the line where it shows."""
-    changed = tmp_path / "changed.ndjson"
-    lines = log_of(log).read_text(encoding="utf-8").splitlines()
-    changed.write_text("\n".join(change(lines)) + "\n", encoding="utf-8")
-    report = judge(changed)
-    assert (report.verdict, report.line) == ("rejected", line), report
+def test_changed_log_is_rejected(tmp_path: Path, judge: Callable[[Path], Report]) -> None:
+    """A single start point that is not past cannot be refused as one."""
+    *before, line = log_of("TINT-33-once-0000").read_text(encoding="utf-8").splitlines()[:3]
+    changed, count = re.subn(r'("ret": )"[^"]*"', r'\1"W#16#80A1"', line)
+    assert count == 1
+    log = tmp_path / "changed.ndjson"
+    log.write_text("\n".join([*before, changed]) + "\n", encoding="utf-8")
+    report = judge(log)
+    assert (report.verdict, report.line) == ("rejected", 3), report
     assert report.requirements
-
-
-HEADER, SECOND, *_ = log_of("TINT-33-once-0000").read_text(encoding="utf-8").splitlines()
-
-
-@pytest.mark.parametrize(
-    ("text", "line", "reason"),
-    [
-        ("", 1, "an empty log"),
-        ("garbage\n", 1, "JSON"),
-        (f"{HEADER}\n{SECOND}\n\x00\x01garbage\n", 3, "JSON"),
-        (f"{HEADER}\n{SECOND}\n{SECOND[:-20]}", 3, "JSON"),
-        (HEADER.replace("s7-interrupt-log/1", "s7-interrupt-log/2") + "\n", 1, "s7-interrupt-log/2"),
-    ],
-    ids=["empty", "garbage", "garbage later", "truncated", "other version"],
-)
-def test_unusable_log(text: str, line: int, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What is not of the format gives exit code 2, and file, line and reason."""
-    log = tmp_path / "log.ndjson"
-    log.write_text(text, encoding="utf-8")
-    assert cli.main(["trace", str(log)]) == 2
-    captured = capsys.readouterr()
-    assert captured.out.startswith(f"{log}:{line}: unusable: ")
-    assert reason in captured.out
-    assert captured.err == ""

@@ -26,7 +26,6 @@ from evidence.models.proofs.text import (
     definitions,
     fixed_constants,
     module_text,
-    module_text_of_letters,
     without_comments,
 )
 from evidence.tla.binding import bind_arguments
@@ -235,19 +234,7 @@ def texts(root: Path, query: Query) -> tuple[str, str]:
             _mutate(root, query.name, change, Path(changed))
         folders = [Path(changed), root / "models", *module_folders(root / "spec")]
         roots = {*words, *replaced, *replaced.values()} - {""}
-        if query.shown is None:
-            text = module_text(query.module, folders, roots, dict(query.instead))
-        else:
-            text = module_text_of_letters(
-                query.module,
-                folders,
-                roots,
-                dict(query.instead),
-                shown=query.shown,
-                unless={name: letters for name, letters in query.unless if name in query.formulas},
-                alone=query.alone,
-                constants=query.constants,
-            )
+        text = module_text(query, folders, roots)
     if query.next == TOGETHER:
         either = " \\/ ".join(query.actions)
         following = f"({either}) /\\ {query.history}" if query.history else either

@@ -17,7 +17,8 @@ from pathlib import Path
 
 from tree_sitter import Node
 
-from evidence.tla.flatten import Flat, definition_span, flatten, keep_only
+from evidence.models.proofs.making import Query
+from evidence.tla.flatten import definition_span, flatten, keep_only
 from evidence.tla.modules import reached
 from evidence.tla.syntax import SyntaxTreeError, operand, read_text, references, symbol, token, walk
 
@@ -122,41 +123,25 @@ def put_in_place(text: str, name: str, others: Sequence[str]) -> str:
     return out.decode()
 
 
-def module_text(
-    module: str,
-    folders: list[Path],
-    roots: Iterable[str],
-    instead: Mapping[str, Sequence[str]],
-) -> str:
-    """The module with all that it extends and the roots need; `instead` puts operators in the place of others.
+def module_text(query: Query, folders: list[Path], roots: Iterable[str]) -> str:
+    """The query's module with all that it extends and the roots need. Raises OSError, `SyntaxTreeError`.
 
-    Raises OSError, `SyntaxTreeError`.
-    """
-    return _of_flat(flatten(module, folders), roots, instead)
-
-
-def module_text_of_letters(
-    module: str,
-    folders: list[Path],
-    roots: Iterable[str],
-    instead: Mapping[str, Sequence[str]],
-    *,
-    shown: Sequence[str],
-    unless: Mapping[str, Sequence[str]],
-    alone: str,
-    constants: str,
-) -> str:
-    """As `module_text`, of any letter of each ambiguity but the `shown` ones, and with `ANY_LETTERS`.
-
-    Formulas say nothing of the letters that `unless` has for them. With letters in `alone`: of these, and of the
+    In a query about every letter `ANY_LETTERS` stands in it, too; with letters in `alone` that allows these, and the
     defaults of all other ambiguities.
     """
-    flat = flatten(module, folders)
-    text = _of_flat(replace(flat, text=read_by_any(flat.text, shown)), roots, instead)
-    for formula, letters in unless.items():
-        text = unless_read(text, formula, letters)
-    allowed = letters_alone(flat.text, alone) if alone else all_letters(flat.text)
-    return with_letters(text, allowed, constants)
+    flat = flatten(query.module, folders)
+    text = flat.text if query.shown is None else read_by_any(flat.text, query.shown)
+    text = read_by_default(as_action(text), default_letters(text))
+    for name, others in query.instead:
+        text = put_in_place(text, name, others)
+    text = keep_only(replace(flat, text=text), roots)
+    if query.shown is None:
+        return text
+    for formula, letters in query.unless:
+        if formula in query.formulas:
+            text = unless_read(text, formula, letters)
+    allowed = letters_alone(flat.text, query.alone) if query.alone else all_letters(flat.text)
+    return with_letters(text, allowed, query.constants)
 
 
 def fixed_constants(text: str, initializer: str) -> frozenset[str]:
@@ -181,13 +166,6 @@ def fixed_constants(text: str, initializer: str) -> frozenset[str]:
 
 def _is_any(node: Node) -> bool:
     return node.type == "record_literal" or token(node).startswith("Gen(")
-
-
-def _of_flat(flat: Flat, roots: Iterable[str], instead: Mapping[str, Sequence[str]]) -> str:
-    text = read_by_default(as_action(flat.text), default_letters(flat.text))
-    for name, others in instead.items():
-        text = put_in_place(text, name, others)
-    return keep_only(replace(flat, text=text), roots)
 
 
 def without_comments(text: str) -> str:

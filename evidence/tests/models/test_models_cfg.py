@@ -54,13 +54,6 @@ def test_override_changes_one_line(name: str, value: str, line: str) -> None:
     assert len(after) in (len(before), len(before) + 1)
 
 
-@pytest.mark.parametrize(("name", "value"), [("Nothing", "1"), ("Limit", "4"), ("Limit", "= 4")])
-def test_override_without_effect_is_an_error(name: str, value: str) -> None:
-    """A constant that is not there, and a value that it has already, are errors."""
-    with pytest.raises(CfgError, match=name):
-        override(TEXT, name, value)
-
-
 def test_override_of_a_constant_assigned_twice_is_an_error() -> None:
     """Which of two assignments counts is not for the harness to guess."""
     with pytest.raises(CfgError, match="2 times"):

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 
 from evidence.models import distributed
+from evidence.tests.models.conftest import Project
 from evidence.tla import tlc
-
-if TYPE_CHECKING:
-    from evidence.tests.models.conftest import Project
 
 TRIES = 6
 

@@ -35,17 +35,6 @@ def test_success() -> None:
     assert outcome.version == "2.18 of 20 March 2023"
 
 
-@pytest.mark.parametrize("output", ["", STATS + END, message(2193, "done") + STATS])
-def test_exit_0_alone_is_no_success(output: str) -> None:
-    """Exit 0 without the message of success, or cut off after it, is broken."""
-    assert read(output, 0).kind == "broken"
-
-
-def test_success_with_other_exit_is_broken() -> None:
-    """A message of success does not outweigh an exit code."""
-    assert read(message(2193, "done") + END, 1).kind == "broken"
-
-
 @pytest.mark.parametrize(
     ("code", "text", "kind", "names"),
     [
@@ -69,22 +58,27 @@ def test_violations(code: int, text: str, kind: str, names: tuple[str, ...] | No
     assert outcome.names == (("line 4, col 1 to line 4, col 9 of module A",) if names is None else names)
 
 
-def test_evaluation_error_is_never_a_violation() -> None:
-    """An error next to a violation, or one that shares a violation's exit code, is broken."""
-    violated = message(2110, "Invariant Inv is violated.", 1)
-    assert read(violated + message(2103, "nested expressions", 1) + END, 12).kind == "broken"
-    assert read(message(2113, "Evaluating action property P failed.", 1) + END, 13).kind == "broken"
-    assert read(message(2105, "Evaluating assumption A failed.", 1) + END, 10).kind == "broken"
+VIOLATED = message(2110, "Invariant Inv is violated.", 1)
+SUCCESS = message(2193, "done")
 
 
-def test_violation_with_odd_exit_is_broken() -> None:
-    """A violation during which TLC crashed is no violation."""
-    assert read(message(2116, "Temporal properties were violated.", 1), 1).kind == "broken"
-
-
-def test_warning_changes_nothing() -> None:
-    """A warning (class 3) leaves a success a success."""
-    assert read(message(2255, "a state-level formula", 3) + message(2193, "done") + END, 0).kind == "passed"
+@pytest.mark.parametrize(
+    ("output", "exit_code", "kind"),
+    [
+        pytest.param("", 0, "broken", id="no message of success"),
+        pytest.param(STATS + END, 0, "broken", id="all but the message of success"),
+        pytest.param(SUCCESS + STATS, 0, "broken", id="cut off after it"),
+        pytest.param(SUCCESS + END, 1, "broken", id="success with another exit code"),
+        pytest.param(VIOLATED + message(2103, "nested", 1) + END, 12, "broken", id="an error beside a violation"),
+        pytest.param(message(2113, "P failed.", 1) + END, 13, "broken", id="an error with the exit code of a property"),
+        pytest.param(message(2105, "A failed.", 1) + END, 10, "broken", id="an error with that of an assumption"),
+        pytest.param(message(2116, "Temporal properties were violated.", 1), 1, "broken", id="a crash meanwhile"),
+        pytest.param(message(2255, "a formula", 3) + SUCCESS + END, 0, "passed", id="a warning changes nothing"),
+    ],
+)
+def test_kind(output: str, exit_code: int, kind: str) -> None:
+    """Message and exit code have to agree, and an error is never a violation."""
+    assert read(output, exit_code).kind == kind
 
 
 def test_nested_messages() -> None:

@@ -6,17 +6,14 @@ import contextlib
 import subprocess
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from evidence.common.processes import Processes
 from evidence.models.entries import Expect
 from evidence.models.manifest import load
 from evidence.models.runner import Harness, check, prepare
+from evidence.tests.models.conftest import Project
 from evidence.tla import tlc
 from evidence.tla.resident import Residents
-
-if TYPE_CHECKING:
-    from evidence.tests.models.conftest import Project
 
 
 class Counting(Processes):

@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from s7check import cli
-from s7check.importing.sources import live
 from tests.cpu import Cpu
 from tests.importing.test_import_diagnostics import records
 from tests.importing.test_import_ring import dump, entry
@@ -118,8 +117,3 @@ def test_without_snap7(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.Mo
     extras = tomllib.loads((PROJECT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     (package,) = extras["snap7"]
     assert message.endswith(f'expected python-snap7 to read a CPU: pip install "{package}"; found none')
-
-
-def test_address() -> None:
-    """Host, rack, slot; the port comes apart."""
-    assert live.parse("snap7://192.168.0.1:0:3", 102) == live.Address("192.168.0.1", 0, 3, 102)

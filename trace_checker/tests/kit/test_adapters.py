@@ -64,14 +64,6 @@ def test_soft_plc(soft_plc: str, tmp_path: Path) -> None:
     assert sum(result["status"] == "passed" for result in found) > len(names) * 0.9
 
 
-@pytest.mark.parametrize("fault", ["airt-flag", "dint-no-limit", "month-end-30"])
-def test_fault(soft_plc: str, fault: str, tmp_path: Path) -> None:
-    """A deliberate mistake is found."""
-    only = {"airt-flag": "AIRT-0*", "dint-no-limit": "DINT-04-*", "month-end-30": "TINT-19-*"}[fault]
-    found = results(tmp_path, "--only", only, "--", soft_plc, "--kit", "--fault", fault)
-    assert any(result["status"] == "failed" and result["deciding"] for result in found)
-
-
 HEADER_ONLY = """
 import json, sys
 for line in sys.stdin:

@@ -48,6 +48,21 @@ def steps(watch: Watch, plc: Plc, count: int = 3, ms: int = 100) -> None:
         plc.pass_time(ms)
 
 
+def running(begin: Begin, **options: int) -> tuple[Plc, Watch]:
+    """A CPU that has started, with these options, and its watch."""
+    plc = Plc(**options)
+    watch = begin(plc)
+    plc.restart()
+    steps(watch, plc)
+    return plc, watch
+
+
+def ends_accepted(watch: Watch) -> None:
+    """Ends the watch; it has made one log, which is accepted."""
+    watch.end()
+    assert [report.verdict for report in watch.reports] == ["accepted"]
+
+
 def lines(file: Path) -> list[dict[str, Any]]:
     """The lines of a log."""
     return [json.loads(line) for line in file.read_text().splitlines()]
@@ -94,10 +109,7 @@ def test_a_good_run(begin: Begin, tmp_path: Path) -> None:
 
 def test_a_seeded_fault(begin: Begin, tmp_path: Path) -> None:
     """A CAN_DINT that answers 0 where no delay runs: call and ob alone would not show it."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     plc.enter(33, ob=20, ret=0)
     watch.step()
     (report,) = watch.reports
@@ -150,10 +162,7 @@ def test_torn_and_unfinished(begin: Begin) -> None:
 
 def test_overwritten(begin: Begin) -> None:
     """More entries than slots between two polls: the log ends, the next one does not claim to know every call."""
-    plc = Plc(capacity=8)
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin, capacity=8)
     for _ in range(20):
         plc.pass_time(1)
         plc.enter(33, ob=20, ret=0x80A0 - 0x10000)
@@ -179,10 +188,7 @@ def test_overwritten(begin: Begin) -> None:
 
 def test_overwritten_while_it_is_read(begin: Begin) -> None:
     """The program goes round the ring between the counter and the slots: what is read is right or is a gap."""
-    plc = Plc(capacity=8)
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin, capacity=8)
     calls = 0
 
     def rush() -> None:
@@ -205,10 +211,7 @@ def test_overwritten_while_it_is_read(begin: Begin) -> None:
 
 def test_stall(begin: Begin) -> None:
     """Nobody polls for 7 s: nothing is lost as long as ring and buffer have room."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     plc.pass_time(1000)
     plc.enter(32, ob=20, info_2=500)
     plc.pass_time(500)
@@ -222,8 +225,7 @@ def test_stall(begin: Begin) -> None:
     plc.pass_time(3000)
     steps(watch, plc)
     assert told(watch) == plc.told
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
 
 
 def test_stop_in_mid_program(begin: Begin) -> None:
@@ -243,16 +245,12 @@ def test_stop_in_mid_program(begin: Begin) -> None:
     plc.restart()
     steps(watch, plc)
     assert told(watch) == plc.told
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
 
 
 def test_the_clock_is_set_by_the_program(begin: Begin) -> None:
     """Forward and backward, with entries of the buffer around: one log."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     plc.set_clock(plc.now + timedelta(hours=1))
     plc.pass_time(1)
     plc.enter(41, ret=1)
@@ -262,8 +260,7 @@ def test_the_clock_is_set_by_the_program(begin: Begin) -> None:
     plc.stop()
     steps(watch, plc)
     assert told(watch) == plc.told
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
 
 
 @pytest.mark.parametrize("hours", [1, -1])
@@ -287,10 +284,7 @@ def test_the_clock_is_set_by_somebody(begin: Begin, hours: int) -> None:
 
 def test_set_back_with_entries_of_no_certain_order(begin: Begin) -> None:
     """An entry of the buffer that may stand on either side of a clock set back: a gap, no guess."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     plc.pass_time(3000)
     plc.set_clock(plc.now - timedelta(seconds=2))
     plc.pass_time(1000)
@@ -322,25 +316,18 @@ def test_states(begin: Begin) -> None:
 
 def test_hold(begin: Begin) -> None:
     """HOLD and its release."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     plc.change(0x4305, HOLD, "hold")
     steps(watch, plc)
     plc.change(0x4306, RUN, "release")
     steps(watch, plc)
     assert told(watch) == plc.told
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
 
 
 def test_lost_entries_of_the_buffer(begin: Begin) -> None:
     """More new entries than the buffer holds: the log ends, and the mode is asked for."""
-    plc = Plc()
-    watch = begin(plc)
-    plc.restart()
-    steps(watch, plc)
+    plc, watch = running(begin)
     for _ in range(150):
         plc.pass_time(1)
         plc.note("1381 FF00 0000 0000 0000 0000")
@@ -385,8 +372,7 @@ def test_a_cut_connection(tmp_path: Path) -> None:
     steps(watch, plc)
     assert broken > 10
     assert told(watch) == plc.told
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
     watch._cpu.close()
     server.stop()
     assert server.asked == {"setup", "read", "clock", 0x01A0, 0x0424}, "nothing else is asked, nothing written"
@@ -410,8 +396,7 @@ def test_a_server_that_goes() -> None:
         watch.step()
         assert watch.trouble
     assert watch is not None
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
     connection.close()
 
 
@@ -446,8 +431,7 @@ def test_at_random(begin: Begin, seed: int) -> None:
     steps(watch, plc)
     assert told(watch) == plc.told
     assert len(plc.told) > 100
-    watch.end()
-    assert [report.verdict for report in watch.reports] == ["accepted"]
+    ends_accepted(watch)
 
 
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -305,14 +305,6 @@ def test_broken_gzip_has_a_line(real_engine: Engine, tmp_path: Path) -> None:
     assert check_log(str(path), real_engine, lambda _, __: None).line == 1
 
 
-def test_log_that_cannot_be_opened(tmp_path: Path) -> None:
-    """Missing files, folders and impossible names are unusable, without a line."""
-    for name in (str(tmp_path / "missing"), str(tmp_path), "a\0b", "x" * 5000):
-        with pytest.raises(UnusableLogError) as caught, open_log(name):
-            pass
-        assert caught.value.line == 0
-
-
 def test_folder_without_logs(tmp_path: Path) -> None:
     """Of a folder it is said what it should hold."""
     expected = r"expected a folder with \*\.ndjson or \*\.jsonl in it; found a folder without any"
