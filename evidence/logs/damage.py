@@ -283,7 +283,7 @@ KINDS = {
     **dict.fromkeys(("start", "end"), "ob"),
     **dict.fromkeys(("restart", "run", "stop", "hold", "release"), "mode"),
     **dict.fromkeys(("load", "delete"), "load"),
-    **{kind: kind for kind in ("clock", "interrupt", "diag", "state")},
+    **{kind: kind for kind in ("clock", "interrupt", "diag")},
     "zone": "clock",
 }
 """The kind of an event that is not a call."""

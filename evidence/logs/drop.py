@@ -10,6 +10,9 @@ from evidence.logs.damage import KINDS, Log
 EVERY_KIND = ("call", "ob", "clock", "mode", "interrupt", "load")
 """The kinds that a header names by default."""
 
+_KINDS = KINDS | {"state": "state"}
+"""A `state` line says what somebody saw; it stays whatever is left out."""
+
 
 def subsets() -> Iterator[frozenset[str]]:
     """Every choice of kinds, one kind at least."""
@@ -22,4 +25,4 @@ def without(log: Log, kinds: Set[str]) -> Log:
     header = log.header | {"records": [kind for kind in log.header.get("records", EVERY_KIND) if kind not in kinds]}
     if "ob" in kinds:
         header.pop("cycle", None)
-    return Log(header, [event for event in log.events if KINDS.get(event["event"], "call") not in kinds])
+    return Log(header, [event for event in log.events if _KINDS.get(event["event"], "call") not in kinds])
