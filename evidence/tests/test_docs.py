@@ -7,10 +7,10 @@ from urllib.parse import unquote
 import pytest
 
 from evidence.common.checkout import ROOT
-from evidence.views.traceability.documents import ambiguities
 from evidence.views.traceability.project import READINGS
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
+from s7check.report.clauses import questions_of
 
 PAGES = sorted(
     path
@@ -70,8 +70,9 @@ def test_files_that_are_named(page: Path) -> None:
 
 def test_letters_of_readings() -> None:
     """readings.md has the letters that a header may name, and as constants those that the specification tells apart."""
-    entries = ambiguities(ROOT / READINGS).values()
-    page = " ".join((ROOT / READINGS).read_text(encoding="utf-8").split())
+    text = (ROOT / READINGS).read_text(encoding="utf-8")
+    entries = questions_of(text)
+    page = " ".join(text.split())
     settled = dict(zip((entry.id for entry in entries), SETTLED.findall(page), strict=True))
     try:
         with Engine() as engine:

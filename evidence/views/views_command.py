@@ -15,7 +15,6 @@ from evidence.common.session import session
 from evidence.kit import kept_paths, measured, programs
 from evidence.views import vectors
 from evidence.views.made import views
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.project import read_project
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
@@ -33,7 +32,7 @@ STALE = 1
 )
 def make_command(output: Path) -> int:
     """Write the views, and name kept data that are older than what they were made from."""
-    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
+    with session(Processes(), (OSError, ValueError), (EngineError,)) as console:
         with Engine() as engine:
             made = views(read_project(ROOT), engine)
         problems = [*kept_paths.problems(), *measured.problems()]

@@ -31,7 +31,6 @@ from evidence.views.site.linked import TAG, Linked, with_links
 from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
 from evidence.views.site.modules import module_page
 from evidence.views.site.tables import Tables
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import build
 from evidence.views.traceability.project import REQUIREMENTS, REQUIREMENTS_S7_1500, Project, read_project
 from s7check.engine.client import Engine
@@ -74,7 +73,7 @@ def site_command(output: Path) -> int:
 
     They load nothing from elsewhere and work from the file system.
     """
-    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError, ToolMissingError)) as console:
+    with session(Processes(), (OSError, ValueError), (EngineError, ToolMissingError)) as console:
         project = read_project(ROOT)
         if found := problems(project):
             raise ValueError("\n".join(found))
