@@ -17,7 +17,7 @@ from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.common.chromium import PageEngine
 from evidence.common.console import plain
-from evidence.common.options import json_option, write_json
+from evidence.common.options import folder_option, json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs.random_logs import Generator, SoftPlcError
@@ -66,13 +66,7 @@ class Executable:
 @click.option("--seed", type=int, default=1, show_default=True, help="Other logs.")
 @click.option("--page", is_flag=True, help="The engine in the checker's page, in Chromium, instead of the executable.")
 @click.option("--wine", is_flag=True, help="The executable for Windows, under wine.")
-@click.option(
-    "--keep",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "engines",
-    show_default=True,
-    help="Where the logs go about which the two differ.",
-)
+@folder_option("--keep", Path("build") / "engines", "Where the logs go about which the two differ.")
 @json_option
 def engines_command(
     logs: int, damaged: int, seed: int, page: bool, wine: bool, keep: Path, json_path: Path | None

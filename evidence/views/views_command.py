@@ -10,6 +10,7 @@ import click
 from evidence.common import gallery
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.kit import kept_paths, measured, programs
@@ -23,13 +24,7 @@ STALE = 1
 
 
 @click.command("make", short_help="Pages, experiments' sources and the kit's programs, from the kept data.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=ROOT / "build" / "views",
-    show_default="build/views",
-    help="The folder; its old content is removed.",
-)
+@folder_option("--output", ROOT / "build" / "views", "The folder; its old content is removed.")
 def make_command(output: Path) -> int:
     """Write the views, and name kept data that are older than what they were made from."""
     with session(Processes(), (OSError, ValueError), (EngineError,)) as console:

@@ -18,6 +18,7 @@ from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.tla.tlc import ToolMissingError
@@ -61,13 +62,7 @@ SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "site",
-    show_default=True,
-    help="The folder; its old content is removed.",
-)
+@folder_option("--output", Path("build") / "site", "The folder; its old content is removed.")
 def site_command(output: Path) -> int:
     """Write the pages, with the explorer if `make page` has built it.
 
