@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from itertools import count, islice
 from pathlib import Path
 from random import Random
-from typing import Any, Self
+from typing import Any
 
 import click
 import msgspec
@@ -15,7 +17,7 @@ import msgspec
 from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM
-from evidence.common.chromium import PageEngine
+from evidence.common.chromium import page_engine
 from evidence.common.console import plain
 from evidence.common.options import folder_option, json_option, write_json
 from evidence.common.processes import Processes
@@ -40,24 +42,17 @@ STRANGE = (
 )
 
 
-class Executable:
-    """An engine that is a process."""
+def _judged(engine: Engine, log: bytes) -> Answer:
+    """The answer of an engine that is a process to a log, with the situation after its last line."""
+    engine.begin(follow=1, outcomes=True)
+    engine.send(log)
+    return engine.finish()
 
-    def __init__(self, command: Callable[[], list[str]]) -> None:
-        self.engine = Engine(command)
 
-    def __enter__(self) -> Self:
-        self.engine.__enter__()
-        return self
-
-    def __exit__(self, *raised: Any) -> None:
-        self.engine.__exit__(*raised)
-
-    def judge(self, log: bytes) -> Answer:
-        """The answer to a log, with the situation after its last line."""
-        self.engine.begin(follow=1, outcomes=True)
-        self.engine.send(log)
-        return self.engine.finish()
+@contextmanager
+def _executable(command: Callable[[], list[str]]) -> Iterator[Callable[[bytes], Answer]]:
+    with Engine(command) as engine:
+        yield partial(_judged, engine)
 
 
 @click.command(name="engines", short_help="Do the executable, the page and Java give the same answers?")
@@ -78,12 +73,12 @@ def engines_command(
     """
     rows: dict[str, dict[str, str | int]] = {}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
-        other = PageEngine() if page else Executable(_under_wine if wine else native_command)
-        with other as compiled, Executable(jvm_command) as java:
-            generator = Generator(seed, SOFT_PLC_PROGRAM, java.engine.alternatives())
+        other = page_engine() if page else _executable(_under_wine if wine else native_command)
+        with other as compiled, Engine(jvm_command) as java:
+            generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 row = rows.setdefault(kind, {"kind": kind} | dict.fromkeys(("logs", *VERDICTS, "different"), 0))
-                native, jvm = _answer(compiled, log), _answer(java, log)
+                native, jvm = _as_fields(compiled(log)), _as_fields(_judged(java, log))
                 for column in ("logs", jvm["verdict"], *(["different"] if native != jvm else [])):
                     row[column] = int(row[column]) + 1
                 if native != jvm:
@@ -115,11 +110,11 @@ def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str
         yield "damaged", f"damaged-{number}", bytes(log)
 
 
-def _answer(engine: Executable | PageEngine, log: bytes) -> dict[str, Any]:
-    answer: dict[str, Any] = msgspec.to_builtins(engine.judge(log))
-    if answer["verdict"] == "error":
-        del answer["message"]
-    return answer
+def _as_fields(answer: Answer) -> dict[str, Any]:
+    fields: dict[str, Any] = msgspec.to_builtins(answer)
+    if fields["verdict"] == "error":
+        del fields["message"]
+    return fields
 
 
 def _first(native: dict[str, Any], java: dict[str, Any]) -> str:
