@@ -92,8 +92,3 @@ def test_width(page: Path) -> None:
     """A line has at most 120 characters."""
     lines = page.read_text(encoding="utf-8").splitlines()
     assert [number for number, line in enumerate(lines, 1) if len(line) > 120] == []
-
-
-def test_pages_were_found() -> None:
-    """The pattern finds the pages."""
-    assert {ROOT / "README.md", ROOT / "docs" / "rules" / "requirements.md"} <= set(PAGES)

@@ -171,16 +171,6 @@ def test_actions_of_the_system() -> None:
     assert all("Seen (" in text or "step ' =" in text for text in actions)
 
 
-def test_the_shipped_logs_as_a_model() -> None:
-    """Each log that can be read is there, with the fields that its lines have."""
-    some = logs.readable(ROOT / "traces")[:20]
-    text = logs.module(some)
-    assert "Log1 == [header |-> [NoHeader EXCEPT " in text
-    assert "Log20 ==" in text
-    assert '!.event = "' in text
-    assert "!.line" not in text
-
-
 def test_logs_bear_witness(tmp_path: Path) -> None:
     """TLC goes through the lines of a log."""
     try:
