@@ -17,7 +17,7 @@ from typing import Any, TextIO
 
 import click
 
-from evidence.common.chromium import PageEngine, missing
+from evidence.common.chromium import missing, page_engine
 from evidence.tla import log_as_tla
 from evidence.tla.modules import module_folders
 from evidence.tla.tlc import Toolchain, find_toolchain
@@ -288,10 +288,10 @@ def in_page(logs: Path) -> float | None:
     files = sorted(logs.iterdir()) if logs.is_dir() else [logs]
     if missing() or sum(file.stat().st_size for file in files) > MOST_IN_PAGE:
         return None
-    with PageEngine() as engine:
+    with page_engine() as judge:
         began = time.monotonic()
         for file in files:
-            engine.judge(file.read_bytes())
+            judge(file.read_bytes())
         return round(time.monotonic() - began, 2)
 
 

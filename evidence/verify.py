@@ -50,18 +50,14 @@ class Row:
 def verify_command(*, without_models: bool) -> int:
     """Model-check the CI lane, run the soft PLC and check its logs, check the shipped logs, random ones and mutants."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    rows: list[Row] = []
-    steps = dict(STEPS)
-    for title in [title for title, step in STEPS.items() if step is _models]:
-        click.echo(f"== {title}")
-        # The models take all cores, and say how far they are.
-        models = steps.pop(title)
-        left_out = Row("models of the CI lane", "TLC", "make models", 0, [], run=False)
-        rows += [left_out] if without_models else models()
+    click.echo("== models of the CI lane")
+    # The models take all cores, and say how far they are.
+    left_out = Row("models of the CI lane", "TLC", "make models", 0, [], run=False)
+    rows = [left_out] if without_models else _models()
     # Most of the others take one core at a time.
-    click.echo("".join(f"== {title}\n" for title in steps), nl=False)
+    click.echo("".join(f"== {title}\n" for title in STEPS), nl=False)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for found in pool.map(lambda step: step(), steps.values()):
+        for found in pool.map(lambda step: step(), STEPS.values()):
             rows += found
     _print(rows)
     return 1 if any(row.failures for row in rows) else 0
@@ -72,7 +68,8 @@ def _models() -> list[Row]:
     if report is None:
         return [Row("models", "TLC", "", seconds, [f"the models were not run (exit code {code}); see above"])]
     rows = []
-    for kind, models in _by_kind(report["models"]).items():
+    for kind in dict.fromkeys(model["kind"] for model in report["models"]):
+        models = [model for model in report["models"] if model["kind"] == kind]
         failures = [f"model {m['name']}: {'; '.join(m['problems'])}" for m in models if m["problems"]]
         states = sum(m["distinct"] or 0 for m in models)
         size = f"{len(models)} models, {states:,} distinct states"
@@ -101,13 +98,6 @@ def _s7spec(name: str, *arguments: str, at_once: bool = False) -> tuple[int, flo
 
 def _tlc(report: dict[str, dict[str, str]]) -> str:
     return f"TLC {report['tlc']['version']}"
-
-
-def _by_kind(models: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
-    kinds: dict[str, list[dict[str, Any]]] = {}
-    for model in models:
-        kinds.setdefault(str(model["kind"]), []).append(model)
-    return kinds
 
 
 def _soft_plc() -> list[Row]:
@@ -169,60 +159,48 @@ def _shipped_logs() -> list[Row]:
     return [Row("cases of traces/", "trace checker", size, time.monotonic() - begun, failures)]
 
 
-@dataclass(frozen=True)
-class Command:
-    """A command of s7spec with a report: `arguments` without ``--json``, and the report's words for the table."""
-
-    what: str
-    name: str
-    arguments: tuple[str, ...]
-    size: Callable[[dict[str, Any]], str]
-    tool: Callable[[dict[str, Any]], str]
-
-    def row(self) -> Row:
-        """Run the command, and read its report where it wrote one."""
-        code, seconds, found = _s7spec(self.name, *self.arguments)
-        failures = [f"s7spec {self.name} ended with exit code {code}; see above"] if code or found is None else []
-        return Row(self.what, self.tool(found) if found else "", self.size(found) if found else "", seconds, failures)
+def _by_report(
+    what: str,
+    name: str,
+    arguments: Iterable[str],
+    size: Callable[[dict[str, Any]], str],
+    tool: Callable[[dict[str, Any]], str],
+) -> list[Row]:
+    """Run a command of s7spec, `arguments` without ``--json``; its report, where it wrote one, has the row's words."""
+    code, seconds, found = _s7spec(name, *arguments)
+    failures = [f"s7spec {name} ended with exit code {code}; see above"] if code or found is None else []
+    return [Row(what, tool(found) if found else "", size(found) if found else "", seconds, failures)]
 
 
 def _agreement() -> list[Row]:
-    return [
-        Command(
-            "random logs, judged alike by the engine and TLC",
-            "logs agree",
-            ("--logs", str(SAMPLE)),
-            lambda found: f"{found['logs']} logs, {found['accepted']} accepted, {found['lines']:,} lines",
-            lambda found: f"TLC {found['tlc']}",
-        ).row()
-    ]
+    return _by_report(
+        "random logs, judged alike by the engine and TLC",
+        "logs agree",
+        ("--logs", str(SAMPLE)),
+        lambda found: f"{found['logs']} logs, {found['accepted']} accepted, {found['lines']:,} lines",
+        lambda found: f"TLC {found['tlc']}",
+    )
 
 
 def _left_out() -> list[Row]:
-    return [
-        Command(
-            "accepted logs, still accepted",
-            "logs left-out",
-            ("--logs", str(LEFT_OUT), "--keep", str(BUILD / "left_out")),
-            lambda found: f"{found['logs']} logs, {found['left_out']:,} with kinds of event left out",
-            lambda _: "trace checker",
-        ).row()
-    ]
+    return _by_report(
+        "accepted logs, still accepted",
+        "logs left-out",
+        ("--logs", str(LEFT_OUT), "--keep", str(BUILD / "left_out")),
+        lambda found: f"{found['logs']} logs, {found['left_out']:,} with kinds of event left out",
+        lambda _: "trace checker",
+    )
 
 
 def _mutants() -> list[Row]:
-    return [
-        Command(
-            "mutants of the specification, noticed",
-            "mutants",
-            (
-                *("--against", "all", "--lane", "smoke", "--fresh", "--explained"),
-                *("--sample", str(MUTANTS), "--seed", str(SEED)),
-            ),
-            lambda found: f"{found['all']['mutants']} mutants, {found['all']['killed']} killed",
-            lambda _: "logs, then TLC",
-        ).row()
-    ]
+    options = "--against all --lane smoke --fresh --explained"
+    return _by_report(
+        "mutants of the specification, noticed",
+        "mutants",
+        [*options.split(), "--sample", str(MUTANTS), "--seed", str(SEED)],
+        lambda found: f"{found['all']['mutants']} mutants, {found['all']['killed']} killed",
+        lambda _: "logs, then TLC",
+    )
 
 
 def _requirements() -> list[Row]:
@@ -295,7 +273,6 @@ MUTANTS, SEED = 4, 54
 """A sample in which the shipped logs notice every mutant, in seconds; models run only for mutants left."""
 
 STEPS: dict[str, Callable[[], list[Row]]] = {
-    "models of the CI lane": _models,
     "the soft PLC, run and checked": _soft_plc,
     "the shipped logs": _shipped_logs,
     "random logs, judged by the engine and by TLC": _agreement,

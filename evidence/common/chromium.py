@@ -5,11 +5,11 @@ from __future__ import annotations
 import base64
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 from unittest.mock import patch
 
 import msgspec
@@ -51,27 +51,17 @@ def missing() -> str:
     return "" if PAGE.is_file() else f"no {PAGE.relative_to(ROOT)}: run `make page`"
 
 
-class PageEngine:
+@contextmanager
+def page_engine() -> Iterator[Callable[[bytes], Answer]]:
     """The engine in the checker's page, for one log after another. Raises EngineError if it cannot be started."""
-
-    def __enter__(self) -> Self:
-        if lack := missing():
-            raise EngineError(lack)
-        self._playwright = sync_playwright().start()
-        self._browser: Browser = self._playwright.chromium.launch(executable_path=chromium(), args=QUIET)
-        self._page = self._browser.new_page()
-        self._page.set_default_timeout(_PATIENCE_MS)
-        self._page.goto(PAGE.as_uri())
-        self._page.wait_for_selector("body[data-ready]")
-        return self
-
-    def __exit__(self, _: type[BaseException] | None, __: BaseException | None, ___: TracebackType | None) -> None:
-        self._browser.close()
-        self._playwright.stop()
-
-    def judge(self, log: bytes) -> Answer:
-        """The answer to a log, with the situation after its last line."""
-        return judged_in(self._page, log)
+    if lack := missing():
+        raise EngineError(lack)
+    with sync_playwright() as playwright, playwright.chromium.launch(executable_path=chromium(), args=QUIET) as browser:
+        page = browser.new_page()
+        page.set_default_timeout(_PATIENCE_MS)
+        page.goto(PAGE.as_uri())
+        page.wait_for_selector("body[data-ready]")
+        yield partial(judged_in, page)
 
 
 def judged_in(page: Page, log: bytes) -> Answer:

@@ -3,13 +3,36 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
 from evidence.common.checkout import MANIFEST, ROOT
 
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def folder_option(name: str, default: Path, said: str) -> Callable[[Command], Command]:
+    """An option for a folder that the command writes."""
+    shown = default.relative_to(ROOT) if default.is_relative_to(ROOT) else default
+    kind = click.Path(path_type=Path, file_okay=False)
+    return click.option(name, type=kind, default=default, show_default=shown.as_posix(), help=said)
+
+
+def _part(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
+    """Read the part and the number of parts."""
+    found = re.fullmatch(r"(\d+)/(\d+)", value)
+    if not found or not 1 <= int(found[1]) <= int(found[2]):
+        raise click.BadParameter(f"{value!r}: expected I/N with I from 1 to N, such as 2/4")
+    return int(found[1]), int(found[2])
+
+
+shard_option = click.option(
+    "--shard", metavar="I/N", default="1/1", callback=_part, help="Only the I-th of N parts, for several machines."
+)
 manifest_option = click.option(
     "--manifest",
     type=click.Path(path_type=Path, dir_okay=False),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from evidence.common.options import json_option, tlc_option, write_json
+from evidence.common.options import folder_option, json_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs import agree_report as report
@@ -32,13 +32,7 @@ DIFFER = 1
     default=SPECIFICATION,
     help="The specification that TLC reads. Default: the engine's own.",
 )
-@click.option(
-    "--keep",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "agreement" / "differences",
-    show_default=True,
-    help="Where the logs go about which the two differ.",
-)
+@folder_option("--keep", Path("build") / "agreement" / "differences", "Where the logs go about which the two differ.")
 @json_option
 def agree_command(
     logs: int, seed: int, jar: Path | None, jobs: int, spec: Path, keep: Path, json_path: Path | None

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from itertools import count, islice
 from pathlib import Path
 from random import Random
@@ -15,9 +17,9 @@ import msgspec
 from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import SOFT_PLC_PROGRAM
-from evidence.common.chromium import PageEngine
+from evidence.common.chromium import page_engine
 from evidence.common.console import plain
-from evidence.common.options import json_option, write_json
+from evidence.common.options import folder_option, json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs.random_logs import Generator, SoftPlcError
@@ -40,14 +42,17 @@ STRANGE = (
 )
 
 
-class Executable(Engine):
-    """An engine that is a process."""
+def _judged(engine: Engine, log: bytes) -> Answer:
+    """The answer of an engine that is a process to a log, with the situation after its last line."""
+    engine.begin(follow=1, outcomes=True)
+    engine.send(log)
+    return engine.finish()
 
-    def judge(self, log: bytes) -> Answer:
-        """The answer to a log, with the situation after its last line."""
-        self.begin(follow=1, outcomes=True)
-        self.send(log)
-        return self.finish()
+
+@contextmanager
+def _executable(command: Callable[[], list[str]]) -> Iterator[Callable[[bytes], Answer]]:
+    with Engine(command) as engine:
+        yield partial(_judged, engine)
 
 
 @click.command(name="engines", short_help="Do the executable, the page and Java give the same answers?")
@@ -56,13 +61,7 @@ class Executable(Engine):
 @click.option("--seed", type=int, default=1, show_default=True, help="Other logs.")
 @click.option("--page", is_flag=True, help="The engine in the checker's page, in Chromium, instead of the executable.")
 @click.option("--wine", is_flag=True, help="The executable for Windows, under wine.")
-@click.option(
-    "--keep",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "engines",
-    show_default=True,
-    help="Where the logs go about which the two differ.",
-)
+@folder_option("--keep", Path("build") / "engines", "Where the logs go about which the two differ.")
 @json_option
 def engines_command(
     logs: int, damaged: int, seed: int, page: bool, wine: bool, keep: Path, json_path: Path | None
@@ -74,12 +73,12 @@ def engines_command(
     """
     rows: dict[str, dict[str, str | int]] = {}
     with session(Processes(), (OSError,), (EngineError, SoftPlcError)) as console:
-        other = PageEngine() if page else Executable(_under_wine if wine else native_command)
-        with other as compiled, Executable(jvm_command) as java:
+        other = page_engine() if page else _executable(_under_wine if wine else native_command)
+        with other as compiled, Engine(jvm_command) as java:
             generator = Generator(seed, SOFT_PLC_PROGRAM, java.alternatives())
             for kind, name, log in _inputs(generator, logs, damaged):
                 row = rows.setdefault(kind, {"kind": kind} | dict.fromkeys(("logs", *VERDICTS, "different"), 0))
-                native, jvm = _answer(compiled, log), _answer(java, log)
+                native, jvm = _as_fields(compiled(log)), _as_fields(_judged(java, log))
                 for column in ("logs", jvm["verdict"], *(["different"] if native != jvm else [])):
                     row[column] = int(row[column]) + 1
                 if native != jvm:
@@ -111,11 +110,11 @@ def _inputs(generator: Generator, logs: int, damaged: int) -> Iterator[tuple[str
         yield "damaged", f"damaged-{number}", bytes(log)
 
 
-def _answer(engine: Executable | PageEngine, log: bytes) -> dict[str, Any]:
-    answer: dict[str, Any] = msgspec.to_builtins(engine.judge(log))
-    if answer["verdict"] == "error":
-        del answer["message"]
-    return answer
+def _as_fields(answer: Answer) -> dict[str, Any]:
+    fields: dict[str, Any] = msgspec.to_builtins(answer)
+    if fields["verdict"] == "error":
+        del fields["message"]
+    return fields
 
 
 def _first(native: dict[str, Any], java: dict[str, Any]) -> str:

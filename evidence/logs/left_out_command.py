@@ -18,7 +18,7 @@ import click
 
 from evidence.common.checkout import SOFT_PLC_PROGRAM
 from evidence.common.console import plain
-from evidence.common.options import json_option, write_json
+from evidence.common.options import folder_option, json_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.logs.damage import Log
@@ -73,13 +73,7 @@ class Found:
     help="How many subsets of the kinds for each log; fewer than all are drawn by the seed.",
 )
 @click.option("--events", type=click.IntRange(1), help="How many events the soft PLC makes for a log; 9 to 59 if not.")
-@click.option(
-    "--keep",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "left_out",
-    show_default=True,
-    help="Where the logs go that are not accepted.",
-)
+@folder_option("--keep", Path("build") / "left_out", "Where the logs go that are not accepted.")
 @json_option
 def left_out_command(
     logs: int, seed: int, subsets: int, events: int | None, keep: Path, json_path: Path | None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 import time
 from collections.abc import Callable
@@ -13,7 +12,7 @@ from rich.console import Console
 
 from evidence.common.checkout import MANIFEST, ROOT
 from evidence.common.console import plain
-from evidence.common.options import json_option, manifest_option, tlc_option, write_json
+from evidence.common.options import json_option, manifest_option, shard_option, tlc_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models import canaries, distributed, judge, unchanged
@@ -25,14 +24,6 @@ from evidence.models.runner import Event, Harness, run_all
 from evidence.tla import tlc
 
 DRIFT = 1
-
-
-def _part(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
-    """Read the part and the number of parts."""
-    found = re.fullmatch(r"(\d+)/(\d+)", value)
-    if not found or not 1 <= int(found[1]) <= int(found[2]):
-        raise click.BadParameter(f"{value!r}: expected I/N with I from 1 to N, such as 2/4")
-    return int(found[1]), int(found[2])
 
 
 @click.command(name="models", short_help="Model-check the specification.")
@@ -63,13 +54,7 @@ def _part(_context: click.Context, _option: click.Parameter, value: str) -> tupl
     help="TLC's distributed mode with N workers here: models that must pass, without liveness.",
 )
 @click.option("--host", help="With --distributed: this machine's name for workers on other machines.")
-@click.option(
-    "--shard",
-    metavar="I/N",
-    default="1/1",
-    callback=_part,
-    help="Only the I-th of N parts of these models, for several machines.",
-)
+@shard_option
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def models_command(
     lane: str,

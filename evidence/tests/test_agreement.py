@@ -32,19 +32,8 @@ from tests.logs import RUN, event, log_text
 
 
 @pytest.fixture(scope="module")
-def tools() -> tlc.Toolchain:
-    """TLC, if it is there."""
-    try:
-        return tlc.find_toolchain(None)
-    except tlc.ToolMissingError as missing:
-        pytest.skip(str(missing))
-
-
-@pytest.fixture(scope="module")
 def generator() -> Generator:
-    """Logs of seed 1, if there is a soft PLC."""
-    if not SOFT_PLC.is_file():
-        pytest.skip("the soft PLC is not built")
+    """Logs of seed 1."""
     return Generator(1, SOFT_PLC, pool.alternatives())
 
 

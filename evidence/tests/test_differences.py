@@ -1,7 +1,5 @@
 """The programs that tell CPUs, editions and readings apart still do, at their line."""
 
-from collections.abc import Iterator
-
 import pytest
 
 from evidence.views.differences.pages import settled_table, untold, verified
@@ -10,13 +8,6 @@ from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, Kept, read_gaps, r
 from s7check.simulating.shortest import bounded
 
 ALL = [*read_kept(DIFFERENCES), *read_kept(EXPERIMENTS)]
-
-
-@pytest.fixture(scope="module")
-def engine() -> Iterator[Engine]:
-    """An engine for all of them."""
-    with Engine() as one:
-        yield one
 
 
 @pytest.mark.parametrize("one", ALL, ids=lambda one: f"{one.program['name']}-{one.refused.variant.name}")

@@ -11,7 +11,7 @@ from evidence.common.gallery import CASES, cases, replace_log, write
 from evidence.common.processes import Processes
 from evidence.common.shorthand import shorthand
 from evidence.tla.behaviour import as_log
-from evidence.tla.tlc import find_toolchain
+from evidence.tla.tlc import Toolchain
 from evidence.tla.values import UnreadableValueError, assignments, value
 from evidence.views.gallery.search import NotFoundError, Search, configuration, module
 from s7check.engine.client import Engine
@@ -29,19 +29,18 @@ def test_each_case_has_a_log_of_its_own_and_requirements_that_exist() -> None:
     assert all(case.requirements and case.told for case in found)
 
 
-def test_the_trace_checker_accepts_each_log(tmp_path: Path) -> None:
+def test_the_trace_checker_accepts_each_log(tmp_path: Path, engine: Engine) -> None:
     """What TLC finds, the trace checker explains."""
     write(tmp_path)
-    with Engine() as engine:
-        for case in cases():
-            report = check_log(str(tmp_path / f"{case.name}.ndjson"), engine, lambda *_: None)
-            assert report.verdict == "accepted", str(report)
+    for case in cases():
+        report = check_log(str(tmp_path / f"{case.name}.ndjson"), engine, lambda *_: None)
+        assert report.verdict == "accepted", str(report)
 
 
-def test_a_case_is_found_again() -> None:
+def test_a_case_is_found_again(tools: Toolchain) -> None:
     """By TLC, as shipped; and not where its goal is never reached."""
     case = next(one for one in cases() if one.name == "activated-too-late")
-    search = Search(find_toolchain(None), Processes())
+    search = Search(tools, Processes())
     short = shorthand(search(case))
     assert "\n".join(["", *short, ""]) in CASES.read_text()
     never = replace(case, goal="FALSE", world={"Moments": "{Moment(0, 30000)}"})

@@ -1,6 +1,5 @@
 """No log costs more than its length: the states that it leads to, counted."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,13 +13,6 @@ from s7check.judging.check import check_log
 from s7check.judging.replay import Replay, with_readings
 
 KINDS = {kind.name: kind for kind in kinds()}
-
-
-@pytest.fixture(scope="module")
-def engine() -> Iterator[Engine]:
-    """One engine for all logs."""
-    with Engine() as engine:
-        yield engine
 
 
 @pytest.mark.parametrize("kind", [kind for kind in KINDS.values() if kind.states], ids=lambda kind: kind.name)

@@ -162,13 +162,12 @@ def test_paths_take_every_step() -> None:
 
 
 @pytest.fixture(scope="module")
-def few(every: dict[str, dict[str, Any]]) -> Reached:
+def few(every: dict[str, dict[str, Any]], engine: Engine) -> Reached:
     """The measurement of three programs; much was measured of the smallest one before, which counts for nothing."""
     names = ("AIRT-07-nothing-delayed-answers-0000", "AIRT-nesting-002", "DINT-beside-20-21-cancel")
     much = {"reaches": {"requirements": ["AIRT-07"], "guards": [f"Airt/EnAirt/TRUE/{n}" for n in range(99)]}}
     some = {**every, names[0]: every[names[0]] | much}
-    with Engine() as engine:
-        return reach([read_program(as_line(some[name]).encode()) for name in names], engine, lambda _: None)
+    return reach([read_program(as_line(some[name]).encode()) for name in names], engine, lambda _: None)
 
 
 def test_what_is_reached_is_named(few: Reached) -> None:
@@ -194,10 +193,9 @@ def test_a_reason_has_no_say_against_a_log(few: Reached) -> None:
     assert findings(few, {}, [*excuse, reasons.Excuse(id="Lines/IsCall/TRUE/Called", reason="x")]).stale
 
 
-def test_reasons_name_conditions_that_exist() -> None:
+def test_reasons_name_conditions_that_exist(engine: Engine) -> None:
     """Of the file of reasons, each entry fits some outcome."""
-    with Engine() as engine:
-        reached = Reached(decisions_of(engine))
+    reached = Reached(decisions_of(engine))
     assert not [one for one in findings(reached, {}, reasons.read(REASONS, reasons.Excuse)).stale if "no such" in one]
 
 

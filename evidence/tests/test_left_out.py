@@ -40,15 +40,14 @@ def test_without_a_kind(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", EVERY_KIND)
-def test_letters_without_a_kind(kind: str) -> None:
+def test_letters_without_a_kind(kind: str, engine: Engine) -> None:
     """What a letter allows stays allowed, also where only definite facts are followed."""
     worse = []
-    with Engine() as engine:
-        for case in every_case():
-            if case.area in ("AMB", "T15") and case.verdict == "accepted" and "readings" in case.header:
-                header, *events = map(json.loads, case.lines)
-                answer = answer_of(engine, without(Log(header, events), {kind}))
-                worse += [(case.id, answer)] if answer.verdict != "accepted" else []
+    for case in every_case():
+        if case.area in ("AMB", "T15") and case.verdict == "accepted" and "readings" in case.header:
+            header, *events = map(json.loads, case.lines)
+            answer = answer_of(engine, without(Log(header, events), {kind}))
+            worse += [(case.id, answer)] if answer.verdict != "accepted" else []
     assert worse == []
 
 
@@ -84,26 +83,24 @@ def test_some_subsets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(set(drawn)) == 5
 
 
-def test_a_line_is_taken_once_where_the_engine_gives_up_behind_it() -> None:
+def test_a_line_is_taken_once_where_the_engine_gives_up_behind_it(engine: Engine) -> None:
     """The work for this log ends at its line `run`: definite facts go on with that line, not behind it."""
     random = [str(SOFT_PLC_PROGRAM), "--random", "75", "--cpu", "S7-400", "--events", "80", "--diag"]
     header, *events = map(json.loads, subprocess.run(random, capture_output=True, check=True).stdout.splitlines())
     header["records"] = [*EVERY_KIND, "diag"]
-    with Engine() as engine:
-        answer = answer_of(engine, without(Log(header, events), {"ob"}))
+    answer = answer_of(engine, without(Log(header, events), {"ob"}))
     assert (answer.verdict, answer.loose) == ("accepted", 26)
 
 
 @pytest.mark.parametrize(("written", "logs"), [("2026-11-21T05:59:30", 60), ("2026-11-21T05:59", 20)])
-def test_a_coarse_clock(written: str, logs: int) -> None:
+def test_a_coarse_clock(written: str, logs: int, engine: Engine) -> None:
     """An accepted log whose lines are cut to seconds or minutes is no rejected one."""
     generator = Generator(1, SOFT_PLC_PROGRAM, pool.alternatives())
     verdicts = set()
-    with Engine() as engine:
-        for number in range(logs):
-            log = generator.written(Random(f"coarse/{number}"), 15)  # noqa: S311
-            for event in log.events:
-                event["at"] = event["at"][: len(written)]
-                event.pop("up", None)
-            verdicts.add(answer_of(engine, log).verdict)
+    for number in range(logs):
+        log = generator.written(Random(f"coarse/{number}"), 15)  # noqa: S311
+        for event in log.events:
+            event["at"] = event["at"][: len(written)]
+            event.pop("up", None)
+        verdicts.add(answer_of(engine, log).verdict)
     assert verdicts == {"accepted"}

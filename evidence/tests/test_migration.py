@@ -2,31 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import msgspec
 import pytest
 
 from evidence.views.differences.migration import FAMILY, found_in, prefix_of
 from s7check.asking.session import Session
-from s7check.engine import pool
 from s7check.engine.client import Engine
-from s7check.engine.command import EngineError
 from s7check.migrating.table import Difference, differences
 from s7check.migrating.walk import points
 from s7check.report.clauses import named
 
 SHOWN = [one for one in differences(FAMILY) if one.shown]
-
-
-@pytest.fixture(scope="module")
-def engine() -> Iterator[Engine]:
-    """An engine for all."""
-    try:
-        with pool.engine() as begun:
-            yield begun
-    except EngineError as missing:
-        pytest.skip(str(missing))
 
 
 def test_table() -> None:

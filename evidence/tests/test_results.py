@@ -95,7 +95,7 @@ def test_no_number_of_a_run(path: Path) -> None:
 
 def test_every_allowance_has_a_page() -> None:
     """None is left over."""
-    assert {name(path) for path in PAGES} >= ALLOWED.keys()
+    assert {name(path) for path in PAGES} >= {"README.md", *ALLOWED}
 
 
 @pytest.mark.parametrize(
@@ -158,7 +158,7 @@ def claims(text: str) -> list[Table]:
 def as_run(monkeypatch: pytest.MonkeyPatch, code: str) -> None:
     """The run ``proofs`` is this Python code."""
     monkeypatch.setitem(
-        RUNS, "proofs", runs.Run("Proofs", "About.", "make prove", (sys.executable, "-c", code), claims)
+        RUNS, "proofs", runs.Run("Proofs", "About.", "make prove", claims, (sys.executable, "-c", code))
     )
 
 
@@ -360,10 +360,10 @@ def test_summary_of_logs() -> None:
     assert table.rows == [["AMB", 1, 1, 0, 4], ["TINT", 2, 1, 1, 3], ["all", 3, 2, 1, 7]]
 
 
-@pytest.mark.parametrize("run", [run for run in RUNS.values() if "-m" in run.arguments], ids=lambda run: run.typed)
+@pytest.mark.parametrize("run", [run for run in RUNS.values() if "-m" in run.process], ids=lambda run: run.typed)
 def test_commands_have_these_options(run: runs.Run) -> None:
     """The command of a run takes its options; none is started."""
-    ended = subprocess.run([*run.arguments, "--help"], cwd=ROOT, capture_output=True, text=True, check=False)
+    ended = subprocess.run([*run.process, "--help"], cwd=ROOT, capture_output=True, text=True, check=False)
     assert ended.returncode == 0, ended.stderr
-    for option in (argument for argument in run.arguments if argument.startswith("--")):
+    for option in (argument for argument in run.process if argument.startswith("--")):
         assert option in ended.stdout

@@ -4,9 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.ids import mentioned, tagged
-from evidence.views.traceability.modules import Module, read_module, read_modules
+from evidence.views.traceability.modules import Module, read_module
 
 MODULE = r"""------------------------------- MODULE Example ------------------------------
 (***************************************************************************)
@@ -95,20 +94,3 @@ def test_ids() -> None:
         "TINT-33",
     ]
     assert tagged("TINT-01 [TINT-02] (c) [TINT-02] [AMB-7]") == ["TINT-02", "AMB-7"]
-
-
-@pytest.mark.parametrize("text", ["[TINT-05] .. [TINT-01]", "[TINT-05] .. [DINT-07]"])
-def test_wrong_range(text: str, tmp_path: Path) -> None:
-    """A range that has no beginning or end cannot be read."""
-    (tmp_path / "A.tla").write_text(f"---- MODULE A ----\n\n(* {text} *)\nB == 1\n====\n", encoding="utf-8")
-    with pytest.raises(UnreadableError, match="is no range"):
-        read_module(tmp_path / "A.tla")
-
-
-def test_no_modules(tmp_path: Path) -> None:
-    """A folder without modules, and a file that is none, are errors."""
-    with pytest.raises(UnreadableError, match="no module"):
-        read_modules(tmp_path)
-    (tmp_path / "A.tla").write_text("nothing", encoding="utf-8")
-    with pytest.raises(UnreadableError, match=r"/A\.tla:1: the grammar cannot read this"):
-        read_modules(tmp_path)

@@ -3,14 +3,13 @@
 import json
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from evidence.common.checkout import ROOT
 from evidence.models.proofs.queries import load
 from evidence.models.proofs.report import as_json
-from evidence.views.results import records, summaries
-from evidence.views.results.records import Record
-from evidence.views.traceability.errors import UnreadableError
+from evidence.views.results import summaries
 from evidence.views.traceability.page import _proof
 from evidence.views.traceability.project import PROOFS
 from evidence.views.traceability.proofs import Proof, read_proofs
@@ -19,34 +18,8 @@ from evidence.views.traceability.proofs import Proof, read_proofs
 def test_the_kept_summary_is_read(tmp_path: Path) -> None:
     """With the headings that the summary of a run has."""
     report = as_json(load(ROOT), [])
-    report["queries"] = [
-        {
-            "name": "q",
-            "kind": "step",
-            "ok": True,
-            "conditions": 1,
-            "seconds": 1,
-            "megabytes": 1,
-            "formulas": ["StackInv"],
-            "expect": "holds",
-            "outcome": "holds",
-        }
-    ]
-    tables = summaries.proofs(json.dumps(report))
-    record = Record(
-        command="",
-        date="",
-        revision="",
-        release="",
-        texts="",
-        tools=[],
-        machine="",
-        load=None,
-        seconds=None,
-        exit=0,
-        tables=tables,
-    )
-    records.write(tmp_path, "proofs", record)
+    document = {"tables": summaries.proofs(json.dumps(report))}
+    (tmp_path / "proofs.json").write_bytes(msgspec.json.encode(document))
     proofs = read_proofs(tmp_path / "proofs.json")
     assert proofs["StackInv"] == Proof(0, 31)
     assert {"EndProp", "AirtCountProp"} <= proofs.keys()
@@ -60,7 +33,7 @@ def test_no_run_yet(tmp_path: Path) -> None:
 def test_a_damaged_summary(tmp_path: Path) -> None:
     """The message names the file."""
     (tmp_path / PROOFS.name).write_text("{}")
-    with pytest.raises(UnreadableError, match=r"proofs\.json"):
+    with pytest.raises(ValueError, match=r"proofs\.json"):
         read_proofs(tmp_path / PROOFS.name)
 
 

@@ -33,7 +33,7 @@ def script(path: Path, text: str) -> None:
 
 def test_models_left_out_are_shown_as_not_run(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The table has their row, without a result."""
-    monkeypatch.setattr(verify, "STEPS", {"models": verify._models})
+    monkeypatch.setattr(verify, "STEPS", {})
     ran = CliRunner().invoke(verify.verify_command, ["--without-models"], standalone_mode=False)
     assert ran.return_value == 0
     assert "not run" in ran.output

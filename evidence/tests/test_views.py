@@ -19,10 +19,9 @@ from s7check.simulating.kept import DIFFERENCES, EXPERIMENTS, read_kept
 
 
 @pytest.fixture(scope="module")
-def made() -> dict[Path, str]:
+def made(engine: Engine) -> dict[Path, str]:
     """All views."""
-    with Engine() as engine:
-        return views(read_project(ROOT), engine)
+    return views(read_project(ROOT), engine)
 
 
 def page_of(name: str) -> Path:

@@ -50,13 +50,6 @@ class CfgError(ValueError):
 
 
 @dataclass(frozen=True)
-class _Token:
-    text: str
-    start: int
-    end: int
-
-
-@dataclass(frozen=True)
 class Assignment:
     """``name operator value`` in a CONSTANT section; `start` and `end` are the text span of operator and value."""
 
@@ -93,17 +86,17 @@ class Cfg:
 @lru_cache(maxsize=1024)
 def parse(text: str) -> Cfg:
     """Read a configuration file. Unknown words before the first keyword raise `CfgError`."""
-    tokens = _tokens(text)
+    tokens = list(_TOKEN.finditer(_blank_comments(text)))
     sections: list[Section] = []
     assignments: list[Assignment] = []
-    heads = [i for i, token in enumerate(tokens) if token.text in _SECTIONS]
+    heads = [i for i, token in enumerate(tokens) if token[0] in _SECTIONS]
     if tokens and (not heads or heads[0] != 0):
-        raise CfgError(f"{tokens[0].text!r} stands before the first keyword")
+        raise CfgError(f"{tokens[0][0]!r} stands before the first keyword")
     for head, following in zip(heads, [*heads[1:], len(tokens)], strict=True):
         body = tokens[head + 1 : following]
-        keyword = _SECTIONS[tokens[head].text]
-        end = body[-1].end if body else tokens[head].end
-        sections.append(Section(keyword, tuple(t.text for t in body), tokens[head].start, end))
+        keyword = _SECTIONS[tokens[head][0]]
+        end = tokens[following - 1].end()
+        sections.append(Section(keyword, tuple(t[0] for t in body), tokens[head].start(), end))
         if keyword == "CONSTANT":
             assignments += _assignments(text, body)
     return Cfg(text, tuple(sections), tuple(assignments))
@@ -159,24 +152,14 @@ def _split(value: str) -> tuple[str | None, str]:
     return None, value.strip()
 
 
-def _assignments(text: str, body: list[_Token]) -> list[Assignment]:
-    starts = [i for i in range(len(body) - 1) if body[i + 1].text in ("=", "<-")]
+def _assignments(text: str, body: list[re.Match[str]]) -> list[Assignment]:
+    starts = [i for i in range(len(body) - 1) if body[i + 1][0] in ("=", "<-")]
     result = []
     for start, following in zip(starts, [*starts[1:], len(body)], strict=True):
         operator, last = body[start + 1], body[following - 1]
-        value = text[operator.end : last.end].strip()
-        result.append(Assignment(body[start].text, operator.text, value, operator.start, last.end))
+        value = text[operator.end() : last.end()].strip()
+        result.append(Assignment(body[start][0], operator[0], value, operator.start(), last.end()))
     return result
-
-
-def _tokens(text: str) -> list[_Token]:
-    tokens = []
-    at = 0
-    blank = _blank_comments(text)
-    while match := _TOKEN.search(blank, at):
-        tokens.append(_Token(match[0], match.start(), match.end()))
-        at = match.end()
-    return tokens
 
 
 def _blank_comments(text: str) -> str:

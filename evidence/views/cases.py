@@ -10,18 +10,13 @@ import click
 from evidence.common.cases import TRACES, CasesError, all_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 
 
 @click.command(name="cases", short_help="Write the cases of traces/ out as logs.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=ROOT / "build" / "traces",
-    show_default="build/traces",
-    help="Folder of the logs; its old content is removed.",
-)
+@folder_option("--output", ROOT / "build" / "traces", "Folder of the logs; its old content is removed.")
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True), default=TRACES)
 def cases_command(folder: Path, output: Path) -> None:
     """Write the log of each case of FOLDER, traces/ by default, to AREA/accept, AREA/reject or AREA/unusable."""

@@ -15,6 +15,7 @@ import s7check
 from evidence.common.cases import TRACES, Case, CasesError, read_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from s7check.engine.client import Engine
@@ -25,13 +26,7 @@ SCHEMA = TRACES / "schema" / "s7-interrupt-vectors-1.schema.json"
 
 
 @click.command(name="vectors", short_help="Write the cases of traces/ as test vectors in JSON.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=ROOT / "build" / "views" / "vectors",
-    show_default="build/views/vectors",
-    help="Folder of the vectors; its old content is removed.",
-)
+@folder_option("--output", ROOT / "build" / "views" / "vectors", "Folder of the vectors; its old content is removed.")
 def vectors_command(output: Path) -> None:
     """Write a JSON file for each case file, and the JSON Schema of them.
 

@@ -10,12 +10,12 @@ import click
 from evidence.common import gallery
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.kit import kept_paths, measured, programs
 from evidence.views import vectors
 from evidence.views.made import views
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.project import read_project
 from s7check.engine.client import Engine
 from s7check.engine.command import EngineError
@@ -24,16 +24,10 @@ STALE = 1
 
 
 @click.command("make", short_help="Pages, experiments' sources and the kit's programs, from the kept data.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=ROOT / "build" / "views",
-    show_default="build/views",
-    help="The folder; its old content is removed.",
-)
+@folder_option("--output", ROOT / "build" / "views", "The folder; its old content is removed.")
 def make_command(output: Path) -> int:
     """Write the views, and name kept data that are older than what they were made from."""
-    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError,)) as console:
+    with session(Processes(), (OSError, ValueError), (EngineError,)) as console:
         with Engine() as engine:
             made = views(read_project(ROOT), engine)
         problems = [*kept_paths.problems(), *measured.problems()]

@@ -11,7 +11,7 @@ import msgspec
 from rich.console import Console
 
 from evidence.common.checkout import ROOT
-from evidence.common.options import json_option, write_json
+from evidence.common.options import json_option, shard_option, write_json
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.models.proofs import report
@@ -30,21 +30,9 @@ KEPT = Path("models/proved.ndjson")
 """The answers from the whole world; those of --small stay in their folder."""
 
 
-class _Shard(click.ParamType[tuple[int, int]]):
-    """``i/n``: the i-th of n parts."""
-
-    name = "I/N"
-
-    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
-        first, slash, second = value.partition("/")
-        if not (slash and first.isdecimal() and second.isdecimal() and 1 <= int(first) <= int(second)):
-            self.fail(f"{value}: expected I/N with 1 <= I <= N, such as 2/4", param, ctx)
-        return int(first), int(second)
-
-
 @click.command(name="prove", short_help="Prove properties of the specification with Apalache.")
 @click.option("--list", "listing", is_flag=True, help="Name the queries and ask nothing.")
-@click.option("--shard", type=_Shard(), help="Only the I-th of N parts of the queries.")
+@shard_option
 @click.option("--resume", is_flag=True, help="Take kept answers that are as claimed, and ask for the others.")
 @click.option("--kept", "only_kept", is_flag=True, help="Report the kept answers and ask nothing.")
 @click.option("--small", is_flag=True, help="Begin steps in the small world of the controls: less is proved, sooner.")
@@ -60,7 +48,7 @@ class _Shard(click.ParamType[tuple[int, int]]):
 def prove_command(
     *,
     listing: bool,
-    shard: tuple[int, int] | None,
+    shard: tuple[int, int],
     resume: bool,
     only_kept: bool,
     small: bool,
@@ -77,9 +65,7 @@ def prove_command(
     refused = (ManifestError, SyntaxTreeError, OSError, msgspec.MsgspecError)
     with session(processes, refused, (ApalacheMissingError,)) as console:
         proofs = load(ROOT).in_small_world() if small else load(ROOT)
-        queries = proofs.select(names)
-        if shard is not None:
-            queries = queries[shard[0] - 1 :: shard[1]]
+        queries = proofs.select(names)[shard[0] - 1 :: shard[1]]
         if listing:
             for query in queries:
                 click.echo(f"{query.name}: {query.kind}, {query.expect}, {len(query.formulas)} formulas")

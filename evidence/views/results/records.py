@@ -89,11 +89,6 @@ def _json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def today() -> str:
-    """The day of a run that begins now."""
-    return day(datetime.now(UTC).timestamp())
-
-
 def day(moment: float) -> str:
     """The day of a moment, which is in seconds since 1970."""
     return datetime.fromtimestamp(moment, UTC).date().isoformat()
@@ -129,19 +124,6 @@ def tools() -> list[str]:
 
 def machine() -> str:
     """Processor, cores and memory."""
-    processors = re.findall(r"^model name\s*: (.*)$", _text("/proc/cpuinfo"), re.MULTILINE)
-    memory = re.search(r"^MemTotal:\s*(\d+) kB", _text("/proc/meminfo"), re.MULTILINE)
-    parts = [processors[0] if processors else platform.machine(), f"{len(os.sched_getaffinity(0))} cores"]
-    return ", ".join([*parts, *([f"{int(memory[1]) / 1024**2:.0f} GB"] if memory else [])])
-
-
-def load() -> float:
-    """The load of the machine over the last minute."""
-    return round(os.getloadavg()[0], 1)
-
-
-def _text(path: str) -> str:
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except OSError:
-        return ""
+    names = re.findall(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
+    memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / 1024**3
+    return f"{[*names, platform.machine()][0]}, {len(os.sched_getaffinity(0))} cores, {memory:.0f} GB"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec.structs import replace
 
 from evidence.common.checkout import ROOT
 from evidence.tla.tlc import find_toolchain
@@ -32,18 +35,18 @@ class RunError(Exception):
 class Run:
     """A run: its heading on the page, its command as it is typed, and the arguments of the process.
 
-    ``REPORT`` among the arguments stands for the file that the command writes; without it the output is the report.
-    With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC, and takes another by ``--tlc``.
-    `told`: fields by which a report tells that it is one of this run; without them no report is taken over. `totals`
-    are the columns of its first table that the short page adds up, `parts` those of the checkout (``texts``) that its
-    numbers depend on. `first` is a process that makes what the command reads.
+    A command of s7spec needs no `arguments`. ``REPORT`` among them stands for the file that the command writes; without
+    it the output is the report. With one of `codes` as its exit code the command gives a report. `tlc`: it runs TLC,
+    and takes another by ``--tlc``. `told`: fields by which a report tells that it is one of this run; without them no
+    report is taken over. `totals` are the columns of its first table that the short page adds up, `parts` those of the
+    checkout (``texts``) that its numbers depend on. `first` is a process that makes what the command reads.
     """
 
     title: str
     about: str
     typed: str
-    arguments: tuple[str, ...]
     summary: Callable[[str], list[Table]]
+    arguments: tuple[str, ...] = ()
     codes: tuple[int, ...] = (0, 1)
     tlc: bool = False
     told: Mapping[str, Any] = field(default_factory=dict)
@@ -51,39 +54,30 @@ class Run:
     parts: tuple[str, ...] = ()
     first: tuple[str, ...] = ()
 
-
-def _s7spec(
-    title: str,
-    about: str,
-    arguments: str,
-    summary: Callable[[str], list[Table]],
-    *,
-    tlc: bool = True,
-    told: Mapping[str, Any] | None = None,
-    totals: tuple[str, ...] = (),
-    parts: tuple[str, ...],
-) -> Run:
-    process = (sys.executable, "-m", "evidence", *arguments.split(), "--json", _REPORT)
-    return Run(
-        title, about, f"s7spec {arguments}", process, summary, tlc=tlc, told=told or {}, totals=totals, parts=parts
-    )
+    @property
+    def process(self) -> tuple[str, ...]:
+        """The arguments of the process."""
+        _, *words = self.typed.split()
+        return self.arguments or (sys.executable, "-m", "evidence", *words, "--json", _REPORT)
 
 
 RUNS = {
-    "models": _s7spec(
+    "models": Run(
         "Models",
         "The models of the CI lane and their negative controls, with the pinned results ([checks](checks.md)).",
-        "models --lane ci",
+        "s7spec models --lane ci",
         summaries.models,
+        tlc=True,
         told={"lane": "ci"},
         totals=("models", "not as pinned", "distinct states"),
         parts=("spec", "models"),
     ),
-    "models-full": _s7spec(
+    "models-full": Run(
         "Models of the full lane",
         "The CI lane, the large models and all controls. A result of an earlier run counts while its texts stand.",
-        "models --lane full --changed",
+        "s7spec models --lane full --changed",
         summaries.models,
+        tlc=True,
         told={"lane": "full"},
         totals=("models", "not as pinned", "distinct states"),
         parts=("spec", "models"),
@@ -92,105 +86,103 @@ RUNS = {
         "Logs",
         "The logs of `traces/`, written out by `s7spec views cases`. A test compares verdict and line.",
         "s7check trace --readings none --format json build/traces",
-        (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
         summaries.logs,
+        (sys.executable, "-m", "s7check", "trace", "--readings", "none", "--format", "json", "build/traces"),
         codes=(0, 1, 2),
         totals=("logs", "accepted", "rejected", "unusable"),
         parts=("judging", "cases", "engine", "checker"),
         first=(sys.executable, "-m", "evidence", "views", "cases"),
     ),
-    "agreement": _s7spec(
+    "agreement": Run(
         "Agreement",
         "Random logs, judged by the engine and by TLC ([agreement](agreement.md)).",
-        "logs agree --logs 10000",
+        "s7spec logs agree --logs 10000",
         summaries.agreement,
+        tlc=True,
         totals=("logs", "lines", "differ"),
         parts=("judging", "engine"),
     ),
-    "left-out": _s7spec(
+    "left-out": Run(
         "Kinds left out",
         "Random accepted logs, each with every subset of the kinds of event left out: each has to be accepted.",
-        "logs left-out --logs 100",
+        "s7spec logs left-out --logs 100",
         summaries.left_out,
-        tlc=False,
         told={"logs": 100, "subsets": 63, "events": None, "seed": 1},
         totals=("accepted logs", "with kinds left out", "not accepted"),
         parts=("judging", "engine"),
     ),
-    "left-out-sample": _s7spec(
+    "left-out-sample": Run(
         "Kinds left out, more logs",
         "Other logs, each with some of these subsets, drawn by the seed.",
-        "logs left-out --logs 10000 --subsets 6 --seed 2",
+        "s7spec logs left-out --logs 10000 --subsets 6 --seed 2",
         summaries.left_out,
-        tlc=False,
         told={"logs": 10000, "subsets": 6, "events": None, "seed": 2},
         totals=("accepted logs", "with kinds left out", "not accepted"),
         parts=("judging", "engine"),
     ),
-    "growth": _s7spec(
+    "growth": Run(
         "Logs that leave much open",
         "Many start events at once, few kinds recorded, years between two lines: what each costs "
         "([growth](commands.md#s7spec-logs-growth-name)).",
-        "logs growth",
+        "s7spec logs growth",
         summaries.growth,
-        tlc=False,
         totals=("lines", "steps"),
         parts=("judging", "engine"),
     ),
-    "mutation": _s7spec(
+    "mutation": Run(
         "Mutation",
         "Mutants of the specification before the logs and the models of the smoke lane ([mutation](mutation.md)).",
-        "mutants --against all --lane smoke --sample 600 --seed 1",
+        "s7spec mutants --against all --lane smoke --sample 600 --seed 1",
         summaries.mutants,
+        tlc=True,
         told={"against": "all", "lane": "smoke", "sample": 600, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
         parts=("spec", "models", "cases"),
     ),
-    "mutation-properties": _s7spec(
+    "mutation-properties": Run(
         "Mutation, properties alone",
         "Mutants before the properties of the models of the smoke lane: no counts, timeouts, errors or logs. Those "
         "that no model of the lane evaluates do not count ([mutation](mutation.md)).",
-        "mutants --against properties --lane smoke --sample 100 --seed 1",
+        "s7spec mutants --against properties --lane smoke --sample 100 --seed 1",
         summaries.mutants,
+        tlc=True,
         told={"against": "properties", "lane": "smoke", "sample": 100, "seed": 1},
         totals=("mutants", "equivalent", "killed", "survived"),
         parts=("spec", "models"),
     ),
-    "witnesses": _s7spec(
+    "witnesses": Run(
         "Witnesses",
         "Conditions of the specification, and the models or logs that meet them ([witnesses](witnesses.md)).",
-        "witnesses",
+        "s7spec witnesses",
         summaries.witnesses,
+        tlc=True,
         totals=("conditions", "by models", "by logs alone", "with reason", "without"),
         parts=("spec", "models", "cases"),
     ),
-    "kit": _s7spec(
+    "kit": Run(
         "Kit",
         "The kit on the soft PLC in all its ways: outcomes of guards of spec/, and requirements "
         "([kit](../checking/kit.md#what-the-programs-reach)).",
-        "kit reached",
+        "s7spec kit reached",
         summaries.kit,
-        tlc=False,
         told={"kit": "reached"},
         totals=("programs", "logs", "guard outcomes reached", "that can be observed"),
         parts=("judging", "kit", "soft PLC"),
     ),
-    "kit-faults": _s7spec(
+    "kit-faults": Run(
         "Kit, faults",
         "Deliberate faults of the soft PLC that the kit alone finds ([faults](commands.md#s7spec-kit-faults-fault)).",
-        "kit faults",
+        "s7spec kit faults",
         summaries.kit_faults,
-        tlc=False,
         totals=("number", "found"),
         parts=("kit", "soft PLC", "judging"),
     ),
-    "kit-mutants": _s7spec(
+    "kit-mutants": Run(
         "Kit, mutants",
         "Mutants of the specification before the logs of the soft PLC running the kit; of those that an accepted log "
         "shows, the part that the kit shows ([mutation](mutation.md#the-checks)).",
-        "mutants --against kit --sample 60 --seed 1",
+        "s7spec mutants --against kit --sample 60 --seed 1",
         summaries.kit_mutants,
-        tlc=False,
         told={"kit": "mutants"},
         totals=("mutants", "shown by one", "by the kit"),
         parts=("spec", "kit"),
@@ -199,8 +191,8 @@ RUNS = {
         "Damaged logs and sources",
         "Each gets its verdict or its refusal in one sentence; anything else is a fault ([checks](checks.md#by-hand)).",
         "make fuzz",
-        (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         summaries.fuzz,
+        (sys.executable, "-m", "tests.fuzz", "--json", _REPORT),
         totals=("accepted", "rejected", "unusable", "written", "refused", "faults"),
         parts=("judging", "engine", "checker"),
     ),
@@ -208,8 +200,8 @@ RUNS = {
         "Speed",
         "The trace checker and TLC on the same logs ([benchmark](../../bench/README.md)).",
         "bench/run.py",
-        (sys.executable, "bench/run.py", "--json", _REPORT),
         summaries.bench,
+        (sys.executable, "bench/run.py", "--json", _REPORT),
         totals=("events", "seconds"),
         parts=("judging", "engine", "checker"),
     ),
@@ -218,33 +210,32 @@ RUNS = {
         "CPU seconds of this checkout and of the revision before the work on the cost of logs began, on the same logs; "
         "none where there was no verdict in time ([benchmark](../../bench/README.md#beside-another-revision)).",
         "bench/compare.py",
-        (sys.executable, "bench/compare.py", "--json", _REPORT),
         summaries.bench,
+        (sys.executable, "bench/compare.py", "--json", _REPORT),
         parts=("judging", "engine", "checker"),
     ),
-    "edges": _s7spec(
+    "edges": Run(
         "The explorer's steps and TLC's edges",
         "What may come after each log of three exported graphs ([commands](commands.md#s7spec-logs-edges-world)).",
-        "logs edges",
+        "s7spec logs edges",
         summaries.edges,
+        tlc=True,
         totals=("edges", "compared", "not offered"),
         parts=("spec", "engine"),
     ),
-    "engines": _s7spec(
+    "engines": Run(
         "The executable and Java",
         "The whole answers of both engines to the same logs ([commands](commands.md#s7spec-logs-engines)).",
-        "logs engines",
+        "s7spec logs engines",
         summaries.engines,
-        tlc=False,
         totals=("logs", "different"),
         parts=("judging", "cases", "engine"),
     ),
-    "proofs": _s7spec(
+    "proofs": Run(
         "Proofs",
         "Properties of System and of the abstract specifications, proved by Apalache ([proofs](proofs.md)).",
-        "prove --kept",
+        "s7spec prove --kept",
         summaries.proofs,
-        tlc=False,
         totals=("queries", "not as claimed", "not asked", "conditions"),
         parts=("spec", "models", "proofs"),
     ),
@@ -263,12 +254,11 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
     """
     run = RUNS[name]
     options = [] if jar is None else ["--tlc", str(jar)]
-    tools = _tools(run, jar)
-    state = records.today(), records.revision(), records.machine(), records.load(), texts.origin(run.parts)
+    begun = replace(_circumstances(run, jar), load=round(os.getloadavg()[0], 1))
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="s7check-results-") as folder:
         report = Path(folder) / "report.json"
-        arguments = [str(report) if argument == _REPORT else argument for argument in run.arguments]
+        arguments = [str(report) if argument == _REPORT else argument for argument in run.process]
         tell(f"running {run.typed}")
         if run.first:
             subprocess.run(run.first, cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
@@ -276,20 +266,8 @@ def take(name: str, jar: Path | None, tell: Callable[[str], None]) -> Record:
         text = report.read_text(encoding="utf-8") if report.exists() else ended.stdout
     if ended.returncode not in run.codes or not text:
         raise RunError(f"{run.typed} ended with exit code {ended.returncode}: {_end(ended.stdout.splitlines())}")
-    date, revision, machine, load, origin = state
-    return Record(
-        command=_typed(run, jar),
-        date=date,
-        revision=revision,
-        release=__version__,
-        texts=origin,
-        tools=tools,
-        machine=machine,
-        load=load,
-        seconds=round(time.monotonic() - began, 1),
-        exit=ended.returncode,
-        tables=run.summary(text),
-    )
+    seconds = round(time.monotonic() - began, 1)
+    return replace(begun, seconds=seconds, exit=ended.returncode, tables=run.summary(text))
 
 
 def take_over(name: str, jar: Path | None, report: Path) -> Record:
@@ -309,27 +287,26 @@ def take_over(name: str, jar: Path | None, report: Path) -> Record:
     written = report.stat().st_mtime
     if records.changed_at() > written:
         raise RunError(f"{report}: the checkout has changed since; run {run.typed} again")
+    found = replace(_circumstances(run, jar), date=records.day(written), seconds=document.get("seconds"))
+    return replace(found, tables=run.summary(text))
+
+
+def _circumstances(run: Run, jar: Path | None) -> Record:
+    """The record of a run that begins now, without what it gives."""
+    toolchain = [f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else []
     return Record(
-        command=_typed(run, jar),
-        date=records.day(written),
+        command=" ".join([run.typed, *(["--tlc", jar.name] if jar else [])]),
+        date=records.day(time.time()),
         revision=records.revision(),
         release=__version__,
         texts=texts.origin(run.parts),
-        tools=_tools(run, jar),
+        tools=[*records.tools(), *toolchain],
         machine=records.machine(),
         load=None,
-        seconds=document.get("seconds"),
+        seconds=None,
         exit=None,
-        tables=run.summary(text),
+        tables=[],
     )
-
-
-def _typed(run: Run, jar: Path | None) -> str:
-    return " ".join([run.typed, *(["--tlc", jar.name] if jar else [])])
-
-
-def _tools(run: Run, jar: Path | None) -> list[str]:
-    return [*records.tools(), *([f"TLC of {find_toolchain(jar).jar.name}"] if run.tlc else [])]
 
 
 def _end(lines: Iterable[str]) -> str:

@@ -9,12 +9,11 @@ from dataclasses import dataclass
 
 from markdown_it import MarkdownIt
 
-from evidence.models.entries import Entry
+from evidence.models.manifest import Model
 from evidence.views.site.chapters import Chapter, definition_named
 from evidence.views.site.linked import TAG, Linked
 from evidence.views.site.logs import Logs
 from evidence.views.site.tables import Tables
-from evidence.views.traceability.controls import base_of
 from evidence.views.traceability.matrix import Cell, Matrix, Row
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import Project
@@ -167,13 +166,12 @@ class Page:
         more = len(found.names) - _MOST
         return f"<ul>{shown}{f'<li>and {more} others</li>' if more > 0 else ''}</ul>"
 
-    def _control(self, entry: Entry) -> str:
-        base = base_of(entry, self._parts.project.controls.entries)
+    def _control(self, entry: Model) -> str:
         changes = "".join(
             f"<pre><del>{html.escape(one.replace.rstrip())}</del>\n<ins>{html.escape(one.by.rstrip())}</ins></pre>"
-            for one in entry.mutate
+            for one in entry.mutations
         )
-        said = f"{entry.name}: {entry.expect.property} fails in model {base.name}"
+        said = f"{entry.name}: {entry.expect.property} fails in model {entry.base or entry.name}"
         return f"<li><details><summary>{said}</summary>{changes or f'<p>{_what(entry)}</p>'}</details></li>"
 
     def _log(self, cell: Cell, among: int = 0) -> str:
@@ -187,10 +185,10 @@ class Page:
         return f"<p>{html.escape(case.reason)} ({case.name}{where}){run if self._parts.explorer else ''}</p>{drawn}"
 
 
-def _what(entry: Entry) -> str:
-    return MarkdownIt().renderInline(entry.what) if isinstance(entry.what, str) else ""
+def _what(entry: Model) -> str:
+    return str(MarkdownIt().renderInline(entry.what))
 
 
-def _model(entry: Entry) -> str:
+def _model(entry: Model) -> str:
     states = f" ({entry.expect.distinct:,} states)" if entry.expect.distinct else ""
     return f"<li>{entry.name}{states}: {_what(entry)}</li>"

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from evidence.common.checkout import ROOT
+from evidence.tla.modules import reached
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import Project
 from evidence.views.traceability.roles import SYSTEM, rules
@@ -93,14 +94,8 @@ def _undefined(project: Project, root: Path) -> Iterator[str]:
 def actions(project: Project) -> list[Definition]:
     """The actions of System: what `Next` consists of, and an observer sees."""
     system = {d.name: d for module in project.spec if module.name == SYSTEM for d in module.definitions}
-    found: dict[str, Definition] = {}
-    waiting = ["Next"]
-    while waiting:
-        name = waiting.pop()
-        if name in system and name not in found:
-            found[name] = system[name]
-            waiting += system[name].words
-    return sorted((d for d in found.values() if d.name != "Seen" and d.words & {"Seen", "Step"}), key=lambda d: d.line)
+    found = reached(["Next"], {name: d.words for name, d in system.items()}) - {"Seen"}
+    return sorted((system[name] for name in found if system[name].words & {"Seen", "Step"}), key=lambda d: d.line)
 
 
 def _untold(project: Project, told: str) -> Iterator[str]:

@@ -56,9 +56,8 @@ def document(source: Path, text: str, place: str, views: Container[Path]) -> Doc
     parser = MarkdownIt("commonmark", {"html": True}).enable("table")
     tokens = parser.parse(text)
     files: set[Path] = set()
-    for token in _all(tokens):
-        if token.type == "link_open":
-            token.attrs["href"] = _address(str(token.attrs["href"]), source, place, views, files.add)
+    for link in (child for token in tokens for child in token.children or [] if child.type == "link_open"):
+        link.attrs["href"] = _address(str(link.attrs["href"]), source, place, views, files.add)
     sections = list(_sections(tokens, place))
     title = sections[0].title if sections else source.stem
     return Document(title, parser.renderer.render(tokens, parser.options, {}), sections, files)
@@ -125,9 +124,3 @@ def _words(token: Token) -> str:
     breaks = ("softbreak", "hardbreak")
     children = [child for child in token.children or [] if child.type != "html_inline"]
     return "".join(" " if child.type in breaks else child.content for child in children)
-
-
-def _all(tokens: list[Token]) -> Iterator[Token]:
-    for token in tokens:
-        yield token
-        yield from _all(token.children or [])

@@ -18,6 +18,7 @@ from evidence.common import gallery
 from evidence.common.cases import all_cases
 from evidence.common.checkout import ROOT
 from evidence.common.console import plain
+from evidence.common.options import folder_option
 from evidence.common.processes import Processes
 from evidence.common.session import session
 from evidence.tla.tlc import ToolMissingError
@@ -31,7 +32,6 @@ from evidence.views.site.linked import TAG, Linked, with_links
 from evidence.views.site.logs import EXPLORER, Logs, drawable, picture
 from evidence.views.site.modules import module_page
 from evidence.views.site.tables import Tables
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import build
 from evidence.views.traceability.project import REQUIREMENTS, REQUIREMENTS_S7_1500, Project, read_project
 from s7check.engine.client import Engine
@@ -62,19 +62,13 @@ SEARCH = ROOT / "build/npm/node_modules/minisearch/dist/umd/index.js"
 
 
 @click.command(name="site", short_help="Docs, specification and gallery as static pages.")
-@click.option(
-    "--output",
-    type=click.Path(path_type=Path, file_okay=False),
-    default=Path("build") / "site",
-    show_default=True,
-    help="The folder; its old content is removed.",
-)
+@folder_option("--output", Path("build") / "site", "The folder; its old content is removed.")
 def site_command(output: Path) -> int:
     """Write the pages, with the explorer if `make page` has built it.
 
     They load nothing from elsewhere and work from the file system.
     """
-    with session(Processes(), (OSError, ValueError, UnreadableError), (EngineError, ToolMissingError)) as console:
+    with session(Processes(), (OSError, ValueError), (EngineError, ToolMissingError)) as console:
         project = read_project(ROOT)
         if found := problems(project):
             raise ValueError("\n".join(found))

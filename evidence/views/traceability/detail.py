@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import Cell, Matrix
 from evidence.views.traceability.modules import Definition
 from evidence.views.traceability.project import MODELS, Project
@@ -14,11 +13,11 @@ from s7check.resources import modules
 
 
 def detail(root: Path, project: Project, matrix: Matrix, ids: Sequence[str]) -> str:
-    """The entries of these IDs, a line for each. Raises `UnreadableError` for an ID that does not exist."""
+    """The entries of these IDs, a line for each. Raises ValueError for an ID that does not exist."""
     rows = matrix.cells()
     unknown = [name for name in ids if name not in rows]
     if unknown:
-        raise UnreadableError(f"{unknown[0]}: no such requirement or ambiguity")
+        raise ValueError(f"{unknown[0]}: no such requirement or ambiguity")
     places = _places(root, project) | project.logs.places
     lines = []
     for name in ids:

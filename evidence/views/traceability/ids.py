@@ -12,10 +12,6 @@ _MENTION = re.compile(rf"(?<![\w-]){_ANY}(?!\w)")
 _TAG = re.compile(rf"\[({_ANY})\](?:\s*\.\.\s*\[({_ANY})\])?")
 
 
-class RangeError(ValueError):
-    """A range of IDs that has no beginning or no end."""
-
-
 def mentioned(text: str) -> list[str]:
     """All IDs in a text, in their order, also IDs that do not exist."""
     return _MENTION.findall(text)
@@ -24,7 +20,7 @@ def mentioned(text: str) -> list[str]:
 def tagged(text: str) -> list[str]:
     """The IDs that a comment claims for its definition: ``[TINT-14]``, and ranges, ``[TINT-72] .. [TINT-79]``.
 
-    A range is counted through, so that IDs may come out which do not exist. Raises `RangeError`.
+    A range is counted through, so that IDs may come out which do not exist. Raises ValueError.
     """
     found: dict[str, None] = {}
     for first, last in _TAG.findall(text):
@@ -36,5 +32,5 @@ def _between(first: str, last: str) -> list[str]:
     prefix, low = first.split("-")
     other, high = last.split("-")
     if prefix != other or int(high) < int(low):
-        raise RangeError(f"[{first}] .. [{last}] is no range")
+        raise ValueError(f"[{first}] .. [{last}] is no range")
     return [f"{prefix}-{number:02}" for number in range(int(low), int(high) + 1)]

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from evidence.common.cases import Case, CasesError, all_cases
+from evidence.common.cases import Case, all_cases
 from evidence.views.traceability.entries import Entries, entries
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.ids import AMBIGUITIES
 
 
@@ -22,15 +21,12 @@ class Logs:
 
 
 def read_logs(traces: Path) -> Logs:
-    """Read all cases. Raises `UnreadableError`, also where there are no accepted or no rejected logs."""
-    try:
-        cases = all_cases(traces)
-    except (OSError, CasesError) as error:
-        raise UnreadableError(str(error)) from error
+    """Read all cases. Raises OSError; ValueError, also where there are no accepted or no rejected logs."""
+    cases = all_cases(traces)
     found = {v: _by_requirement([case for case in cases if case.verdict == v]) for v in ("accepted", "rejected")}
     for verdict, by_requirement in found.items():
         if not by_requirement:
-            raise UnreadableError(f"{traces}: no {verdict} log names a requirement")
+            raise ValueError(f"{traces}: no {verdict} log names a requirement")
     places = {case.id: f"{traces.name}/{case.area}.txt:{case.place}: {case.name}" for case in cases}
     return Logs(found["accepted"], found["rejected"], places)
 

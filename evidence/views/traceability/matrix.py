@@ -62,26 +62,14 @@ class Matrix:
         return {row.id: row.cells for row in self.rows} | {n: {READING: cell} for n, cell in self.readings.items()}
 
 
-@dataclass(frozen=True)
-class Count:
-    """How many requirements have an entry, of these only one that touches them, a reason, of these for work that is not
-    done, and neither.
+def counts(matrix: Matrix) -> list[tuple[str, int, int, int, int, int]]:
+    """For each column, and for the ambiguities: how many requirements have an entry, of these only one that touches
+    them, a reason, of these for work that is not done, and neither.
     """
-
-    name: str
-    filled: int
-    indirect: int
-    excused: int
-    not_done: int
-    missing: int
-
-
-def counts(matrix: Matrix) -> list[Count]:
-    """One count a column, and one for the ambiguities."""
     columns = {title: [row.cells[column] for row in matrix.rows] for column, title in COLUMNS.items()}
     columns["formula that looks an ambiguity up"] = list(matrix.readings.values())
     return [
-        Count(
+        (
             title,
             sum(bool(cell.entries.names) for cell in cells),
             sum(bool(cell.entries.names) and not cell.entries.direct for cell in cells),

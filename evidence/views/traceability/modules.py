@@ -17,8 +17,7 @@ from tree_sitter import Node
 
 from evidence.tla import syntax
 from evidence.tla.syntax import COMMENTS, SyntaxTreeError, meaningful, operand, token, walk
-from evidence.views.traceability.errors import UnreadableError
-from evidence.views.traceability.ids import RangeError, tagged
+from evidence.views.traceability.ids import tagged
 from s7check.resources import modules
 
 _AMBIGUITY = re.compile(r'"((?:AMB|A15)-\d+)"')
@@ -85,22 +84,22 @@ _NO_BOX = _Block(0, 0, 0, 0, own_line=True)
 
 
 def read_modules(directory: Path) -> list[Module]:
-    """Read the modules of a directory. Raises `UnreadableError`, also where there are none."""
+    """Read the modules of a directory. Raises ValueError, also where there are none."""
     paths = modules(directory)
     if not paths:
-        raise UnreadableError(f"{directory}: no module *.tla")
+        raise ValueError(f"{directory}: no module *.tla")
     return [read_module(path) for path in paths]
 
 
 def read_module(path: Path) -> Module:
-    """Read one module. Raises `UnreadableError`."""
+    """Read one module. Raises ValueError."""
     try:
         read = syntax.Module(path.stem, path.read_bytes())
         root = read.root
     except OSError as error:
-        raise UnreadableError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {error}") from error
     except SyntaxTreeError as error:
-        raise UnreadableError(f"{path.parent}/{error}") from error
+        raise ValueError(f"{path.parent}/{error}") from error
     definitions = _definitions(read)
     header, *others = blocks = _blocks(read.text, root) or [_NO_BOX]
     if header.line != _BOX_LINE:
@@ -113,8 +112,8 @@ def read_module(path: Path) -> Module:
             if owner:
                 tags.setdefault(owner, []).extend(tagged(block.text))
         own = [tag for tag in tagged(header.text) if tag not in left_out]
-    except RangeError as error:
-        raise UnreadableError(f"{path}: {error}") from error
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
     return Module(
         path.stem,
         read.text,

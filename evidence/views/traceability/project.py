@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
-from evidence.views.traceability import documents
 from evidence.views.traceability.controls import Controls, read_controls
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.ids import mentioned
 from evidence.views.traceability.logs import Logs, read_logs
 from evidence.views.traceability.modules import Module, read_modules
 from evidence.views.traceability.proofs import Proof, read_proofs
 from evidence.views.traceability.reasons import Reasons, read_reasons
 from evidence.views.traceability.roles import rules, statements
-from s7check.report.clauses import Clause
+from s7check.report.clauses import Clause, questions_of, requirements_of
 
 REQUIREMENTS = Path("docs/rules/requirements.md")
 REQUIREMENTS_S7_1500 = Path("docs/rules/requirements-s7-1500.md")
@@ -32,6 +32,9 @@ CITING = (
 """The files in which every ID has to exist."""
 
 
+T = TypeVar("T")
+
+
 @dataclass(frozen=True)
 class Project:
     """All that was read; `cited` are the IDs that each of the files names, `proofs` the properties with proofs."""
@@ -47,25 +50,33 @@ class Project:
 
 
 def read_project(root: Path) -> Project:
-    """Read everything. Raises `UnreadableError` for a source that is missing, unreadable or empty."""
+    """Read everything. Raises OSError; ValueError for a source that is missing, unreadable or empty."""
     spec = read_modules(root / "spec")
     models = read_modules(root / MODELS)
     for kind, stating in (("formula", rules(spec)), ("property", statements(spec))):
         if not any(definition.tags for module in stating for definition in module.definitions):
-            raise UnreadableError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
+            raise ValueError(f"{root / 'spec'}: no comment of a {kind} names a requirement")
     paths = sorted({path for pattern in CITING for path in root.glob(pattern)})
     return Project(
         {
-            name: clause
+            clause.id: clause
             for page in (REQUIREMENTS, REQUIREMENTS_S7_1500)
             if page == REQUIREMENTS or (root / page).exists()
-            for name, clause in documents.requirements(root / page).items()
+            for clause in _of(root / page, requirements_of)
         },
-        documents.ambiguities(root / READINGS),
+        {clause.id: clause for clause in _of(root / READINGS, questions_of)},
         tuple(spec),
         read_controls(root / MODELS, spec, models),
         read_logs(root / TRACES),
         read_reasons(root / REASONS),
-        {path.relative_to(root): tuple(dict.fromkeys(mentioned(documents.read(path)))) for path in paths},
+        {path.relative_to(root): tuple(dict.fromkeys(_of(path, mentioned))) for path in paths},
         read_proofs(root / PROOFS),
     )
+
+
+def _of(path: Path, made: Callable[[str], T]) -> T:
+    """What `made` makes of the text of a document. Raises ValueError with its name."""
+    try:
+        return made(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ValueError(f"{path}: {error}") from error

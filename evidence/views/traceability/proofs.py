@@ -7,11 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from evidence.views.traceability.errors import UnreadableError
-
-TITLE = "Each property"
-PROVED = "proved of actions"
-ACTIONS = "actions"
+from evidence.views.results.records import Table
 
 
 @dataclass(frozen=True)
@@ -22,27 +18,21 @@ class Proof:
     actions: int
 
 
-class _Table(msgspec.Struct):
-    columns: list[str]
-    rows: list[list[str | int | float | None]]
-    title: str = ""
-
-
 class _Record(msgspec.Struct):
-    tables: list[_Table]
+    tables: list[Table]
 
 
 def read_proofs(path: Path) -> dict[str, Proof]:
-    """The proofs by the name of the property; none before the first run. Raises `UnreadableError`."""
+    """The proofs by the name of the property; none before the first run. Raises ValueError."""
     if not path.exists():
         return {}
     try:
         record = msgspec.json.decode(path.read_bytes(), type=_Record)
     except (OSError, msgspec.MsgspecError) as error:
-        raise UnreadableError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {error}") from error
     found: dict[str, Proof] = {}
     for table in record.tables:
-        if table.title == TITLE:
-            proved, actions = table.columns.index(PROVED), table.columns.index(ACTIONS)
+        if table.title == "Each property":
+            proved, actions = table.columns.index("proved of actions"), table.columns.index("actions")
             found |= {str(row[0]): Proof(int(row[proved] or 0), int(row[actions] or 0)) for row in table.rows}
     return found

@@ -11,8 +11,6 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from evidence.views.traceability.errors import UnreadableError
-
 Column = Literal["formula", "property", "model", "accepted", "rejected", "reading"]
 Kind = Literal["text", "unseen", "outside", "follows", "table", "free", "not done"]
 
@@ -48,16 +46,16 @@ Reasons = dict[tuple[str, Column], Reason]
 
 
 def read_reasons(path: Path) -> Reasons:
-    """The reason of each requirement and column. Raises `UnreadableError`, also where a reason is given twice."""
+    """The reason of each requirement and column. Raises ValueError, also where a reason is given twice."""
     try:
         entries = msgspec.json.decode(path.read_bytes(), type=list[Reason])
     except (OSError, msgspec.MsgspecError) as error:
-        raise UnreadableError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {error}") from error
     found: Reasons = {}
     for entry in entries:
         for name in entry.ids:
             for column in entry.columns:
                 if (name, column) in found:
-                    raise UnreadableError(f"{path}: {name}, {column}: two reasons")
+                    raise ValueError(f"{path}: {name}, {column}: two reasons")
                 found[name, column] = entry
     return found

@@ -9,7 +9,6 @@ import click
 from evidence.common.checkout import ROOT
 from evidence.views.site import chapters
 from evidence.views.traceability.detail import detail
-from evidence.views.traceability.errors import UnreadableError
 from evidence.views.traceability.matrix import Matrix, build, counts
 from evidence.views.traceability.problems import notes, problems
 from evidence.views.traceability.project import read_project
@@ -38,7 +37,7 @@ def requirements_command(*, root: Path, ids: tuple[str, ...]) -> int:
             click.echo(detail(root, project, matrix, ids))
             return 0
         book = chapters.problems(project, root) if (root / chapters.BOOK).is_file() else []
-    except (UnreadableError, ValueError) as error:
+    except (OSError, ValueError) as error:
         click.echo(f"Error: {error}", err=True)
         return UNREADABLE
     found = [*problems(project, matrix), *book]
@@ -55,7 +54,7 @@ def _summary(matrix: Matrix) -> str:
     what = f"{len(matrix.rows)} requirements, {len(matrix.readings)} ambiguities"
     lines = [f"{what:38}  have it  (touched)  reason  (not done)  neither"]
     lines += [
-        f"  {c.name:36}  {c.filled:7}  {c.indirect:9}  {c.excused:6}  {c.not_done:10}  {c.missing:7}"
-        for c in counts(matrix)
+        f"  {name:36}  {filled:7}  {indirect:9}  {excused:6}  {not_done:10}  {missing:7}"
+        for name, filled, indirect, excused, not_done, missing in counts(matrix)
     ]
     return "\n".join(lines)
