@@ -168,6 +168,8 @@ def settled(output: str, code: int, condition: str) -> Answer:
     held = _HOLDS.findall(output)
     if code != 0:
         return interpret(output, code, [])
+    if _LATE.search(output):
+        return Answer("timeout", len(held), f"Z3 had no answer in time about {condition}")
     announced = sum(map(int, _CHECKING.findall(output)))
     if not announced or held != [condition] * announced:
         return Answer("nothing checked", len(held), f"{condition} holds {len(held)} times of {announced} announced")

@@ -30,10 +30,21 @@ _DIGITS = 16
 """So many of a hash tell thousands of texts apart."""
 
 
-class Run(msgspec.Struct, frozen=True):
+class Pending(msgspec.Struct, frozen=True):
+    """A condition of a formula to which Z3 had no answer in time, as Apalache calls it, such as "state invariant 2".
+
+    `transitions` is the option that names the transitions after which it was asked; empty for all.
+    """
+
+    condition: str
+    transitions: str
+
+
+class Run(msgspec.Struct, frozen=True, omit_defaults=True):
     """A run of Apalache: the query, the keys of the formulas that it was asked, and the answer to all of them.
 
-    `megabytes` is the most memory that it had.
+    `megabytes` is the most memory that it had. Where a formula has `pending` conditions, the run is about it alone, and
+    all its other conditions hold.
     """
 
     query: str
@@ -43,6 +54,7 @@ class Run(msgspec.Struct, frozen=True):
     version: str
     date: str
     keys: tuple[str, ...]
+    pending: tuple[Pending, ...] = ()
 
 
 class Result(msgspec.Struct, frozen=True):
@@ -149,7 +161,7 @@ def together(query: str, keys_now: Mapping[str, str], runs: Sequence[Run], *, ke
     lacking = unanswered(keys_now, runs)
     others = [run.answer for run in runs if run.answer.outcome != "holds"]
     if others:
-        answer = others[-1]
+        answer = next((other for other in others if other.outcome != "not asked"), others[-1])
     elif lacking:
         answer = Answer("not asked", 0, f"not asked: {', '.join(lacking)}")
     else:
@@ -167,5 +179,5 @@ def together(query: str, keys_now: Mapping[str, str], runs: Sequence[Run], *, ke
 
 def unanswered(keys_now: Mapping[str, str], runs: Iterable[Run]) -> tuple[str, ...]:
     """The formulas that no run answers."""
-    answered = {key for run in runs for key in run.keys}
+    answered = {key for run in runs if not run.pending for key in run.keys}
     return tuple(name for name, key in keys_now.items() if key not in answered)

@@ -14,10 +14,10 @@ import pytest
 from evidence.common.checkout import MANIFEST as MODELS
 from evidence.common.checkout import ROOT
 from evidence.models.entries import CONTROLS
+from evidence.models.proofs.made import instances, parts, texts
 from evidence.models.proofs.manifest import MANIFEST, ManifestError
 from evidence.models.proofs.queries import Proofs, load, named_actions
 from evidence.models.proofs.report import assumptions
-from evidence.models.proofs.runner import instances, parts, texts
 from evidence.models.proofs.text import (
     definitions,
     without_comments,

@@ -14,9 +14,9 @@ from evidence.common.cases import read_cases
 from evidence.common.checkout import MANIFEST as MODELS
 from evidence.common.checkout import ROOT
 from evidence.models.entries import CONTROLS, Mutation
+from evidence.models.proofs.made import texts
 from evidence.models.proofs.manifest import MANIFEST, ManifestError
 from evidence.models.proofs.queries import Proofs, load
-from evidence.models.proofs.runner import texts
 from evidence.models.proofs.text import (
     all_letters,
     as_action,
