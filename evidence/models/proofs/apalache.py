@@ -8,7 +8,7 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
@@ -146,21 +146,31 @@ class Late(NamedTuple):
 def late(outputs: Sequence[str]) -> list[Late]:
     """The conditions that took longer than the limit, in the outputs of runs that were asked for the same formulas.
 
-    Apalache counts the conditions of states and those of steps apart, each in the order of the formulas. Formulas about
-    states have to come first.
+    Apalache numbers the conditions of each formula from 0, sorts those of all formulas about states by these numbers,
+    read as words, and calls each by its place in this order; those about steps likewise. Formulas about states have to
+    come first.
     """
     made = _made("".join(outputs))
-    conditions = [(name, at) for name, number in made.items() for at in range(number)]
     found = [(run, label) for run, output in enumerate(outputs) for label in dict.fromkeys(_LATE.findall(output))]
     said = {label for output in outputs for label in [*_HOLDS.findall(output), *_LATE.findall(output)]}
     states = sum(label.startswith("state") for label in said)
-    assert not found or states in accumulate(made.values(), initial=0), "formulas about states do not come first"
+    ends = list(accumulate(made.values(), initial=0))
+    assert not found or states in ends, "formulas about states do not come first"
+    names = list(made)
+    first = ends.index(states) if found else 0
+    ordered = {"state": _in_order(made, names[:first]), "action": _in_order(made, names[first:])}
     result = []
     for run, label in found:
         kind, number = label.split(" invariant ")
-        name, at = conditions[int(number) + (0 if kind == "state" else states)]
-        result.append(Late(name, f"{kind} invariant {at}", run))
+        name, at = ordered[kind][int(number)]
+        alone = _in_order(made, [name]).index((name, at))
+        result.append(Late(name, f"{kind} invariant {alone}", run))
     return result
+
+
+def _in_order(made: Mapping[str, int], names: Iterable[str]) -> list[tuple[str, int]]:
+    """The conditions of these formulas as Apalache sorts them."""
+    return sorted(((name, at) for name in names for at in range(made[name])), key=lambda one: str(one[1]))
 
 
 def settled(output: str, code: int, condition: str) -> Answer:

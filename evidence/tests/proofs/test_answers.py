@@ -83,6 +83,21 @@ def test_a_condition_takes_too_long() -> None:
         late([states])
 
 
+def test_apalache_sorts_conditions_as_words() -> None:
+    """Those of all formulas, by the number in their formula: 0, 0, 1, 1, 10, 11, 2, 2, as its source says."""
+    made = "Producing verification conditions from the invariant {}\n VCGen produced {} verification condition(s)\n"
+    said = "".join(f"State 1: state invariant {at} holds.\n" for at in range(15) if at not in (5, 6, 7))
+    said += "".join(f"State 1: state invariant {at} => TIMEOUT.\n" for at in (5, 6, 7))
+    output = made.format("Ind", 12) + made.format("InWorld", 3) + made.format("EndProp", 1) + said
+    output += "State 0: action invariant 0 => TIMEOUT.\n"
+    assert late([output]) == [
+        Late("Ind", "state invariant 3", 0),  # its condition 11
+        Late("Ind", "state invariant 4", 0),  # its condition 2
+        Late("InWorld", "state invariant 2", 0),
+        Late("EndProp", "action invariant 0", 0),
+    ]
+
+
 def test_a_condition_alone() -> None:
     """It holds where it does so as often as Apalache announced it, and no other was asked."""
     said = "State 0: Checking 1 action invariants\nState 0: action invariant 3 holds.\n"
@@ -250,7 +265,7 @@ def test_a_late_condition_has_a_run_of_its_own(tmp_path: Path, proofs: Proofs, p
     text = recorded("holds")
     others = text.replace("produced 5 ", "produced 3 ")
     own = text.replace("invariant Steps", "invariant Invariant").replace("produced 5 ", "produced 2 ")
-    first = others + own.replace("invariant 4 holds.", "invariant 4 => TIMEOUT.")
+    first = others + own.replace("invariant 3 holds.", "invariant 3 => TIMEOUT.")
     alone = "State 0: Checking 1 action invariants\nState 0: action invariant 1 holds.\n"
     for second, outcome in ((alone, "holds"), (text, "nothing checked")):
         asking = Asking(ROOT, tmp_path / "build", KeptAnswers(tmp_path / outcome), program([first, second], 0))
