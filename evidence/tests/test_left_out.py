@@ -40,6 +40,13 @@ def test_without_a_kind(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", EVERY_KIND)
+def test_what_somebody_saw_stays(kind: str) -> None:
+    """A `state` line is of no kind that is left out; it is no call either."""
+    seen = Log({}, [{"event": "state"}])
+    assert without(seen, {kind}).events == seen.events
+
+
+@pytest.mark.parametrize("kind", EVERY_KIND)
 def test_letters_without_a_kind(kind: str, engine: Engine) -> None:
     """What a letter allows stays allowed, also where only definite facts are followed."""
     worse = []
