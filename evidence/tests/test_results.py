@@ -348,6 +348,18 @@ def test_summary_of_models() -> None:
     assert each.rows == [["a", "ci", 20, 10, 3, 1.25]]
 
 
+def test_summary_of_witnesses() -> None:
+    """A condition that nothing meets is named, unless it has a reason."""
+    conditions = [
+        {"id": "Airt/A", "missing": missing, "reason": reason, "text": "delay > 0"}
+        for missing, reason in (([], None), (["TRUE", "FALSE"], "a bound"), (["TRUE", "FALSE"], None))
+    ]
+    report = {"kinds": {}, "all": {"conditions": 3, "without": 1}, "conditions": conditions}
+    kinds, without = summaries.witnesses(json.dumps(report))
+    assert kinds.rows == [["all", 3, 1]]
+    assert without.rows == [["Airt/A", "TRUE or FALSE", "delay > 0"]]
+
+
 def test_summary_of_logs() -> None:
     """By area and verdict; verdicts that no log has are left out."""
     report = [

@@ -189,7 +189,12 @@ def test_a_condition_is_asked_until_there_is_an_answer(
     assert result.answer.detail == "Z3 has no answer yet about action invariant 4"
     assert ask(asking, query, "all").answer.outcome == "not asked"
     assert [run.pending for run in answers.of(query.name)] == [(Pending("action invariant 4", ""),)]
-    result = ask(dataclasses.replace(asking, apalache=program([late, alone], 0)), query, "claimed")
+    lines = tmp_path / "lines"
+    again = program([late, alone], 0, f"open({str(lines)!r}, 'a').write(line)")
+    result = ask(dataclasses.replace(asking, apalache=again), query, "claimed")
+    first_try, second_try = lines.read_text().splitlines()
+    assert "search.invariantFilter=.*->action4" in first_try
+    assert second_try == first_try.replace("action4", "action4:z3.smt.random_seed=1")
     assert (result.answer.outcome, result.answer.checked) == ("holds", first.count(" holds.") + 1)
     assert ask(asking, query, "all").answer == result.answer
 
